@@ -1,0 +1,47 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- | The error sum of the image layer: what can be wrong with an image as numbers
+-- ("PraTactile.Image") or as a file ("PraTactile.Image.Pgm").
+module PraTactile.Image.Error
+  ( -- * The error sum
+    ImageError (..)
+  , HeaderField (..)
+  ) where
+
+import Data.ByteString (ByteString)
+import Numeric.Natural (Natural)
+
+-- | Why there is no image. One constructor a cause.
+data ImageError
+  = -- | The rows differ in length: the zero-based row, its length, the first row's length.
+    RaggedRow !Int !Int !Int
+  | -- | Width, height and a number of values that is not their product.
+    WrongValueCount !Int !Int !Int
+  | -- | Two rasters that must agree in size: width and height of the one and of the other.
+    SizesDiffer !(Int, Int) !(Int, Int)
+  | -- | A rectangle (x, y, width, height) that does not lie in an image of that width and height.
+    OutsideImage !(Int, Int, Int, Int) !(Int, Int)
+  | -- | A width or height of zero, where an image is needed.
+    ZeroSize !Natural !Natural
+  | -- | More pixels than 'PraTactile.Image.Pgm.maxPixels': width and height.
+    TooManyPixels !Natural !Natural
+  | -- | The file does not begin with a PGM's @P2@ or @P5@; its first bytes (at most eight).
+    NotPgm !ByteString
+  | -- | A number of the header is missing or malformed: which one, and the bytes found there (at most eight).
+    BadHeader !HeaderField !ByteString
+  | -- | A maximum value outside 1 to 65535.
+    MaxvalOutOfRange !Natural
+  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based sample, and the bytes found there
+    -- (at most eight).
+    BadSample !Int !ByteString
+  | -- | The file ends too soon: samples needed, samples found.
+    Truncated !Int !Int
+  | -- | A sample above the maximum value: zero-based x and y, the sample, the maximum value.
+    SampleAboveMaxval !(Int, Int) !Natural !Int
+  | -- | Something other than white space follows the image: how many bytes follow.
+    TrailingData !Int
+  deriving stock (Eq, Show)
+
+-- | A number of the PGM header.
+data HeaderField = HeaderWidth | HeaderHeight | HeaderMaxval
+  deriving stock (Eq, Show, Enum, Bounded)

@@ -1,0 +1,138 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# OPTIONS_GHC -O2 #-}
+
+-- | The sensor's forward model (the paper's section III): the height map of a face in, frames out.
+--
+-- Each tab of the elastic overlay expands without stress, so an element's output is proportional to the height it meets; it is modelled as
+-- the mean height under the element's square aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
+module PraTactile.Probe.Sensor
+  ( -- * What is touched
+    HeightMap (..)
+
+    -- * The sensor
+  , Sensor (..)
+  , standardSensor
+  , idealSensor
+
+    -- * Touching
+  , forwardImage
+  , press
+  , probe
+  , scan
+  ) where
+
+import qualified Data.Vector.Storable as V
+import System.Random (RandomGen)
+
+import PraTactile.Image (Raster, generate, halfTurn, quarterTurn, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Probe (Frame (..), Motion (..), Pose (..), move, sensorSide, taxelPitch)
+import PraTactile.Random (normalPair, normals)
+
+-- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights in millimetres above the plane
+-- that the probe rests on. The upper left corner of cell (0, 0) is the origin of the face's coordinates. Off the map there is nothing to touch, height 0.
+data HeightMap = HeightMap
+  { heightPitch :: !Double
+  , heightValues :: !Raster
+  }
+  deriving stock (Eq, Show)
+
+-- | What the simulation needs to know of a sensor and of the robot that carries it.
+data Sensor = Sensor
+  { sensorFullScale :: !Double
+  -- ^ The height in millimetres that gives full scale.
+  , sensorNoise :: !Double
+  -- ^ The standard deviation of the noise, as a share of full scale.
+  , sensorPositionError :: !Double
+  -- ^ The standard deviation of the robot's position error, in taxels, the same along x and y.
+  , sensorForce :: !Double
+  -- ^ The force of a press in newtons, as the frames state it; the model does not depend on it.
+  }
+  deriving stock (Eq, Show)
+
+-- | Full scale at a symbol's thickness (1.5875 mm), noise of 0.1 of full scale, position errors of one taxel, 10 N.
+standardSensor :: Sensor
+standardSensor = Sensor 1.5875 0.1 1 10
+
+-- | 'standardSensor' without noise or position error.
+idealSensor :: Sensor
+idealSensor = standardSensor {sensorNoise = 0, sensorPositionError = 0}
+
+-- | The image without noise at a pose in the face's coordinates, clipped to 0..1: exact for multiples of 90 degrees, where the aperture's
+-- overlap with each cell is a product of lengths; for other angles the mean over 8 x 8 points of each aperture.
+forwardImage :: Sensor -> HeightMap -> Pose -> Raster
+forwardImage sensor (HeightMap cell heights) (Pose x y r)
+  | cell <= 0 || full <= 0 = generate sensorSide sensorSide (\_ _ -> 0)
+  | otherwise = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
+      0 -> upright
+      90 -> quarterTurn' 3
+      180 -> halfTurn upright
+      270 -> quarterTurn' 1
+      angle -> generate sensorSide sensorSide (\i j -> scaled (slanted (angle * pi / 180) i j))
+ where
+  full = sensorFullScale sensor
+  scaled height = max 0 (min 1 (height / full))
+  half = fromIntegral sensorSide / 2
+  upright = generate sensorSide sensorSide (\i j -> scaled (covered (spans x i) (spans y j)))
+  -- A sensor turned clockwise sees its surroundings turned counter-clockwise: by three quarter turns clockwise for 90 degrees.
+  quarterTurn' n = iterate quarterTurn upright !! (n :: Int)
+  -- The cells an aperture meets along one axis, each with the share of the aperture it covers.
+  spans centre k = overlaps (start / cell) ((start + taxelPitch) / cell)
+   where
+    start = centre + taxelPitch * (fromIntegral k - half)
+  covered xs ys = sum [wx * wy * heightAt i j | (j, wy) <- ys, (i, wx) <- xs]
+  slanted radians i j =
+    sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points] / fromIntegral (supersampling * supersampling)
+   where
+    points =
+      [ (x + cos radians * u - sin radians * v, y + sin radians * u + cos radians * v)
+      | b <- [0 .. supersampling - 1]
+      , a <- [0 .. supersampling - 1]
+      , let u = taxelPitch * (fromIntegral (i :: Int) - half + within a)
+      , let v = taxelPitch * (fromIntegral (j :: Int) - half + within b)
+      ]
+  within a = (fromIntegral a + 0.5) / fromIntegral supersampling
+  heightAt i j
+    | i < 0 || j < 0 || i >= rasterWidth heights || j >= rasterHeight heights = 0
+    | otherwise = rasterValues heights V.! (j * rasterWidth heights + i)
+
+supersampling :: Int
+supersampling = 8
+
+-- | The unit cells [k, k + 1) that an interval meets, each with the share of the interval that lies in it.
+overlaps :: Double -> Double -> [(Int, Double)]
+overlaps from to =
+  [ (k, share)
+  | k <- [floor from .. floor to]
+  , let share = (min to (fromIntegral k + 1) - max from (fromIntegral k)) / (to - from)
+  , share > 0
+  ]
+
+-- | One press at the true pose, in the face's coordinates: the image with its noise, clipped to 0..1.
+press :: RandomGen g => Sensor -> HeightMap -> Pose -> g -> (Raster, g)
+press sensor heights pose g
+  | sensorNoise sensor <= 0 = (ideal, g)
+  | otherwise = (generate sensorSide sensorSide noisy, g')
+ where
+  ideal = forwardImage sensor heights pose
+  (noise, g') = normals (sensorSide * sensorSide) g
+  noisy x y = let i = y * sensorSide + x in max 0 (min 1 (rasterValues ideal V.! i + sensorNoise sensor * noise V.! i))
+
+-- | One press where the robot means it to be: the motion carries the robot's coordinates to the face's; the pose is the nominal one, in the
+-- robot's coordinates. The frame states the nominal pose; its image is taken where the position error, drawn first, has put the sensor.
+probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
+probe sensor heights motion nominal g = (Frame nominal (sensorForce sensor) image, g'')
+ where
+  ((ex, ey), g') = normalPair g
+  err = sensorPositionError sensor * taxelPitch
+  true = nominal {poseX = poseX nominal + err * ex, poseY = poseY nominal + err * ey}
+  (image, g'') = press sensor heights (move motion true) g'
+
+-- | 'probe' at each pose in turn.
+scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
+scan sensor heights motion = go
+ where
+  go [] g = ([], g)
+  go (pose : poses) g =
+    let (frame, g') = probe sensor heights motion pose g
+        (frames, g'') = go poses g'
+     in (frame : frames, g'')
