@@ -1,0 +1,182 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The search that designed the shipped shapes, so that it can be run again. It visits every shape that meets the constraints and
+-- every alphabet of them, so the separation it reaches is the greatest there is, not merely the best found.
+module PraTactile.Shape.Design
+  ( -- * Designing
+    Parameters (..)
+  , paperParameters
+  , paperSeed
+  , design
+  , Report (..)
+
+    -- * The steps
+  , admissible
+  , family
+  , cliques
+  ) where
+
+import Data.Bits (popCount, setBit, shiftL, shiftR, testBit, (.&.), (.|.))
+import qualified Data.IntMap.Strict as IntMap
+import qualified Data.IntSet as IntSet
+import Data.List (foldl')
+import qualified Data.Set as Set
+import Data.Text (Text)
+import System.Random (StdGen, mkStdGen)
+
+import PraTactile.Random (uniform)
+import PraTactile.Shape
+import PraTactile.Shape.Distance
+
+-- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that wherever the taxels of the sensor
+-- fall, every embossed block wholly covers at least one of them.
+data Parameters = Parameters
+  { designNames :: [Text]
+  -- ^ The names of the classes; as many shapes are sought.
+  , leastBlocks :: Int
+  -- ^ Every shape embosses at least this many of the 24 blocks,
+  , mostBlocks :: Int
+  -- ^ and at most this many, so that no class is much fainter than another.
+  , leastContact :: Int
+  -- ^ At least this many blocks are embossed along each of the four sides of the box, so that the box can be found from the image.
+  }
+  deriving stock (Eq, Show)
+
+-- | The parameters of the shipped shapes: 0, 1, A, A^2; 12 to 14 blocks; 2 blocks on each side.
+paperParameters :: Parameters
+paperParameters = Parameters {designNames = ["0", "1", "A", "A^2"], leastBlocks = 12, mostBlocks = 14, leastContact = 2}
+
+-- | The seed of the shipped shapes.
+paperSeed :: Int
+paperSeed = 2004
+
+-- | What the search visited and found.
+data Report = Report
+  { reportSeed :: Int
+  -- ^ The seed it was given.
+  , reportAdmissible :: Int
+  -- ^ How many shapes meet the constraints.
+  , reportFamilies :: Int
+  -- ^ How many of them are different up to a half turn and mirrors.
+  , reportSeparation :: Int
+  -- ^ The separation of the alphabet, and the greatest that an alphabet of such shapes can have.
+  , reportAlphabets :: Int
+  -- ^ How many alphabets have it, up to the order of the classes and to half turns and mirrors of each shape.
+  }
+  deriving stock (Eq, Show)
+
+-- | Designs an alphabet: of those with the greatest separation the one whose shapes are least like ordinary features. Neither number
+-- changes when a shape is turned by 180 degrees or mirrored, nor when classes are exchanged: these the seed chooses. Refuses
+-- ('NoAlphabet') parameters that no alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
+design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
+design seed parameters = case dropWhile (null . snd) [(d, alphabetsApart d) | d <- [taxels, taxels - 1 .. 1]] of
+  (d, found@(first : others)) : _ -> do
+    let (_, best) = foldl' lessLike (featureLikeness first, first) others
+    a <- alphabet (zip (designNames parameters) (arranged seed best))
+    Right (a, Report seed (length every) (length candidates) d (length found))
+  _ -> Left NoAlphabet
+ where
+  taxels = symbolWidth * symbolHeight
+  every = admissible parameters
+  candidates = [(selfDistance b, (b, prepared b)) | b <- every, Set.lookupMin (family b) == Just b]
+  alphabetsApart d =
+    map (map fst) $
+      cliques (length (designNames parameters)) (\(_, a) (_, b) -> farApart d a b) [c | (self, c) <- candidates, self >= d]
+  featureLikeness = maximum . (0 :) . map (fst . greatestLikeness)
+  lessLike (least, best) new = let l = featureLikeness new in if l < least then (l, new) else (least, best)
+
+-- | A shape, its half turn and its two mirror images.
+family :: Bitmap -> Set.Set Bitmap
+family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
+
+-- | The shapes in a random order, each replaced by a random member of its family.
+arranged :: Int -> [Bitmap] -> [Bitmap]
+arranged seed = go (mkStdGen seed)
+ where
+  go :: StdGen -> [Bitmap] -> [Bitmap]
+  go g rest = case splitAt i rest of
+    (before, b : after) -> case drop j (Set.toAscList (family b)) of
+      chosen : _ -> chosen : go g'' (before ++ after)
+      [] -> b : go g'' (before ++ after)
+    (_, []) -> []
+   where
+    (i, g') = below (length rest) g
+    (j, g'') = below 4 g'
+  below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
+
+-- | All sets of so many items of which every two are related, each in the order of the list.
+--
+-- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
+-- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
+cliques :: Int -> (a -> a -> Bool) -> [a] -> [[a]]
+cliques size related items = map (concatMap (\i -> maybe [] pure (IntMap.lookup i numbered))) (go size (IntMap.keysSet numbered))
+ where
+  numbered = IntMap.fromList (zip [0 ..] items)
+  later = IntMap.mapWithKey (\i a -> IntMap.keysSet (IntMap.filter (related a) (snd (IntMap.split i numbered)))) numbered
+  go n among
+    | n <= 0 = [[]]
+    | IntSet.size among < n = []
+    | otherwise = [i : rest | i <- IntSet.toAscList among, rest <- go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))]
+
+-- | All shapes that meet the constraints: of the 2^24 drawings on the grid those that emboss an allowed number of blocks, touch every
+-- side enough, hang together by whole sides of blocks, have no two blocks that meet at a corner only (neither embossed nor flat: such a
+-- contact comes and goes with the phase of the taxels), and enclose nothing.
+admissible :: Parameters -> [Bitmap]
+admissible parameters =
+  [ fromBlocks raised
+  | raised <- map stacked (stacks gridHeight)
+  , popCount raised >= leastBlocks parameters && popCount raised <= mostBlocks parameters
+  , all (\side -> popCount (raised .&. side) >= leastContact parameters) sides
+  , flooded raised (raised .&. negate raised) == raised
+  , let flat = wholeGrid - raised
+  , flooded flat (flat .&. foldr (.|.) 0 sides) == flat
+  ]
+ where
+  stacked = foldl' (\below row -> shiftL below gridWidth + row) 0
+
+-- | All stacks of so many rows of blocks in which each row has a block in common with the next (or the shape would fall apart) and no
+-- two blocks meet at a corner only.
+stacks :: Int -> [[Int]]
+stacks 1 = map pure rowsOfBlocks
+stacks n = [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, row .&. next /= 0, not (cornersOnly row next)]
+ where
+  cornersOnly a b = or [bit a x /= bit a (x + 1) && bit b x /= bit b (x + 1) && bit a x /= bit b x | x <- [0 .. gridWidth - 2]]
+  bit = testBit
+
+-- | Every row with a block in it; bit x is the block of column x.
+rowsOfBlocks :: [Int]
+rowsOfBlocks = [1 .. 2 ^ gridWidth - 1]
+
+-- | The grid: 4 blocks wide, 6 tall, a block 2 taxels. A set of its blocks is a number whose bit 4 y + x is the block of column x, row y.
+gridWidth, gridHeight, blockSide :: Int
+gridWidth = 4
+gridHeight = 6
+blockSide = 2
+
+blocksWhere :: (Int -> Int -> Bool) -> Int
+blocksWhere included = foldl' setBit 0 [y * gridWidth + x | y <- [0 .. gridHeight - 1], x <- [0 .. gridWidth - 1], included x y]
+
+wholeGrid :: Int
+wholeGrid = blocksWhere (\_ _ -> True)
+
+-- | The blocks along the left, the right, the upper and the lower side.
+sides :: [Int]
+sides = [westSide, eastSide, blocksWhere (\_ y -> y == 0), blocksWhere (\_ y -> y == gridHeight - 1)]
+
+westSide, eastSide :: Int
+westSide = blocksWhere (\x _ -> x == 0)
+eastSide = blocksWhere (\x _ -> x == gridWidth - 1)
+
+-- | The blocks of the first set that are reached from the second through sides of blocks.
+flooded :: Int -> Int -> Int
+flooded within reached
+  | next == reached = reached
+  | otherwise = flooded within next
+ where
+  next = within .&. (reached .|. shiftL (reached .&. notAt eastSide) 1 .|. shiftR (reached .&. notAt westSide) 1 .|. shiftL reached gridWidth .|. shiftR reached gridWidth)
+  notAt side = wholeGrid - side
+
+-- | The shape that embosses these blocks.
+fromBlocks :: Int -> Bitmap
+fromBlocks blocks = bitmapWhere (\x y -> testBit blocks ((y `div` blockSide) * gridWidth + x `div` blockSide))
