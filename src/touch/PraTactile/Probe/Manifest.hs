@@ -1,0 +1,116 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The manifest of a folder of frames: a CSV file, one line a frame, with the header @file,x_mm,y_mm,rotation_deg,force_n@.
+module PraTactile.Probe.Manifest
+  ( -- * Manifests
+    Entry (..)
+  , parseManifest
+  , renderManifest
+  , manifestHeader
+
+    -- * What can be wrong
+  , ManifestError (..)
+  ) where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Char8 as C
+import qualified Data.ByteString.Lazy as L
+import Data.Csv
+  ( EncodeOptions (encUseCrLf)
+  , HasHeader (NoHeader)
+  , Parser
+  , Record
+  , decode
+  , defaultEncodeOptions
+  , encodeWith
+  , parseField
+  , runParser
+  , toField
+  , toRecord
+  )
+import Data.Text (Text)
+import qualified Data.Text as T
+import Data.Text.Encoding (decodeUtf8')
+import qualified Data.Vector as V
+
+import PraTactile.Probe (Pose (..))
+
+-- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of the press.
+data Entry = Entry
+  { entryFile :: !FilePath
+  , entryPose :: !Pose
+  , entryForce :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | Why a manifest is refused. Lines count from 1, the header's.
+data ManifestError
+  = -- | The file has no line at all.
+    EmptyManifest
+  | -- | The first line is not the header; what it is.
+    WrongHeader ![Text]
+  | -- | The line is not a CSV record.
+    NotCsv !Int
+  | -- | The line has so many fields instead of five.
+    WrongFieldCount !Int !Int
+  | -- | The line's file name is empty or not UTF-8.
+    BadFileName !Int
+  | -- | The line's field of that name is not a finite decimal number; what it is.
+    BadNumber !Int !Text !Text
+  | -- | The file names no frame.
+    NoEntries
+  deriving stock (Eq, Show)
+
+-- | The names of the columns, in their order.
+manifestHeader :: [Text]
+manifestHeader = ["file", "x_mm", "y_mm", "rotation_deg", "force_n"]
+
+-- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of lines are passed over; fields may be quoted but
+-- not hold a line break.
+parseManifest :: ByteString -> Either ManifestError [Entry]
+parseManifest file = case [(i, line) | (i, line) <- zip [1 ..] (map trimmed (C.lines (unmarked file))), not (B.null line)] of
+  [] -> Left EmptyManifest
+  (i, header) : rest -> do
+    names <- record i header
+    if V.toList names == map encoded manifestHeader then Right () else Left (WrongHeader (map shown (V.toList names)))
+    entries <- traverse (uncurry entry) rest
+    if null entries then Left NoEntries else Right entries
+ where
+  unmarked f = if "\xef\xbb\xbf" `B.isPrefixOf` f then B.drop 3 f else f
+  trimmed line = if "\r" `B.isSuffixOf` line then B.take (B.length line - 1) line else line
+  encoded = toField
+
+-- | One line's fields. The lines are split before cassava sees them, because it drops blank ones and so would lose count.
+record :: Int -> ByteString -> Either ManifestError Record
+record i line = case decode NoHeader (L.fromStrict line) of
+  Right records | [fields] <- V.toList records -> Right fields
+  _ -> Left (NotCsv i)
+
+entry :: Int -> ByteString -> Either ManifestError Entry
+entry i line = do
+  fields <- record i line
+  case V.toList fields of
+    [file, x, y, rotation, force] -> do
+      name <- either (const (Left (BadFileName i))) Right (decodeUtf8' file)
+      if T.null name then Left (BadFileName i) else Right ()
+      pose <- Pose <$> number "x_mm" x <*> number "y_mm" y <*> number "rotation_deg" rotation
+      Entry (T.unpack name) pose <$> number "force_n" force
+    other -> Left (WrongFieldCount i (length other))
+ where
+  number name field = case runParser (parseField field :: Parser Double) of
+    Right v | not (isNaN v || isInfinite v) -> Right v
+    _ -> Left (BadNumber i name (shown field))
+
+-- | A field for a message.
+shown :: ByteString -> Text
+shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
+
+-- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided that there are some, that no file name is empty or
+-- holds a line break, and that the numbers are finite.
+renderManifest :: [Entry] -> ByteString
+renderManifest entries = L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
+ where
+  header = V.fromList (map toField manifestHeader)
+  fields (Entry file (Pose x y r) force) = toRecord (T.pack file, x, y, r, force)
