@@ -1,0 +1,166 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
+-- paper). Along the diagonal, a[i mod n1][i mod n2] = s(i), which fills the rectangle exactly when
+-- gcd(n1, n2) = 1, by the Chinese remainder theorem; or row by row, a[r][c] = s(n2 r + c).
+module PraTactile.Array
+  ( -- * Shapes and positions
+    Shape (..)
+  , area
+  , Position (..)
+  , Surface (..)
+
+    -- * Arrays
+  , PseudorandomArray
+  , fold
+  , Folding (..)
+  , naturalSurface
+  , arrayPrimitive
+  , arrayState
+  , arrayFolding
+  , arrayShape
+  , FoldError (..)
+
+    -- * Cells
+  , cellAt
+  , sequenceIndex
+  , positionOfIndex
+  , toGrid
+  , toRows
+  ) where
+
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Data.Proxy (Proxy (..))
+import Data.Word (Word8)
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.Grid
+import PraTactile.Polynomial
+import PraTactile.Sequence
+
+-- | How the sequence is laid into the rectangle.
+data Folding
+  = -- | a[i mod n1][i mod n2] = s(i), on the torus.
+    Diagonal
+  | -- | a[r][c] = s(n2 r + c), on the twisted torus.
+    RowMajor
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | The surface on which a cell's neighbours are the same terms further on, wherever the cell is.
+naturalSurface :: Folding -> Surface
+naturalSurface Diagonal = Torus
+naturalSurface RowMajor = TwistedTorus
+
+-- | Why a sequence does not fold into a rectangle, or not into memory.
+data FoldError
+  = -- | n1 and n2 have this common divisor g: the fold reaches only every g-th cell.
+    NotCoprime Natural Natural Natural
+  | -- | The shape does not have as many cells as the sequence has terms, this many.
+    WrongArea Shape Natural
+  | -- | There are this many cells, more than the second number, which is the most that is held in memory.
+    TooManyCells Natural Natural
+  deriving stock (Eq, Show)
+
+-- | A period of the m-sequence of a primitive polynomial, folded so that it fills the shape. Only 'fold' makes one. Its
+-- size has no limit: cells are computed as they are asked for.
+data PseudorandomArray (k :: Field) = PseudorandomArray
+  { arrayPrimitive :: !(Primitive k)
+  -- ^ The characteristic polynomial of the sequence.
+  , arrayState :: !(State k)
+  -- ^ The first n terms.
+  , arrayFolding :: !Folding
+  -- ^ How the sequence is folded.
+  , arrayShape :: !Shape
+  -- ^ The shape, n1 x n2.
+  , rowWeight :: !Natural
+  , columnWeight :: !Natural
+  -- ^ The cell (r, c) holds the term r * rowWeight + c * columnWeight, modulo the period.
+  , wholePeriod :: Maybe (Primitive.Vector (GF k))
+  -- ^ One period, made when first used, if it is short.
+  }
+
+type role PseudorandomArray nominal
+
+-- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'), and the diagonal of one whose
+-- sides have a common divisor ('NotCoprime').
+fold :: forall k. KnownField k => Folding -> Shape -> Primitive k -> State k -> Either FoldError (PseudorandomArray k)
+fold folding shape@(Shape n1 n2) h state
+  | area shape /= terms = Left (WrongArea shape terms)
+  | otherwise = case folding of
+      RowMajor -> Right (array n2 1)
+      Diagonal
+        | g == 1 -> Right (array (n2 * inverseModulo n1 n2) (n1 * inverseModulo n2 n1))
+        | otherwise -> Left (NotCoprime n1 n2 g)
+ where
+  terms = period h
+  g = gcd n1 n2
+  array u v = PseudorandomArray h state folding shape (u `mod` terms) (v `mod` terms) short
+  short
+    | terms <= 2 ^ (20 :: Int) = Just (sequenceVector h state (fromIntegral terms))
+    | otherwise = Nothing
+
+-- | @inverseModulo m a@ is the inverse of a modulo m, when they are coprime; 0 modulo 1.
+inverseModulo :: Natural -> Natural -> Natural
+inverseModulo m a = fromInteger (go (toInteger m, 0) (toInteger a `mod` toInteger m, 1) `mod` toInteger m)
+ where
+  -- Each pair (r, t) keeps t a = r modulo m.
+  go :: (Integer, Integer) -> (Integer, Integer) -> Integer
+  go (_, t) (0, _) = t
+  go (r, t) (r', t') = go (r', t') (r - (r `div` r') * r', t - (r `div` r') * t')
+
+-- | The index i, below the period, of the term s(i) that a cell holds; positions beyond the edges continue
+-- on the 'naturalSurface'.
+sequenceIndex :: KnownField k => PseudorandomArray k -> Position -> Natural
+sequenceIndex array (Position r c) = (r * rowWeight array + c * columnWeight array) `mod` period (arrayPrimitive array)
+
+-- | The cell that holds the term s(i), for any i: the inverse of 'sequenceIndex'.
+positionOfIndex :: PseudorandomArray k -> Natural -> Position
+positionOfIndex array i = case arrayFolding array of
+  Diagonal -> Position (i `mod` n1) (i `mod` n2)
+  RowMajor -> Position ((i `div` n2) `mod` n1) (i `mod` n2)
+ where
+  Shape n1 n2 = arrayShape array
+
+-- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. Takes time logarithmic in the
+-- period, constant when that is at most 2^20.
+cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
+cellAt array position = case wholePeriod array >>= (Primitive.!? fromIntegral i) of
+  Just a -> a
+  Nothing -> termAt (arrayPrimitive array) (arrayState array) i
+ where
+  i = sequenceIndex array position
+
+-- | The whole array as codes. Refuses more than 'largestGrid' cells before taking memory.
+toGrid :: forall k. KnownField k => PseudorandomArray k -> Either FoldError Grid
+toGrid array
+  | area shape > largestGrid = Left tooMany
+  | otherwise = either (const (Left tooMany)) Right (gridFromVector q shape laid)
+ where
+  shape = arrayShape array
+  tooMany = TooManyCells (area shape) largestGrid
+  q = fieldOrder (Proxy :: Proxy k)
+  n1 = fromIntegral (rows shape) :: Int
+  n2 = fromIntegral (columns shape) :: Int
+  terms = sequenceVector (arrayPrimitive array) (arrayState array) (n1 * n2)
+  codes = Primitive.map (fromIntegral . toCode) terms :: Primitive.Vector Word8
+  laid = case arrayFolding array of
+    RowMajor -> codes
+    Diagonal -> Primitive.create $ do
+      cells <- Mutable.new (n1 * n2)
+      let step i r c
+            | i >= n1 * n2 = pure cells
+            | otherwise = do
+                Mutable.write cells (r * n2 + c) (codes Primitive.! i)
+                step (i + 1) (next n1 r) (next n2 c)
+          next n j = if j + 1 == n then 0 else j + 1
+      step 0 0 0
+
+-- | The whole array, row by row. Refuses as 'toGrid' does.
+toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]
+toRows array = map (map (either (const zero) id . fromCode)) . gridRows <$> toGrid array

@@ -1,0 +1,45 @@
+{-# LANGUAGE AllowAmbiguousTypes #-}
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE FlexibleInstances #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TypeApplications #-}
+{-# LANGUAGE TypeOperators #-}
+
+-- |
+-- The kind of field indices, and how an index written in a type is read as a value.
+-- Internal; "PraTactile.Field" exports what a user needs.
+module PraTactile.Field.Kind
+  ( Field (..)
+  , KnownIndex
+  , fieldIndex
+  ) where
+
+import Data.Kind (Type)
+import Data.Proxy (Proxy (..))
+import GHC.TypeNats (KnownNat, Nat, natVal)
+import Numeric.Natural (Natural)
+
+-- | What distinguishes one field from another: used as a kind, never as a type.
+data Field
+  = -- | The characteristic p, and the modulus, constant term first and monic.
+    Over Nat [Nat]
+  | -- | A field chosen at run time, named by the type that
+    -- 'Data.Reflection.reify' makes for its tables.
+    RunTime Type
+
+-- | Indices that are written out: p and the modulus as values.
+class KnownIndex (k :: Field) where
+  fieldIndex :: (Natural, [Natural])
+
+instance (KnownNat p, KnownNats modulus) => KnownIndex ('Over p modulus) where
+  fieldIndex = (natVal (Proxy @p), natVals @modulus)
+
+class KnownNats (ns :: [Nat]) where
+  natVals :: [Natural]
+
+instance KnownNats '[] where
+  natVals = []
+
+instance (KnownNat n, KnownNats ns) => KnownNats (n ': ns) where
+  natVals = natVal (Proxy @n) : natVals @ns

@@ -1,0 +1,158 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how
+-- rows and columns continue at their edges.
+module PraTactile.Grid
+  ( -- * Shapes and positions
+    Shape (..)
+  , area
+  , Position (..)
+  , Surface (..)
+  , canonicalPosition
+
+    -- * Grids
+  , Grid
+  , gridFromRows
+  , gridFromVector
+  , gridShape
+  , gridAlphabet
+  , gridRows
+  , gridCells
+  , gridHeight
+  , gridWidth
+  , codeAt
+  , GridError (..)
+  , largestGrid
+  ) where
+
+import Data.Vector.Primitive (Vector)
+import qualified Data.Vector.Primitive as Primitive
+import Data.Word (Word8)
+import Numeric.Natural (Natural)
+
+-- | Numbers of rows and of columns, in cells.
+data Shape = Shape
+  { rows :: !Natural
+  , columns :: !Natural
+  }
+  deriving stock (Eq, Ord, Show)
+
+-- | The number of cells.
+area :: Shape -> Natural
+area shape = rows shape * columns shape
+
+-- | A cell: row and column, from 0, rows downwards and columns to the right.
+data Position = Position
+  { row :: !Natural
+  , column :: !Natural
+  }
+  deriving stock (Eq, Ord, Show)
+
+-- | What lies beyond the last row and the last column.
+data Surface
+  = -- | The first row and the first column.
+    Torus
+  | -- | The first row; but one past the last column is column 0 of the next row.
+    TwistedTorus
+  | -- | Nothing.
+    Sheet
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | The cell within the shape that a row and a column, also negative ones, are on this surface. 'Nothing' exactly beyond the edges
+-- of the sheet, or when the shape has no cells.
+--
+-- >>> canonicalPosition TwistedTorus (Shape 3 5) 2 7
+-- Just (Position {row = 0, column = 2})
+canonicalPosition :: Surface -> Shape -> Integer -> Integer -> Maybe Position
+canonicalPosition surface shape r c
+  | area shape == 0 = Nothing
+  | otherwise = case surface of
+      Torus -> Just (position (r `mod` height) (c `mod` width))
+      TwistedTorus -> let (carry, c') = c `divMod` width in Just (position ((r + carry) `mod` height) c')
+      Sheet
+        | 0 <= r && r < height && 0 <= c && c < width -> Just (position r c)
+        | otherwise -> Nothing
+ where
+  height = toInteger (rows shape)
+  width = toInteger (columns shape)
+  position i j = Position (fromInteger i) (fromInteger j)
+
+-- | Why a matrix is not accepted.
+data GridError
+  = -- | There are no rows, or the rows have no cells.
+    GridEmpty
+  | -- | The row with this index, from 0, has this many cells instead of that many.
+    GridRagged Int Int Int
+  | -- | The cell at this position has this code, which is not below the alphabet's size.
+    GridCode Position Int
+  | -- | The alphabet has this size, not 2 ... 256.
+    GridAlphabet Int
+  | -- | There are this many cells, more than 'largestGrid' or other than the shape has.
+    GridCells Natural
+  deriving stock (Eq, Show)
+
+-- | The most cells that are held in memory at a time, one byte each: 2^28.
+largestGrid :: Natural
+largestGrid = 2 ^ (28 :: Int)
+
+-- | A matrix of at most 'largestGrid' codes, each below the size of the alphabet; it has cells.
+data Grid = Grid
+  { gridAlphabet :: !Int
+  -- ^ the size q of the alphabet, 2 ... 256
+  , gridHeight :: !Int
+  -- ^ the number of rows
+  , gridWidth :: !Int
+  -- ^ the number of columns
+  , gridCells :: !(Vector Word8)
+  -- ^ the codes, row by row
+  }
+  deriving stock (Eq, Show)
+
+-- | The grid with these rows over an alphabet of this size. Refuses an alphabet outside 2 ... 256, no cells,
+-- rows of different lengths, and codes outside the alphabet.
+gridFromRows :: Int -> [[Int]] -> Either GridError Grid
+gridFromRows q codes
+  | q < 2 || q > 256 = Left (GridAlphabet q)
+  | width == 0 = Left GridEmpty
+  | (i, r) : _ <- filter ((/= width) . length . snd) indexed = Left (GridRagged i (length r) width)
+  | (position, c) : _ <- outside = Left (GridCode position c)
+  | cells > largestGrid = Left (GridCells cells)
+  | otherwise = Right (Grid q height width (Primitive.fromListN (height * width) (map fromIntegral (concat codes))))
+ where
+  indexed = zip [0 ..] codes
+  height = length codes
+  width = sum (map length (take 1 codes))
+  cells = fromIntegral height * fromIntegral width
+  outside = [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
+
+-- | The grid of this shape whose codes are given row by row, as 'gridFromRows'.
+gridFromVector :: Int -> Shape -> Vector Word8 -> Either GridError Grid
+gridFromVector q shape codes
+  | q < 2 || q > 256 = Left (GridAlphabet q)
+  | area shape == 0 = Left GridEmpty
+  | cells > largestGrid || cells /= area shape = Left (GridCells cells)
+  | Just i <- Primitive.findIndex ((>= q) . fromIntegral) codes =
+      let (r, c) = i `divMod` width in Left (GridCode (Position (fromIntegral r) (fromIntegral c)) (fromIntegral (codes Primitive.! i)))
+  | otherwise = Right (Grid q (fromIntegral (rows shape)) width codes)
+ where
+  cells = fromIntegral (Primitive.length codes)
+  width = fromIntegral (columns shape) :: Int
+
+-- | The numbers of rows and columns.
+gridShape :: Grid -> Shape
+gridShape grid = Shape (fromIntegral (gridHeight grid)) (fromIntegral (gridWidth grid))
+
+-- | The codes, row by row.
+gridRows :: Grid -> [[Int]]
+gridRows grid = [map fromIntegral (Primitive.toList (Primitive.slice (i * w) w (gridCells grid))) | i <- [0 .. gridHeight grid - 1]]
+ where
+  w = gridWidth grid
+
+-- | The code in a cell; 'Nothing' exactly beyond the edges. 'canonicalPosition' brings a position within them.
+codeAt :: Grid -> Position -> Maybe Int
+codeAt grid (Position r c)
+  | r < rows shape && c < columns shape = fromIntegral <$> gridCells grid Primitive.!? fromIntegral (r * columns shape + c)
+  | otherwise = Nothing
+ where
+  shape = gridShape grid

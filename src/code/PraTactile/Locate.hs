@@ -1,0 +1,216 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- From the content of a window to its position, by the memory table (section II of the paper). The
+-- function is total: it answers, or says why not, for every patch and every array, also those in which windows repeat.
+module PraTactile.Locate
+  ( -- * Tables
+    Table
+  , buildTable
+  , tableSurface
+  , tableMask
+  , tablePacking
+  , tableSize
+  , tableLookup
+  , tableEntries
+  , largestTable
+
+    -- * Patches
+  , Patch
+  , patch
+  , patchShape
+  , LocateError (..)
+
+    -- * Locating
+  , locatePatch
+  , Outcome (..)
+  , Reason (..)
+  , reasonName
+  , reasons
+  ) where
+
+import Data.List (sort)
+import Data.Maybe (isJust)
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector as Boxed
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Grid
+import PraTactile.Locate.Table
+import PraTactile.Window
+
+-- | Why there is no table or no patch.
+data LocateError
+  = -- | The table would have this many entries, more than the second number.
+    TableTooLarge Natural Natural
+  | -- | The array does not fit into memory.
+    TableArray FoldError
+  | -- | The patch has no cells.
+    PatchEmpty
+  | -- | The row with this index, from 0, has this many cells instead of that many.
+    PatchRagged Int Int Int
+  deriving stock (Eq, Show)
+
+-- | The memory table of an array: packed window to positions, on a surface.
+data Table (k :: Field) = Table
+  { tableSurface :: !Surface
+  -- ^ The surface whose windows it holds.
+  , tableMask :: !Mask
+  -- ^ The windows' shape.
+  , tablePacking :: !Packing
+  -- ^ How windows are packed.
+  , tableGrid :: !Grid
+  , tableCodes :: !CodeTable
+  }
+
+type role Table nominal
+
+-- | The table of all windows of the array on the surface. Refuses more than 'largestTable' packed windows or cells, before taking memory.
+buildTable :: forall k. KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Either LocateError (Table k)
+buildTable packing surface array mask
+  | spanned > largestTable = Left (TableTooLarge spanned largestTable)
+  | cells > largestTable = Left (TableTooLarge cells largestTable)
+  | otherwise = do
+      grid <- either (Left . TableArray) Right (toGrid array)
+      codes <- either (Left . (`TableTooLarge` largestTable)) Right (buildCodeTable packing surface grid mask)
+      pure (Table surface mask packing grid codes)
+ where
+  spanned = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ maskSize mask
+  cells = area (arrayShape array)
+
+-- | q^cells: the number of packed windows, each an address of the memory.
+tableSize :: Table k -> Natural
+tableSize = codeTableSize . tableCodes
+
+-- | The positions of a packed window, ascending; none if it does not occur.
+tableLookup :: Table k -> Natural -> [Position]
+tableLookup = codeTableLookup . tableCodes
+
+-- | The packed windows that occur, ascending, each with its positions.
+tableEntries :: Table k -> [(Natural, [Position])]
+tableEntries table =
+  [(packed, positions) | packed <- [0 .. tableSize table - 1], positions@(_ : _) <- [tableLookup table packed]]
+
+-- | A rectangle of observed and unobserved cells.
+data Patch (k :: Field) = Patch
+  { patchShape :: !Shape
+  -- ^ Its rows and columns; at least one each.
+  , patchCells :: !(Boxed.Vector (Maybe (GF k)))
+  }
+
+type role Patch nominal
+
+-- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows of different lengths.
+patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
+patch cells
+  | width == 0 = Left PatchEmpty
+  | (i, r) : _ <- filter ((/= width) . length . snd) (zip [0 ..] cells) = Left (PatchRagged i (length r) width)
+  | otherwise = Right (Patch (Shape (fromIntegral (length cells)) (fromIntegral width)) (Boxed.fromList (concat cells)))
+ where
+  width = sum (map length (take 1 cells))
+
+-- | What is known of a patch's place. Positions are those of its upper left cell, observed or not.
+data Outcome
+  = -- | The only position that agrees with every observed cell; and the offsets in the patch of the complete windows that say so.
+    Located Position [Position]
+  | -- | All positions, two or more, that agree with every observed cell; and the offsets as above.
+    Ambiguous [Position] [Position]
+  | -- | No position, and why.
+    Refused Reason
+  deriving stock (Eq, Show)
+
+-- | Why a patch has no position. The list is closed; 'reasonName' is the name for other programs.
+data Reason
+  = -- | Every complete window is all zeros, which occurs nowhere: @zero-window@.
+    ZeroWindow
+  | -- | Fewer cells are observed than a window has: @too-few-cells@.
+    TooFewCells
+  | -- | Enough cells are observed, but no window is complete: @no-complete-window@.
+    NoCompleteWindow
+  | -- | No complete window occurs on the surface: @not-in-array@.
+    NotInArray
+  | -- | The windows, or the windows and other observed cells, do not fit one place: @contradiction@.
+    Contradiction
+  | -- | The windows fit one place, but there the patch's upper left or an observed cell lies beyond the sheet's edge: @off-sheet@.
+    OffSheet
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | The name of a reason in files and on the wire.
+reasonName :: Reason -> String
+reasonName reason = case reason of
+  ZeroWindow -> "zero-window"
+  TooFewCells -> "too-few-cells"
+  NoCompleteWindow -> "no-complete-window"
+  NotInArray -> "not-in-array"
+  Contradiction -> "contradiction"
+  OffSheet -> "off-sheet"
+
+-- | All reasons.
+reasons :: [Reason]
+reasons = [minBound .. maxBound]
+
+-- | The place of a patch: all its complete windows and all its other observed cells must agree. On the sheet, every observed cell and the
+-- patch's upper left must lie on it.
+locatePatch :: Table k -> Patch k -> Outcome
+locatePatch table observed
+  | null windows = Refused (if length cells < maskSize (tableMask table) then TooFewCells else NoCompleteWindow)
+  | all (null . snd) found = Refused (if all (all (== zero) . snd) windows then ZeroWindow else NotInArray)
+  | otherwise = case [place | Fits place <- fits] of
+      [place] -> Located place support
+      [] -> Refused (if SticksOut `elem` fits then OffSheet else Contradiction)
+      places -> Ambiguous (sort places) support
+ where
+  cells = observedCells observed
+  windows = completeWindows (tableMask table) observed
+  support = map fst windows
+  found = [(offset, windowPositions table content) | (offset, content) <- windows]
+  -- The patch's place is among the positions of each of its windows: those of one are enough.
+  fits = [compareAt table cells offset position | (offset, positions@(_ : _)) <- take 1 (filter (not . null . snd) found), position <- positions]
+
+-- | How a patch compares with the array at a place.
+data Fit = Fits Position | SticksOut | Differs
+  deriving stock (Eq)
+
+-- | Compare all observed cells, when the cell at this offset of the patch lies at that position.
+compareAt :: Table k -> [(Position, GF k)] -> Position -> Position -> Fit
+compareAt table cells (Position i j) (Position r c)
+  | or [code /= toCode a | (Just code, a) <- compared] = Differs
+  | Just place <- cellOf (Position 0 0), all (isJust . fst) compared = Fits place
+  | otherwise = SticksOut
+ where
+  grid = tableGrid table
+  compared = [(cellOf offset >>= codeAt grid, a) | (offset, a) <- cells]
+  cellOf (Position a b) = canonicalPosition (tableSurface table) (gridShape grid) (shift r i a) (shift c j b)
+  shift position offset other = toInteger position - toInteger offset + toInteger other
+
+-- | The observed cells with their offsets, row by row.
+observedCells :: Patch k -> [(Position, GF k)]
+observedCells observed =
+  [ (Position r c, a)
+  | (i, Just a) <- zip [0 ..] (Boxed.toList (patchCells observed))
+  , let (r, c) = i `divMod` columns (patchShape observed)
+  ]
+
+-- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
+completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
+completeWindows mask (Patch (Shape height width) cells) =
+  [ (Position i j, content)
+  | i <- below height (rows extent)
+  , j <- below width (columns extent)
+  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) (maskOffsets mask)]
+  ]
+ where
+  extent = maskExtent mask
+  below side size = if size > side then [] else [0 .. side - size]
+  at r c = do
+    cell <- cells Boxed.!? fromIntegral (r * width + c)
+    cell
+
+windowPositions :: Table k -> [GF k] -> [Position]
+windowPositions table content =
+  tableLookup table (pack (tablePacking table) (gridAlphabet (tableGrid table)) (map toCode content))

@@ -1,0 +1,81 @@
+-- |
+-- The memory table of the paper's section II: the packed content of a window leads to the
+-- positions where it stands. It holds for any grid, with repeated windows or without.
+module PraTactile.Locate.Table
+  ( CodeTable
+  , buildCodeTable
+  , codeTableSize
+  , codeTableLookup
+  , largestTable
+  ) where
+
+import Control.Monad (forM_)
+import Control.Monad.ST (ST)
+import Data.Int (Int32)
+import Data.Vector.Primitive (Vector)
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Numeric.Natural (Natural)
+import PraTactile.Grid
+import PraTactile.Window
+import PraTactile.Window.Visit
+
+-- | Positions sorted by packed window: those of window w are entries @starts ! w@ to @starts ! (w + 1) - 1@ (compressed rows).
+data CodeTable = CodeTable
+  { tableStarts :: !(Vector Int32)
+  , tablePositions :: !(Vector Int32)
+  , tableColumns :: !Int
+  }
+
+-- | 2^26: the most packed windows, and the most positions, that a table may have, four bytes each.
+largestTable :: Natural
+largestTable = 2 ^ (26 :: Int)
+
+-- | The table of all windows of the surface. 'Left' with the number of entries that it would need when that exceeds 'largestTable'.
+buildCodeTable :: Packing -> Surface -> Grid -> Mask -> Either Natural CodeTable
+buildCodeTable packing surface grid mask
+  | spanned > largestTable = Left spanned
+  | area (gridShape grid) > largestTable = Left (area (gridShape grid))
+  | otherwise = maybe (Left spanned) (Right . sortByWindow (gridWidth grid)) (visit packing surface grid mask)
+ where
+  spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
+
+-- | A counting sort: how often each window occurs, where each begins, then every position to its place.
+sortByWindow :: Int -> Visit -> CodeTable
+sortByWindow width windows = CodeTable starts positions width
+ where
+  visited = [(r, c) | r <- [0 .. visitRows windows - 1], c <- [0 .. visitColumns windows - 1]]
+  counts = Primitive.create $ do
+    tally <- Mutable.replicate (visitSpan windows) 0
+    forM_ visited $ \(r, c) -> increment tally (visitKey windows r c)
+    pure tally
+  starts = Primitive.scanl (+) 0 counts
+  positions = Primitive.create $ do
+    next <- Primitive.thaw (Primitive.take (visitSpan windows) starts)
+    sorted <- Mutable.replicate (visitRows windows * visitColumns windows) 0
+    forM_ visited $ \(r, c) -> do
+      place <- increment next (visitKey windows r c)
+      Mutable.write sorted (fromIntegral place) (fromIntegral (r * width + c))
+    pure sorted
+
+-- | Add one to an entry and return what it was.
+increment :: Mutable.MVector s Int32 -> Int -> ST s Int32
+increment tally i = do
+  n <- Mutable.read tally i
+  Mutable.write tally i (n + 1)
+  pure n
+
+-- | q^cells, the number of packed windows.
+codeTableSize :: CodeTable -> Natural
+codeTableSize table = fromIntegral (Primitive.length (tableStarts table) - 1)
+
+-- | The positions of a packed window, by row and column; none when it does not occur or is no packed window.
+codeTableLookup :: CodeTable -> Natural -> [Position]
+codeTableLookup table packed
+  | packed >= codeTableSize table = []
+  | otherwise = map position (Primitive.toList (Primitive.slice from (to - from) (tablePositions table)))
+ where
+  window = fromIntegral packed
+  from = fromIntegral (tableStarts table Primitive.! window)
+  to = fromIntegral (tableStarts table Primitive.! (window + 1))
+  position i = let (r, c) = fromIntegral i `divMod` tableColumns table in visitPosition r c

@@ -1,0 +1,168 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Every convention as data. Two implementations agree on an array, and on what a position in it means, when they
+-- agree on its profile; 'withProfile' is the checked door from a profile to the typed array.
+module PraTactile.Profile
+  ( -- * Profiles
+    Profile (..)
+  , Reading (..)
+  , canonicalProfile
+  , chooseProfile
+  , inferWindow
+
+    -- * From profiles to arrays
+  , withProfile
+  , ProfileError (..)
+  ) where
+
+import Control.Monad (when)
+import Data.Bifunctor (first)
+import Data.Maybe (fromMaybe)
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Polynomial
+import PraTactile.Sequence
+import PraTactile.Window
+
+-- | What the polynomial of a profile is.
+data Reading
+  = -- | The characteristic polynomial h: s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
+    Characteristic
+  | -- | Its reciprocal x^n h(1/x), made monic, as part of the literature writes it.
+    Reciprocal
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | An array with its conventions. Elements are given by their codes, polynomials by their coefficients, constant term first. A value
+-- may state an impossible choice; 'withProfile' finds out.
+data Profile = Profile
+  { profileOrder :: Natural
+  -- ^ q, the number of symbols
+  , profileModulus :: [Natural]
+  -- ^ the modulus of GF(q), over the integers modulo p
+  , profilePolynomial :: [Natural]
+  -- ^ the polynomial over GF(q), of degree n
+  , profileReading :: Reading
+  -- ^ what that polynomial is
+  , profileState :: [Natural]
+  -- ^ s(0), ..., s(n-1)
+  , profileFolding :: Folding
+  -- ^ how the sequence is folded
+  , profileShape :: Shape
+  -- ^ n1 x n2 cells
+  , profileWindow :: Shape
+  -- ^ k1 x k2 cells
+  , profileSurface :: Surface
+  -- ^ what lies beyond the edges
+  , profilePacking :: Packing
+  -- ^ how a window is packed into a number
+  }
+  deriving stock (Eq, Show)
+
+-- | The paper's array: GF(4) with A^2 = A + 1, h = x^4 + x^2 + A x + A^2, 15 x 17 cells, 2 x 2 windows, on the torus.
+canonicalProfile :: Profile
+canonicalProfile =
+  Profile
+    { profileOrder = 4
+    , profileModulus = [1, 1, 1]
+    , profilePolynomial = [3, 2, 1, 0, 1]
+    , profileReading = Characteristic
+    , profileState = [0, 0, 0, 1]
+    , profileFolding = Diagonal
+    , profileShape = Shape 15 17
+    , profileWindow = Shape 2 2
+    , profileSurface = Torus
+    , profilePacking = MostSignificantFirst
+    }
+
+-- | Why a profile describes no array.
+data ProfileError
+  = -- | There is no such field, or a coefficient or a term of the state is no element of it.
+    ProfileField FieldError
+  | -- | The modulus has this degree, but q is p^m with the second number as m.
+    ModulusDegree Natural Natural
+  | -- | The polynomial is not primitive.
+    ProfilePolynomial PolynomialError
+  | -- | The initial state starts no m-sequence.
+    ProfileState SequenceError
+  | -- | The sequence does not fold into the shape.
+    ProfileFold FoldError
+  | -- | There is no such window.
+    ProfileWindow WindowError
+  | -- | No window was given, and none can be inferred: the first number, n1, is not q^k1 - 1 for a k1 that divides n, the second.
+    WindowNotInferred Natural Natural
+  deriving stock (Eq, Show)
+
+-- | A profile from q, the modulus (or the default one), the polynomial, the shape, the window (or the inferred one) and the
+-- initial state (or 0, ..., 0, 1), the rest as in 'canonicalProfile'. Refuses a q that is no prime power up to 256 when no modulus is
+-- given, and a window that cannot be inferred; whether the choice is possible is for 'withProfile' to say.
+chooseProfile
+  :: Natural -> Maybe [Natural] -> [Natural] -> Shape -> Maybe Shape -> Maybe [Natural] -> Either ProfileError Profile
+chooseProfile q givenModulus h shape givenWindow givenState = do
+  modulus <- maybe (snd <$> first ProfileField (conwayModulus q)) Right givenModulus
+  window <- maybe (maybe notInferred Right (inferWindow q n shape)) Right givenWindow
+  pure
+    canonicalProfile
+      { profileOrder = q
+      , profileModulus = modulus
+      , profilePolynomial = h
+      , profileState = fromMaybe (map (const 0) (drop 2 h) ++ [1]) givenState
+      , profileShape = shape
+      , profileWindow = window
+      }
+ where
+  n = fromIntegral (max 1 (length h) - 1) :: Natural
+  notInferred = Left (WindowNotInferred (rows shape) n)
+
+-- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2 (MacWilliams and Sloane 1976). The arguments are q,
+-- n and the shape.
+--
+-- >>> inferWindow 4 4 (Shape 15 17)
+-- Just (Shape {rows = 2, columns = 2})
+inferWindow :: Natural -> Natural -> Shape -> Maybe Shape
+inferWindow q n (Shape n1 _)
+  | q < 2 = Nothing
+  | otherwise = case [k1 | (k1, size) <- zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q)), n `mod` k1 == 0, size == n1 + 1] of
+      k1 : _ -> Just (Shape k1 (n `div` k1))
+      [] -> Nothing
+
+-- | Check a profile and bring its field, array and window into scope. Refuses every impossible choice, each with its own
+-- 'ProfileError'. Not checked is whether the windows of the array are distinct: that is what "PraTactile.Window.Proof" proves.
+--
+-- >>> withProfile canonicalProfile (\array _ -> toCode (cellAt array (Position 6 5)))
+-- Right 3
+withProfile
+  :: Profile -> (forall k. KnownField k => PseudorandomArray k -> Mask -> r) -> Either ProfileError r
+withProfile profile use = do
+  (p, defaultModulus) <- first ProfileField (conwayModulus (profileOrder profile))
+  let degree = length defaultModulus - 1
+      given = max 1 (length (take 10 modulus)) - 1
+  when (given /= degree) (Left (ModulusDegree (fromIntegral given) (fromIntegral degree)))
+  mask <- first ProfileWindow (rectangle (profileWindow profile))
+  checked <- first ProfileField (withField p modulus (\k -> (`use` mask) <$> arrayOver k profile))
+  checked
+ where
+  modulus = profileModulus profile
+
+-- | The array of a profile over its field. The number of cells is compared first, because the other checks take long for large degrees.
+arrayOver :: forall k. KnownField k => Proxy k -> Profile -> Either ProfileError (PseudorandomArray k)
+arrayOver k profile = do
+  h <- first ProfileField (polynomialFromCodes (profilePolynomial profile))
+  let terms = fromIntegral (fieldOrder k) ^ fromMaybe 0 (polynomialDegree (h :: Polynomial k)) - 1
+  when (area shape /= terms) (Left (ProfileFold (WrongArea shape terms)))
+  stated <- first ProfilePolynomial (checkPrimitive h)
+  let characteristic = case profileReading profile of
+        Characteristic -> stated
+        Reciprocal -> reciprocal stated
+  terms0 <- first ProfileField (elementsFromCodes (profileState profile))
+  state <- first ProfileState (initialState characteristic terms0)
+  first ProfileFold (fold (profileFolding profile) shape characteristic state)
+ where
+  shape = profileShape profile

@@ -1,0 +1,119 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Windows: the few neighbouring cells by whose content a position is told (section II of the
+-- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position is its upper left
+-- corner, the cell from which the offsets count, observed or not.
+module PraTactile.Window
+  ( -- * Masks
+    Mask
+  , rectangle
+  , maskFrom
+  , maskOffsets
+  , maskSize
+  , maskExtent
+  , WindowError (..)
+
+    -- * Contents
+  , windowAt
+
+    -- * Packing
+  , Packing (..)
+  , pack
+  , unpack
+  ) where
+
+import Data.List (foldl', unfoldr)
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Grid (canonicalPosition)
+
+-- | Why there is no such window.
+data WindowError
+  = -- | The window has no cells.
+    WindowEmpty
+  | -- | The window has this many cells, more than 4096.
+    WindowTooLarge Natural
+  | -- | The offset occurs twice.
+    OffsetRepeated Position
+  | -- | The number is not below q^cells, so that it packs no window.
+    PackedOutOfRange Natural
+  deriving stock (Eq, Show)
+
+-- | The offsets of a window's cells from its position, in reading order, each once: 1 ... 4096 cells.
+newtype Mask = Mask [Position]
+  deriving stock (Eq, Ord, Show)
+
+-- | The full rectangle, read row by row. Refuses no cells and more than 4096.
+--
+-- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> rectangle (Shape 2 2)
+-- Right [(0,0),(0,1),(1,0),(1,1)]
+rectangle :: Shape -> Either WindowError Mask
+rectangle shape
+  | area shape == 0 = Left WindowEmpty
+  | area shape > largestMask = Left (WindowTooLarge (area shape))
+  | otherwise = Right (Mask [Position i j | i <- [0 .. rows shape - 1], j <- [0 .. columns shape - 1]])
+
+-- | The cells with these offsets, read in this order. Refuses no cells, more than 4096, and an offset that occurs twice.
+maskFrom :: [Position] -> Either WindowError Mask
+maskFrom offsets
+  | null offsets = Left WindowEmpty
+  | size > largestMask = Left (WindowTooLarge size)
+  | otherwise = go Set.empty offsets
+ where
+  size = fromIntegral (length offsets)
+  go _ [] = Right (Mask offsets)
+  go seen (o : rest)
+    | o `Set.member` seen = Left (OffsetRepeated o)
+    | otherwise = go (Set.insert o seen) rest
+
+largestMask :: Natural
+largestMask = 4096
+
+-- | The offsets in reading order.
+maskOffsets :: Mask -> [Position]
+maskOffsets (Mask offsets) = offsets
+
+-- | The number of cells.
+maskSize :: Mask -> Int
+maskSize (Mask offsets) = length offsets
+
+-- | The smallest rectangle that holds the cells and the window's position.
+maskExtent :: Mask -> Shape
+maskExtent (Mask offsets) = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
+
+-- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies beyond the edges of the sheet.
+windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
+windowAt surface array mask (Position r c) = traverse cell (maskOffsets mask)
+ where
+  cell (Position i j) = cellAt array <$> canonicalPosition surface (arrayShape array) (toInteger (r + i)) (toInteger (c + j))
+
+-- | How a window becomes a number in base q.
+data Packing
+  = -- | The first cell is the most significant digit.
+    MostSignificantFirst
+  | -- | The first cell is the least significant digit.
+    LeastSignificantFirst
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | @pack packing q codes@ is the number whose base-q digits are the codes, each below q.
+--
+-- >>> pack MostSignificantFirst 4 [3, 2, 3, 1]
+-- 237
+pack :: Packing -> Int -> [Int] -> Natural
+pack packing q codes = foldl' (\n c -> fromIntegral q * n + fromIntegral c) 0 (ordered packing codes)
+
+-- | @unpack packing q cells n@ undoes 'pack'. Refuses n >= q^cells.
+unpack :: Packing -> Int -> Int -> Natural -> Either WindowError [Int]
+unpack packing q cells n
+  | n >= base ^ max 0 cells = Left (PackedOutOfRange n)
+  | otherwise = Right (ordered packing (reverse (take cells (unfoldr digit n))))
+ where
+  base = fromIntegral q :: Natural
+  digit m = Just (fromIntegral (m `mod` base), m `div` base)
+
+ordered :: Packing -> [a] -> [a]
+ordered MostSignificantFirst = id
+ordered LeastSignificantFirst = reverse

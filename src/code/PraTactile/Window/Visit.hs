@@ -1,0 +1,63 @@
+-- |
+-- Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
+-- enumeration and the memory table.
+module PraTactile.Window.Visit
+  ( Visit (..)
+  , visit
+  , visitPosition
+  ) where
+
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Grid
+import PraTactile.Window
+
+-- | The windows of a grid: positions (r, c) with 0 <= r < 'visitRows' and 0 <= c < 'visitColumns', and the packed content at each.
+data Visit = Visit
+  { visitRows :: !Int
+  , visitColumns :: !Int
+  , visitSpan :: !Int
+  -- ^ q^cells: packed contents are below it
+  , visitKey :: Int -> Int -> Int
+  }
+
+-- | All windows of this shape on the surface. 'Nothing' when q^cells exceeds 2^62, so that a packed window would not fit. On
+-- the sheet only windows that lie on it wholly are visited, perhaps none.
+visit :: Packing -> Surface -> Grid -> Mask -> Maybe Visit
+visit packing surface grid mask
+  | spanned > 2 ^ (62 :: Int) = Nothing
+  | otherwise = Just (Visit visitedRows visitedColumns (fromIntegral spanned) key)
+ where
+  spanned = fromIntegral q ^ maskSize mask :: Natural
+  q = gridAlphabet grid
+  height = gridHeight grid
+  width = gridWidth grid
+  cells = height * width
+  codes = gridCells grid
+  Shape extentRows extentColumns = maskExtent mask
+  onSheet side extent = if extent > fromIntegral side then 0 else side - fromIntegral extent + 1
+  (visitedRows, visitedColumns) = case surface of
+    Sheet -> (onSheet height extentRows, onSheet width extentColumns)
+    _ -> (height, width)
+  -- Offsets reduced to less than one turn, so that one subtraction wraps a coordinate.
+  offsets = case packing of
+    MostSignificantFirst -> maskOffsets mask
+    LeastSignificantFirst -> reverse (maskOffsets mask)
+  count = maskSize mask
+  modulo side n = fromIntegral (n `mod` fromIntegral side) :: Int
+  down = Primitive.fromListN count (map (modulo height . row) offsets)
+  right = Primitive.fromListN count (map (modulo width . column) offsets)
+  along = Primitive.fromListN count [modulo cells (row o * fromIntegral width + column o) | o <- offsets]
+  once side i = if i >= side then i - side else i
+  index r c j = case surface of
+    TwistedTorus -> once cells (r * width + c + Primitive.unsafeIndex along j)
+    _ -> once height (r + Primitive.unsafeIndex down j) * width + once width (c + Primitive.unsafeIndex right j)
+  key r c = go 0 0
+   where
+    go j acc
+      | j == count = acc
+      | otherwise = go (j + 1) (acc * q + fromIntegral (codes Primitive.! index r c j))
+
+-- | The position of visited coordinates.
+visitPosition :: Int -> Int -> Position
+visitPosition r c = Position (fromIntegral r) (fromIntegral c)
