@@ -4,6 +4,7 @@
 module PraTactile.Window.Visit
   ( Visit (..)
   , visit
+  , visitedShape
   , visitPosition
   ) where
 
@@ -26,7 +27,7 @@ data Visit = Visit
 visit :: Packing -> Surface -> Grid -> Mask -> Maybe Visit
 visit packing surface grid mask
   | spanned > 2 ^ (62 :: Int) = Nothing
-  | otherwise = Just (Visit visitedRows visitedColumns (fromIntegral spanned) key)
+  | otherwise = Just (Visit (fromIntegral visitedRows) (fromIntegral visitedColumns) (fromIntegral spanned) key)
  where
   spanned = fromIntegral q ^ maskSize mask :: Natural
   q = gridAlphabet grid
@@ -34,11 +35,7 @@ visit packing surface grid mask
   width = gridWidth grid
   cells = height * width
   codes = gridCells grid
-  Shape extentRows extentColumns = maskExtent mask
-  onSheet side extent = if extent > fromIntegral side then 0 else side - fromIntegral extent + 1
-  (visitedRows, visitedColumns) = case surface of
-    Sheet -> (onSheet height extentRows, onSheet width extentColumns)
-    _ -> (height, width)
+  Shape visitedRows visitedColumns = visitedShape surface (gridShape grid) mask
   -- Offsets reduced to less than one turn, so that one subtraction wraps a coordinate.
   offsets = case packing of
     MostSignificantFirst -> maskOffsets mask
@@ -57,6 +54,15 @@ visit packing surface grid mask
     go j acc
       | j == count = acc
       | otherwise = go (j + 1) (acc * q + fromIntegral (codes Primitive.! index r c j))
+
+-- | The rows and columns at which windows are: all of a torus; on the sheet those from which the mask does not stick out.
+visitedShape :: Surface -> Shape -> Mask -> Shape
+visitedShape surface shape mask = case surface of
+  Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
+  _ -> shape
+ where
+  extent = maskExtent mask
+  within side size = if size > side then 0 else side - size + 1
 
 -- | The position of visited coordinates.
 visitPosition :: Int -> Int -> Position
