@@ -56,18 +56,21 @@ corner place = case placeCorners place of
   [only] -> Just only
   _ -> Nothing
 
--- | Where the window of the given shape (rows and columns of cells) with its upper left cell at the given position is. The
--- array is a torus: the window goes on at the first row after the last, and likewise with columns; so does the position.
--- A window without cells is on no object. Takes time in proportion to the number of laid faces, whatever the shapes.
+-- | Where the window of the given shape (rows and columns of cells) with its upper left cell at the given position is.
+-- The array is a torus: the window goes on at the first row after the last, and likewise with columns; so does the
+-- position. A window without cells is on no object. Takes time in proportion to the number of laid faces, whatever the
+-- shapes.
 whereabouts :: Placement -> Shape -> Position -> Whereabouts
 whereabouts place window at
   | rows window == 0 || columns window == 0 = OnNoObject
-  | otherwise = case ([(laid, cell) | laid <- laidFaces place, Just cell <- [within laid]], filter touches (laidFaces place)) of
+  | otherwise = case (whole, touched) of
       ((laid, cell) : _, _) -> OnFace (placeOn place laid window cell)
-      ([], touched@(_ : _ : _)) -> Straddles (map laidFace touched)
+      ([], _ : _ : _) -> Straddles (map laidFace touched)
       _ -> OnNoObject
   where
     shape = placementShape place
+    whole = [(laid, cell) | laid <- laidFaces place, Just cell <- [within laid]]
+    touched = filter touches (laidFaces place)
     within laid = Position <$> inside row rows laid <*> inside column columns laid
     inside from size laid =
       let offset = ahead (size shape) (from (laidAt laid)) (from at)
@@ -93,8 +96,8 @@ placeOn place laid window cell = Place
     spots = faceSpots laid
     distance (Spot right down) = (right - spotRight centre) ^ (2 :: Int) + (down - spotDown centre) ^ (2 :: Int)
 
--- | Where on the array a cell of a face's block lies, the cell given by its row and column within the block; the inverse of
--- 'whereabouts' for windows of one cell. Refuses a face that is not laid and a cell outside its block.
+-- | Where on the array a cell of a face's block lies, the cell given by its row and column within the block; the inverse
+-- of 'whereabouts' for windows of one cell. Refuses a face that is not laid and a cell outside its block.
 arrayPosition :: Placement -> Face -> Position -> Either PlacementError Position
 arrayPosition place face cell = do
   laid <- findFace place (faceObject face) (faceName face)
@@ -107,8 +110,8 @@ findObject :: Placement -> ObjectName -> Either PlacementError Solid
 findObject place named =
   maybe (Left (UnknownObject named)) Right (find ((== named) . solidName) (placementSolids place))
 
--- | The laid face that a walk round its vertices names, wherever the walk starts; refuses objects and faces that there are
--- not, faces named in another order than counter-clockwise seen from outside, and faces that are not laid.
+-- | The laid face that a walk round its vertices names, wherever the walk starts; refuses objects and faces that there
+-- are not, faces named in another order than counter-clockwise seen from outside, and faces that are not laid.
 findFace :: Placement -> ObjectName -> FaceName -> Either PlacementError LaidFace
 findFace place named walk = do
   object <- findObject place named
@@ -118,7 +121,8 @@ findFace place named walk = do
     (Nothing, Nothing) -> Left (UnknownFace (Face named walk))
   maybe (Left (FaceNotLaid known)) Right (find ((== known) . laidFace) (laidFaces place))
 
--- | The centre of a window on a laid face, the window given by its shape and by its upper left cell within the face's block.
+-- | The centre of a window on a laid face, the window given by its shape and by its upper left cell within the face's
+-- block.
 windowCentre :: Placement -> LaidFace -> Shape -> Position -> Spot
 windowCentre place laid window cell = Spot
   (middle spotRight pitchRight column columns)

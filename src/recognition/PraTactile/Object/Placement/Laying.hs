@@ -154,7 +154,8 @@ lay shape between objects (Laying face at grid) = do
 checkName :: Solid -> Face -> Either PlacementError ()
 checkName object face
   | faceName face `elem` solidFaces object = Right ()
-  | otherwise = Left (maybe (UnknownFace face) (WrongVertexOrder face) (find (sameVertices (faceName face)) (solidFaces object)))
+  | otherwise = Left (maybe (UnknownFace face) (WrongVertexOrder face) meant)
+  where meant = find (sameVertices (faceName face)) (solidFaces object)
 
 rectangle :: [Point] -> Maybe Spot
 rectangle [upperLeft, lowerLeft, lowerRight, upperRight]

@@ -1,0 +1,210 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+module Test.Store (spec) where
+
+import Control.Exception (bracket, evaluate, try)
+import Control.Monad (void)
+import Data.Bifunctor (first)
+import Data.Foldable (for_, traverse_)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import qualified Database.Sqlite as Sqlite
+import System.Directory
+  ( copyFile, createDirectory, getFileSize, getTemporaryDirectory, listDirectory, removeFile, removePathForcibly )
+import System.FilePath ((</>))
+import System.IO
+  ( IOMode (..), SeekMode (..), hClose, hPutChar, hSeek, hSetFileSize, openTempFile, withBinaryFile )
+import Test.Hspec
+import Test.QuickCheck
+
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Canonical
+import PraTactile.Object.Placement
+import PraTactile.Object.Relation
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import Test.Object.Support
+
+spec :: Spec
+spec = describe "store" $ do
+  describe "is the relation" $ do
+    it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $ withCanonical $ \place path ->
+      asked path $ \store ->
+        for_ [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18] $ \window ->
+          for_ everyPosition $ \at ->
+            storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "positions and windows of any size are answered, as on the torus" $ withCanonical $ \place path ->
+      asked path $ \store -> do
+        let huge = 10 ^ (30 :: Int)
+        for_ [(canonicalWindow, Position (15 * huge + 6) (17 * huge + 5)), (Shape huge huge, Position 3 4)] $ \(window, at) ->
+          storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "every cell of every face is where the placement says, and so are those that there are not" $ withCanonical $ \place path ->
+      asked path $ \store ->
+        for_ blocks $ \block -> do
+          let beyond = [Position (blockRows block) 0, Position 0 (blockColumns block), Position 0 (10 ^ (30 :: Int))]
+          for_ (map snd (blockCells block) ++ beyond) $ \cell ->
+            storedPosition store (blockFace block) cell
+              `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
+    it "faces are found, and refused, as in the placement" $ withCanonical $ \place path ->
+      asked path $ \store ->
+        for_ [("cube", "C3 C4 C1 C2"), ("cube", "C4 C3 C2 C1"), ("cube", "P1 P2 P3 P4"), ("cube", ""), ("sphere", "C1 C2 C3 C4")] $
+          \(object, face) -> do
+            let named = Face object (readFaceName face)
+            storedPosition store named (Position 1 1) `shouldReturn` first NotInStore (arrayPosition place named (Position 1 1))
+    it "a face that is not laid is refused as in the placement" $ inDirectory $ \directory -> theCube $ \solid_ ->
+      right (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings)) $ \place -> do
+        let path = directory </> "one-face.sqlite"
+            top = Face "cube" (readFaceName "C1 C2 C3 C4")
+        create path "profile" place `shouldReturn` Right ()
+        asked path $ \store -> do
+          storedPosition store top (Position 0 0) `shouldReturn` Left (NotInStore (FaceNotLaid top))
+          for_ everyPosition $ \at ->
+            storedWhereabouts store canonicalWindow at `shouldReturn` Right (whereabouts place canonicalWindow at)
+    it "the placement and the profile come back" $ withCanonical $ \place path ->
+      asked path $ \store -> (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
+    it "placementOf . relation = id" $ thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
+
+  describe "is one file, replaced whole or not at all" $ do
+    it "nothing else is left beside it, however often it is made" $ inDirectory $ \directory -> thePlacement $ \place -> do
+      create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
+      create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
+      asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
+      listDirectory directory `shouldReturn` ["a.sqlite"]
+    it "what cannot be stored leaves the file as it was" $ withCanonical $ \place path -> theCube $ \solid_ ->
+      right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) $ \odd_ -> do
+        create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
+        asked path $ \store -> storedPlacement store `shouldBe` place
+    it "a directory, or a folder that is not there, is refused" $ inDirectory $ \directory -> thePlacement $ \place -> do
+      create directory profileText place `shouldReturn` Left (IsDirectory directory)
+      create (directory </> "none" </> "a.sqlite") profileText place >>= (`shouldSatisfy` isCannotWrite)
+      listDirectory directory `shouldReturn` []
+    it "names that SQLite keeps for itself are plain names" $ inDirectory $ \directory -> thePlacement $ \place -> do
+      create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
+      asked (directory </> "file:x?mode=memory") $ \store -> storedPlacement store `shouldBe` place
+
+  describe "refuses, with a reason and no exception," $ do
+    it "a file that is not there, and does not make it" $ inDirectory $ \directory -> do
+      opening (directory </> "none.sqlite") `shouldReturn` Left (NoSuchFile (directory </> "none.sqlite"))
+      listDirectory directory `shouldReturn` []
+    it "a directory" $ inDirectory $ \directory -> opening directory `shouldReturn` Left (IsDirectory directory)
+    it "a text file, and an empty one, named as a database" $ inDirectory $ \directory -> do
+      let path = directory </> "text.sqlite"
+      for_ ["", "SQLite form", "cube,C1 C2 C3 C4\n"] $ \contents -> do
+        writeFile path contents
+        opening path `shouldReturn` Left (NotADatabase path)
+    it "a file cut off anywhere" $ withCanonical $ \_ path -> do
+      size <- getFileSize path
+      for_ ([size - 1] ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009)) ++ [15, 16, 17, 99, 100, 101]) $ \kept -> do
+        cut <- copied path (path ++ ".cut")
+        withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
+        opening cut >>= (`shouldSatisfy` (if kept < 16 then (== Left (NotADatabase cut)) else isDamaged cut))
+    it "bytes overwritten at random, or answers" $ withCanonical $ \_ path -> do
+      size <- getFileSize path
+      damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
+      for_ damages $ \(at, byte) -> do
+        broken <- copied path (path ++ ".broken")
+        withBinaryFile broken ReadWriteMode $ \handle -> hSeek handle AbsoluteSeek at >> hPutChar handle (toEnum (byte `mod` 256))
+        outcome <- withStore broken Nothing $ \store ->
+          traverse (storedWhereabouts store canonicalWindow) [Position 6 5, Position 0 4, Position 14 16] >>= traverse_ (evaluate . length . show)
+        void (evaluate (length (show outcome)))
+    it "a database of something else" $ inDirectory $ \directory -> do
+      let path = directory </> "other.sqlite"
+      execute path "CREATE TABLE shopping (item TEXT)"
+      opening path `shouldReturn` Left (NotAStore path)
+    it "tables of another version" $ tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
+      outcome `shouldBe` Left (WrongSchemaVersion 7 schemaVersion)
+    it "a store of another profile" $ withCanonical $ \_ path ->
+      withStore path (Just "another") (const (pure ())) `shouldReturn` Left (ForeignProfile profileText "another")
+    for_ contradictions $ \(sentence, statement, expected) ->
+      it sentence $ tampered statement $ \_ outcome -> outcome `shouldBe` Left expected
+    it "words where numbers should be" $ tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
+      outcome `shouldSatisfy` isDamaged path
+    it "a table that is missing" $ tampered "DROP TABLE edge" $ \_ outcome -> outcome `shouldSatisfy` isFailed
+
+  describe "has keys" $ for_ duplicates $ \(table, columns_) ->
+    it ("no row of " ++ Text.unpack table ++ " twice") $ withCanonical $ \_ path -> do
+      let listed = Text.intercalate ", " columns_
+      outcome <- try (execute path (Text.concat ["INSERT INTO ", table, " (", listed, ") SELECT ", listed, " FROM ", table, " LIMIT 1"]))
+      first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
+
+profileText :: String
+profileText = "any text, \"quoted\"; with ' and \955\n"
+
+-- What may not be written into a store, and the answer.
+contradictions :: [(String, Text, StoreError)]
+contradictions =
+  [ ("no metadata", "DELETE FROM metadata", UnreadableRow MetadataTable)
+  , ("a cell moved on its face", "UPDATE cell SET local_column = 99 WHERE id = 7", InconsistentRows (RowsDisagree CellTable))
+  , ("a cell missing", "DELETE FROM cell WHERE id = 228", InconsistentRows (RowsDisagree CellTable))
+  , ("a cell of no face", "UPDATE cell SET laying = 99 WHERE id = 7", UnreadableRow CellTable)
+  , ("a cell in a negative row", "UPDATE cell SET array_row = -1 WHERE id = 7", UnreadableRow CellTable)
+  , ("a face laid over another", "UPDATE laying SET at_row = 1, at_column = 5 WHERE id = 1"
+    , InconsistentRows (NotPlaced (FacesOverlap (blockFace (blocks !! 0)) (blockFace (blocks !! 1))
+        [Position r c | r <- [1 .. 3], c <- [5 .. 9]])))
+  , ("a face wider than its vertices are apart", "UPDATE laying SET width_um = 127001 WHERE id = 2", InconsistentRows (RowsDisagree LayingTable))
+  , ("a face by another name", "UPDATE face SET name = 'lid' WHERE id = 4", InconsistentRows (RowsDisagree FaceTable))
+  , ("an edge between other faces", "UPDATE edge SET left_face = right_face WHERE id = 3", InconsistentRows (RowsDisagree EdgeTable))
+  , ("an edge missing", "DELETE FROM edge WHERE id = 24", InconsistentRows (RowsDisagree EdgeTable))
+  , ("an edge to no vertex", "UPDATE edge SET end_vertex = 99 WHERE id = 3", UnreadableRow EdgeTable)
+  , ("an object with a vertex moved", "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'"
+    , InconsistentRows (NotSolid "cube" (NotPlanar (readFaceName "C1 C2 C3 C4"))))
+  , ("an object with a vertex too many"
+    , "INSERT INTO vertex (object, name, x_um, y_um, z_um) VALUES (1, 'C9', 1, 2, 3)"
+    , InconsistentRows (NotSolid "cube" (UnusedVertex "C9")))
+  ]
+
+duplicates :: [(Text, [Text])]
+duplicates =
+  [ ("metadata", ["schema_version", "profile", "array_rows", "array_columns", "pitch_right_um", "pitch_down_um"])
+  , ("object", ["name"])
+  , ("vertex", ["object", "name", "x_um", "y_um", "z_um"])
+  , ("face", ["object", "name"])
+  , ("corner", ["face", "number", "vertex"])
+  , ("edge", ["object", "start_vertex", "end_vertex", "left_face", "right_face"])
+  , ("laying", ["face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
+  , ("cell", ["array_row", "array_column", "laying", "local_row", "local_column"])
+  ]
+
+isCannotWrite, isFailed :: Either StoreError () -> Bool
+isCannotWrite (Left (CannotWrite _ _)) = True
+isCannotWrite _ = False
+isFailed (Left (DatabaseFailed _)) = True
+isFailed _ = False
+
+isDamaged :: FilePath -> Either StoreError () -> Bool
+isDamaged path (Left (DamagedFile named _)) = named == path
+isDamaged _ _ = False
+
+opening :: FilePath -> IO (Either StoreError ())
+opening path = withStore path Nothing (const (pure ()))
+
+asked :: FilePath -> (Store -> Expectation) -> Expectation
+asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
+
+withCanonical :: (Placement -> FilePath -> Expectation) -> Expectation
+withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
+  let path = directory </> "objects.sqlite"
+  create path profileText place `shouldReturn` Right ()
+  test place path
+
+tampered :: Text -> (FilePath -> Either StoreError () -> Expectation) -> Expectation
+tampered statement test = withCanonical $ \_ path -> execute path statement >> opening path >>= test path
+
+-- Without the foreign keys' guard, which is off where it is not asked for.
+execute :: FilePath -> Text -> IO ()
+execute path statement = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+  bracket (Sqlite.prepare connection statement) Sqlite.finalize (void . Sqlite.stepConn connection)
+
+copied :: FilePath -> FilePath -> IO FilePath
+copied from to = copyFile from to >> pure to
+
+inDirectory :: (FilePath -> IO a) -> IO a
+inDirectory = bracket make removePathForcibly
+  where
+    make = do
+      temporary <- getTemporaryDirectory
+      (name, handle) <- openTempFile temporary "pra-tactile-store"
+      hClose handle
+      removeFile name
+      createDirectory name
+      pure name
