@@ -9,7 +9,7 @@ module PraTactile.Locate.Table
   , largestTable
   ) where
 
-import Control.Monad (forM_)
+import Control.Monad (void)
 import Control.Monad.ST (ST)
 import Data.Int (Int32)
 import Data.Vector.Primitive (Vector)
@@ -44,17 +44,16 @@ buildCodeTable packing surface grid mask
 sortByWindow :: Int -> Visit -> CodeTable
 sortByWindow width windows = CodeTable starts positions width
  where
-  visited = [(r, c) | r <- [0 .. visitRows windows - 1], c <- [0 .. visitColumns windows - 1]]
   counts = Primitive.create $ do
     tally <- Mutable.replicate (visitSpan windows) 0
-    forM_ visited $ \(r, c) -> increment tally (visitKey windows r c)
+    forWindows windows $ \_ _ key -> void (increment tally key)
     pure tally
   starts = Primitive.scanl (+) 0 counts
   positions = Primitive.create $ do
     next <- Primitive.thaw (Primitive.take (visitSpan windows) starts)
     sorted <- Mutable.replicate (visitRows windows * visitColumns windows) 0
-    forM_ visited $ \(r, c) -> do
-      place <- increment next (visitKey windows r c)
+    forWindows windows $ \r c key -> do
+      place <- increment next key
       Mutable.write sorted (fromIntegral place) (fromIntegral (r * width + c))
     pure sorted
 

@@ -1,3 +1,4 @@
+{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
 
 -- |
@@ -78,7 +79,8 @@ enumerate surface grid mask
 byBits :: Visit -> Enumeration
 byBits windows = runST $ do
   seen <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
-  let go r c distinct repeated zeroAt
+  -- Strict, or each window would leave a suspended comparison behind.
+  let go !r !c !distinct !repeated !zeroAt
         | r == visitRows windows = pure (distinct, repeated, zeroAt)
         | c == visitColumns windows = go (r + 1) 0 distinct repeated zeroAt
         | otherwise = do

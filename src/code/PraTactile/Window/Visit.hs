@@ -4,6 +4,7 @@
 module PraTactile.Window.Visit
   ( Visit (..)
   , visit
+  , forWindows
   , visitedShape
   , visitPosition
   ) where
@@ -54,6 +55,17 @@ visit packing surface grid mask
     go j acc
       | j == count = acc
       | otherwise = go (j + 1) (acc * q + fromIntegral (codes Primitive.! index r c j))
+
+-- | Run an action for each window in turn, row by row: its coordinates and its packed content. A loop, because a list of millions of
+-- positions would be kept in memory between two passes.
+forWindows :: Monad m => Visit -> (Int -> Int -> Int -> m ()) -> m ()
+forWindows windows act = go 0 0
+ where
+  go r c
+    | r == visitRows windows = pure ()
+    | c == visitColumns windows = go (r + 1) 0
+    | otherwise = act r c (visitKey windows r c) >> go r (c + 1)
+{-# INLINE forWindows #-}
 
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the mask does not stick out.
 visitedShape :: Surface -> Shape -> Mask -> Shape
