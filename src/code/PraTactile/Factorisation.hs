@@ -130,6 +130,7 @@ isPrime n
   | n `elem` millerRabinBases = Right True
   | not (all (strongProbablePrime n) millerRabinBases) = Right False
   | n < millerRabinDomain = Right True
+  | not (all (strongProbablePrime n) furtherBases) = Right False
   | pocklington n = Right True
   | otherwise = Left (PrimalityUndecided n)
 
@@ -140,6 +141,10 @@ millerRabinDomain = 3317044064679887385961981
 
 millerRabinBases :: [Natural]
 millerRabinBases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41]
+
+-- | Primes beyond those bases: above the domain each is one more chance to recognise a composite.
+furtherBases :: [Natural]
+furtherBases = takeWhile (< 150) (drop (length millerRabinBases) smallPrimes)
 
 -- | n > 2: with n - 1 = 2^s d, d odd, either a^d = 1 or some a^(2^i d) = -1, i < s.
 strongProbablePrime :: Natural -> Natural -> Bool

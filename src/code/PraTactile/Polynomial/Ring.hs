@@ -117,16 +117,17 @@ greatestCommonDivisor a b = case quotientRemainder a b of
     Just inverted -> Polynomial (map (inverted *) (coefficients a))
     Nothing -> a
 
--- | @powerModulo h a e@ is a^e modulo h, by squaring. 'Nothing' exactly when h is zero.
+-- | @powerModulo h a e@ is a^e modulo h, by squaring from the highest binary digit of e down, so that the other factor is always a itself,
+-- which for powers of x is short. 'Nothing' exactly when h is zero.
 powerModulo :: KnownField k => Polynomial k -> Polynomial k -> Natural -> Maybe (Polynomial k)
-powerModulo h = go 1
+powerModulo h a = go
  where
-  reduce a = snd <$> quotientRemainder a h
-  go acc _ 0 = reduce acc
-  go acc a e = do
-    acc' <- if odd e then reduce (acc * a) else Just acc
-    a' <- if e > 1 then reduce (a * a) else Just a
-    go acc' a' (e `div` 2)
+  reduce b = snd <$> quotientRemainder b h
+  go 0 = reduce 1
+  go e = do
+    root <- go (e `div` 2)
+    square <- reduce (root * root)
+    if odd e then reduce (square * a) else Just square
 
 -- | All monic polynomials of a degree, ascending: q^n of them, made as they are asked for.
 monicPolynomials :: forall k. KnownField k => Natural -> [Polynomial k]

@@ -1,0 +1,72 @@
+-- | Factors and primes of integers.
+module Test.Code.Factorisation (spec) where
+
+import Control.Monad (forM_)
+import Numeric.Natural (Natural)
+import PraTactile.Factorisation
+import Test.Hspec
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  describe "isPrime" $ do
+    it "agrees with trial division up to 20000" $
+      [n | n <- [0 .. 20000], isPrime n /= Right (byTrial n)] `shouldBe` []
+    it "is not deceived by the least strong pseudoprimes to the first 1 ... 13 prime bases" $
+      -- OEIS A014233.
+      forM_ strongPseudoprimes $ \n -> (n, isPrime n) `shouldBe` (n, Right False)
+    it "proves the Mersenne primes of exponent 61, 89, 107 and 127" $
+      forM_ [61, 89, 107, 127 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right True)
+    it "knows the Mersenne numbers of exponent 67, 83, 97 and 101 to be composite" $
+      forM_ [67, 83, 97, 101 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right False)
+  describe "factorise" $ do
+    it "agrees with trial division up to 5000" $
+      [n | n <- [1 .. 5000], factorise n /= Right (factorsByTrial n)] `shouldBe` []
+    it "refuses 0 and gives no primes for 1" $ do
+      factorise 0 `shouldBe` Left FactorisationOfZero
+      factorise 1 `shouldBe` Right []
+    it "splits 2^64 - 1 and 4^30 - 1" $ do
+      factorise (2 ^ (64 :: Int) - 1) `shouldBe` Right [(p, 1) | p <- [3, 5, 17, 257, 641, 65537, 6700417]]
+      factorise (4 ^ (30 :: Int) - 1)
+        `shouldBe` Right ([(3, 2), (5, 2)] ++ [(p, 1) | p <- [7, 11, 13, 31, 41, 61, 151, 331, 1321]])
+    it "splits the product of two primes of 31 bits, also when they are equal" $ do
+      factorise (2147483647 * 2147483629) `shouldBe` Right [(2147483629, 1), (2147483647, 1)]
+      factorise (2147483647 ^ (2 :: Int)) `shouldBe` Right [(2147483647, 2)]
+    it "the product of the prime powers is the number, and the primes ascend and are prime" $
+      property $ forAll (choose (1, 10 ^ (15 :: Int) :: Integer)) $ \m ->
+        let n = fromInteger m :: Natural
+         in case factorise n of
+              Left e -> counterexample (show e) False
+              Right factors ->
+                counterexample (show factors) $
+                  product [p ^ e | (p, e) <- factors] == n
+                    && all ((== Right True) . isPrime . fst) factors
+                    && all ((> 0) . snd) factors
+                    && and (zipWith (<) (map fst factors) (drop 1 (map fst factors)))
+  describe "factorisePowerMinusOne" $ do
+    it "is the factorisation of b^n - 1" $
+      [(b, n) | b <- [2 .. 9], n <- [1 .. 12], factorisePowerMinusOne b n /= factorise (b ^ n - 1)] `shouldBe` []
+    it "refuses what is zero" $ do
+      factorisePowerMinusOne 1 5 `shouldBe` Left FactorisationOfZero
+      factorisePowerMinusOne 7 0 `shouldBe` Left FactorisationOfZero
+    it "reaches 2^128 - 1 by its algebraic factors" $
+      fmap (map fst) (factorisePowerMinusOne 2 128)
+        `shouldBe` Right [3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721]
+  describe "totient" $
+    it "counts the units, for all n up to 300" $
+      [n | n <- [1 .. 300], fmap totient (factorise n) /= Right (fromIntegral (length (filter ((== 1) . gcd n) [1 .. n])))]
+        `shouldBe` []
+
+byTrial :: Natural -> Bool
+byTrial n = n > 1 && all (\d -> n `mod` d /= 0) (takeWhile (\d -> d * d <= n) [2 ..])
+
+factorsByTrial :: Natural -> [(Natural, Natural)]
+factorsByTrial n = [(p, exponent' p n) | p <- [2 .. n], n `mod` p == 0, byTrial p]
+ where
+  exponent' p m = if m `mod` p == 0 then 1 + exponent' p (m `div` p) else 0
+
+strongPseudoprimes :: [Natural]
+strongPseudoprimes =
+  [ 2047, 1373653, 25326001, 3215031751, 2152302898747, 3474749660383, 341550071728321, 3825123056546413051
+  , 318665857834031151167461, 3317044064679887385961981
+  ]

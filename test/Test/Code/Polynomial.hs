@@ -1,0 +1,137 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- | Polynomials over GF(q), irreducible and primitive ones.
+module Test.Code.Polynomial (spec) where
+
+import Control.Monad (forM_)
+import Data.List (find)
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Extension
+import PraTactile.Factorisation (totient)
+import qualified PraTactile.Factorisation as Factorisation
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Polynomial
+import Test.Code.Generators
+import Test.Hspec
+import Test.QuickCheck hiding (elements)
+
+spec :: Spec
+spec = do
+  forM_ [4, 5, 9] $ \q -> forM_ (lookup q everyField) $ \(SomeField k) ->
+    describe ("polynomials over GF(" ++ show q ++ ")") (ringSpec k)
+  describe "irreducible polynomials" $ do
+    it "are those that are no product, over GF(2), GF(3), GF(4), GF(5), up to degree 4, 3, 3, 2" $
+      forM_ [(2, 4), (3, 3), (4, 3), (5, 2)] $ \(q, top) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        forM_ [1 .. top] $ \n -> (q, n, irreducible k n) `shouldBe` (q, n, notProducts k n)
+    it "are as many as Gauss's formula says" $
+      forM_ [(2, 8), (3, 5), (4, 4), (9, 2), (16, 2)] $ \(q, top) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        forM_ [1 .. top] $ \n -> (q, n, fromIntegral (length (irreducible k n))) `shouldBe` (q, n, gauss (fromIntegral q) n)
+  describe "primitive polynomials" $ do
+    it "are as many as phi(q^n - 1) / n" $
+      forM_ [(2, 8), (3, 4), (4, 4), (5, 3), (8, 2), (9, 2), (25, 2)] $ \(q, top) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        forM_ [1 .. top] $ \n -> do
+          let expected = (`div` n) . totient <$> either (const Nothing) Just (Factorisation.factorise (fromIntegral q ^ n - 1))
+          (q, n, either (const Nothing) Just (countPrimitive k n)) `shouldBe` (q, n, expected)
+          (q, n, Just (fromIntegral (length (primitives k n)))) `shouldBe` (q, n, expected)
+    it "are those whose root takes q^n - 1 steps to return to 1" $
+      forM_ [(2, 6), (3, 4), (4, 3), (5, 2), (9, 2)] $ \(q, top) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        forM_ [1 .. top] $ \n ->
+          (q, n, map primitivePolynomial (primitives k n))
+            `shouldBe` (q, n, [h | h <- monicPolynomials n, stepsToOne h == Just (fromIntegral q ^ n - 1)])
+    it "ascend" $
+      forM_ [(2, 7), (3, 4), (4, 4)] $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        let found = primitives k n in and (zipWith (<) found (drop 1 found)) `shouldBe` True
+    it "the paper's x^4 + x^2 + A x + A^2 is the first of 32 quartics over GF(4)" $ do
+      paper <- right paperPrimitive
+      firstPrimitive 4 `shouldBe` Right paper
+      fmap length (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4]) `shouldBe` Right 32
+      map toCode (coefficients (primitivePolynomial paper)) `shouldBe` [3, 2, 1, 0, 1]
+    it "the reciprocal of a primitive polynomial is one, and the reciprocal of that is the first" $
+      forM_ [(2, 6), (3, 3), (4, 4), (9, 2)] $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+        forM_ (primitives k n) $ \h -> do
+          checkPrimitive (primitivePolynomial (reciprocal h)) `shouldBe` Right (reciprocal h)
+          reciprocal (reciprocal h) `shouldBe` h
+    it "one of degree 20 over GF(4) is found" $
+      fmap period (firstPrimitive 20 :: Either PolynomialError (Primitive GF4)) `shouldBe` Right (4 ^ (20 :: Int) - 1)
+  describe "refusals" $ do
+    let check :: [Natural] -> Either PolynomialError [Int]
+        check codes = either (const (Left PolynomialConstant)) Right (polynomialFromCodes codes) >>= \h ->
+          map toCode . coefficients . primitivePolynomial <$> checkPrimitive (h :: Polynomial GF4)
+    it "constants, and the zero polynomial" $
+      map check [[], [0], [1], [3]] `shouldBe` replicate 4 (Left PolynomialConstant)
+    it "polynomials that are not monic" $ check [3, 2, 1, 0, 2] `shouldBe` Left (PolynomialNotMonic 2)
+    it "those divisible by x, x itself among them" $
+      map check [[0, 1], [0, 2, 1]] `shouldBe` replicate 2 (Left ConstantTermZero)
+    it "reducible ones" $ check [1, 0, 1] `shouldBe` Left PolynomialReducible
+    it "irreducible ones whose root has a lower order, which is told" $
+      -- x + 1 has the root 1; x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
+      [check [1, 1], check2 [1, 1, 1, 1, 1]] `shouldBe` [Left (PolynomialNotPrimitive 1), Left (PolynomialNotPrimitive 5)]
+    it "degree 0 has no primitive polynomials" $
+      (() <$ (primitivePolynomials 0 :: Either PolynomialError [Primitive GF4])) `shouldBe` Left PolynomialConstant
+    it "codes that are no elements" $
+      (polynomialFromCodes [1, 4, 1] :: Either FieldError (Polynomial GF4)) `shouldBe` Left (CodeOutOfRange 4 4)
+  describe "GF(q^n)" $
+    it "alpha^i alpha^j = alpha^(i+j), of which n coefficients are told" $ do
+      h <- right paperPrimitive
+      quickCheckHere $ \(NonNegative i) (NonNegative j) ->
+        let power' e = powerOfRoot h (fromInteger e)
+         in multiplyModulo h (power' i) (power' j) == power' (i + j) && length (residueCoefficients h (power' i)) == 4
+ where
+  check2 codes = either (const (Left PolynomialConstant)) Right (polynomialFromCodes codes) >>= \h ->
+    map toCode . coefficients . primitivePolynomial <$> checkPrimitive (h :: Polynomial GF2)
+  quickCheckHere p = quickCheckWithResult stdArgs {chatty = False} (property p) >>= \r -> isSuccess r `shouldBe` True
+
+genPolynomial :: KnownField k => Gen (Polynomial k)
+genPolynomial = polynomial <$> (choose (0, 8) >>= genElements)
+
+shrinkPolynomial :: KnownField k => Polynomial k -> [Polynomial k]
+shrinkPolynomial = map polynomial . shrinkElements . coefficients
+
+ringSpec :: forall k. KnownField k => Proxy k -> Spec
+ringSpec _ = do
+  it "a = b * quotient + remainder, and the remainder has a lower degree than b" $
+    forAll2 $ \a b -> case quotientRemainder a b of
+      Nothing -> b === 0
+      Just (quotient, remainder) -> a === b * quotient + remainder .&&. property (polynomialDegree remainder < polynomialDegree b)
+  it "the greatest common divisor divides both and is monic; that of a c and b c is that of a and b, times c" $
+    forAll2 $ \a b ->
+      let g = greatestCommonDivisor a b
+          divides x = if g == 0 then x == 0 else fmap snd (quotientRemainder x g) == Just 0
+          c = variable + 1
+       in divides a && divides b && (g == 0 || isMonic g) && greatestCommonDivisor (a * c) (b * c) == g * c
+  it "a (b + c) = a b + a c, a - b = a + negate b" $
+    forAll2 $ \a b -> a * (b + a + 1) === a * b + a * a + a .&&. a - b === a + negate b
+  it "the coefficients have no zero at the top, and make the polynomial again" $
+    forAll2 $ \a b -> polynomial (coefficients (a * b)) === a * b .&&. property (take 1 (reverse (coefficients (a * b))) /= [zero])
+  it "powerModulo h a e is the remainder of the product of e factors a" $
+    forAll2 $ \a h -> forAll (choose (0, 12)) $ \e ->
+      powerModulo h a (fromIntegral (e :: Int)) === fmap snd (quotientRemainder (product (replicate e a)) h)
+ where
+  forAll2 :: Testable p => (Polynomial k -> Polynomial k -> p) -> Property
+  forAll2 p = forAllShrink genPolynomial shrinkPolynomial $ \a -> forAllShrink genPolynomial shrinkPolynomial $ \b -> p a b
+
+irreducible, notProducts :: KnownField k => Proxy k -> Natural -> [Polynomial k]
+irreducible _ n = filter isIrreducible (monicPolynomials n)
+notProducts _ n = [h | h <- monicPolynomials n, h `notElem` products]
+ where
+  products = [f * g | d <- [1 .. n `div` 2], f <- monicPolynomials d, g <- monicPolynomials (n - d)]
+
+primitives :: KnownField k => Proxy k -> Natural -> [Primitive k]
+primitives _ = either (const []) id . primitivePolynomials
+
+-- | (1/n) sum over d | n of mu(d) q^(n/d).
+gauss :: Integer -> Natural -> Integer
+gauss q n = sum [mu d * q ^ (n `div` d) | d <- [1 .. n], n `mod` d == 0] `div` toInteger n
+ where
+  mu 1 = 1
+  mu d = negate (sum [mu e | e <- [1 .. d - 1], d `mod` e == 0])
+
+-- | How often x is multiplied by x modulo h until 1 comes, up to q^n times.
+stepsToOne :: forall k. KnownField k => Polynomial k -> Maybe Natural
+stepsToOne h = fst <$> find ((== Just 1) . snd) (zip [1 .. limit] (drop 1 (iterate step (Just 1))))
+ where
+  step a = a >>= \r -> snd <$> quotientRemainder (r * variable) h
+  limit = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ maybe 0 id (polynomialDegree h)
