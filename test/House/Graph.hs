@@ -138,7 +138,8 @@ parts name = case break (== '.') name of
   (part, _ : more) | not (null more) -> part : parts more
   (part, _) -> [part]
 
--- | The plan of the house in the language of Graphviz: a cluster for each wing, an arrow from each module to those it imports.
+-- | The plan of the house in the language of Graphviz: a cluster for each wing, an arrow from each module to those that it
+-- imports.
 dot :: [Source] -> String
 dot house = unlines $
   [ "digraph house {"
@@ -153,7 +154,8 @@ dot house = unlines $
     known = Map.fromList [(sourceName one, ()) | one <- house]
     cluster wing =
       [ "  subgraph \"cluster_" ++ wingName wing ++ "\" {"
-      , "    label=" ++ show (wingName wing) ++ "; style=filled; color=" ++ show (colour wing) ++ "; fontname=\"Helvetica\";" ]
+      , "    label=" ++ show (wingName wing) ++ "; fontname=\"Helvetica\"; style=filled;"
+      , "    color=" ++ show (colour wing) ++ ";" ]
         ++ [ "    " ++ show (sourceName one) ++ " [label=" ++ show (short (sourceName one)) ++ "];"
            | one <- house, sourceWing one == wing ]
         ++ ["  }"]

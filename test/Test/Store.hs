@@ -5,7 +5,7 @@ module Test.Store (spec) where
 import Control.Exception (bracket, evaluate, try)
 import Control.Monad (void)
 import Data.Bifunctor (first)
-import Data.Foldable (for_, traverse_)
+import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Database.Sqlite as Sqlite
@@ -28,7 +28,8 @@ import Test.Object.Support
 spec :: Spec
 spec = describe "store" $ do
   describe "is the relation" $ do
-    it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $ withCanonical $ \place path ->
+    it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
+      withCanonical $ \place path ->
       asked path $ \store ->
         for_ [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18] $ \window ->
           for_ everyPosition $ \at ->
@@ -36,9 +37,11 @@ spec = describe "store" $ do
     it "positions and windows of any size are answered, as on the torus" $ withCanonical $ \place path ->
       asked path $ \store -> do
         let huge = 10 ^ (30 :: Int)
-        for_ [(canonicalWindow, Position (15 * huge + 6) (17 * huge + 5)), (Shape huge huge, Position 3 4)] $ \(window, at) ->
+        let far = Position (15 * huge + 6) (17 * huge + 5)
+        for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
           storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
-    it "every cell of every face is where the placement says, and so are those that there are not" $ withCanonical $ \place path ->
+    it "every cell of every face is where the placement says, and so are those that there are not" $
+      withCanonical $ \place path ->
       asked path $ \store ->
         for_ blocks $ \block -> do
           let beyond = [Position (blockRows block) 0, Position 0 (blockColumns block), Position 0 (10 ^ (30 :: Int))]
@@ -47,10 +50,11 @@ spec = describe "store" $ do
               `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
     it "faces are found, and refused, as in the placement" $ withCanonical $ \place path ->
       asked path $ \store ->
-        for_ [("cube", "C3 C4 C1 C2"), ("cube", "C4 C3 C2 C1"), ("cube", "P1 P2 P3 P4"), ("cube", ""), ("sphere", "C1 C2 C3 C4")] $
+        for_ [("cube", "C3 C4 C1 C2"), ("cube", "C4 C3 C2 C1"), ("cube", "P1 P2 P3 P4"), ("cube", ""), ("sphere", "C1 C2")] $
           \(object, face) -> do
             let named = Face object (readFaceName face)
-            storedPosition store named (Position 1 1) `shouldReturn` first NotInStore (arrayPosition place named (Position 1 1))
+                cell = Position 1 1
+            storedPosition store named cell `shouldReturn` first NotInStore (arrayPosition place named cell)
     it "a face that is not laid is refused as in the placement" $ inDirectory $ \directory -> theCube $ \solid_ ->
       right (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings)) $ \place -> do
         let path = directory </> "one-face.sqlite"
@@ -65,7 +69,7 @@ spec = describe "store" $ do
     it "placementOf . relation = id" $ thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
 
   describe "is one file, replaced whole or not at all" $ do
-    it "nothing else is left beside it, however often it is made" $ inDirectory $ \directory -> thePlacement $ \place -> do
+    it "nothing else is left beside it, made twice" $ inDirectory $ \directory -> thePlacement $ \place -> do
       create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
       create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
       asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
@@ -94,7 +98,8 @@ spec = describe "store" $ do
         opening path `shouldReturn` Left (NotADatabase path)
     it "a file cut off anywhere" $ withCanonical $ \_ path -> do
       size <- getFileSize path
-      for_ ([size - 1] ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009)) ++ [15, 16, 17, 99, 100, 101]) $ \kept -> do
+      let lengths = [size - 1] ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009)) ++ [15, 16, 17, 99, 100, 101]
+      for_ lengths $ \kept -> do
         cut <- copied path (path ++ ".cut")
         withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
         opening cut >>= (`shouldSatisfy` (if kept < 16 then (== Left (NotADatabase cut)) else isDamaged cut))
@@ -103,9 +108,12 @@ spec = describe "store" $ do
       damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
       for_ damages $ \(at, byte) -> do
         broken <- copied path (path ++ ".broken")
-        withBinaryFile broken ReadWriteMode $ \handle -> hSeek handle AbsoluteSeek at >> hPutChar handle (toEnum (byte `mod` 256))
+        withBinaryFile broken ReadWriteMode $ \handle -> do
+          hSeek handle AbsoluteSeek at
+          hPutChar handle (toEnum (byte `mod` 256))
         outcome <- withStore broken Nothing $ \store ->
-          traverse (storedWhereabouts store canonicalWindow) [Position 6 5, Position 0 4, Position 14 16] >>= traverse_ (evaluate . length . show)
+          for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
+            storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
         void (evaluate (length (show outcome)))
     it "a database of something else" $ inDirectory $ \directory -> do
       let path = directory </> "other.sqlite"
@@ -124,7 +132,8 @@ spec = describe "store" $ do
   describe "has keys" $ for_ duplicates $ \(table, columns_) ->
     it ("no row of " ++ Text.unpack table ++ " twice") $ withCanonical $ \_ path -> do
       let listed = Text.intercalate ", " columns_
-      outcome <- try (execute path (Text.concat ["INSERT INTO ", table, " (", listed, ") SELECT ", listed, " FROM ", table, " LIMIT 1"]))
+          doubling = ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
+      outcome <- try (execute path (Text.unwords doubling))
       first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
 
 profileText :: String
@@ -134,16 +143,22 @@ profileText = "any text, \"quoted\"; with ' and \955\n"
 contradictions :: [(String, Text, StoreError)]
 contradictions =
   [ ("no metadata", "DELETE FROM metadata", UnreadableRow MetadataTable)
-  , ("a cell moved on its face", "UPDATE cell SET local_column = 99 WHERE id = 7", InconsistentRows (RowsDisagree CellTable))
+  , ("a cell moved on its face"
+    , "UPDATE cell SET local_column = 99 WHERE id = 7"
+    , InconsistentRows (RowsDisagree CellTable))
   , ("a cell missing", "DELETE FROM cell WHERE id = 228", InconsistentRows (RowsDisagree CellTable))
   , ("a cell of no face", "UPDATE cell SET laying = 99 WHERE id = 7", UnreadableRow CellTable)
   , ("a cell in a negative row", "UPDATE cell SET array_row = -1 WHERE id = 7", UnreadableRow CellTable)
   , ("a face laid over another", "UPDATE laying SET at_row = 1, at_column = 5 WHERE id = 1"
     , InconsistentRows (NotPlaced (FacesOverlap (blockFace (blocks !! 0)) (blockFace (blocks !! 1))
         [Position r c | r <- [1 .. 3], c <- [5 .. 9]])))
-  , ("a face wider than its vertices are apart", "UPDATE laying SET width_um = 127001 WHERE id = 2", InconsistentRows (RowsDisagree LayingTable))
+  , ("a face wider than its vertices are apart"
+    , "UPDATE laying SET width_um = 127001 WHERE id = 2"
+    , InconsistentRows (RowsDisagree LayingTable))
   , ("a face by another name", "UPDATE face SET name = 'lid' WHERE id = 4", InconsistentRows (RowsDisagree FaceTable))
-  , ("an edge between other faces", "UPDATE edge SET left_face = right_face WHERE id = 3", InconsistentRows (RowsDisagree EdgeTable))
+  , ("an edge between other faces"
+    , "UPDATE edge SET left_face = right_face WHERE id = 3"
+    , InconsistentRows (RowsDisagree EdgeTable))
   , ("an edge missing", "DELETE FROM edge WHERE id = 24", InconsistentRows (RowsDisagree EdgeTable))
   , ("an edge to no vertex", "UPDATE edge SET end_vertex = 99 WHERE id = 3", UnreadableRow EdgeTable)
   , ("an object with a vertex moved", "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'"

@@ -11,7 +11,6 @@ import Test.QuickCheck
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement
-import PraTactile.Object.Solid
 import PraTactile.Object.WingedEdge
 import Test.Object.Support
 
@@ -22,7 +21,9 @@ spec = describe "placement" $ do
       laidFaces it_ `shouldBe`
         [ LaidFace (blockFace b) (Position (blockRow b) (blockColumn b)) (Shape (blockRows b) (blockColumns b))
             (Spot (mm (blockWidth b)) (mm (blockHeight b)))
-            (Spot (mm (blockWidth b) / 2 - fromIntegral (blockColumns b) * 12.7) (mm (blockHeight b) / 2 - fromIntegral (blockRows b) * 15.875))
+            (Spot
+              (mm (blockWidth b) / 2 - fromIntegral (blockColumns b) * 12.7)
+              (mm (blockHeight b) / 2 - fromIntegral (blockRows b) * 15.875))
         | b <- blocks ]
     it "lays every face of both objects" $ thePlacement $ \it_ ->
       Map.keysSet (Map.fromList [(laidFace laid, ()) | laid <- laidFaces it_]) `shouldBe`
@@ -30,7 +31,7 @@ spec = describe "placement" $ do
     it "takes 228 of the 255 cells, none twice" $ do
       Map.size owners `shouldBe` 228
       filter ((/= 1) . length) (Map.elems owners) `shouldBe` []
-    it "puts the window of the worked example, at (6, 5), at corner C2 of C1 C2 C3 C4 of the cube" $ thePlacement $ \it_ ->
+    it "puts the worked example's window, at (6, 5), at corner C2 of C1 C2 C3 C4 of the cube" $ thePlacement $ \it_ ->
       whereabouts it_ canonicalWindow (Position 6 5) `shouldBe`
         OnFace (Place (Face "cube" (readFaceName "C1 C2 C3 C4")) (Position 2 0) (Spot 25.4 95.25) ["C2"])
 
@@ -41,23 +42,26 @@ spec = describe "placement" $ do
       let places = [place | at <- everyPosition, OnFace place <- [whereabouts it_ canonicalWindow at]]
       length places `shouldBe` 132
       length (filter ((== Nothing) . corner) places) `shouldBe` 28
-    it "windows of every shape up to 6 x 9, and some beyond the torus, are where the definition says" $ thePlacement $ \it_ ->
+    it "so are windows of every shape up to 6 x 9, and some beyond the torus" $ thePlacement $ \it_ ->
       for_ ([Shape r c | r <- [0 .. 6], c <- [0 .. 9]] ++ [Shape 1 17, Shape 15 1, Shape 15 17, Shape 16 18]) $ \window ->
-        for_ everyPosition $ \at -> (window, at, whereabouts it_ window at) `shouldBe` (window, at, expectedWhereabouts window at)
-    it "a cell at the array's edge is not beside the one at the opposite edge of a face that spans it" $
-      right (cube >>= \solid_ -> pure (placement (Shape 4 5) canonicalPitch [solid_] [Laying topFace (Position 0 0) (Shape 4 5)])) $ \built -> right built $ \it_ -> do
+        for_ everyPosition $ \at ->
+          (window, at, whereabouts it_ window at) `shouldBe` (window, at, expectedWhereabouts window at)
+    it "a cell at the array's edge is not beside the one at the opposite edge of a face that spans it" $ theCube $ \solid_ ->
+      right (placement (Shape 4 5) canonicalPitch [solid_] [Laying topFace (Position 0 0) (Shape 4 5)]) $ \it_ -> do
         whereabouts it_ canonicalWindow (Position 0 4) `shouldBe` OnNoObject
         whereabouts it_ canonicalWindow (Position 3 0) `shouldBe` OnNoObject
         whereabouts it_ (Shape 4 5) (Position 0 0) `shouldSatisfy` isOnFace
-    prop "position (r, c) = position (r + 15 i, c + 17 j), of any size" $ \(NonNegative r) (NonNegative c) (NonNegative i) (NonNegative j) ->
-      ioProperty $ pure $ case canonicalPlacement of
+    prop "whereabouts (r, c) = whereabouts (r + 15 i, c + 17 j), however large" $
+      \(NonNegative r, NonNegative c) (NonNegative i, NonNegative j) -> case canonicalPlacement of
         Left fault -> counterexample (show fault) False
         Right it_ ->
           let near = Position (fromInteger r) (fromInteger c)
-              far = Position (fromInteger (r + 15 * i * 10 ^ (30 :: Int))) (fromInteger (c + 17 * j * 10 ^ (30 :: Int)))
+              far = Position (fromInteger (r + 15 * huge * i)) (fromInteger (c + 17 * huge * j))
+              huge = 10 ^ (30 :: Int)
           in whereabouts it_ canonicalWindow near === whereabouts it_ canonicalWindow far
     it "a window of 10^30 x 10^30 cells is answered at once" $ thePlacement $ \it_ ->
-      whereabouts it_ (Shape (10 ^ (30 :: Int)) (10 ^ (30 :: Int))) (Position 3 4) `shouldBe` Straddles (map blockFace blocks)
+      let huge = 10 ^ (30 :: Int)
+      in whereabouts it_ (Shape huge huge) (Position 3 4) `shouldBe` Straddles (map blockFace blocks)
 
   describe "from the objects to the array" $ do
     it "every cell of every face: face -> position -> face" $ thePlacement $ \it_ ->
@@ -76,12 +80,13 @@ spec = describe "placement" $ do
             mean by = sum (map by cells) / 6
         windowCentre it_ laid (Shape 2 3) (Position 1 0) `shouldBe` Spot (mean spotRight) (mean spotDown)
     it "a face is found wherever its name starts" $ thePlacement $ \it_ ->
-      (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right (Face "cube" (readFaceName "C1 C2 C3 C4"))
-    it "refuses an unknown object, an unknown face, a clockwise name and a cell that the face has not got" $ thePlacement $ \it_ -> do
+      (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right topFace
+    it "refuses unknown objects and faces, clockwise names, and cells that the face has not got" $ thePlacement $ \it_ -> do
+      let alien = readFaceName "P1 P2 P3 P4"
+          clockwise = readFaceName "C4 C3 C2 C1"
       fmap solidName (findObject it_ "sphere") `shouldBe` Left (UnknownObject "sphere")
-      findFace it_ "cube" (readFaceName "P1 P2 P3 P4") `shouldBe` Left (UnknownFace (Face "cube" (readFaceName "P1 P2 P3 P4")))
-      findFace it_ "cube" (readFaceName "C4 C3 C2 C1")
-        `shouldBe` Left (WrongVertexOrder (Face "cube" (readFaceName "C4 C3 C2 C1")) (readFaceName "C1 C2 C3 C4"))
+      findFace it_ "cube" alien `shouldBe` Left (UnknownFace (Face "cube" alien))
+      findFace it_ "cube" clockwise `shouldBe` Left (WrongVertexOrder (Face "cube" clockwise) (faceName topFace))
       arrayPosition it_ topFace (Position 4 0) `shouldBe` Left (CellOffFace topFace (Position 4 0))
       arrayPosition it_ topFace (Position 0 5) `shouldBe` Left (CellOffFace topFace (Position 0 5))
 
@@ -103,31 +108,53 @@ mutations :: [(String, [Solid] -> Either PlacementError Placement, PlacementErro
 mutations =
   [ ("an array without cells", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17))
   , ("a pitch of nothing", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1))
-  , ("two objects of one name", \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) [], RepeatedObject "cube")
-  , ("an unknown object", laying [Laying (Face "sphere" (FaceName ["S1"])) (Position 0 0) (Shape 1 1)], UnknownObject "sphere")
-  , ("a face of another object", laying [Laying alien (Position 0 0) (Shape 1 1)], UnknownFace alien)
-  , ("a face named clockwise", laying [Laying clockwise (Position 0 0) (Shape 1 1)], WrongVertexOrder clockwise (faceName topFace))
-  , ("a face named from another vertex than its upper left", laying [Laying turned (Position 0 0) (Shape 1 1)], WrongVertexOrder turned (faceName topFace))
-  , ("a face without cells", laying [Laying topFace (Position 0 0) (Shape 0 5)], EmptyGrid topFace (Shape 0 5))
-  , ("a grid larger than its face", laying [Laying topFace (Position 0 0) (Shape 4 6)], GridLargerThanFace topFace (Spot 152.4 127) (Spot 127 127))
-  , ("a face over the sheet's right edge", laying [Laying topFace (Position 0 13) (Shape 4 5)], OutsideArray topFace (Position 0 13) (Shape 4 5))
-  , ("a face over the sheet's lower edge", laying [Laying topFace (Position 12 0) (Shape 4 5)], OutsideArray topFace (Position 12 0) (Shape 4 5))
-  , ("a face laid twice", laying [Laying topFace (Position 0 0) (Shape 4 5), Laying topFace (Position 8 0) (Shape 4 5)], FaceLaidTwice topFace)
+  , ("two objects of one name"
+    , \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) []
+    , RepeatedObject "cube")
+  , ("an unknown object"
+    , laying [lay (Face "sphere" (FaceName ["S1"])) (0, 0) (1, 1)]
+    , UnknownObject "sphere")
+  , ("a face of another object"
+    , laying [lay alien (0, 0) (1, 1)]
+    , UnknownFace alien)
+  , ("a face named clockwise"
+    , laying [lay clockwise (0, 0) (1, 1)]
+    , WrongVertexOrder clockwise (faceName topFace))
+  , ("a face named from another vertex than its upper left"
+    , laying [lay turned (0, 0) (1, 1)]
+    , WrongVertexOrder turned (faceName topFace))
+  , ("a face without cells"
+    , laying [lay topFace (0, 0) (0, 5)]
+    , EmptyGrid topFace (Shape 0 5))
+  , ("a grid larger than its face"
+    , laying [lay topFace (0, 0) (4, 6)]
+    , GridLargerThanFace topFace (Spot 152.4 127) (Spot 127 127))
+  , ("a face over the sheet's right edge"
+    , laying [lay topFace (0, 13) (4, 5)]
+    , OutsideArray topFace (Position 0 13) (Shape 4 5))
+  , ("a face over the sheet's lower edge"
+    , laying [lay topFace (12, 0) (4, 5)]
+    , OutsideArray topFace (Position 12 0) (Shape 4 5))
+  , ("a face laid twice"
+    , laying [lay topFace (0, 0) (4, 5), lay topFace (8, 0) (4, 5)]
+    , FaceLaidTwice topFace)
   , ("two faces on the same cells"
-    , laying [Laying topFace (Position 0 0) (Shape 4 5), Laying nearFace (Position 2 4) (Shape 4 5)]
+    , laying [lay topFace (0, 0) (4, 5), lay nearFace (2, 4) (4, 5)]
     , FacesOverlap topFace nearFace [Position 2 4, Position 3 4])
-  , ("a face that is no rectangle", const slanted, NotRectangular (Face "wedge" (FaceName ["A", "B", "C"])))
+  , ("a face that is no rectangle", const slanted, NotRectangular slope)
   ]
   where
     sheet = Shape 15 17
     with' shape between layings objects = placement shape between objects layings
     laying = with' sheet canonicalPitch
+    lay face (r, c) (high, wide) = Laying face (Position r c) (Shape high wide)
+    slope = Face "wedge" (FaceName ["A", "B", "C"])
     alien = Face "cube" (readFaceName "P1 P2 P3 P4")
     clockwise = Face "cube" (readFaceName "C4 C3 C2 C1")
     turned = Face "cube" (readFaceName "C2 C3 C4 C1")
     slanted = case solid wedge of
       Left fault -> Left (BrokenObject fault)
-      Right it_ -> placement sheet canonicalPitch [it_] [Laying (Face "wedge" (FaceName ["A", "B", "C"])) (Position 0 0) (Shape 1 1)]
+      Right it_ -> placement sheet canonicalPitch [it_] [lay slope (0, 0) (1, 1)]
     wedge = Description "wedge"
       [("A", Point 0 0 99), ("B", Point 0 0 0), ("C", Point 99 0 0), ("D", Point 0 99 0)]
       (map FaceName [["A", "B", "C"], ["A", "C", "D"], ["A", "D", "B"], ["B", "D", "C"]])

@@ -105,4 +105,5 @@ expectedWhereabouts (Shape high wide) (Position r c) = case traverse cellOwner o
             [(0, 0), (0, blockHeight block), (blockWidth block, blockHeight block), (blockWidth block, 0)]
           away (a, b) = (2 * a - x) ^ (2 :: Int) + (2 * b - y) ^ (2 :: Int)
           nearest = minimum (map (away . snd) vertices)
-      in Place (blockFace block) local (Spot (x % 2000) (y % 2000)) [vertex | (vertex, at) <- vertices, away at == nearest]
+      in Place (blockFace block) local (Spot (x % 2000) (y % 2000))
+           [vertex | (vertex, at) <- vertices, away at == nearest]

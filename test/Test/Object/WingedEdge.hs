@@ -27,7 +27,8 @@ spec = describe "winged-edge models" $ do
   describe "the parallelepiped" $ do
     it "is 177.8 mm along P2 P3, 101.6 mm along P1 P2, 95.25 mm tall" $ theParallelepiped $ \it_ ->
       solidVertices it_ `shouldBe`
-        [ ("P1", Point 0 101.6 95.25), ("P2", Point 0 0 95.25), ("P3", Point 177.8 0 95.25), ("P4", Point 177.8 101.6 95.25)
+        [ ("P1", Point 0 101.6 95.25), ("P2", Point 0 0 95.25)
+        , ("P3", Point 177.8 0 95.25), ("P4", Point 177.8 101.6 95.25)
         , ("P5", Point 0 101.6 0), ("P6", Point 0 0 0), ("P7", Point 177.8 0 0), ("P8", Point 177.8 101.6 0) ]
     it "has these twelve edges between these faces" $ theParallelepiped $ \it_ ->
       sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
@@ -152,8 +153,8 @@ handle = Description "handle"
     named i j = VertexName (show (i `mod` 3) ++ show (j `mod` 3))
 
 reversing :: [Int] -> Description -> Description
-reversing which it_ = it_ { describedFaces = [if k `elem` which then backwards f else f | (k, f) <- zip [0 ..] (describedFaces it_)] }
-  where backwards = FaceName . reverse . faceVertices
+reversing which it_ = it_ { describedFaces = zipWith reversed [0 ..] (describedFaces it_) }
+  where reversed k face = if k `elem` which then FaceName (reverse (faceVertices face)) else face
 
 turn :: Int -> FaceName -> FaceName
 turn by (FaceName walk) = FaceName (take (length walk) (drop (by `mod` length walk) (cycle walk)))
@@ -174,12 +175,15 @@ mutations =
   , ("a vertex on no face", withVertex ("C9", Point 1 2 3), UnusedVertex "C9")
   , ("a face missing", cubeDescription { describedFaces = drop 1 (describedFaces cubeDescription) }
     , EdgeWithoutTwoFaces "C2" "C3" [readFaceName "C1 C2 C3 C4"])
-  , ("three faces at an edge", withFace "C1 C2 C7 C8", EdgeWithoutTwoFaces "C1" "C2" (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"]))
+  , ("three faces at an edge", withFace "C1 C2 C7 C8"
+    , EdgeWithoutTwoFaces "C1" "C2" (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"]))
   , ("a face clockwise seen from outside", reversing [3] cubeDescription
     , FacesDisagree "C1" "C4" (readFaceName "C4 C8 C5 C1") (readFaceName "C4 C3 C2 C1"))
-  , ("two solids that share a vertex", tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "A"] (Point 0 0 (-1))
+  , ("two solids that share a vertex"
+    , tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "A"] (Point 0 0 (-1))
     , PinchedVertex "A")
-  , ("two solids apart", tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5)
+  , ("two solids apart"
+    , tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5)
     , NotConnected (FaceName ["A", "C", "B"]) (FaceName ["E", "G", "F"]))
   , ("a handle", handle, EulerFails 9 18 9)
   , ("a face whose vertices lie on a line"
@@ -191,6 +195,7 @@ mutations =
     withVertex new = cubeDescription { describedVertices = describedVertices cubeDescription ++ [new] }
     withFace new = cubeDescription { describedFaces = describedFaces cubeDescription ++ [readFaceName new] }
     moved which to = cubeDescription
-      { describedVertices = [(vertex, if vertex == which then to else at) | (vertex, at) <- describedVertices cubeDescription] }
+      { describedVertices =
+          [(vertex, if vertex == which then to else at) | (vertex, at) <- describedVertices cubeDescription] }
     flattened = (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))
       { describedVertices = [("A", Point 0 0 0), ("B", Point 1 0 0), ("C", Point 2 0 0), ("D", Point 0 0 1)] }
