@@ -11,7 +11,7 @@
 {-# LANGUAGE TypeFamilies #-}
 {-# LANGUAGE TypeOperators #-}
 {-# LANGUAGE UndecidableInstances #-}
-{-# OPTIONS_GHC -Wno-missing-deriving-strategies -Wno-name-shadowing #-}
+{-# OPTIONS_GHC -Wno-name-shadowing #-}
 
 -- | The tables of the database. Whatever can be a key is one, and whatever refers to a row is a foreign key. Lengths are
 -- whole micrometres, so that equal distances are equal in every back end. "PraTactile.Store.Rows" fills the tables and
