@@ -21,9 +21,10 @@ import qualified Data.Vector.Storable as V
 
 import PraTactile.Image (Raster, halfTurn, quarterTurn, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Probe (Frame (..), Pose (..), sensorSide, taxelPitch)
-import PraTactile.Stitch.Blend (Patch (..), blend)
+import PraTactile.Stitch.Blend (Blend (..), blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
-import PraTactile.Stitch.Register (Registration (..), register, standardRegistration)
+import PraTactile.Stitch.Register (register)
+import PraTactile.Stitch.Search (Registration (..), standardRegistration)
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
 data StitchError
@@ -69,7 +70,7 @@ compose displace frames = do
           y0 = floor (minimum (map (snd . fst) moved)) :: Int
           x1 = ceiling (maximum (map (fst . fst) moved)) + sensorSide
           y1 = ceiling (maximum (map (snd . fst) moved)) + sensorSide
-          Patch sums weights =
+          Blend sums weights =
             blend (x1 - x0) (y1 - y0) [((x - fromIntegral x0, y - fromIntegral y0), image) | ((x, y), image) <- moved]
           image = either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
           origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)

@@ -1,72 +1,77 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_GHC -O2 #-}
 
--- | Blending: images at real places laid onto one pixel grid.
+-- | Blending: images at real places laid onto one grid of pixels.
 module PraTactile.Stitch.Blend
-  ( Patch (..)
+  ( Place
+  , Blend (..)
   , blend
   ) where
 
 import Control.Monad (forM_)
 import Control.Monad.ST (ST)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import Data.Vector.Storable.Mutable (MVector)
 import qualified Data.Vector.Storable.Mutable as M
 
-import PraTactile.Image (Raster, generate, raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 
--- | A pixel grid's weights and sums of weight times value.
-data Patch = Patch
-  { patchSums :: !Raster
-  , patchWeights :: !Raster
+-- | A place or a displacement in the plane of the face, x and y in taxels.
+type Place = (Double, Double)
+
+-- | What each pixel of a grid got: the weights times the values, summed, and the weights, summed.
+data Blend = Blend
+  { blendSums :: !Raster
+  , blendWeights :: !Raster
   }
 
--- | Images laid onto a grid of that width and height. Each image comes with the real place of its pixel (0, 0) on the grid; each of its pixels
--- gives its value to the four grid pixels around its place, with bilinear weights. What falls off the grid is dropped.
-blend :: Int -> Int -> [((Double, Double), Raster)] -> Patch
-blend width height images = Patch (back sums) (back weights)
+-- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel (0, 0). Each pixel of an image
+-- gives its value to the four grid pixels around its place, with bilinear weights, which add up to 1. What falls off the grid is dropped.
+blend :: Int -> Int -> [(Place, Raster)] -> Blend
+blend width height images = Blend (part 0) (part area)
  where
   w = max 0 width
   h = max 0 height
-  (sums, weights) = (V.slice 0 (w * h) both, V.slice (w * h) (w * h) both)
-  both = V.create $ do
-    canvas <- M.replicate (2 * w * h) 0
-    forM_ images (\(place, image) -> lay w h canvas place image)
-    pure canvas
-  back v = either (const (generate w h (\_ _ -> 0))) id (raster w h v)
+  area = w * h
+  part offset = generate w h (\x y -> fromMaybe 0 (canvas V.!? (offset + y * w + x)))
+  canvas = V.create $ do
+    empty <- M.replicate (2 * area) 0
+    forM_ images (lay w h empty)
+    pure empty
 
--- | Add one image to a canvas, which holds the sums and, after them, the weights.
-lay :: Int -> Int -> M.MVector s Double -> (Double, Double) -> Raster -> ST s ()
-lay w h canvas (px, py) image
-  | abs px < 1e8 && abs py < 1e8 = rows (max 0 (negate by - 1))
+-- | Add one image to a canvas of that width and height, which holds all the sums and after them all the weights.
+lay :: Int -> Int -> MVector s Double -> (Place, Raster) -> ST s ()
+lay w h canvas ((px, py), image)
+  | abs px < 1e9 && abs py < 1e9 = row (max 0 (negate by - 1))
   | otherwise = pure ()
  where
   iw = rasterWidth image
-  ih = rasterHeight image
   values = rasterValues image
   bx = floor px :: Int
   by = floor py :: Int
   fx = px - fromIntegral bx
   fy = py - fromIntegral by
-  area = w * h
-  rows !y
-    | y >= ih || y + by >= h = pure ()
-    | otherwise = columns y (max 0 (negate bx - 1)) >> rows (y + 1)
-  columns !y !x
-    | x >= iw || x + bx >= w = pure ()
+  x1 = min iw (w - bx)
+  y1 = min (rasterHeight image) (h - by)
+  row !y
+    | y >= y1 = pure ()
+    | otherwise = column y (max 0 (negate bx - 1)) >> row (y + 1)
+  column !y !x
+    | x >= x1 = pure ()
     | otherwise = do
-        let v = V.unsafeIndex values (y * iw + x)
-            gx = x + bx
-            gy = y + by
-        add gx gy ((1 - fx) * (1 - fy)) v
-        add (gx + 1) gy (fx * (1 - fy)) v
-        add gx (gy + 1) ((1 - fx) * fy) v
-        add (gx + 1) (gy + 1) (fx * fy) v
-        columns y (x + 1)
-  add !gx !gy !share !v
-    | share <= 0 || gx < 0 || gy < 0 || gx >= w || gy >= h = pure ()
+        let v = V.unsafeIndex values (y * iw + x) -- 0 <= x < iw, 0 <= y < height of the image
+        add (x + bx) (y + by) ((1 - fx) * (1 - fy)) v
+        add (x + bx + 1) (y + by) (fx * (1 - fy)) v
+        add (x + bx) (y + by + 1) ((1 - fx) * fy) v
+        add (x + bx + 1) (y + by + 1) (fx * fy) v
+        column y (x + 1)
+  add !x !y !share !v
+    | share <= 0 || x < 0 || y < 0 || x >= w || y >= h = pure ()
     | otherwise = do
-        let i = gy * w + gx
+        -- i < w * h, and the canvas holds twice that many numbers.
+        let i = y * w + x
         s <- M.unsafeRead canvas i
         M.unsafeWrite canvas i (s + share * v)
-        m <- M.unsafeRead canvas (area + i)
-        M.unsafeWrite canvas (area + i) (m + share)
+        m <- M.unsafeRead canvas (w * h + i)
+        M.unsafeWrite canvas (w * h + i) (m + share)

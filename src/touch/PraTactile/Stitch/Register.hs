@@ -1,98 +1,135 @@
-{-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
-module PraTactile.Stitch.Register where
 
-import Data.List (foldl', maximumBy, sortBy)
-import qualified Data.IntMap.Strict as IntMap
+-- | Registration: where each frame really was, from its nominal place and from what the frames have in common.
+--
+-- The displacements sought are the most probable ones (maximum a posteriori) under the prior that the robot's position errors are independent
+-- and normal. They are found one frame at a time: first a composite is grown from the most telling frame outwards, then sweeps register
+-- each frame anew against the composite of the others.
+module PraTactile.Stitch.Register
+  ( register
+  ) where
+
 import Data.IntMap.Strict (IntMap)
-import Data.Ord (comparing)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', sortOn)
+import qualified Data.Map.Strict as Map
 
-import PraTactile.Image
-import PraTactile.Image.Correlate
-import PraTactile.Stitch.Blend
+import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
+import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
+import PraTactile.Stitch.Blend (Blend (..), Place, blend)
+import PraTactile.Stitch.Search (Prior (..), Registration (..), mostProbable)
 
-data Registration = Registration
-  { registrationSigma :: !Double
-  , registrationReach :: !Double
-  , registrationNoise :: !Double
-  , registrationSweeps :: !Int
+-- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the images' upper left pixels. Their mean is zero, since
+-- a shift common to all frames cannot be seen. An image's displacement does not depend on the order of the images.
+register :: Registration -> [(Place, Raster)] -> [Place]
+register settings images = map snd (sortOn fst (zip order (IntMap.elems displacements)))
+ where
+  (order, ordered) = unzip (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] images))
+  nodes = linked (registrationReach settings) ordered
+  displacements = sweeps settings nodes (grown settings nodes)
+
+-- | A frame, and the other frames that may touch it once they are displaced, each with how telling the nominal overlap is.
+data Node = Node
+  { nodeKey :: !Int
+  , nodePlace :: !Place
+  , nodeImage :: !Raster
+  , nodeLinks :: [(Double, Node)]
   }
 
-standardRegistration :: Registration
-standardRegistration = Registration 1 4.5 0.1 4
-
-type Place = (Double, Double)
-
--- score of evidence
-evidence :: Registration -> Overlap -> Double
-evidence settings (Overlap n vf vc cov)
-  | n <= 0 || cov <= 0 = 0
-  | otherwise = -0.5 * n * log (1 - min 0.9999 rho2)
+-- | Each frame tied to its neighbours, which are looked for in the squares around its own, of a grid as wide as two frames can be apart and
+-- still come to touch.
+linked :: Double -> [(Place, Raster)] -> [Node]
+linked reach images = nodes
  where
-  l = registrationNoise settings * registrationNoise settings
-  rho2 = cov * cov / ((vf + l) * (vc + l))
-
--- best displacement: prior centre, prior variance, integer radius
-search :: Registration -> Patch' -> Raster -> Place -> Double -> Place -> Double
-       -> (Double, Place)
-search settings (Patch' ref margin) image (mx, my) var (cx, cy) radius = refine 0.5 best0
- where
-  score (x, y) = evidence settings (overlapAt ref image (x + margin) (y + margin)) - ((x - mx) ^ (2::Int) + (y - my) ^ (2::Int)) / (2 * var)
-  r = ceiling radius :: Int
-  bx = fromIntegral (round cx :: Int)
-  by = fromIntegral (round cy :: Int)
-  grid = [ p | j <- [-r .. r], i <- [-r .. r], let p = (bx + fromIntegral i, by + fromIntegral j), fromIntegral (i*i+j*j) <= radius*radius + 0.5 ]
-  best0 = foldl' better (-1/0, (mx, my)) grid
-  better (!s, p) q = let s' = score q in if s' > s then (s', q) else (s, p)
-  refine :: Double -> (Double, Place) -> (Double, Place)
-  refine step b@(_, (x, y))
-    | step < 0.1 = b
-    | otherwise = refine (step / 2) (foldl' better b [ (x + i * step, y + j * step) | j <- [-1,0,1], i <- [-1,0,1], i /= 0 || j /= 0 ])
-
-data Patch' = Patch' !Reference !Double
-
-register :: Registration -> [(Place, Raster)] -> [Place]
-register settings inputs = IntMap.elems (sweeps (registrationSweeps settings) initial)
- where
-  frames = IntMap.fromList (zip [0 ..] inputs)
-  reach = registrationReach settings
-  s2 = registrationSigma settings * registrationSigma settings
-  margin = fromIntegral (ceiling reach + 2 :: Int) :: Double
-  size = 16 + 2 * round margin :: Int
-  patchFor :: Int -> IntMap Place -> Patch'
-  patchFor i ds = Patch' (either (const (referenceOf (constant 0 0 0))) id (reference sums weights)) margin
+  nodes = [node key place image | (key, (place, image)) <- zip [0 ..] images]
+  side = 2 * reach + fromIntegral (maximum (1 : [max (rasterWidth image) (rasterHeight image) | (_, image) <- images]))
+  squareOf (x, y) = (floor (x / side) :: Integer, floor (y / side) :: Integer)
+  squares = Map.fromListWith (flip (++)) [(squareOf (nodePlace n), [n]) | n <- nodes]
+  node key place image = Node key place image [(telling (referenceOf image) place n, n) | n <- around place, nodeKey n /= key]
+  around place =
+    concat [Map.findWithDefault [] (column + i, row + j) squares | j <- [-1, 0, 1], i <- [-1, 0, 1]]
    where
-    ((nx, ny), _) = frames IntMap.! i
-    Patch sums weights = blend size size
-      [ ((x + dx - nx + margin, y + dy - ny + margin), image)
-      | (j, (dx, dy)) <- IntMap.toList ds, j /= i
-      , let ((x, y), image) = frames IntMap.! j
-      , abs (x + dx - nx) < 17 + margin, abs (y + dy - ny) < 17 + margin ]
-  -- information
-  link = IntMap.mapWithKey (\i _ -> IntMap.mapWithKey (\j _ -> if i == j then 0 else info i j) frames) frames
-  info i j = let ((x,y), f) = frames IntMap.! i
-                 ((x',y'), g) = frames IntMap.! j
-                 o = overlapAt (referenceOf g) f (x - x') (y - y')
-             in if abs (x-x') >= 16 || abs (y-y') >= 16 then 0 else overlapWeight o * sqrt (overlapImageVariance o * overlapReferenceVariance o)
-  initial = case IntMap.keys frames of
-    [] -> IntMap.empty
-    ks -> let start = maximumBy (comparing (\i -> sum (IntMap.elems (link IntMap.! i)))) ks
-          in grow (IntMap.singleton start (0,0)) (IntMap.delete start (link IntMap.! start))
-  grow ds gains
-    | IntMap.null gains = ds
-    | otherwise =
-        let (i, _) = maximumBy (comparing snd) (IntMap.toList gains)
-            (mx, my, k) = meanPlace ds
-            (_, d) = search settings (patchFor i ds) (snd (frames IntMap.! i)) (mx, my) (s2 * (1 + 1 / k)) (mx, my) reach
-            ds' = IntMap.insert i d ds
-        in grow ds' (IntMap.mapWithKey (\j g -> g + (link IntMap.! i) IntMap.! j) (IntMap.delete i gains))
-  meanPlace ds = let k = fromIntegral (IntMap.size ds); (sx, sy) = foldl' (\(a,b) (x,y) -> (a+x,b+y)) (0,0) (IntMap.elems ds) in (sx / k, sy / k, k)
-  sweeps :: Int -> IntMap Place -> IntMap Place
-  sweeps 0 ds = centred ds
-  sweeps n ds = sweeps (n - 1) (foldl' step (centred ds) (IntMap.keys frames))
+    (column, row) = squareOf place
+
+-- | How much the nominal overlap of two frames can tell: its weight times the product of the two standard deviations in it.
+telling :: Reference -> Place -> Node -> Double
+telling ref (x, y) other = n * sqrt (vf * vc)
+ where
+  (x', y') = nodePlace other
+  Overlap n vf vc _ = overlapAt ref (nodeImage other) (x' - x) (y' - y)
+
+-- | A first estimate: from the most telling frame on, the frame that has most in common with those already placed is registered against
+-- them. Frames that nothing ties to the placed ones come last, the most telling first.
+grown :: Registration -> [Node] -> IntMap Place
+grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n <- nodes])
+ where
+  go :: IntMap Place -> IntMap (Double, Node) -> IntMap Place
+  go placed waiting = case IntMap.elems waiting of
+    [] -> placed
+    first : rest ->
+      let node = snd (foldl' (\a b -> if rank b > rank a then b else a) first rest)
+          (mean, count) = centre placed
+          variance = registrationSigma settings * registrationSigma settings * (1 + 1 / max 1 count)
+          displacement = located settings placed node (Prior mean variance) (registrationReach settings) mean
+          gained = foldl' (\w (gain, n) -> IntMap.adjust (\(g, n') -> (g + gain, n')) (nodeKey n) w)
+       in go (IntMap.insert (nodeKey node) displacement placed) (gained (IntMap.delete (nodeKey node) waiting) (nodeLinks node))
+  rank (gain, node) = (gain, sum (map fst (nodeLinks node)))
+
+-- Note [The prior while growing]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- Displacements are known only up to a common shift, which is the first frame's own error at first. With k frames placed that shift is the mean of their
+-- displacements up to an error of variance sigma^2 / k, so the next displacement is spread about that mean with variance sigma^2 (1 + 1/k).
+
+-- | Each frame registered against all the others, again and again, until none moves by more than 'settled' or the sweeps are used up.
+-- The first sweep looks everywhere, in case growing went astray when little was placed; the later ones only nearby.
+sweeps :: Registration -> [Node] -> IntMap Place -> IntMap Place
+sweeps settings nodes = go (registrationSweeps settings) . centred
+ where
+  go :: Int -> IntMap Place -> IntMap Place
+  go left before
+    | left <= 0 = before
+    | and (IntMap.intersectionWith close before after) = after
+    | otherwise = go (left - 1) after
    where
-    radius = if n == registrationSweeps settings then reach else 1.5
-    step acc i = let (_, d) = search settings (patchFor i acc) (snd (frames IntMap.! i)) (0,0) s2 (if radius > 2 then (0,0) else acc IntMap.! i) radius
-                 in IntMap.insert i d acc
-  centred ds = let (mx, my, _) = meanPlace ds in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
+    after = centred (foldl' step before nodes)
+    radius = if left == registrationSweeps settings then 2.5 else 1
+    step ds node = IntMap.insert (nodeKey node) (located settings ds node prior radius (start node ds)) ds
+  start node = IntMap.findWithDefault (0, 0) (nodeKey node)
+  prior = Prior (0, 0) (registrationSigma settings * registrationSigma settings)
+  close (x, y) (x', y') = abs (x - x') < settled && abs (y - y') < settled
+  centred ds = let ((mx, my), _) = centre ds in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
+
+-- | Half the finest step of the search, in taxels.
+settled :: Double
+settled = 0.0625
+
+-- | The mean of the displacements, (0, 0) when there are none, and their number.
+centre :: IntMap Place -> (Place, Double)
+centre ds
+  | IntMap.null ds = ((0, 0), 0)
+  | otherwise = ((sum (map fst places) / count, sum (map snd places) / count), count)
+ where
+  places = IntMap.elems ds
+  count = fromIntegral (length places)
+
+-- | A frame's most probable displacement given those of other frames, looked for within a radius of a start.
+located :: Registration -> IntMap Place -> Node -> Prior -> Double -> Place -> Place
+located settings displacements node prior radius (startX, startY) =
+  case (,) <$> zipRaster (\s m -> s / (1 + m)) sums weights <*> pure (mapRaster (\m -> m / (1 + m)) weights) >>= uncurry reference of
+    Right others -> mostProbable settings others image (\(x, y) -> (x - startX + margin, y - startY + margin)) prior radius (startX, startY)
+    Left _ -> (startX, startY)
+ where
+  image = nodeImage node
+  (x0, y0) = nodePlace node
+  margin = fromIntegral (ceiling radius + 2 :: Int)
+  side extent = extent + 2 * round margin
+  -- The others on a grid whose pixel (margin, margin) is where the frame's upper left pixel lies at the start.
+  Blend sums weights =
+    blend
+      (side (rasterWidth image))
+      (side (rasterHeight image))
+      [ ((x + dx - x0 - startX + margin, y + dy - y0 - startY + margin), nodeImage other)
+      | (_, other) <- nodeLinks node
+      , Just (dx, dy) <- [IntMap.lookup (nodeKey other) displacements]
+      , let (x, y) = nodePlace other
+      ]

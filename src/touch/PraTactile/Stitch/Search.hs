@@ -1,0 +1,82 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# OPTIONS_GHC -O2 #-}
+
+-- | The search for one frame's displacement: correlation as evidence, the robot's accuracy as prior.
+module PraTactile.Stitch.Search
+  ( -- * Settings
+    Registration (..)
+  , standardRegistration
+
+    -- * Probability of a displacement
+  , Prior (..)
+  , logPrior
+  , logLikelihood
+
+    -- * The search
+  , mostProbable
+  ) where
+
+import Data.List (foldl')
+
+import PraTactile.Image (Raster)
+import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt)
+import PraTactile.Stitch.Blend (Place)
+
+-- | What registration supposes of the robot and the sensor, and how far it goes.
+data Registration = Registration
+  { registrationSigma :: !Double
+  -- ^ The standard deviation of the robot's position error along each axis, in taxels.
+  , registrationNoise :: !Double
+  -- ^ The standard deviation of the sensor's noise, as a share of full scale.
+  , registrationReach :: !Double
+  -- ^ How far from where it is expected a frame is looked for, in taxels.
+  , registrationSweeps :: !Int
+  -- ^ The most sweeps that register each frame against the others.
+  }
+  deriving stock (Eq, Show)
+
+-- | Position errors of one taxel, noise of 0.1, a reach of four and a half taxels, at most five sweeps.
+standardRegistration :: Registration
+standardRegistration = Registration 1 0.1 4.5 5
+
+-- | A normal distribution of displacements: its mean, and its variance along each axis in square taxels.
+data Prior = Prior
+  { priorMean :: !Place
+  , priorVariance :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The logarithm of a displacement's prior probability density, up to a constant.
+logPrior :: Prior -> Place -> Double
+logPrior (Prior (mx, my) variance) (x, y) = negate (squared (x - mx) + squared (y - my)) / (2 * variance)
+ where
+  squared t = t * t
+
+-- | How much more probable, as a natural logarithm, an overlap is when the image and the reference show the same relief than when they have nothing to
+-- do with each other: the profile likelihood of n pairs of normal values with correlation rho, -(n/2) ln (1 - rho^2), for rho > 0, else 0. (It is n times
+-- the mutual information of two normal variables with that correlation.)
+--
+-- In rho both variances are enlarged by the noise's, so that the accidental correlations of two blank patches, which the largest of some seventy displacements
+-- would make look telling, carry next to no information, and the prior decides.
+logLikelihood :: Registration -> Overlap -> Double
+logLikelihood settings (Overlap n vf vc cov)
+  | n <= 0 || cov <= 0 = 0
+  | otherwise = negate (n / 2) * log (1 - min 0.9999 rhoSquared)
+ where
+  noise = registrationNoise settings * registrationNoise settings
+  rhoSquared = cov * cov / ((vf + noise) * (vc + noise))
+
+-- | The most probable displacement of an image on a reference: the best of the whole-taxel steps from a start no further away than a radius, then
+-- refined by steps of a half, a quarter and an eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
+mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior -> Double -> Place -> Place
+mostProbable settings ref image placeOf prior radius start@(x0, y0) = snd (foldl' refine whole [0.5, 0.25, 0.125])
+ where
+  whole = foldl' better (posterior start, start) [(x0 + i, y0 + j) | (i, j) <- steps]
+  steps = [(i, j) | j <- span', i <- span', i * i + j * j <= radius * radius, (i, j) /= (0, 0)]
+  span' = let r = fromIntegral (floor radius :: Int) in [negate r .. r] :: [Double]
+  refine best@(_, (x, y)) step =
+    foldl' better best [(x - step, y), (x + step, y), (x, y - step), (x, y + step)]
+  better best@(score, _) candidate =
+    let score' = posterior candidate in if score' > score then (score', candidate) else best
+  posterior d =
+    let (px, py) = placeOf d in logLikelihood settings (overlapAt ref image px py) + logPrior prior d
