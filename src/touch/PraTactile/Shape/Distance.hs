@@ -16,7 +16,7 @@ module PraTactile.Shape.Distance
     -- * Likeness to ordinary features
   , Feature (..)
   , ordinaryFeatures
-  , featureRows
+  , raises
   , likeness
   , greatestLikeness
   ) where
@@ -109,16 +109,17 @@ ordinaryFeatures =
     2 -> 141
     _ -> 224 :: Int
 
--- | The 12 rows of 8 taxels that a feature raises in the window.
-featureRows :: Feature -> [[Bool]]
-featureRows feature = [[raised (2 * x - symbolWidth + 1) (2 * y - symbolHeight + 1) | x <- [0 .. symbolWidth - 1]] | y <- [0 .. symbolHeight - 1]]
+-- | Whether a feature raises the taxel at this column and row, counted from the window's upper left one; it goes on beyond the window.
+raises :: Feature -> Int -> Int -> Bool
+raises feature column row = case feature of
+  Full -> True
+  StepEdge (a, b) c -> a * x + b * y >= c
+  Ridge (a, b) c d -> let t = a * x + b * y in t >= c && t < d
+  Corner (a, b) c d -> a * x + b * y >= c && a * y - b * x >= d
+  Disc (u, v) r -> (x - u) * (x - u) + (y - v) * (y - v) <= r * r
  where
-  raised x y = case feature of
-    Full -> True
-    StepEdge (a, b) c -> a * x + b * y >= c
-    Ridge (a, b) c d -> let t = a * x + b * y in t >= c && t < d
-    Corner (a, b) c d -> a * x + b * y >= c && a * y - b * x >= d
-    Disc (u, v) r -> (x - u) * (x - u) + (y - v) * (y - v) <= r * r
+  x = 2 * column - symbolWidth + 1
+  y = 2 * row - symbolHeight + 1
 
 -- | The normalised cross-correlation (Pearson's, -1 to 1) of a shape with a feature, taxel by taxel; 0 where the feature is constant over
 -- the window.
@@ -128,7 +129,7 @@ likeness b feature
   | otherwise = fromIntegral (n * both - a * f) / sqrt (fromIntegral spread)
  where
   embossed = concat (bitmapRows b)
-  raised = concat (featureRows feature)
+  raised = [raises feature x y | y <- [0 .. symbolHeight - 1], x <- [0 .. symbolWidth - 1]]
   n = symbolWidth * symbolHeight
   a = count embossed
   f = count raised

@@ -1,0 +1,95 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- | The training of the shipped network: the paper's regimen (section IV, after Demuth and Beale's character recognition example) of
+-- clean images, then noisy ones, then clean ones again, on images as the stitching and segmentation of frames leave them.
+module PraTactile.Classify.Regimen
+  ( Regimen (..)
+  , Stage (..)
+  , shippedRegimen
+  , shippedSeed
+  , trainShipped
+  , trainWith
+  , roundImages
+  ) where
+
+import Data.List (mapAccumL)
+import System.Random (StdGen, mkStdGen)
+
+import PraTactile.Classify.Network
+import PraTactile.Classify.Samples
+import PraTactile.Classify.Specimens
+import PraTactile.Classify.Train
+import PraTactile.Image (Raster)
+import PraTactile.Shape
+
+-- | A training in stages, each with images of its own.
+data Regimen = Regimen
+  { hiddenLayerSize :: !Int
+  -- ^ Units in the hidden layer.
+  , composition :: [(Kind, Int)]
+  -- ^ How many images of each kind, for each class, make a batch.
+  , stages :: [Stage]
+  -- ^ The stages in order.
+  }
+  deriving stock (Eq, Show)
+
+-- | One stage: rounds of descent, each on a batch drawn afresh. Note [Rounds]
+data Stage = Stage
+  { stageRounds :: !Int
+  -- ^ How many rounds.
+  , roundDescent :: !Descent
+  -- ^ How each descends.
+  , stageNoise :: [Double]
+  -- ^ Standard deviations of the noise, which the images of a batch take in turn; none means no noise.
+  }
+  deriving stock (Eq, Show)
+
+-- | Eight hidden units; 5000 epochs in all: clean images, then half of them with noise of standard deviation 0.1, then 0.15, then 0.2,
+-- then clean ones again. It takes about half a minute.
+shippedRegimen :: Regimen
+shippedRegimen =
+  Regimen
+    { hiddenLayerSize = 8
+    , composition = [(Upright, 250), (UpsideDown, 125), (Sideways, 50), (Displaced, 200), (Halves, 200), (Ordinary, 150), (Bare, 5)]
+    , stages = [Stage 2 (for 300) [0], Stage 4 (for 300) [0, 0.1], Stage 4 (for 300) [0, 0.15], Stage 5 (for 300) [0, 0.2], Stage 2 (for 250) [0]]
+    }
+ where
+  for n = paperDescent {epochs = n}
+
+-- Note [Rounds]
+-- ~~~~~~~~~~~~~
+-- The paper had a few real images of each character; here images can be drawn at will. A stage whose epochs all see one batch drives the
+-- error on that batch to zero with ever steeper units, and learns it by heart: of 22,000 halves or ordinary features with noise 0.1 some ten
+-- were then taken for symbols. The same number of epochs in rounds, each with a new batch, leaves none.
+
+-- | The seed of the shipped network.
+shippedSeed :: Int
+shippedSeed = 2004
+
+-- | Trains a network for an alphabet as the shipped one was trained: with 'shippedSeed' and the shipped shapes it is the shipped one.
+trainShipped :: Alphabet -> Int -> Either NetworkError (Network, [Progress])
+trainShipped = trainWith shippedRegimen
+
+-- | Trains a network for an alphabet by a regimen, from a seed; with what each round did.
+trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [Progress])
+trainWith regimen a seed = do
+  (start, g) <- initialNetwork (hiddenLayerSize regimen) (alphabetSize a) (mkStdGen seed)
+  go start g (concat [replicate (stageRounds stage) stage | stage <- stages regimen])
+ where
+  go n _ [] = Right (n, [])
+  go n g (stage : rest) = do
+    let (labelled, g') = roundImages (composition regimen) (stageNoise stage) a g
+    images <- batch (alphabetSize a) labelled
+    (n', progress) <- train (roundDescent stage) images n
+    fmap (progress :) <$> go n' g' rest
+
+-- | The images of a round, each with its class if it has one.
+roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)
+roundImages makeup noises a g = (concat labelled, g')
+ where
+  (g', labelled) = mapAccumL several g [(kind, count, k, shape) | (kind, count) <- makeup, (k, shape) <- zip [0 ..] (shapes a)]
+  several h (kind, count, k, shape) = mapAccumL (one kind k shape) h (take count (cycle (if null noises then [0] else noises)))
+  one kind k shape h noise = (h'', (image, if kind == Upright then Just k else Nothing))
+   where
+    (clean, h') = specimen a kind shape h
+    (image, h'') = withNoise noise clean h'

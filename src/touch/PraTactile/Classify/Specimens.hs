@@ -1,0 +1,80 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- | The sorts of things whose images reach the classifier: upright symbols, and what must not be taken for one.
+module PraTactile.Classify.Specimens
+  ( Kind (..)
+  , impostors
+  , specimen
+  , misplacementBound
+  ) where
+
+import System.Random (StdGen)
+
+import PraTactile.Classify.Samples
+import PraTactile.Image (Raster)
+import PraTactile.Random (uniform)
+import PraTactile.Shape
+import PraTactile.Shape.Distance (Feature (Full), ordinaryFeatures)
+
+-- | What an image shows.
+data Kind
+  = -- | A symbol, upright and in place.
+    Upright
+  | -- | A symbol turned by 180 degrees.
+    UpsideDown
+  | -- | A symbol turned by 90 degrees.
+    Sideways
+  | -- | A symbol out of place by 3 to 6 taxels in at least one direction.
+    Displaced
+  | -- | One half of a symbol and the other half of another.
+    Halves
+  | -- | An ordinary feature of an object: edge, ridge, corner, disc, or everything raised.
+    Ordinary
+  | -- | A flat face.
+    Bare
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | Everything that is not an upright symbol in place.
+impostors :: [Kind]
+impostors = [k | k <- [minBound .. maxBound], k /= Upright]
+
+-- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels in each direction.
+misplacementBound :: Double
+misplacementBound = 0.7
+
+-- | The noiseless image of a random specimen of a kind, of the shape given (with another of the alphabet's where the kind wants two),
+-- as stitching and segmentation would leave it.
+specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
+specimen alphabetOfAll kind shape g = case kind of
+  Upright -> (see view (symbolScene shape), g')
+  UpsideDown -> (see view (symbolScene (halfTurned shape)), g')
+  Sideways -> (see view (sidewaysScene shape), g')
+  Displaced ->
+    let (far, h) = offset g'
+        (near, h') = between (-6) 6 h
+        (rows, h'') = below 2 h'
+     in (see view {viewShift = if rows == 0 then (far, near) else (near, far)} (symbolScene shape), h'')
+  Halves ->
+    let (other, h) = oneOf shape (filter (/= shape) (shapes alphabetOfAll)) g'
+        (cut, h') = below 2 h
+     in (see view ((if cut == 0 then besideScene else overScene) shape other), h')
+  Ordinary ->
+    let (feature, h) = oneOf Full ordinaryFeatures g'
+     in (see view (featureScene feature), h)
+  Bare -> (see view flatScene, g')
+ where
+  (view, g') = stitchedView misplacementBound g
+  offset h =
+    let (size, h') = between 3 6 h
+        (side, h'') = below 2 h'
+     in (if side == 0 then size else -size, h'')
+
+between :: Double -> Double -> StdGen -> (Double, StdGen)
+between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')
+
+below :: Int -> StdGen -> (Int, StdGen)
+below n g = let (u, g') = uniform g in (floor (u * fromIntegral n), g')
+
+-- | One of the list, all equally likely; the first argument if there is none.
+oneOf :: a -> [a] -> StdGen -> (a, StdGen)
+oneOf none list g = let (i, g') = below (length list) g in (foldr const none (drop i list), g')
