@@ -16,6 +16,7 @@ module Test.Code.Generators
 
     -- * Arrays
   , paperPrimitive
+  , firstOver
   , folded
   , mask
 
@@ -136,6 +137,10 @@ paperPrimitive :: Either PolynomialError (Primitive GF4)
 paperPrimitive = checkPrimitive (polynomial [a * a, a, 1, 0, 1])
  where
   a = primitive
+
+-- | The first primitive polynomial of a degree.
+firstOver :: KnownField k => Proxy k -> Natural -> IO (Primitive k)
+firstOver _ n = right (firstPrimitive n)
 
 -- | The array of a primitive polynomial and the canonical state.
 folded :: KnownField k => Folding -> Shape -> Primitive k -> Either FoldError (PseudorandomArray k)
