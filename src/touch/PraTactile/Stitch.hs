@@ -15,21 +15,27 @@ module PraTactile.Stitch
   , standardRegistration
   , StitchError (..)
   , maxCompositePixels
+  , maxFrames
   ) where
 
+import Control.Monad (when)
+import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
 
 import PraTactile.Image (Raster, halfTurn, quarterTurn, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Probe (Frame (..), Pose (..), sensorSide, taxelPitch)
-import PraTactile.Stitch.Blend (Blend (..), blend)
+import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
 import PraTactile.Stitch.Register (register)
-import PraTactile.Stitch.Search (Registration (..), standardRegistration)
+import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
 data StitchError
   = -- | There is no frame.
     NoFrames
+  | -- | There are more frames than 'maxFrames': how many.
+    TooManyFrames !Int
   | -- | A frame is not 16 x 16: which, its width and its height.
     FrameSize !Int !Int !Int
   | -- | A frame's rotation is not a multiple of 90 degrees: which, and its rotation.
@@ -38,59 +44,73 @@ data StitchError
     FrameNotFinite !Int
   | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels' pixels; its width and height, taxels.
     AreaTooLarge !Double !Double
+  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius that is negative or above 64 taxels.
+    UnusableRegistration !Registration
   deriving stock (Eq, Show)
 
 -- | The most pixels a composite may have.
 maxCompositePixels :: Int
 maxCompositePixels = 4194304
 
--- | Frames at their corrected places, blended.
+-- | The most frames a composite may be made of.
+maxFrames :: Int
+maxFrames = 10000
+
+-- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the frames saw there, with bilinear weights.
+-- The composite does not depend on the order of the frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
-stitch settings frames = compose (register settings) frames
+stitch settings frames
+  | usable settings = compose (register settings) frames
+  | otherwise = Left (UnusableRegistration settings)
 
 -- | Frames at their nominal places, blended: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly = compose (map (const (0, 0)))
 
 -- | Check the frames, place them in taxels, let the function find their displacements, and blend.
-compose :: ([((Double, Double), Raster)] -> [(Double, Double)]) -> [Frame] -> Either StitchError Composite
+compose :: ([(Place, Raster)] -> [Place]) -> [Frame] -> Either StitchError Composite
 compose displace frames = do
-  placed <- traverse upright (zip [0 ..] frames)
-  case placed of
-    [] -> Left NoFrames
-    _ -> do
-      let left = minimum (map (fst . fst) placed)
-          top = minimum (map (snd . fst) placed)
-          nominal = [(((x - left) / taxelPitch, (y - top) / taxelPitch), image) | ((x, y), image) <- placed]
-      checkArea nominal
-      let displacements = displace nominal
-          moved = [((x + dx, y + dy), image) | (((x, y), image), (dx, dy)) <- zip nominal displacements]
-          -- The grid is the nominal one, moved by whole pixels so that it holds the frames where they now are.
-          x0 = floor (minimum (map (fst . fst) moved)) :: Int
-          y0 = floor (minimum (map (snd . fst) moved)) :: Int
-          x1 = ceiling (maximum (map (fst . fst) moved)) + sensorSide
-          y1 = ceiling (maximum (map (snd . fst) moved)) + sensorSide
-          Blend sums weights =
-            blend (x1 - x0) (y1 - y0) [((x - fromIntegral x0, y - fromIntegral y0), image) | ((x, y), image) <- moved]
-          image = either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
-          origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
-      Right (Composite image weights origin displacements)
+  when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
+  placed <- maybe (Left NoFrames) Right (nonEmpty frames) >>= traverse (uncurry upright) . NonEmpty.zip (0 :| [1 ..])
+  let left = minimum (fmap (fst . fst) placed)
+      top = minimum (fmap (snd . fst) placed)
+      nominal = fmap (\((x, y), image) -> (((x - left) / taxelPitch, (y - top) / taxelPitch), image)) placed
+  checkArea (fmap fst nominal)
+  let displacements = displace (NonEmpty.toList nominal)
+      moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
+  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
+
+-- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is the origin's, moved by whole taxels so that it holds
+-- all the images.
+blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
+blended (left, top) images = Composite image weights origin
+ where
+  (x0, x1) = reach fst
+  (y0, y1) = reach snd
+  reach :: (Place -> Double) -> (Int, Int)
+  reach coordinate = (floor (minimum along), ceiling (maximum along) + sensorSide)
+   where
+    along = fmap (coordinate . fst) images
+  origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
+  onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
+  Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
+  image = either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
 
 -- | A pixel with less sensor weight than this counts as not touched: its value would be mostly rounding.
 leastWeight :: Double
 leastWeight = 0.001
 
-checkArea :: [((Double, Double), Raster)] -> Either StitchError ()
-checkArea nominal
+checkArea :: NonEmpty Place -> Either StitchError ()
+checkArea places
   | width * height > fromIntegral maxCompositePixels = Left (AreaTooLarge width height)
   | otherwise = Right ()
  where
-  width = maximum (map (fst . fst) nominal) + fromIntegral sensorSide
-  height = maximum (map (snd . fst) nominal) + fromIntegral sensorSide
+  width = maximum (fmap fst places) + fromIntegral sensorSide
+  height = maximum (fmap snd places) + fromIntegral sensorSide
 
 -- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's own rotation is undone, and the image so turned.
-upright :: (Int, Frame) -> Either StitchError ((Double, Double), Raster)
-upright (i, Frame (Pose x y r) _ image)
+upright :: Int -> Frame -> Either StitchError (Place, Raster)
+upright i (Frame (Pose x y r) _ image)
   | rasterWidth image /= sensorSide || rasterHeight image /= sensorSide = Left (FrameSize i (rasterWidth image) (rasterHeight image))
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
   | otherwise = (,) (x - half, y - half) <$> turned

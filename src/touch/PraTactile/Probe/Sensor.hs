@@ -21,10 +21,11 @@ module PraTactile.Probe.Sensor
   , scan
   ) where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import System.Random (RandomGen)
 
-import PraTactile.Image (Raster, generate, halfTurn, quarterTurn, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn)
 import PraTactile.Probe (Frame (..), Motion (..), Pose (..), move, sensorSide, taxelPitch)
 import PraTactile.Random (normalPair, normals)
 
@@ -64,17 +65,16 @@ forwardImage sensor (HeightMap cell heights) (Pose x y r)
   | cell <= 0 || full <= 0 = generate sensorSide sensorSide (\_ _ -> 0)
   | otherwise = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
       0 -> upright
-      90 -> quarterTurn' 3
+      -- A sensor turned clockwise sees its surroundings turned counter-clockwise, that is by three quarter turns clockwise.
+      90 -> quarterTurn (halfTurn upright)
       180 -> halfTurn upright
-      270 -> quarterTurn' 1
+      270 -> quarterTurn upright
       angle -> generate sensorSide sensorSide (\i j -> scaled (slanted (angle * pi / 180) i j))
  where
   full = sensorFullScale sensor
   scaled height = max 0 (min 1 (height / full))
   half = fromIntegral sensorSide / 2
   upright = generate sensorSide sensorSide (\i j -> scaled (covered (spans x i) (spans y j)))
-  -- A sensor turned clockwise sees its surroundings turned counter-clockwise: by three quarter turns clockwise for 90 degrees.
-  quarterTurn' n = iterate quarterTurn upright !! (n :: Int)
   -- The cells an aperture meets along one axis, each with the share of the aperture it covers.
   spans centre k = overlaps (start / cell) ((start + taxelPitch) / cell)
    where
@@ -91,9 +91,7 @@ forwardImage sensor (HeightMap cell heights) (Pose x y r)
       , let v = taxelPitch * (fromIntegral (j :: Int) - half + within b)
       ]
   within a = (fromIntegral a + 0.5) / fromIntegral supersampling
-  heightAt i j
-    | i < 0 || j < 0 || i >= rasterWidth heights || j >= rasterHeight heights = 0
-    | otherwise = rasterValues heights V.! (j * rasterWidth heights + i)
+  heightAt i j = fromMaybe 0 (index heights i j)
 
 supersampling :: Int
 supersampling = 8
@@ -115,7 +113,7 @@ press sensor heights pose g
  where
   ideal = forwardImage sensor heights pose
   (noise, g') = normals (sensorSide * sensorSide) g
-  noisy x y = let i = y * sensorSide + x in max 0 (min 1 (rasterValues ideal V.! i + sensorNoise sensor * noise V.! i))
+  noisy x y = max 0 (min 1 (fromMaybe 0 (index ideal x y) + sensorNoise sensor * fromMaybe 0 (noise V.!? (y * sensorSide + x))))
 
 -- | One press where the robot means it to be: the motion carries the robot's coordinates to the face's; the pose is the nominal one, in the
 -- robot's coordinates. The frame states the nominal pose; its image is taken where the position error, drawn first, has put the sensor.

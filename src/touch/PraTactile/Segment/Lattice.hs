@@ -34,9 +34,9 @@ type Cell = (Int, Int)
 -- | Symbols that neighbourhood ties together.
 data Cluster
   = -- | Each symbol in its cell.
-    Arranged !(Map Cell SymbolImage)
+    Cluster !(Map Cell SymbolImage)
   | -- | The distances contradict each other: how, and all the symbols concerned.
-    Contradictory !Conflict ![SymbolImage]
+    Contradiction !Conflict ![SymbolImage]
   deriving stock (Eq, Show)
 
 -- | How distances between symbols contradict each other. Cells count from an arbitrary symbol of the cluster.
@@ -71,7 +71,7 @@ arrange symbols = go (Set.fromList (Map.keys numbered))
     Just (first, _) ->
       let (cells, conflict) = walk numbered first
           members = Map.restrictKeys numbered (Map.keysSet cells)
-       in maybe (settle members cells) (`Contradictory` Map.elems members) conflict : go (waiting `Set.difference` Map.keysSet cells)
+       in maybe (settle members cells) (`Contradiction` Map.elems members) conflict : go (waiting `Set.difference` Map.keysSet cells)
 
 -- | All the symbols that can be reached from one, each with its cell by the shortest road, and the first contradiction met on the way.
 walk :: Map Int SymbolImage -> Int -> (Map Int Cell, Maybe Conflict)
@@ -119,8 +119,8 @@ step here there
 -- | The symbols at their cells counted from the upper left, unless two share one.
 settle :: Map Int SymbolImage -> Map Int Cell -> Cluster
 settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toList occupants] of
-  conflict : _ -> Contradictory conflict (Map.elems members)
-  [] -> Arranged (Map.mapKeys (\(row, column) -> (row - top, column - left)) (Map.mapMaybe single occupants))
+  conflict : _ -> Contradiction conflict (Map.elems members)
+  [] -> Cluster (Map.mapKeys (\(row, column) -> (row - top, column - left)) (Map.mapMaybe single occupants))
  where
   occupants = Map.fromListWith (flip (++)) [(cell, [symbol]) | (cell, symbol) <- Map.elems (Map.intersectionWith (,) cells members)]
   top = minimum (0 : map fst (Map.elems cells))

@@ -17,7 +17,7 @@ import qualified Data.Map.Strict as Map
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
-import PraTactile.Stitch.Search (Prior (..), Registration (..), mostProbable)
+import PraTactile.Stitch.Search (Prior (..), Registration (..), mostProbable, searchRadius)
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the images' upper left pixels. Their mean is zero, since
 -- a shift common to all frames cannot be seen. An image's displacement does not depend on the order of the images.
@@ -25,7 +25,7 @@ register :: Registration -> [(Place, Raster)] -> [Place]
 register settings images = map snd (sortOn fst (zip order (IntMap.elems displacements)))
  where
   (order, ordered) = unzip (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] images))
-  nodes = linked (registrationReach settings) ordered
+  nodes = linked (searchRadius settings) ordered
   displacements = sweeps settings nodes (grown settings nodes)
 
 -- | A frame, and the other frames that may touch it once they are displaced, each with how telling the nominal overlap is.
@@ -70,7 +70,7 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
       let node = snd (foldl' (\a b -> if rank b > rank a then b else a) first rest)
           (mean, count) = centre placed
           variance = registrationSigma settings * registrationSigma settings * (1 + 1 / max 1 count)
-          displacement = located settings placed node (Prior mean variance) (registrationReach settings) mean
+          displacement = located settings placed node (Prior mean variance) (searchRadius settings) mean -- Note [The prior while growing]
           gained = foldl' (\w (gain, n) -> IntMap.adjust (\(g, n') -> (g + gain, n')) (nodeKey n) w)
        in go (IntMap.insert (nodeKey node) displacement placed) (gained (IntMap.delete (nodeKey node) waiting) (nodeLinks node))
   rank (gain, node) = (gain, sum (map fst (nodeLinks node)))
@@ -81,7 +81,7 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
 -- displacements up to an error of variance sigma^2 / k, so the next displacement is spread about that mean with variance sigma^2 (1 + 1/k).
 
 -- | Each frame registered against all the others, again and again, until none moves by more than 'settled' or the sweeps are used up.
--- The first sweep looks everywhere, in case growing went astray when little was placed; the later ones only nearby.
+-- The first sweep looks further, in case growing went astray when little was placed; the later ones only one taxel around.
 sweeps :: Registration -> [Node] -> IntMap Place -> IntMap Place
 sweeps settings nodes = go (registrationSweeps settings) . centred
  where
@@ -92,7 +92,7 @@ sweeps settings nodes = go (registrationSweeps settings) . centred
     | otherwise = go (left - 1) after
    where
     after = centred (foldl' step before nodes)
-    radius = if left == registrationSweeps settings then 2.5 else 1
+    radius = if left == registrationSweeps settings then searchRadius settings / 2 else 1
     step ds node = IntMap.insert (nodeKey node) (located settings ds node prior radius (start node ds)) ds
   start node = IntMap.findWithDefault (0, 0) (nodeKey node)
   prior = Prior (0, 0) (registrationSigma settings * registrationSigma settings)
@@ -114,16 +114,19 @@ centre ds
 
 -- | A frame's most probable displacement given those of other frames, looked for within a radius of a start.
 located :: Registration -> IntMap Place -> Node -> Prior -> Double -> Place -> Place
-located settings displacements node prior radius (startX, startY) =
-  case (,) <$> zipRaster (\s m -> s / (1 + m)) sums weights <*> pure (mapRaster (\m -> m / (1 + m)) weights) >>= uncurry reference of
-    Right others -> mostProbable settings others image (\(x, y) -> (x - startX + margin, y - startY + margin)) prior radius (startX, startY)
-    Left _ -> (startX, startY)
+located settings displacements node prior radius (startX, startY) = case others of
+  Right known -> mostProbable settings known image (\(x, y) -> (x - startX + margin, y - startY + margin)) prior radius (startX, startY)
+  Left _ -> (startX, startY)
  where
   image = nodeImage node
   (x0, y0) = nodePlace node
   margin = fromIntegral (ceiling radius + 2 :: Int)
   side extent = extent + 2 * round margin
-  -- The others on a grid whose pixel (margin, margin) is where the frame's upper left pixel lies at the start.
+  -- See Note [How well the reference is known]
+  others = do
+    sums' <- zipRaster (\s m -> s / (1 + m)) sums weights
+    reference sums' (mapRaster (\m -> m / (1 + m)) weights)
+  -- The other frames on a grid whose pixel (margin, margin) is where this frame's upper left pixel lies at the start.
   Blend sums weights =
     blend
       (side (rasterWidth image))
@@ -133,3 +136,8 @@ located settings displacements node prior radius (startX, startY) =
       , Just (dx, dy) <- [IntMap.lookup (nodeKey other) displacements]
       , let (x, y) = nodePlace other
       ]
+
+-- Note [How well the reference is known]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- When each frame's noise has variance 1, a pixel that is the mean of m frames has noise of variance 1/m, and its difference from the frame to be registered 1 + 1/m.
+-- So the pixel counts with weight m / (1 + m): a half where one frame was, towards one where many were.

@@ -6,6 +6,8 @@ module PraTactile.Stitch.Search
   ( -- * Settings
     Registration (..)
   , standardRegistration
+  , searchRadius
+  , usable
 
     -- * Probability of a displacement
   , Prior (..)
@@ -29,15 +31,25 @@ data Registration = Registration
   , registrationNoise :: !Double
   -- ^ The standard deviation of the sensor's noise, as a share of full scale.
   , registrationReach :: !Double
-  -- ^ How far from where it is expected a frame is looked for, in taxels.
+  -- ^ How far from where it is expected a frame is looked for, in standard deviations of the position error.
   , registrationSweeps :: !Int
   -- ^ The most sweeps that register each frame against the others.
   }
   deriving stock (Eq, Show)
 
--- | Position errors of one taxel, noise of 0.1, a reach of four and a half taxels, at most five sweeps.
+-- | Position errors of one taxel, noise of 0.1, a reach of four and a half standard deviations, at most five sweeps.
 standardRegistration :: Registration
 standardRegistration = Registration 1 0.1 4.5 5
+
+-- | How far from where it is expected a frame is looked for, in taxels.
+searchRadius :: Registration -> Double
+searchRadius settings = registrationReach settings * registrationSigma settings
+
+-- | Whether the settings make sense: a positive sigma, noise of at least 0, and a search radius of at most 64 taxels.
+usable :: Registration -> Bool
+usable settings = registrationSigma settings > 0 && registrationNoise settings >= 0 && registrationReach settings >= 0 && within
+ where
+  within = searchRadius settings <= 64 && not (isInfinite (registrationNoise settings))
 
 -- | A normal distribution of displacements: its mean, and its variance along each axis in square taxels.
 data Prior = Prior
@@ -72,8 +84,8 @@ mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior
 mostProbable settings ref image placeOf prior radius start@(x0, y0) = snd (foldl' refine whole [0.5, 0.25, 0.125])
  where
   whole = foldl' better (posterior start, start) [(x0 + i, y0 + j) | (i, j) <- steps]
-  steps = [(i, j) | j <- span', i <- span', i * i + j * j <= radius * radius, (i, j) /= (0, 0)]
-  span' = let r = fromIntegral (floor radius :: Int) in [negate r .. r] :: [Double]
+  steps = [(i, j) | j <- line, i <- line, i * i + j * j <= radius * radius, (i, j) /= (0, 0)]
+  line = let r = floor radius :: Int in map fromIntegral [negate r .. r] :: [Double]
   refine best@(_, (x, y)) step =
     foldl' better best [(x - step, y), (x + step, y), (x, y - step), (x, y + step)]
   better best@(score, _) candidate =
