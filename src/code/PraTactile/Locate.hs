@@ -33,9 +33,10 @@ module PraTactile.Locate
   , reasons
   ) where
 
-import Data.List (sort)
+import Data.List (foldl', sort)
 import Data.Maybe (isJust)
 import Data.Proxy (Proxy (..))
+import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -136,7 +137,7 @@ data Reason
     NotInArray
   | -- | The windows, or the windows and other observed cells, do not fit one place: @contradiction@.
     Contradiction
-  | -- | The windows fit one place, but there the patch's upper left or an observed cell lies beyond the sheet's edge: @off-sheet@.
+  | -- | What lies on the sheet fits one place, but there the patch's upper left or an observed cell lies beyond the edge: @off-sheet@.
     OffSheet
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
@@ -159,34 +160,46 @@ reasons = [minBound .. maxBound]
 locatePatch :: Table k -> Patch k -> Outcome
 locatePatch table observed
   | null windows = Refused (if length cells < maskSize (tableMask table) then TooFewCells else NoCompleteWindow)
-  | all (null . snd) found = Refused (if all (all (== zero) . snd) windows then ZeroWindow else NotInArray)
-  | otherwise = case [place | Fits place <- fits] of
-      [place] -> Located place support
-      [] -> Refused (if SticksOut `elem` fits then OffSheet else Contradiction)
-      places -> Ambiguous (sort places) support
+  | otherwise = case originsOfWindows of
+      [] -> Refused (if all (all (== zero) . snd) windows then ZeroWindow else NotInArray)
+      origins : others -> outcome (map (compareAt table cells) (Set.toAscList (foldl' Set.intersection origins others)))
  where
   cells = observedCells observed
   windows = completeWindows (tableMask table) observed
   support = map fst windows
-  found = [(offset, windowPositions table content) | (offset, content) <- windows]
-  -- The patch's place is among the positions of each of its windows: those of one are enough.
-  fits = [compareAt table cells offset position | (offset, positions@(_ : _)) <- take 1 (filter (not . null . snd) found), position <- positions]
+  -- For each window that occurs, where the patch's upper left is if the window is at one of its positions.
+  originsOfWindows =
+    [ Set.fromList (map (origin table offset) positions)
+    | (offset, content) <- windows
+    , positions@(_ : _) <- [windowPositions table content]
+    ]
+  outcome fits = case [place | Fits place <- fits] of
+    [place] -> Located place support
+    [] -> Refused (if SticksOut `elem` fits then OffSheet else Contradiction)
+    places -> Ambiguous (sort places) support
+
+-- | The row and column of the patch's upper left when the cell at this offset lies at that position; on the sheet perhaps negative.
+origin :: Table k -> Position -> Position -> (Integer, Integer)
+origin table (Position i j) (Position r c) =
+  maybe (r', c') (\(Position a b) -> (toInteger a, toInteger b)) (canonicalPosition (tableSurface table) (gridShape (tableGrid table)) r' c')
+ where
+  r' = toInteger r - toInteger i
+  c' = toInteger c - toInteger j
 
 -- | How a patch compares with the array at a place.
 data Fit = Fits Position | SticksOut | Differs
   deriving stock (Eq)
 
--- | Compare all observed cells, when the cell at this offset of the patch lies at that position.
-compareAt :: Table k -> [(Position, GF k)] -> Position -> Position -> Fit
-compareAt table cells (Position i j) (Position r c)
+-- | Compare all observed cells when the patch's upper left is at this row and column.
+compareAt :: Table k -> [(Position, GF k)] -> (Integer, Integer) -> Fit
+compareAt table cells (r, c)
   | or [code /= toCode a | (Just code, a) <- compared] = Differs
   | Just place <- cellOf (Position 0 0), all (isJust . fst) compared = Fits place
   | otherwise = SticksOut
  where
   grid = tableGrid table
   compared = [(cellOf offset >>= codeAt grid, a) | (offset, a) <- cells]
-  cellOf (Position a b) = canonicalPosition (tableSurface table) (gridShape grid) (shift r i a) (shift c j b)
-  shift position offset other = toInteger position - toInteger offset + toInteger other
+  cellOf (Position i j) = canonicalPosition (tableSurface table) (gridShape grid) (r + toInteger i) (c + toInteger j)
 
 -- | The observed cells with their offsets, row by row.
 observedCells :: Patch k -> [(Position, GF k)]
