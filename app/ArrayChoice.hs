@@ -1,0 +1,103 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window --state@, or
+-- @--profile FILE@, or nothing, which is the canonical profile.
+module ArrayChoice
+  ( ArrayChoice
+  , arrayChoice
+  , chosenProfile
+    -- * Readers of option values
+  , shapeReader
+  , positionReader
+  , numbersReader
+  , pairReader
+  ) where
+
+import Data.Char (isDigit, isSpace)
+import Data.List.NonEmpty (NonEmpty (..))
+import Numeric.Natural (Natural)
+import Options.Applicative
+import Text.Read (readMaybe)
+
+import Ending
+import Json.Profile (readProfile)
+import Message (profileMessage)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Profile (Profile, canonicalProfile, chooseProfile)
+
+-- | What the command line says about the array.
+data ArrayChoice = ArrayChoice
+  { choiceOrder :: Maybe Natural
+  , choiceModulus :: Maybe [Natural]
+  , choicePolynomial :: Maybe [Natural]
+  , choiceShape :: Maybe Shape
+  , choiceWindow :: Maybe Shape
+  , choiceState :: Maybe [Natural]
+  , choiceFile :: Maybe FilePath
+  }
+  deriving stock (Eq, Show)
+
+-- | The options, all of them optional.
+arrayChoice :: Parser ArrayChoice
+arrayChoice = ArrayChoice
+  <$> optional (option natural (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256"))
+  <*> optional (option numbersReader (long "modulus" <> metavar "C0,C1,.." <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"))
+  <*> optional (option numbersReader (long "polynomial" <> metavar "C0,C1,.." <> help "Primitive characteristic polynomial over GF(q) as codes, constant term first, monic"))
+  <*> optional (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
+  <*> optional (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"))
+  <*> optional (option numbersReader (long "state" <> metavar "S0,S1,.." <> help "Initial state of the shift register as codes (default 0,..,0,1)"))
+  <*> optional (strOption (long "profile" <> metavar "FILE" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
+
+-- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
+chosenProfile :: ArrayChoice -> IO Profile
+chosenProfile choice = case choice of
+  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing file -> maybe (pure canonicalProfile) readProfile file
+  ArrayChoice { choiceFile = Just _ } ->
+    unusable "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, --window and --state"
+  ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Just shape } ->
+    orUnusable profileMessage
+      (chooseProfile q (choiceModulus choice) h shape (choiceWindow choice) (choiceState choice))
+  _ -> unusable ("to choose an array, give --q, --polynomial and --shape together (missing: " ++ missing ++ ")")
+  where
+    missing = unwords
+      ( [ "--q" | Nothing <- [choiceOrder choice] ]
+        ++ [ "--polynomial" | Nothing <- [choicePolynomial choice] ]
+        ++ [ "--shape" | Nothing <- [choiceShape choice] ] )
+
+natural :: ReadM Natural
+natural = eitherReader readNatural
+
+readNatural :: String -> Either String Natural
+readNatural text
+  | not (null text), all isDigit text = Right (read text)
+  | otherwise = Left (show text ++ " is not a number 0, 1, 2, ...")
+
+-- | Two numbers parted by @x@, as 15x17: rows, then columns.
+shapeReader :: ReadM Shape
+shapeReader = eitherReader $ \text -> case splitOn 'x' text of
+  high :| [wide] -> Shape <$> readNatural high <*> readNatural wide
+  _ -> Left (show text ++ " is not a shape; write ROWSxCOLUMNS, as in 15x17")
+
+-- | Two numbers parted by a comma: row, then column.
+positionReader :: ReadM Position
+positionReader = eitherReader $ \text -> case splitOn ',' text of
+  r :| [c] -> Position <$> readNatural (trim r) <*> readNatural (trim c)
+  _ -> Left (show text ++ " is not a position; write ROW,COLUMN, as in 6,5")
+
+-- | Numbers parted by commas.
+numbersReader :: ReadM [Natural]
+numbersReader = eitherReader $ \text -> case splitOn ',' text of
+  first :| others -> traverse (readNatural . trim) (first : others)
+
+-- | Two values of a type that 'Read' reads, parted by a character.
+pairReader :: Read a => Char -> String -> ReadM (a, a)
+pairReader separator example = eitherReader $ \text -> case splitOn separator text of
+  a :| [b] | Just x <- readMaybe a, Just y <- readMaybe b -> Right (x, y)
+  _ -> Left (show text ++ " is not understood; write it as in " ++ example)
+
+splitOn :: Char -> String -> NonEmpty String
+splitOn separator text = case break (== separator) text of
+  (part, _ : rest) -> let next :| others = splitOn separator rest in part :| (next : others)
+  (part, []) -> part :| []
+
+trim :: String -> String
+trim = reverse . dropWhile isSpace . reverse . dropWhile isSpace

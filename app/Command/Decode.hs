@@ -1,0 +1,78 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | @pra-tactile decode@: tactile images in, object, face and place out.
+module Command.Decode
+  ( command
+  ) where
+
+import Control.Monad (forM, forM_)
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Options.Applicative hiding (command)
+
+import ArrayChoice
+import Command.Stitch (assembly, stitchingOption)
+import Described
+import Ending
+import Files (writeWhole)
+import Frames
+import Json (printJson)
+import Json.Profile (profileText)
+import Json.Recognition
+import Message
+import Picture (recognitionSvg)
+import PraTactile.Field (KnownField)
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Stitch (Composite)
+import Recognised
+import Setup
+
+data Options = Options
+  { corrected :: Bool
+  , network :: Maybe FilePath
+  , database :: Maybe FilePath
+  , picture :: Maybe FilePath
+  , asJson :: Bool
+  , paths :: [FilePath]
+  }
+
+command :: Mod CommandFields (IO Ending)
+command = described "decode" "Recognise object, face and place from tactile images: PGM files that are whole composites, folders of frames with their manifest, or frames of such a folder."
+  [ "pra-tactile decode data/worked-example/composite.pgm"
+  , "pra-tactile decode --json frames"
+  , "pra-tactile decode frames --picture recognised.svg" ]
+  (run <$> arrayChoice <*> options)
+  where
+    options = Options
+      <$> stitchingOption
+      <*> networkOption
+      <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
+      <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw the composite with the recovered symbols over it (one source only)"))
+      <*> switch (long "json" <> help "Print one JSON answer a line")
+      <*> some (strArgument (metavar "PATH..."))
+
+run :: ArrayChoice -> Options -> IO Ending
+run choice options = do
+  profile <- chosenProfile choice
+  layout <- placementFor profile
+  net <- chosenNetwork (network options)
+  readAs <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile (\array mask ->
+    decodeWith profile options <$> recogniser array mask layout net))
+  found <- sources (paths options)
+  case (found, picture options) of
+    (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
+    _ -> pure ()
+  composites <- forM found (loadSource (assembly (corrected options)))
+  maximum . (Answered :) <$> forM composites readAs
+
+-- | Decode one composite: print the answer, draw the picture.
+decodeWith :: KnownField k => Profile -> Options -> Recogniser k -> Composite -> IO Ending
+decodeWith profile options reader composite = do
+  recognition <- orUnusable networkMessage (recognise reader composite) >>= maybe pure lookedUp (database options)
+  if asJson options
+    then printJson (recognitionJson profile nameOf recognition)
+    else putStr (unlines (recognitionText nameOf recognition))
+  forM_ (picture options) $ \file -> writeWhole file (Lazy8.pack (recognitionSvg nameOf composite recognition))
+  pure (recognitionEnding recognition)
+  where
+    nameOf = elementNames reader
+    lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

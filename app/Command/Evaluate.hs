@@ -1,0 +1,112 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | @pra-tactile evaluate@: simulated presses by the thousand, counted right, wrong and refused.
+module Command.Evaluate
+  ( command
+  ) where
+
+import Control.Monad (forM_, when)
+import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
+import Data.Aeson (Value, object, (.=))
+import Data.String (fromString)
+import Options.Applicative hiding (command)
+import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
+import Text.Printf (printf)
+
+import ArrayChoice
+import Described
+import Ending
+import Json
+import Json.Profile
+import Message
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Object.Placement
+import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Relief
+import PraTactile.Stitch (standardRegistration)
+import Setup
+
+data Options = Options
+  { presses :: Int
+  , seed :: Int
+  , size :: (Int, Int)
+  , positionError :: Double
+  , noise :: Double
+  , network :: Maybe FilePath
+  , asJson :: Bool
+  }
+
+command :: Mod CommandFields (IO Ending)
+command = described "evaluate" "Simulate presses at random places on the faces in turn, at 0 or 180 degrees, and count how many are decoded right, wrong or refused, with stitching and without."
+  [ "pra-tactile evaluate --presses 1000 --seed 1" ]
+  (run <$> arrayChoice <*> options)
+  where
+    options = Options
+      <$> option auto (long "presses" <> metavar "N" <> value 1000 <> showDefault <> help "How many regions are explored")
+      <*> option auto (long "seed" <> metavar "N" <> help "Seed of every random draw")
+      <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
+      <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
+      <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
+      <*> networkOption
+      <*> switch (long "json" <> help "Print the counts as JSON")
+
+run :: ArrayChoice -> Options -> IO Ending
+run choice options
+  | presses options < 1 = unusable "--presses is a number from 1 up"
+  | not (positionError options >= 0 && noise options >= 0) = unusable "--position-error and --noise are numbers from 0 up"
+  | otherwise = do
+      profile <- chosenProfile choice
+      layout <- placementFor profile
+      alphabet <- shippedAlphabet
+      net <- chosenNetwork (network options)
+      let prepared array mask = do
+            reader <- either (Left . locateMessage) Right (recogniser array mask layout net)
+            faces <- either (Left . reliefMessage) Right
+              (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))
+            pure (measure profile options reader faces)
+      measured <- orUnusable profileMessage (withProfile profile prepared)
+      either unusable id measured
+
+-- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts.
+measure :: KnownField k => Profile -> Options -> Recogniser k -> [(LaidFace, HeightMap)] -> IO Ending
+measure profile options reader faces = do
+  started <- traverse (maybe (unusable tooLarge) pure) (take (presses options) (trials sensor (size options) faces (seed options)))
+  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial reader standardRegistration) started)
+  watched <- hIsTerminalDevice stderr
+  forM_ (zip [1 :: Int ..] results) $ \(i, result) -> do
+    () <- result `seq` pure ()
+    when (watched && (i `mod` 10 == 0 || i == presses options)) $
+      hPutStr stderr (printf "\r%d of %d presses%s" i (presses options) (if i == presses options then "\n" else "" :: String)) >> hFlush stderr
+  let counts = [ ("stitching", tally (map withStitching results)), ("no-stitching", tally (map withoutStitching results)) ]
+  if asJson options
+    then printJson ("schema" .= ("pra-tactile/evaluate/1" :: String) <> "profile" .= profileValue profile
+      <> "presses" .= presses options <> "seed" .= seed options
+      <> "position_error_taxels" .= positionError options <> "noise" .= noise options
+      <> mconcat [ fromString (map underscore name) .= tallyValue counted | (name, counted) <- counts ])
+    else putStr (unlines (heading : [ tallyText name counted | (name, counted) <- counts ]))
+  pure Answered
+  where
+    sensor = standardSensor { sensorPositionError = positionError options, sensorNoise = noise options }
+    rdeepseq' result = rseq (withStitching result `seq` withoutStitching result `seq` result)
+    underscore c = if c == '-' then '_' else c
+    tooLarge = printf "a region of %d x %d taxels does not lie on every face; choose a smaller --size" (fst (size options)) (snd (size options))
+    heading = printf "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g of full scale"
+      (presses options) (seed options) (fst (size options)) (snd (size options)) (positionError options) (noise options)
+
+tallyText :: String -> Tally -> String
+tallyText name counted = printf "%-13s right %d  wrong %d  refused %d (%.1f %%)%s" name (tallyRight counted) (tallyWrong counted) refused share
+  (concat [ printf "%s %s %d" (if i == 0 then ":" else "," :: String) reason n | (i, (reason, n)) <- zip [0 :: Int ..] (tallyRefused counted) ] :: String)
+  where
+    refused = sum (map snd (tallyRefused counted))
+    share = 100 * fromIntegral refused / fromIntegral (max 1 (refused + tallyRight counted + tallyWrong counted)) :: Double
+
+tallyValue :: Tally -> Value
+tallyValue counted = object
+  [ "right" .= tallyRight counted
+  , "wrong" .= tallyWrong counted
+  , "refused" .= sum (map snd (tallyRefused counted))
+  , "reasons" .= object [ fromString reason .= n | (reason, n) <- tallyRefused counted ]
+  ]

@@ -1,0 +1,103 @@
+-- | @pra-tactile probe@: press the simulated sensor on a face and write the frames.
+module Command.Probe
+  ( command
+  ) where
+
+import Data.List.NonEmpty (NonEmpty (..))
+import Options.Applicative hiding (command)
+import System.Random (StdGen, mkStdGen, randomR)
+
+import ArrayChoice
+import Described
+import Ending
+import Files (writeFolder)
+import Frames (frameFiles)
+import Message
+import PraTactile.Explore
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Probe (taxelPitch)
+import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
+import PraTactile.Profile
+import PraTactile.Relief
+import Setup
+
+data Options = Options
+  { object :: String
+  , face :: Maybe String
+  , at :: Maybe (Double, Double)
+  , size :: (Int, Int)
+  , turned :: Maybe Bool
+  , positionError :: Double
+  , noise :: Double
+  , seed :: Int
+  , tell :: Bool
+  , output :: FilePath
+  }
+
+command :: Mod CommandFields (IO Ending)
+command = described "probe" "Press the simulated 16 x 16 sensor on an object's face and write the frames, as PGM files with a manifest, into a new folder."
+  [ "pra-tactile probe --object cube --seed 7 --output frames"
+  , "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --at 0,60 --upright --seed 1 --output frames" ]
+  (run <$> arrayChoice <*> options)
+  where
+    options = Options
+      <$> strOption (long "object" <> metavar "NAME" <> help "The object: cube or parallelepiped")
+      <*> optional (strOption (long "face" <> metavar "VERTICES" <> help "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)"))
+      <*> optional (option (pairReader ',' "12.7,60") (long "at" <> metavar "X,Y" <> help "The region's upper left corner on the face, mm to the right and down from the face's upper left vertex (default: drawn by chance)"))
+      <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
+      <*> optional (flag' False (long "upright" <> help "The face lies upright in the robot's frame (default: by chance)") <|> flag' True (long "turned" <> help "The face lies turned by 180 degrees"))
+      <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
+      <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
+      <*> option auto (long "seed" <> metavar "N" <> help "Seed of every random draw")
+      <*> switch (long "tell" <> help "Print the true place")
+      <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")
+
+run :: ArrayChoice -> Options -> IO Ending
+run choice options
+  | not (positionError options >= 0 && positionError options < 1000) = unusable "--position-error is a number of taxels from 0 up"
+  | not (noise options >= 0 && noise options < 1000) = unusable "--noise is a share of full scale from 0 up"
+  | otherwise = do
+      profile <- chosenProfile choice
+      layout <- placementFor profile
+      alphabet <- shippedAlphabet
+      faces <- objectsNamed layout (object options)
+      (pressed, generator) <- maybe (drawnFace faces (mkStdGen (seed options))) (\named -> flip (,) (mkStdGen (seed options)) <$> chosenFace faces named) (face options)
+      heights <- orUnusable reliefMessage =<< orUnusable profileMessage (withProfile profile (\array _ -> relief array layout alphabet pressed))
+      (drawn, generator1) <- maybe (unusable (tooLarge pressed)) pure (randomRegion (size options) pressed generator)
+      let region = placed drawn
+          sensor = standardSensor { sensorPositionError = positionError options, sensorNoise = noise options }
+      if fits pressed region then pure () else unusable (tooLarge pressed)
+      (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
+      writeFolder (output options) =<< orUnusable imageMessage (frameFiles frames)
+      putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ output options)
+      if tell options then putStrLn (truth pressed region) else pure ()
+      pure Answered
+  where
+    placed drawn = case (at options, turned options) of
+      (place, turn) -> (maybe id atPlace place . maybe id (\t r -> r { regionTurned = t }) turn) drawn
+    atPlace (x, y) r = r { regionRight = x / taxelPitch, regionDown = y / taxelPitch }
+    fits pressed region = regionRight region >= 0 && regionDown region >= 0
+      && taxelPitch * (regionRight region + fromIntegral (regionWidth region)) <= fromRational (spotRight (laidExtent pressed)) + 1e-9
+      && taxelPitch * (regionDown region + fromIntegral (regionHeight region)) <= fromRational (spotDown (laidExtent pressed)) + 1e-9
+    tooLarge pressed = "the region does not lie on the face " ++ faceText (faceName (laidFace pressed)) ++ ", which is "
+      ++ millimetres (spotRight (laidExtent pressed)) ++ " x " ++ millimetres (spotDown (laidExtent pressed)) ++ " mm; choose another --size or --at"
+    millimetres r = show (fromRational r :: Double)
+
+-- | One of the faces, with equal chances.
+drawnFace :: [LaidFace] -> StdGen -> IO (LaidFace, StdGen)
+drawnFace faces generator = case faces of
+  [] -> unusable "the object has no face on the array"
+  first : others ->
+    let (i, generator1) = randomR (0, length others) generator
+    in pure (pick i (first :| others), generator1)
+  where
+    pick i (a :| as) = case drop (i - 1) as of
+      b : _ | i > 0 -> b
+      _ -> a
+
+truth :: LaidFace -> Region -> String
+truth pressed region = unwords
+  [ "truth: face", faceText (faceName (laidFace pressed)) ++ ", region from"
+  , show (taxelPitch * regionRight region) ++ "," ++ show (taxelPitch * regionDown region), "mm,"
+  , if regionTurned region then "turned by 180 degrees" else "upright" ]

@@ -1,0 +1,35 @@
+-- | @pra-tactile train@: train the network from a seed, as the shipped one was.
+module Command.Train
+  ( command
+  ) where
+
+import Control.Monad (forM_)
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Text.Encoding as Text
+import Options.Applicative hiding (command)
+import Text.Printf (printf)
+
+import Described
+import Ending
+import Files (writeWhole)
+import Message
+import PraTactile.Classify.Network.File (renderNetwork)
+import PraTactile.Classify.Regimen (shippedSeed, trainShipped)
+import PraTactile.Classify.Train (Progress (..))
+import Setup
+
+command :: Mod CommandFields (IO Ending)
+command = described "train" "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default seed gives the shipped weights."
+  [ "pra-tactile train --output network.txt" ]
+  (run <$> option auto (long "seed" <> metavar "N" <> value shippedSeed <> showDefault <> help "Seed of every random draw")
+       <*> strOption (long "output" <> metavar "FILE" <> help "The file of weights"))
+
+run :: Int -> FilePath -> IO Ending
+run seed output = do
+  alphabet <- shippedAlphabet
+  (network, stages) <- orUnusable networkMessage (trainShipped alphabet seed)
+  writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
+  forM_ (zip [1 :: Int ..] stages) $ \(i, stage) ->
+    putStrLn (printf "stage %d: %d epochs, squared error %.4f -> %.4f" i (progressEpochs stage) (errorBefore stage) (errorAfter stage))
+  putStrLn ("wrote " ++ output)
+  pure Answered

@@ -1,0 +1,61 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | The JSON that results are printed as. Keys are promises; integers above 2^53 - 1 are decimal strings, because many
+-- readers of JSON hold numbers as IEEE doubles.
+module Json
+  ( -- * Printing
+    printJson
+  , encodeLine
+    -- * Values
+  , naturalValue
+  , positionValue
+  , positionListValue
+  , shapeText
+  , surfaceName
+  , foldingName
+  ) where
+
+import Data.Aeson
+import Data.Aeson.Encoding (encodingToLazyByteString)
+import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Numeric.Natural (Natural)
+
+import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
+
+-- | One object on one line, its keys in the order given.
+encodeLine :: Series -> Lazy.ByteString
+encodeLine = encodingToLazyByteString . pairs
+
+-- | Print one object on one line.
+printJson :: Series -> IO ()
+printJson = Lazy.putStrLn . encodeLine
+
+-- | A number, or a decimal string where a double would round it.
+naturalValue :: Natural -> Value
+naturalValue n
+  | n <= 2 ^ (53 :: Int) - 1 = toJSON (fromIntegral n :: Integer)
+  | otherwise = toJSON (show n)
+
+-- | @{"row": r, "column": c}@.
+positionValue :: Position -> Value
+positionValue (Position r c) = object ["row" .= naturalValue r, "column" .= naturalValue c]
+
+-- | @[r, c]@, where many positions are listed.
+positionListValue :: Position -> Value
+positionListValue (Position r c) = toJSON [naturalValue r, naturalValue c]
+
+-- | As the command line takes it: @15x17@.
+shapeText :: Shape -> String
+shapeText (Shape high wide) = show high ++ "x" ++ show wide
+
+-- | As the command line takes it.
+surfaceName :: Surface -> String
+surfaceName surface = case surface of
+  Torus -> "torus"
+  TwistedTorus -> "twisted-torus"
+  Sheet -> "sheet"
+
+-- | As profiles have it.
+foldingName :: Folding -> String
+foldingName folding = case folding of
+  Diagonal -> "diagonal"
+  RowMajor -> "row-major"

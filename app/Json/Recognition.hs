@@ -1,0 +1,73 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | The JSON of @decode@ and of look-ups of a position.
+module Json.Recognition
+  ( recognitionJson
+  , whereaboutsPairs
+  ) where
+
+import Data.Aeson
+
+import Json
+import Json.Profile
+import PraTactile.Array (Position)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Segment (SymbolImage (..))
+import Recognised
+
+-- | One answer: all keys always, null where there is nothing to say.
+recognitionJson :: Profile -> (Int -> String) -> Recognition -> Series
+recognitionJson profile nameOf recognition =
+  "schema" .= ("pra-tactile/decode/1" :: String)
+    <> "profile" .= profileValue profile
+    <> "outcome" .= outcome
+    <> "reason" .= either (Just . refusalName) (const Nothing) answer
+    <> "message" .= recognitionMessage recognition
+    <> "position" .= fmap (positionValue . windowPosition) window
+    <> "positions" .= map positionValue places
+    <> mconcat [ key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window) ]
+    <> "orientation_deg" .= fmap orientationDegrees orientation
+    <> "symbols" .= map symbolValue (recognisedSymbols recognition)
+    <> "windows" .= map windowValue windows
+  where
+    answer = recognisedAnswer recognition
+    (outcome, orientation, window, windows, places) = case answer of
+      Left _ -> ("refused" :: String, Nothing, Nothing, [], [] :: [Position])
+      Right (Several o ps) -> ("ambiguous", Just o, Nothing, [], ps)
+      Right (Found o w ws) -> ("located", Just o, Just w, w : ws, [])
+    symbolValue symbol = object
+      [ "x" .= fst (symbolCentre (readImage symbol))
+      , "y" .= snd (symbolCentre (readImage symbol))
+      , "code" .= fmap snd (readClass symbol)
+      , "element" .= fmap (nameOf . snd) (readClass symbol)
+      , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
+      ]
+    windowValue w = object $
+      [ "position" .= positionValue (windowPosition w)
+      , "cells" .= windowClasses w
+      , "elements" .= map (map nameOf) (windowClasses w)
+      , "x" .= fst (windowSeenAt w)
+      , "y" .= snd (windowSeenAt w)
+      ] ++ [ key .= item | (key, item) <- whereaboutsPairs (Just (windowWhereabouts w)) ]
+
+-- | @on@, @object@, @face@, @faces@, @corner@, @corners@, @place_mm@; all null or empty where nothing was located.
+whereaboutsPairs :: Maybe Whereabouts -> [(Key, Value)]
+whereaboutsPairs place = case place of
+  Nothing -> pairsOf Null Nothing []
+  Just (OnFace on) -> pairsOf (String "face") (Just on) [placeFace on]
+  Just (Straddles faces) -> pairsOf (String "straddles-faces") Nothing faces
+  Just OnNoObject -> pairsOf (String "no-object") Nothing []
+  where
+    pairsOf on face touched =
+      [ ("on", on)
+      , ("object", maybe Null (toJSON . objectText . faceObject . placeFace) face)
+      , ("face", maybe Null (toJSON . vertexNames . placeFace) face)
+      , ("faces", toJSON [ object ["object" .= objectText (faceObject f), "face" .= vertexNames f] | f <- touched ])
+      , ("corner", maybe Null (toJSON . fmap vertexText . corner) face)
+      , ("corners", toJSON (maybe [] (map vertexText . placeCorners) face))
+      , ("place_mm", maybe Null (pairValue . spotMillimetres . placeCentre) face)
+      ]
+    vertexNames = map vertexText . faceVertices . faceName
+    pairValue (x, y) = toJSON [x, y]

@@ -1,0 +1,112 @@
+-- | The code wing's errors in words.
+module Message.Code
+  ( fieldMessage
+  , polynomialMessage
+  , foldMessage
+  , profileMessage
+  , proofMessage
+  , locateMessage
+  , reasonMessage
+  ) where
+
+import Data.List (intercalate)
+import Numeric.Natural (Natural)
+
+import Json (shapeText, surfaceName)
+import PraTactile.Array
+import PraTactile.Factorisation (FactorError (..))
+import PraTactile.Field (FieldError (..))
+import PraTactile.Locate
+import PraTactile.Polynomial (PolynomialError (..))
+import PraTactile.Profile
+import PraTactile.Sequence (SequenceError (..))
+import PraTactile.Window (WindowError (..))
+import PraTactile.Window.Proof
+
+fieldMessage :: FieldError -> String
+fieldMessage e = case e of
+  NotPrime p -> show p ++ " is not a prime, so there is no field GF(" ++ show p ++ "^m)"
+  FieldTooLarge p m -> "GF(" ++ show p ++ "^" ++ show m ++ ") has more than 256 elements, the largest alphabet"
+  ModulusConstant c -> "the modulus " ++ list c ++ " has degree 0; a modulus of degree m makes GF(p^m)"
+  ModulusNotMonic c -> "the modulus is not monic: its last coefficient is " ++ show c ++ ", not 1"
+  CoefficientOutOfRange c p -> "the modulus has the coefficient " ++ show c ++ ", which is not below p = " ++ show p
+  ModulusReducible p c -> "the modulus " ++ list c ++ " factors over GF(" ++ show p ++ "), so it makes no field"
+  NotAPrimePower q -> show q ++ " is not a prime power up to 256, so there is no alphabet GF(" ++ show q ++ ")"
+  CodeOutOfRange c q -> "the code " ++ show c ++ " is no element of GF(" ++ show q ++ "): codes are 0 to " ++ show (toInteger q - 1)
+  DivisionByZero -> "division by zero"
+  ElementUnreadable text -> show text ++ " is no element; write a code (0, 1, 2, ...) or a power of A (A, A^2, ...)"
+
+list :: [Natural] -> String
+list = intercalate "," . map show
+
+polynomialMessage :: PolynomialError -> String
+polynomialMessage e = case e of
+  PolynomialConstant -> "the polynomial has degree 0; its degree is the length of the shift register"
+  PolynomialNotMonic c -> "the polynomial is not monic: its last coefficient is " ++ show c ++ ", not 1"
+  ConstantTermZero -> "the polynomial's constant term is 0, so it is not primitive"
+  PolynomialReducible -> "the polynomial factors over the field, so it is not primitive"
+  PolynomialNotPrimitive order -> "the polynomial is irreducible but not primitive: its root has order " ++ show order
+  OrderNotFactored why -> "whether the polynomial is primitive is not known: " ++ factorMessage why
+  NoPrimitivePolynomial n -> "no primitive polynomial of degree " ++ show n ++ " was found"
+
+factorMessage :: FactorError -> String
+factorMessage e = case e of
+  FactorisationOfZero -> "zero has no factorisation"
+  FactorNotFound n -> "the factor " ++ show n ++ " of q^n - 1 could not be split"
+  PrimalityUndecided n -> "the factor " ++ show n ++ " of q^n - 1 could not be proved prime"
+
+sequenceMessage :: SequenceError -> String
+sequenceMessage e = case e of
+  StateLength given n -> "the initial state has " ++ show given ++ " elements; the shift register has " ++ show n
+  StateZero -> "the initial state is all zeros, and so would be the sequence"
+
+foldMessage :: FoldError -> String
+foldMessage e = case e of
+  NotCoprime n1 n2 g -> "the diagonal fold of " ++ shapeText (Shape n1 n2) ++ " does not fill the array: both sides are divisible by "
+    ++ show g ++ ", so it reaches only every " ++ ordinal g ++ " cell"
+  WrongArea shape terms -> "the shape " ++ shapeText shape ++ " has " ++ show (area shape) ++ " cells, but the sequence has q^n - 1 = " ++ show terms ++ " terms"
+  TooManyCells cells limit -> "the array has " ++ show cells ++ " cells; at most " ++ show limit ++ " are held in memory"
+  where
+    ordinal n = show n ++ (case n `mod` 10 of { 2 | n `mod` 100 /= 12 -> "nd"; 3 | n `mod` 100 /= 13 -> "rd"; 1 | n `mod` 100 /= 11 -> "st"; _ -> "th" })
+
+windowMessage :: WindowError -> String
+windowMessage e = case e of
+  WindowEmpty -> "the window has no cells"
+  WindowTooLarge cells -> "the window has " ++ show cells ++ " cells, more than 4096"
+  OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
+  PackedOutOfRange n -> show n ++ " packs no window"
+
+profileMessage :: ProfileError -> String
+profileMessage e = case e of
+  ProfileField why -> fieldMessage why
+  ModulusDegree given needs -> "the modulus has degree " ++ show given ++ ", but this field needs degree " ++ show needs
+  ProfilePolynomial why -> polynomialMessage why
+  ProfileState why -> sequenceMessage why
+  ProfileFold why -> foldMessage why
+  ProfileWindow why -> windowMessage why
+  WindowNotInferred n1 n -> "the window cannot be inferred: the number of rows, " ++ show n1 ++ ", is not q^k1 - 1 for a divisor k1 of the degree "
+    ++ show n ++ "; give --window ROWSxCOLUMNS"
+
+proofMessage :: ProofError -> String
+proofMessage e = case e of
+  NoWindowOnSheet -> "no window of this shape lies on the sheet"
+  ArrayTooLarge why -> foldMessage why ++ ", and the rank decides nothing here"
+  WindowsTooMany contents places -> "visiting every window needs too much memory (" ++ show contents ++ " contents at " ++ show places
+    ++ " positions), and the rank decides nothing here"
+  RoadsDisagree verdict -> "enumeration and rank contradict each other on the " ++ surfaceName (surface verdict) ++ ": a defect of this program; please report it"
+
+locateMessage :: LocateError -> String
+locateMessage e = case e of
+  TableTooLarge entries limit -> "the memory table would have " ++ show entries ++ " entries, more than " ++ show limit
+  TableArray why -> foldMessage why
+  PatchEmpty -> "the patch has no cells"
+  PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
+
+reasonMessage :: Reason -> String
+reasonMessage reason = case reason of
+  ZeroWindow -> "the window is all zeros, which occurs nowhere in the array"
+  TooFewCells -> "fewer cells were observed than a window has"
+  NoCompleteWindow -> "enough cells were observed, but no window is complete"
+  NotInArray -> "no complete window of the patch occurs in the array"
+  Contradiction -> "the observed cells do not fit one place: at least one of them is wrong"
+  OffSheet -> "the windows fit one place, but there the patch reaches beyond the edge of the sheet"

@@ -1,0 +1,97 @@
+-- | The errors of objects, placement, relief and store in words.
+module Message.Objects
+  ( placementMessage
+  , reliefMessage
+  , storeMessage
+  , refusalMessage
+  ) where
+
+
+import Json (shapeText)
+import Message.Code (reasonMessage)
+import Message.Touch (shapeMessage)
+import PraTactile.Array (Position (..))
+import PraTactile.Object.Placement
+import PraTactile.Object.Relation (RelationError (..))
+import PraTactile.Object.WingedEdge
+import PraTactile.Recognise (Refusal (..))
+import PraTactile.Relief (ReliefError (..))
+import PraTactile.Store (StoreError (..))
+
+objectMessage :: ObjectError -> String
+objectMessage e = case e of
+  NoFaces -> "the object has no faces"
+  RepeatedVertex v -> "two vertices are named " ++ vertexText v
+  CoincidentVertices v w -> "the vertices " ++ vertexText v ++ " and " ++ vertexText w ++ " are the same point"
+  TooFewVertices f -> "the face " ++ faceText f ++ " has fewer than three vertices"
+  UnknownVertex f v -> "the face " ++ faceText f ++ " names the unknown vertex " ++ vertexText v
+  VertexTwiceOnFace f v -> "the face " ++ faceText f ++ " visits " ++ vertexText v ++ " twice"
+  RepeatedFace f g -> "the faces " ++ faceText f ++ " and " ++ faceText g ++ " have the same vertices"
+  UnusedVertex v -> "the vertex " ++ vertexText v ++ " is on no face"
+  EdgeWithoutTwoFaces v w fs -> "at the edge " ++ vertexText v ++ " " ++ vertexText w ++ " meet " ++ show (length fs) ++ " faces, not two"
+  FacesDisagree v w f g -> "the faces " ++ faceText f ++ " and " ++ faceText g ++ " both walk from " ++ vertexText v ++ " to " ++ vertexText w
+  PinchedVertex v -> "the faces at " ++ vertexText v ++ " are more than one ring"
+  NotConnected f g -> "no walk over edges leads from " ++ faceText f ++ " to " ++ faceText g
+  EulerFails v n f -> "V - E + F is not 2: " ++ show v ++ " - " ++ show n ++ " + " ++ show f
+  NoArea f -> "the vertices of " ++ faceText f ++ " lie on a line"
+  NotPlanar f -> "the face " ++ faceText f ++ " is not flat"
+  NotOutward -> "the faces are named clockwise seen from outside"
+
+placementMessage :: PlacementError -> String
+placementMessage e = case e of
+  BrokenObject why -> objectMessage why
+  EmptyArray shape -> "an array of " ++ shapeText shape ++ " has no cells"
+  PitchNotPositive _ -> "the distances between symbols must be positive"
+  RepeatedObject object -> "two objects are named " ++ objectText object
+  UnknownObject object -> "there is no object " ++ show (objectText object) ++ "; 'pra-tactile objects' lists them"
+  UnknownFace face -> "there is no face " ++ faceOf face ++ "; 'pra-tactile objects' lists them"
+  WrongVertexOrder face named -> "the face " ++ faceOf face ++ " is named " ++ faceText named
+  NotRectangular face -> "the face " ++ faceOf face ++ " is not a rectangle"
+  FaceLaidTwice face -> "the face " ++ faceOf face ++ " is laid twice"
+  FaceNotLaid face -> "the face " ++ faceOf face ++ " has no place on the array"
+  EmptyGrid face _ -> "the face " ++ faceOf face ++ " has no cells"
+  GridLargerThanFace face _ _ -> "the symbols of the face " ++ faceOf face ++ " need more room than it has"
+  OutsideArray face _ _ -> "the face " ++ faceOf face ++ " reaches beyond the array"
+  FacesOverlap f g _ -> "the faces " ++ faceOf f ++ " and " ++ faceOf g ++ " claim the same cells"
+  CellOffFace face (Position r c) -> "the face " ++ faceOf face ++ " has no cell at row " ++ show r ++ ", column " ++ show c
+  where
+    faceOf (Face object named) = faceText named ++ " of the " ++ objectText object
+
+reliefMessage :: ReliefError -> String
+reliefMessage e = case e of
+  NoShape why -> shapeMessage why
+  OffTaxelGrid length' -> show (fromRational length' :: Double) ++ " mm is no whole number of taxels of 1.5875 mm"
+  CellTooSmall across down -> "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of 8 x 12"
+
+storeMessage :: StoreError -> String
+storeMessage e = case e of
+  NoSuchFile file -> "there is no database " ++ file ++ "; 'pra-tactile objects --write FILE' makes one"
+  IsDirectory file -> file ++ " is a folder; a database file is needed here"
+  CannotRead file why -> "cannot read " ++ file ++ ": " ++ why
+  CannotWrite file why -> "cannot write " ++ file ++ ": " ++ why
+  NotADatabase file -> file ++ " is not an SQLite database"
+  DamagedFile file why -> file ++ " is damaged: " ++ why
+  NotAStore file -> file ++ " is a database, but not one that 'pra-tactile objects --write' made"
+  WrongSchemaVersion found expected -> "the database has version " ++ show found ++ " of its tables, this program has " ++ show expected ++ "; write it again"
+  ForeignProfile _ _ -> "the database was made for another profile; choose the array it was made for, or write it again"
+  UnreadableRow table -> "a row of the table " ++ show table ++ " cannot be read; write the database again"
+  InconsistentRows why -> "the database contradicts itself: " ++ relationMessage why
+  NotStorable length' -> show (fromRational length' :: Double) ++ " mm cannot be stored"
+  TooLarge n -> show n ++ " is too large for the database"
+  NotInStore why -> placementMessage why
+  DatabaseFailed why -> "the database failed: " ++ why
+
+relationMessage :: RelationError -> String
+relationMessage e = case e of
+  NotSolid object why -> objectText object ++ ": " ++ objectMessage why
+  NotPlaced why -> placementMessage why
+  RowsDisagree table -> "the rows of " ++ show table ++ " are not those that the others imply"
+
+refusalMessage :: Refusal -> String
+refusalMessage refusal = case refusal of
+  NoSymbols -> "no complete symbol was found in the composite; probe a larger region, at least 40 x 52 taxels to hold a window at every phase"
+  SymbolsUnclear -> "the network recognised none of the symbols"
+  OrientationContradicts -> "the symbols disagree about which way up the grid is"
+  GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
+  WindowsContradict -> "separate groups of symbols lead to different places: at least one symbol is wrong"
+  NotLocated reason -> reasonMessage reason

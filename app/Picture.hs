@@ -1,0 +1,91 @@
+-- | Pictures as SVG: a composite with the recovered symbols drawn over it; an array.
+module Picture
+  ( recognitionSvg
+  , arraySvg
+  ) where
+
+import Data.List (intercalate)
+import Text.Printf (printf)
+
+import PraTactile.Array (Position (..))
+import PraTactile.Image (Raster, rasterHeight, rasterWidth, toRows)
+import PraTactile.Recognise
+import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Shape (symbolHeight, symbolWidth)
+import PraTactile.Stitch (Composite (..))
+import Recognised (recognitionMessage)
+
+-- | A composite, 12 units a taxel, dark where it is pressed; each symbol's box (blue: recognised, red: not) with its element;
+-- the first window's outline, and the answer below.
+recognitionSvg :: (Int -> String) -> Composite -> Recognition -> String
+recognitionSvg nameOf composite recognition = svg wide (high + 60) $
+  taxelRects (compositeImage composite)
+    ++ concatMap symbolBox (recognisedSymbols recognition)
+    ++ concat [ windowBox window | Right (Found _ window _) <- [recognisedAnswer recognition] ]
+    ++ [ text 12 (high + 24) "start" 18 "#222" (recognitionMessage recognition) ]
+    ++ [ text 12 (high + 48) "start" 15 "#555" (windowWords orientation window)
+       | Right (Found orientation window _) <- [recognisedAnswer recognition] ]
+  where
+    wide = scale * fromIntegral (rasterWidth (compositeImage composite)) :: Double
+    high = scale * fromIntegral (rasterHeight (compositeImage composite)) :: Double
+    symbolBox symbol =
+      let (x, y) = pixelCentre (symbolCentre (readImage symbol))
+          colour = maybe "#c0392b" (const "#1f6feb") (readClass symbol)
+          label = maybe "?" (nameOf . snd) (readClass symbol)
+      in [ box x y (scale * fromIntegral symbolWidth) (scale * fromIntegral symbolHeight) colour 3
+         , text x (y + 14) "middle" 44 colour label ]
+    -- The outermost symbols' boxes and a little more.
+    windowBox window =
+      let (x, y) = pixelCentre (windowSeenAt window)
+          reach along size = 2 * maximum (0 : [ abs (along (pixelCentre (symbolCentre (readImage s))) - along (x, y)) | s <- recognisedSymbols recognition ]) + scale * (fromIntegral size + 3)
+      in [ box x y (reach fst symbolWidth) (reach snd symbolHeight) "#f0a020" 3 | length (recognisedSymbols recognition) == sum (map length (windowClasses window)) ]
+    windowWords orientation window =
+      "window " ++ intercalate " / " (map (unwords . map nameOf) (windowClasses window))
+        ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window))
+        ++ (if orientation == Upright then "" else "; the composite is turned by 180 degrees")
+
+-- | Picture units a taxel.
+scale :: Double
+scale = 12
+
+-- | Pixel centres lie at integers; a pixel covers one taxel round its centre.
+pixelCentre :: (Double, Double) -> (Double, Double)
+pixelCentre (x, y) = (scale * (x + 0.5), scale * (y + 0.5))
+
+taxelRects :: Raster -> [String]
+taxelRects image =
+  [ printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"rgb(%d,%d,%d)\"/>" (scale * i) (scale * j) (scale + 0.3) (scale + 0.3) grey grey grey
+  | (j, line) <- zip [0 ..] (toRows image), (i, v) <- zip [0 ..] line
+  , let grey = 250 - round (200 * min 1 (max 0 v)) :: Int ]
+
+-- | An array: one cell an element, darker for a larger code.
+arraySvg :: [[(Int, String)]] -> String
+arraySvg cells = svg (side * fromIntegral (maximum (0 : map length cells))) (side * fromIntegral (length cells)) $ concat
+  [ [ printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"rgb(%d,%d,%d)\" stroke=\"#fff\"/>" (side * i) (side * j) side side grey grey grey
+    , text (side * (i + 0.5)) (side * (j + 0.65)) "middle" 14 (if grey < 128 then "#fff" else "#222") name ]
+  | (j, line) <- zip [0 ..] cells, (i, (code, name)) <- zip [0 ..] line
+  , let grey = 235 - (180 * code) `div` max 1 top ]
+  where
+    side = 36 :: Double
+    top = maximum (1 : map fst (concat cells))
+
+svg :: Double -> Double -> [String] -> String
+svg wide high content = unlines $
+  printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\">" wide high wide high
+    : printf "<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/>" wide high
+    : content ++ ["</svg>"]
+
+-- | A rectangle round a centre.
+box :: Double -> Double -> Double -> Double -> String -> Double -> String
+box x y w h colour stroke =
+  printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"none\" stroke=\"%s\" stroke-width=\"%g\"/>" (x - w / 2) (y - h / 2) w h colour stroke
+
+text :: Double -> Double -> String -> Int -> String -> String -> String
+text x y anchor size colour content =
+  printf "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\" font-weight=\"bold\" fill=\"%s\">%s</text>" x y anchor size colour (concatMap escaped content)
+  where
+    escaped c = case c of
+      '<' -> "&lt;"
+      '>' -> "&gt;"
+      '&' -> "&amp;"
+      _ -> [c]

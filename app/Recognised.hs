@@ -1,0 +1,90 @@
+-- | A recognition in words, and its windows looked up in the database.
+module Recognised
+  ( recognitionText
+  , recognitionEnding
+  , recognitionMessage
+  , elementNames
+  , whereText
+  , fromDatabase
+  ) where
+
+import Data.Bifunctor (first)
+import Data.List (intercalate)
+import Text.Printf (printf)
+
+import Ending
+import Message
+import PraTactile.Array (Position (..), Shape)
+import PraTactile.Field (GF, KnownField, fromCode, showElement)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Recognise
+import PraTactile.Store
+
+-- | The printed name of the element that a class stands for, in the recogniser's field.
+elementNames :: KnownField k => Recogniser k -> Int -> String
+elementNames reader = either (const "?") showElement . elementIn reader
+  where
+    elementIn :: KnownField k => Recogniser k -> Int -> Either () (GF k)
+    elementIn _ = first (const ()) . fromCode
+
+-- | The exit status: 0 where a position was found.
+recognitionEnding :: Recognition -> Ending
+recognitionEnding recognition = case recognisedAnswer recognition of
+  Right (Found _ _ _) -> Answered
+  _ -> NotAnswered
+
+-- | The answer in a sentence.
+recognitionMessage :: Recognition -> String
+recognitionMessage recognition = case recognisedAnswer recognition of
+  Left refusal -> refusalMessage refusal
+  Right (Several _ places) -> show (length places) ++ " positions fit what was recognised: "
+    ++ unwords [ show r ++ "," ++ show c | Position r c <- places ]
+  Right (Found _ window _) -> whereText (windowWhereabouts window)
+
+-- | What lies at a position, in words.
+whereText :: Whereabouts -> String
+whereText place = case place of
+  OnFace on -> faceOf (placeFace on) ++ ", " ++ cornerText (placeCorners on)
+  Straddles faces -> "on no object: the window straddles " ++ intercalate " and " (map faceOf faces)
+  OnNoObject -> "on no object: no face has this window"
+  where
+    faceOf (Face object named) = objectText object ++ ", face " ++ faceText named
+    cornerText nearest = case nearest of
+      [only] -> "corner " ++ vertexText only
+      _ -> "as near to " ++ intercalate " as to " (map vertexText nearest)
+
+-- | The whole answer, line by line.
+recognitionText :: (Int -> String) -> Recognition -> [String]
+recognitionText nameOf recognition = case recognisedAnswer recognition of
+  Left refusal -> ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
+  Right (Several _ _) -> ("ambiguous: " ++ recognitionMessage recognition) : symbolLines
+  Right (Found orientation window others) ->
+    recognitionMessage recognition
+      : symbolLines
+      ++ windowLine window
+      : [ printf "centre    %.2f mm to the right of and %.2f mm below %s" x y corner0
+        | OnFace on <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre on)
+        , let corner0 = concatMap vertexText (take 1 (faceVertices (faceName (placeFace on)))) ]
+      ++ [ "composite " ++ (if orientation == Upright then "upright" else "turned by 180 degrees") ++ " on the face" ]
+      ++ [ "also      " ++ drop 10 (windowLine other) | other <- others ]
+  where
+    symbols = recognisedSymbols recognition
+    known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
+    symbolLines = [ "symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised" ]
+    windowLine window = "window    " ++ intercalate " / " (map (unwords . map nameOf) (windowClasses window))
+      ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window)) ++ " of the array"
+
+-- | The recognition with its windows looked up in a database that was made for the profile.
+fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition
+fromDatabase file profile window recognition = case recognisedAnswer recognition of
+  Right (Found orientation one others) -> do
+    looked <- withStore file (Just profile) (\store -> traverse (lookUp store) (one : others)) >>= orUnusable storeMessage
+    pure $ case looked of
+      w : ws -> recognition { recognisedAnswer = Right (Found orientation w ws) }
+      [] -> recognition
+  _ -> pure recognition
+  where
+    lookUp store found = do
+      place <- storedWhereabouts store window (windowPosition found) >>= orUnusable storeMessage
+      pure found { windowWhereabouts = place }

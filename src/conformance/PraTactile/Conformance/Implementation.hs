@@ -1,0 +1,71 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | What an implementation under test must be able to do, in wire values only: profiles, element codes and positions as
+-- numbers. A process in another language fits this record as well as this library does.
+module PraTactile.Conformance.Implementation
+  ( -- * Implementations
+    Implementation (..)
+  , Session (..)
+    -- * Wire values
+  , Wire
+  , Refusal (..)
+  , refuse
+  , Code
+  , Place (..)
+  ) where
+
+import Control.Monad.Trans.Except (ExceptT, throwE)
+import Numeric.Natural (Natural)
+
+import PraTactile.Array (Position)
+import PraTactile.Profile (Profile)
+
+-- | The code of an element.
+type Code = Natural
+
+-- | Why an implementation does not answer, by its stable name, such as @zero-window@.
+newtype Refusal = Refusal { refusalReason :: String }
+  deriving stock (Eq, Ord, Show)
+
+-- | An answer of an implementation, or its refusal.
+type Wire = ExceptT Refusal IO
+
+-- | Refuse for a reason.
+refuse :: String -> Wire a
+refuse = throwE . Refusal
+
+-- | An implementation opens a session for a profile, or refuses one that names no array.
+data Implementation = Implementation
+  { implementationName :: String
+  , open :: Profile -> Wire Session
+  }
+
+-- | Where a patch is.
+data Place
+  = At Position           -- ^ the only position of its upper left cell
+  | OneOf [Position]      -- ^ several positions fit, ascending
+  deriving stock (Eq, Show)
+
+-- | What an implementation can do under one profile.
+data Session = Session
+  { profile :: Profile
+    -- ^ the conventions in force
+  , add :: Code -> Code -> Wire Code
+    -- ^ the sum of two elements; refuses a code out of range
+  , multiply :: Code -> Code -> Wire Code
+    -- ^ the product
+  , negation :: Code -> Wire Code
+    -- ^ the additive inverse
+  , inverse :: Code -> Wire Code
+    -- ^ the multiplicative inverse; refuses 0 as @division-by-zero@
+  , term :: Natural -> Wire Code
+    -- ^ the term s(i) of the sequence, for any i
+  , cell :: Position -> Wire Code
+    -- ^ the cell of the array at a position, which wraps round the torus
+  , pack :: [Code] -> Wire Natural
+    -- ^ the number that packs a window's cells, given in reading order
+  , unpack :: Natural -> Wire [Code]
+    -- ^ and back; refuses a number that packs no window as @out-of-range@
+  , locate :: [[Maybe Code]] -> Wire Place
+    -- ^ where a patch is, row by row, 'Nothing' for a cell that was not observed; refuses with the reasons of
+    -- "PraTactile.Locate", and what is no patch as @invalid@
+  }

@@ -1,0 +1,66 @@
+-- | pra-tactile: a reference decoder for objects whose faces carry a pseudorandom array of embossed symbols (Petriu, Yeung,
+-- Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
+--
+-- This module is the short way through it, in reading order; the modules that it takes from have the rest. From images to a
+-- place: 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of frames,
+-- and 'recognise' says what it shows.
+module PraTactile
+  ( -- * The array: "PraTactile.Profile", "PraTactile.Array"
+    Profile (..)
+  , canonicalProfile
+  , withProfile
+  , PseudorandomArray
+  , Shape (..)
+  , Position (..)
+  , Surface (..)
+  , cellAt
+    -- * Its window property: "PraTactile.Window.Proof"
+  , Mask
+  , rectangle
+  , prove
+  , Verdict (..)
+  , Proved
+    -- * Locating: "PraTactile.Locate"
+  , Table
+  , buildTable
+  , Patch
+  , patch
+  , locatePatch
+  , Outcome (..)
+  , Reason (..)
+    -- * Images of touch: "PraTactile.Image", "PraTactile.Probe", "PraTactile.Stitch"
+  , Raster
+  , Frame (..)
+  , Pose (..)
+  , Composite
+  , stitch
+  , standardRegistration
+  , compositeOf
+    -- * Objects: "PraTactile.Object.Placement"
+  , Placement
+  , canonicalPlacement
+  , whereabouts
+  , Whereabouts (..)
+  , Place (..)
+    -- * Recognition: "PraTactile.Recognise"
+  , shippedNetwork
+  , Recogniser
+  , recogniser
+  , recognise
+  , Recognition (..)
+  , Answer (..)
+  , Refusal (..)
+  ) where
+
+import PraTactile.Array
+import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Image (Raster)
+import PraTactile.Locate
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Probe
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Stitch
+import PraTactile.Window
+import PraTactile.Window.Proof

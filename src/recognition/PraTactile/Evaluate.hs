@@ -1,0 +1,108 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | How often the whole way is right, wrong, or refuses: simulated presses at random places on the faces in turn, each
+-- decoded with stitching and, from the same frames, with the nominal positions alone.
+module PraTactile.Evaluate
+  ( -- * A trial
+    Trial (..)
+  , trial
+  , trials
+    -- * Its results
+  , Result (..)
+  , TrialResult (..)
+  , runTrial
+    -- * Counts
+  , Tally (..)
+  , tally
+  ) where
+
+import Data.List (unfoldr)
+import qualified Data.Map.Strict as Map
+import System.Random (StdGen, mkStdGen, split)
+
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Object.Placement
+import PraTactile.Probe (Frame, movePoint)
+import PraTactile.Probe.Sensor (HeightMap, Sensor)
+import PraTactile.Recognise
+import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
+
+-- | One exploration whose truth is known.
+data Trial = Trial
+  { trialFace :: LaidFace
+  , trialRegion :: Region
+  , trialFrames :: [Frame]
+  }
+
+-- | Explore a region of the given size (taxels) at a random place on a face; @Nothing@ if it does not fit.
+trial :: Sensor -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
+trial sensor size (face, heights) generator = do
+  (region, generator1) <- randomRegion size face generator
+  (frames, _) <- either (const Nothing) Just (explore sensor heights region generator1)
+  pure (Trial face region frames)
+
+-- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any one can be run alone.
+trials :: Sensor -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trials sensor size faces seed = zipWith (trial sensor size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+
+-- | What became of a trial.
+data Result
+  = Correct               -- ^ object, face, orientation and place are the true ones
+  | Mistaken              -- ^ an answer, but not the true one
+  | NoAnswer String       -- ^ no answer, with the stable name of the refusal
+  deriving stock (Eq, Ord, Show)
+
+-- | The same frames decoded twice.
+data TrialResult = TrialResult
+  { withStitching :: Result
+  , withoutStitching :: Result
+  }
+  deriving stock (Eq, Show)
+
+-- | Decode a trial's frames with and without stitching.
+runTrial :: KnownField k => Recogniser k -> Registration -> Trial -> TrialResult
+runTrial reader registration t = TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
+  where
+    frames = trialFrames t
+    judge = either (const (NoAnswer "not-stitched")) (result reader t)
+
+-- | Compare an answer with the truth: the window's centre must lie on the true face, in the true orientation, within
+-- half a cell of where the composite shows it.
+result :: KnownField k => Recogniser k -> Trial -> Composite -> Result
+result reader t composite = case recognise reader composite of
+  Left _ -> NoAnswer "network-misfit"
+  Right recognition -> case recognisedAnswer recognition of
+    Left refusal -> NoAnswer (refusalName refusal)
+    Right (Several _ _) -> NoAnswer "ambiguous"
+    Right (Found orientation window _)
+      | isTrue orientation window -> Correct
+      | otherwise -> Mistaken
+  where
+    trueOrientation = if regionTurned (trialRegion t) then HalfTurned else Upright
+    isTrue orientation window = case windowWhereabouts window of
+      OnFace place ->
+        placeFace place == laidFace (trialFace t)
+          && orientation == trueOrientation
+          && near (spotMillimetres (placeCentre place))
+                  (movePoint (regionMotion (trialRegion t)) (compositePosition composite (windowSeenAt window)))
+      _ -> False
+    near (x, y) (u, v) = abs (x - u) < halfPitch pitchRight && abs (y - v) < halfPitch pitchDown
+    halfPitch side = fromRational (side (placementPitch (recogniserPlacement reader))) / 2
+
+-- | How many of each.
+data Tally = Tally
+  { tallyRight :: !Int
+  , tallyWrong :: !Int
+  , tallyRefused :: ![(String, Int)]   -- ^ by the refusal's name
+  }
+  deriving stock (Eq, Show)
+
+-- | Count results.
+tally :: [Result] -> Tally
+tally results = Tally
+  { tallyRight = length (filter (== Correct) results)
+  , tallyWrong = length (filter (== Mistaken) results)
+  , tallyRefused = count [ name | NoAnswer name <- results ]
+  }
+  where
+    count names = Map.toAscList (Map.fromListWith (+) [ (name, 1) | name <- names ])

@@ -1,0 +1,82 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | What is embossed: the height map of an object's face, from the array, the placement and the shapes of the symbols
+-- (the paper's section II.B, figures 7 and 9).
+module PraTactile.Relief
+  ( -- * The relief of a face
+    relief
+  , symbolHeightMillimetres
+    -- * The symbols of a face
+  , faceClasses
+    -- * What is refused
+  , ReliefError (..)
+  ) where
+
+import Data.Bifunctor (first)
+import qualified Data.Map.Strict as Map
+import Data.Ratio (denominator, numerator)
+
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt)
+import PraTactile.Field (KnownField)
+import PraTactile.Image (generate)
+import PraTactile.Object.Placement
+import PraTactile.Probe.Sensor (HeightMap (..))
+import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf, symbolHeight, symbolWidth)
+import PraTactile.Symbol (classOfElement)
+
+-- | Why a face has no relief.
+data ReliefError
+  = -- | The array has an element for which the alphabet has no shape.
+    NoShape ShapeError
+  | -- | A length of the face (millimetres) is no whole number of taxels, so that the height map's cells would cut
+    -- through symbols.
+    OffTaxelGrid Rational
+  | -- | The cell of the array is smaller than a symbol, in taxels.
+    CellTooSmall Int Int
+  deriving stock (Eq, Show)
+
+-- | How far a symbol stands out of its face: 1.5875 mm (1\/16 in), the paper's thickness.
+symbolHeightMillimetres :: Double
+symbolHeightMillimetres = 1.5875
+
+-- | The classes embossed on a face, row by row as seen from outside, its grid's shape.
+faceClasses :: KnownField k => PseudorandomArray k -> LaidFace -> [[Int]]
+faceClasses array face =
+  [ [ classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
+    | j <- upTo (columns (laidGrid face)) ]
+  | i <- upTo (rows (laidGrid face)) ]
+  where
+    upTo n = takeWhile (< n) [0 ..]
+
+-- | The height map of a face, in millimetres, in cells of one taxel (1.5875 mm): each symbol lies in the middle of its
+-- cell, and the grid of cells in the middle of the face. Refuses an element without a shape, and lengths that are no
+-- whole number of taxels.
+relief :: KnownField k => PseudorandomArray k -> Placement -> Alphabet -> LaidFace -> Either ReliefError HeightMap
+relief array layout alphabet face = do
+  width <- taxels (spotRight (laidExtent face))
+  height <- taxels (spotDown (laidExtent face))
+  left <- taxels (spotRight (laidMargin face))
+  top <- taxels (spotDown (laidMargin face))
+  across <- taxels (pitchRight (placementPitch layout))
+  down <- taxels (pitchDown (placementPitch layout))
+  if across < symbolWidth || down < symbolHeight then Left (CellTooSmall across down) else pure ()
+  bitmaps <- traverse (traverse (first NoShape . shapeOf alphabet)) (faceClasses array face)
+  let laid = Map.fromList
+        [ ((i, j), bitmap) | (i, line) <- zip [0 :: Int ..] bitmaps, (j, bitmap) <- zip [0 :: Int ..] line ]
+      embossed x y =
+        let (j, u) = (x - left) `divMod` across
+            (i, v) = (y - top) `divMod` down
+        in case Map.lookup (i, j) laid of
+             Just bitmap -> embossedAt bitmap (u - (across - symbolWidth) `div` 2) (v - (down - symbolHeight) `div` 2)
+             Nothing -> False
+  pure HeightMap
+    { heightPitch = 1.5875
+    , heightValues = generate width height (\x y -> if embossed x y then symbolHeightMillimetres else 0)
+    }
+
+-- | Millimetres to whole taxels.
+taxels :: Rational -> Either ReliefError Int
+taxels millimetres
+  | denominator count == 1 = Right (fromInteger (numerator count))
+  | otherwise = Left (OffTaxelGrid millimetres)
+  where
+    count = millimetres / (15875 / 10000)
