@@ -67,8 +67,8 @@ data FoldError
     TooManyCells Natural Natural
   deriving stock (Eq, Show)
 
--- | A period of the m-sequence of a primitive polynomial, folded so that it fills the shape. Only 'fold' makes one. Its
--- size has no limit: cells are computed as they are asked for.
+-- | A period of the m-sequence of a primitive polynomial, folded so that it fills the shape. Only
+-- 'fold' makes one. Its size has no limit: cells are computed as they are asked for.
 data PseudorandomArray (k :: Field) = PseudorandomArray
   { arrayPrimitive :: !(Primitive k)
   -- ^ The characteristic polynomial of the sequence.
@@ -87,9 +87,10 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
 
 type role PseudorandomArray nominal
 
--- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'), and the diagonal of one whose
--- sides have a common divisor ('NotCoprime').
-fold :: forall k. KnownField k => Folding -> Shape -> Primitive k -> State k -> Either FoldError (PseudorandomArray k)
+-- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'),
+-- and the diagonal of one whose sides have a common divisor ('NotCoprime').
+fold
+  :: forall k. KnownField k => Folding -> Shape -> Primitive k -> State k -> Either FoldError (PseudorandomArray k)
 fold folding shape@(Shape n1 n2) h state
   | area shape /= terms = Left (WrongArea shape terms)
   | otherwise = case folding of
@@ -114,10 +115,11 @@ inverseModulo m a = fromInteger (go (toInteger m, 0) (toInteger a `mod` toIntege
   go (_, t) (0, _) = t
   go (r, t) (r', t') = go (r', t') (r - (r `div` r') * r', t - (r `div` r') * t')
 
--- | The index i, below the period, of the term s(i) that a cell holds; positions beyond the edges continue
--- on the 'naturalSurface'.
+-- | The index i, below the period, of the term s(i) that a cell holds; positions beyond the edges
+-- continue on the 'naturalSurface'.
 sequenceIndex :: KnownField k => PseudorandomArray k -> Position -> Natural
-sequenceIndex array (Position r c) = (r * rowWeight array + c * columnWeight array) `mod` period (arrayPrimitive array)
+sequenceIndex array (Position r c) =
+  (r * rowWeight array + c * columnWeight array) `mod` period (arrayPrimitive array)
 
 -- | The cell that holds the term s(i), for any i: the inverse of 'sequenceIndex'.
 positionOfIndex :: PseudorandomArray k -> Natural -> Position
@@ -127,8 +129,8 @@ positionOfIndex array i = case arrayFolding array of
  where
   Shape n1 n2 = arrayShape array
 
--- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. Takes time logarithmic in the
--- period, constant when that is at most 2^20.
+-- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. Takes
+-- time logarithmic in the period, constant when that is at most 2^20.
 cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
 cellAt array position = case wholePeriod array >>= (Primitive.!? fromIntegral i) of
   Just a -> a
@@ -153,6 +155,7 @@ toGrid array
     RowMajor -> codes
     Diagonal -> Primitive.create $ do
       cells <- Mutable.new (n1 * n2)
+      -- i < n1 n2, the length of the codes, while r < n1 and c < n2.
       let step i r c
             | i >= n1 * n2 = pure cells
             | otherwise = do

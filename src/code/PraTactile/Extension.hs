@@ -36,8 +36,12 @@ multiplyModulo h (Residue a) (Residue b) = reduce h (a * b)
 
 -- | alpha^e, for an exponent of any size, by squaring.
 --
--- >>> residueCoefficients h (powerOfRoot h 4)   -- x^4 = x^2 + A x + A^2 for the paper's h
--- [A^2,A,1,0]
+-- For the paper's h, x^4 = x^2 + A x + A^2.
+--
+-- >>> import PraTactile.Field.Named (GF4)
+-- >>> let reduced h = residueCoefficients h (powerOfRoot h 4)
+-- >>> fmap reduced (firstPrimitive 4 :: Either PolynomialError (Primitive GF4))
+-- Right [A^2,A,1,0]
 powerOfRoot :: KnownField k => Primitive k -> Natural -> Residue k
 powerOfRoot h = maybe (Residue 0) Residue . powerModulo (primitivePolynomial h) variable
 

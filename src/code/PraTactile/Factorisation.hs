@@ -118,9 +118,9 @@ properDivisor n = firstJust (map attempt [1, 3, 5, 7])
   effort = 2 ^ (20 :: Int) :: Int
   distance a b = if a > b then a - b else b - a
 
--- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone; above it
--- a composite is still recognised for certain, and a prime is proved by Pocklington's theorem. Refuses
--- when n - 1 does not factor far enough for that.
+-- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone;
+-- above it a composite is still recognised for certain, and a prime is proved by Pocklington's
+-- theorem. Refuses when n - 1 does not factor far enough for that.
 --
 -- >>> isPrime (2 ^ 61 - 1)
 -- Right True
@@ -164,7 +164,8 @@ pocklington n = factored * factored > n && all witnessed primes
   proved = small ++ provedFactors rest
   primes = map fst (collect proved)
   factored = product proved
-  witnessed l = any (\a -> powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1) millerRabinBases
+  witnessed l = any (witness l) millerRabinBases
+  witness l a = powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
 
 -- | Such prime factors as are found and proved, each as often as it divides.
 provedFactors :: Natural -> [Natural]

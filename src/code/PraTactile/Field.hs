@@ -221,14 +221,16 @@ showElement a = case logarithm a of
   Just 1 -> "A"
   Just e -> "A^" ++ show e
 
--- | Read a code (@3@) or a power of A = 'primitive' (@A@, @A^2@; exponents of any size). Refuses codes not
--- below q and any other text.
+-- | Read a code (@3@) or a power of A = 'primitive' (@A@, @A^2@; exponents of any size). Refuses
+-- codes not below q and any other text.
 parseElement :: forall k. KnownField k => String -> Either FieldError (GF k)
 parseElement text = case text of
   "A" -> Right primitive
-  'A' : '^' : digits@(_ : _) | all isDigit digits -> Right (power primitive (remainderBy (max 1 (q - 1)) digits))
-  _ : _ | all isDigit text, length significant <= 3, code < q -> Right (GF (fromIntegral code))
-        | all isDigit text, Just large <- readMaybe text -> Left (CodeOutOfRange large q)
+  'A' : '^' : digits@(_ : _)
+    | all isDigit digits -> Right (power primitive (remainderBy (max 1 (q - 1)) digits))
+  _ : _
+    | all isDigit text, null (drop 3 significant), code < q -> Right (GF (fromIntegral code))
+    | all isDigit text, Just large <- readMaybe text -> Left (CodeOutOfRange large q)
   _ -> Left (ElementUnreadable text)
  where
   q = fromIntegral (tableOrder (tables @k)) :: Natural

@@ -59,8 +59,8 @@ data Surface
     Sheet
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The cell within the shape that a row and a column, also negative ones, are on this surface. 'Nothing' exactly beyond the edges
--- of the sheet, or when the shape has no cells.
+-- | The cell within the shape that a row and a column, also negative ones, are on this surface.
+-- 'Nothing' exactly beyond the edges of the sheet, or when the shape has no cells.
 --
 -- >>> canonicalPosition TwistedTorus (Shape 3 5) 2 7
 -- Just (Position {row = 0, column = 2})
@@ -109,8 +109,8 @@ data Grid = Grid
   }
   deriving stock (Eq, Show)
 
--- | The grid with these rows over an alphabet of this size. Refuses an alphabet outside 2 ... 256, no cells,
--- rows of different lengths, and codes outside the alphabet.
+-- | The grid with these rows over an alphabet of this size. Refuses an alphabet outside 2 ... 256,
+-- no cells, rows of different lengths, and codes outside the alphabet.
 gridFromRows :: Int -> [[Int]] -> Either GridError Grid
 gridFromRows q codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
@@ -118,8 +118,9 @@ gridFromRows q codes
   | (i, r) : _ <- filter ((/= width) . length . snd) indexed = Left (GridRagged i (length r) width)
   | (position, c) : _ <- outside = Left (GridCode position c)
   | cells > largestGrid = Left (GridCells cells)
-  | otherwise = Right (Grid q height width (Primitive.fromListN (height * width) (map fromIntegral (concat codes))))
+  | otherwise = Right (Grid q height width (Primitive.fromListN (height * width) flat))
  where
+  flat = map fromIntegral (concat codes)
   indexed = zip [0 ..] codes
   height = length codes
   width = sum (map length (take 1 codes))
@@ -132,11 +133,11 @@ gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
   | area shape == 0 = Left GridEmpty
   | cells > largestGrid || cells /= area shape = Left (GridCells cells)
-  | Just i <- Primitive.findIndex ((>= q) . fromIntegral) codes =
-      let (r, c) = i `divMod` width in Left (GridCode (Position (fromIntegral r) (fromIntegral c)) (fromIntegral (codes Primitive.! i)))
+  | (i, c) : _ <- foreign' = Left (GridCode (uncurry Position (fromIntegral i `divMod` columns shape)) (fromIntegral c))
   | otherwise = Right (Grid q (fromIntegral (rows shape)) width codes)
  where
   cells = fromIntegral (Primitive.length codes)
+  foreign' = [(i, codes Primitive.! i) | Just i <- [Primitive.findIndex ((>= q) . fromIntegral) codes]]
   width = fromIntegral (columns shape) :: Int
 
 -- | The numbers of rows and columns.
@@ -145,14 +146,17 @@ gridShape grid = Shape (fromIntegral (gridHeight grid)) (fromIntegral (gridWidth
 
 -- | The codes, row by row.
 gridRows :: Grid -> [[Int]]
-gridRows grid = [map fromIntegral (Primitive.toList (Primitive.slice (i * w) w (gridCells grid))) | i <- [0 .. gridHeight grid - 1]]
+gridRows grid = [map fromIntegral (Primitive.toList (rowAt i)) | i <- [0 .. gridHeight grid - 1]]
  where
+  rowAt i = Primitive.take w (Primitive.drop (i * w) (gridCells grid))
   w = gridWidth grid
 
--- | The code in a cell; 'Nothing' exactly beyond the edges. 'canonicalPosition' brings a position within them.
+-- | The code in a cell; 'Nothing' exactly beyond the edges. 'canonicalPosition' brings a position
+-- within them.
 codeAt :: Grid -> Position -> Maybe Int
 codeAt grid (Position r c)
-  | r < rows shape && c < columns shape = fromIntegral <$> gridCells grid Primitive.!? fromIntegral (r * columns shape + c)
+  | r < rows shape && c < columns shape =
+      fromIntegral <$> gridCells grid Primitive.!? fromIntegral (r * columns shape + c)
   | otherwise = Nothing
  where
   shape = gridShape grid

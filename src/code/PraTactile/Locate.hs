@@ -4,9 +4,9 @@
 {-# LANGUAGE RoleAnnotations #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 
--- |
--- From the content of a window to its position, by the memory table (section II of the paper). The
--- function is total: it answers, or says why not, for every patch and every array, also those in which windows repeat.
+-- | From the content of a window to its position, by the memory table (section II of the paper).
+-- The function is total: it answers, or says why not, for every patch and every array, also those
+-- in which windows repeat.
 module PraTactile.Locate
   ( -- * Tables
     Table
@@ -18,12 +18,12 @@ module PraTactile.Locate
   , tableLookup
   , tableEntries
   , largestTable
+  , LocateError (..)
 
     -- * Patches
   , Patch
   , patch
   , patchShape
-  , LocateError (..)
 
     -- * Locating
   , locatePatch
@@ -37,25 +37,13 @@ import Data.List (foldl', sort)
 import Data.Maybe (isJust)
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
-import qualified Data.Vector as Boxed
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid
+import PraTactile.Locate.Patch
 import PraTactile.Locate.Table
 import PraTactile.Window
-
--- | Why there is no table or no patch.
-data LocateError
-  = -- | The table would have this many entries, more than the second number.
-    TableTooLarge Natural Natural
-  | -- | The array does not fit into memory.
-    TableArray FoldError
-  | -- | The patch has no cells.
-    PatchEmpty
-  | -- | The row with this index, from 0, has this many cells instead of that many.
-    PatchRagged Int Int Int
-  deriving stock (Eq, Show)
 
 -- | The memory table of an array: packed window to positions, on a surface.
 data Table (k :: Field) = Table
@@ -71,8 +59,10 @@ data Table (k :: Field) = Table
 
 type role Table nominal
 
--- | The table of all windows of the array on the surface. Refuses more than 'largestTable' packed windows or cells, before taking memory.
-buildTable :: forall k. KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Either LocateError (Table k)
+-- | The table of all windows of the array on the surface. Refuses more than 'largestTable' packed
+-- windows or cells, before taking memory.
+buildTable
+  :: forall k. KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Either LocateError (Table k)
 buildTable packing surface array mask
   | spanned > largestTable = Left (TableTooLarge spanned largestTable)
   | cells > largestTable = Left (TableTooLarge cells largestTable)
@@ -97,27 +87,10 @@ tableEntries :: Table k -> [(Natural, [Position])]
 tableEntries table =
   [(packed, positions) | packed <- [0 .. tableSize table - 1], positions@(_ : _) <- [tableLookup table packed]]
 
--- | A rectangle of observed and unobserved cells.
-data Patch (k :: Field) = Patch
-  { patchShape :: !Shape
-  -- ^ Its rows and columns; at least one each.
-  , patchCells :: !(Boxed.Vector (Maybe (GF k)))
-  }
-
-type role Patch nominal
-
--- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows of different lengths.
-patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
-patch cells
-  | width == 0 = Left PatchEmpty
-  | (i, r) : _ <- filter ((/= width) . length . snd) (zip [0 ..] cells) = Left (PatchRagged i (length r) width)
-  | otherwise = Right (Patch (Shape (fromIntegral (length cells)) (fromIntegral width)) (Boxed.fromList (concat cells)))
- where
-  width = sum (map length (take 1 cells))
-
 -- | What is known of a patch's place. Positions are those of its upper left cell, observed or not.
 data Outcome
-  = -- | The only position that agrees with every observed cell; and the offsets in the patch of the complete windows that say so.
+  = -- | The only position that agrees with every observed cell; and the offsets in the patch of the
+    -- complete windows that say so.
     Located Position [Position]
   | -- | All positions, two or more, that agree with every observed cell; and the offsets as above.
     Ambiguous [Position] [Position]
@@ -137,7 +110,8 @@ data Reason
     NotInArray
   | -- | The windows, or the windows and other observed cells, do not fit one place: @contradiction@.
     Contradiction
-  | -- | What lies on the sheet fits one place, but there the patch's upper left or an observed cell lies beyond the edge: @off-sheet@.
+  | -- | What lies on the sheet fits one place, but there the patch's upper left or an observed cell
+    -- lies beyond the edge: @off-sheet@.
     OffSheet
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
@@ -155,19 +129,22 @@ reasonName reason = case reason of
 reasons :: [Reason]
 reasons = [minBound .. maxBound]
 
--- | The place of a patch: all its complete windows and all its other observed cells must agree. On the sheet, every observed cell and the
--- patch's upper left must lie on it.
+-- | The place of a patch: all its complete windows and all its other observed cells must agree. On
+-- the sheet, every observed cell and the patch's upper left must lie on it.
 locatePatch :: Table k -> Patch k -> Outcome
 locatePatch table observed
-  | null windows = Refused (if length cells < maskSize (tableMask table) then TooFewCells else NoCompleteWindow)
+  | null windows = Refused (if enoughCells then NoCompleteWindow else TooFewCells)
   | otherwise = case originsOfWindows of
       [] -> Refused (if all (all (== zero) . snd) windows then ZeroWindow else NotInArray)
-      origins : others -> outcome (map (compareAt table cells) (Set.toAscList (foldl' Set.intersection origins others)))
+      origins : others ->
+        outcome (map (compareAt table cells) (Set.toAscList (foldl' Set.intersection origins others)))
  where
   cells = observedCells observed
+  enoughCells = length cells >= maskSize (tableMask table)
   windows = completeWindows (tableMask table) observed
   support = map fst windows
-  -- For each window that occurs, where the patch's upper left is if the window is at one of its positions.
+  -- For each window that occurs, where the patch's upper left is if the window is at one of its
+  -- positions.
   originsOfWindows =
     [ Set.fromList (map (origin table offset) positions)
     | (offset, content) <- windows
@@ -178,10 +155,13 @@ locatePatch table observed
     [] -> Refused (if SticksOut `elem` fits then OffSheet else Contradiction)
     places -> Ambiguous (sort places) support
 
--- | The row and column of the patch's upper left when the cell at this offset lies at that position; on the sheet perhaps negative.
+-- | The row and column of the patch's upper left when the cell at this offset lies at that
+-- position; on the sheet perhaps negative.
 origin :: Table k -> Position -> Position -> (Integer, Integer)
 origin table (Position i j) (Position r c) =
-  maybe (r', c') (\(Position a b) -> (toInteger a, toInteger b)) (canonicalPosition (tableSurface table) (gridShape (tableGrid table)) r' c')
+  case canonicalPosition (tableSurface table) (gridShape (tableGrid table)) r' c' of
+    Just (Position a b) -> (toInteger a, toInteger b)
+    Nothing -> (r', c')
  where
   r' = toInteger r - toInteger i
   c' = toInteger c - toInteger j
@@ -199,30 +179,8 @@ compareAt table cells (r, c)
  where
   grid = tableGrid table
   compared = [(cellOf offset >>= codeAt grid, a) | (offset, a) <- cells]
-  cellOf (Position i j) = canonicalPosition (tableSurface table) (gridShape grid) (r + toInteger i) (c + toInteger j)
-
--- | The observed cells with their offsets, row by row.
-observedCells :: Patch k -> [(Position, GF k)]
-observedCells observed =
-  [ (Position r c, a)
-  | (i, Just a) <- zip [0 ..] (Boxed.toList (patchCells observed))
-  , let (r, c) = i `divMod` columns (patchShape observed)
-  ]
-
--- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
-completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
-completeWindows mask (Patch (Shape height width) cells) =
-  [ (Position i j, content)
-  | i <- below height (rows extent)
-  , j <- below width (columns extent)
-  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) (maskOffsets mask)]
-  ]
- where
-  extent = maskExtent mask
-  below side size = if size > side then [] else [0 .. side - size]
-  at r c = do
-    cell <- cells Boxed.!? fromIntegral (r * width + c)
-    cell
+  cellOf (Position i j) =
+    canonicalPosition (tableSurface table) (gridShape grid) (r + toInteger i) (c + toInteger j)
 
 windowPositions :: Table k -> [GF k] -> [Position]
 windowPositions table content =

@@ -44,6 +44,7 @@ module PraTactile.Polynomial
   , countPrimitive
   ) where
 
+import Data.Bifunctor (bimap)
 import Data.List (foldl')
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
@@ -79,8 +80,8 @@ type role Primitive nominal
 instance KnownField k => Show (Primitive k) where
   showsPrec d (Primitive h) = showsPrec d h
 
--- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin's test): x^(q^n) = x modulo h,
--- and x^(q^(n/l)) - x is coprime to h for every prime l that divides n.
+-- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin's test): x^(q^n) = x
+-- modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides n.
 isIrreducible :: forall k. KnownField k => Polynomial k -> Bool
 isIrreducible h = case polynomialDegree h of
   Just n | n >= 1 -> frobenius n == quotientBy variable && all (coprime . frobenius . (n `div`)) (primesOf n)
@@ -92,9 +93,9 @@ isIrreducible h = case polynomialDegree h of
   coprime = maybe False (\power' -> polynomialDegree (greatestCommonDivisor h (power' - variable)) == Just 0)
   primesOf n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0) [2 .. l - 1]]
 
--- | Check that a polynomial is primitive. See Note [Primitive without irreducible]. Refuses, each with its
--- own 'PolynomialError', polynomials of degree 0, not monic, divisible by x, reducible, or with a root of
--- lower order; and those of a degree so large that q^n - 1 is not factored.
+-- | Check that a polynomial is primitive. See Note [Primitive without irreducible]. Refuses, each
+-- with its own 'PolynomialError', polynomials of degree 0, not monic, divisible by x, reducible, or
+-- with a root of lower order; and those of a degree so large that q^n - 1 is not factored.
 checkPrimitive :: forall k. KnownField k => Polynomial k -> Either PolynomialError (Primitive k)
 checkPrimitive h = case (polynomialDegree h, leadingCoefficient h) of
   (Just n, Just leading)
@@ -103,7 +104,7 @@ checkPrimitive h = case (polynomialDegree h, leadingCoefficient h) of
     | take 1 (coefficients h) == [zero] -> Left ConstantTermZero
     | Right primes <- factors n, rootGenerates primes n h -> Right (Primitive h)
     | not (isIrreducible h) -> Left PolynomialReducible
-    | otherwise -> either (Left . OrderNotFactored) (Left . PolynomialNotPrimitive . rootOrder n h) (factors n)
+    | otherwise -> Left (either OrderNotFactored (PolynomialNotPrimitive . rootOrder n h) (factors n))
   _ -> Left PolynomialConstant
  where
   factors n = orderPrimes (Proxy :: Proxy k) (fromIntegral n)
@@ -157,15 +158,17 @@ primitiveDegree (Primitive h) = length (coefficients h) - 1
 period :: KnownField k => Primitive k -> Natural
 period h@(Primitive a) = fullPeriod a (primitiveDegree h)
 
--- | The monic reciprocal x^n h(1/x) / h(0), whose root is the inverse of the root of h and so of the same order.
+-- | The monic reciprocal x^n h(1/x) / h(0), whose root is the inverse of the root of h and so of
+-- the same order.
 reciprocal :: forall k. KnownField k => Primitive k -> Primitive k
 reciprocal (Primitive h) = Primitive (polynomial (map (inverted *) (reverse (coefficients h))))
  where
   -- h(0) is not zero, and c^(q - 2) is the inverse of such a c.
   inverted = power (sum (take 1 (coefficients h))) (fromIntegral (fieldOrder (Proxy :: Proxy k) - 2))
 
--- | The primitive polynomials of a degree n >= 1, ascending (coefficients compared from the highest degree
--- down), made as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored.
+-- | The primitive polynomials of a degree n >= 1, ascending (coefficients compared from the highest
+-- degree down), made as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not
+-- factored.
 primitivePolynomials :: forall k. KnownField k => Natural -> Either PolynomialError [Primitive k]
 primitivePolynomials n
   | n == 0 = Left PolynomialConstant
@@ -181,9 +184,9 @@ firstPrimitive n = primitivePolynomials n >>= \found -> case found of
   h : _ -> Right h
   [] -> Left (NoPrimitivePolynomial n)
 
--- | How many primitive polynomials of degree n there are: phi(q^n - 1) / n, phi being Euler's function. Refuses
--- as 'primitivePolynomials' does.
+-- | How many primitive polynomials of degree n there are: phi(q^n - 1) / n, phi being Euler's
+-- function. Refuses as 'primitivePolynomials' does.
 countPrimitive :: KnownField k => Proxy k -> Natural -> Either PolynomialError Natural
 countPrimitive k n
   | n == 0 = Left PolynomialConstant
-  | otherwise = either (Left . OrderNotFactored) (\factors -> Right (totient factors `div` n)) (orderFactors k n)
+  | otherwise = bimap OrderNotFactored ((`div` n) . totient) (orderFactors k n)

@@ -4,9 +4,9 @@
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 
--- |
--- Every convention as data. Two implementations agree on an array, and on what a position in it means, when they
--- agree on its profile; 'withProfile' is the checked door from a profile to the typed array.
+-- | Every convention as data. Two implementations agree on an array, and on what a position in it
+-- means, when they agree on its profile; 'withProfile' is the checked door from a profile to the
+-- typed array.
 module PraTactile.Profile
   ( -- * Profiles
     Profile (..)
@@ -22,7 +22,7 @@ module PraTactile.Profile
 
 import Control.Monad (when)
 import Data.Bifunctor (first)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -40,8 +40,9 @@ data Reading
     Reciprocal
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | An array with its conventions. Elements are given by their codes, polynomials by their coefficients, constant term first. A value
--- may state an impossible choice; 'withProfile' finds out.
+-- | An array with its conventions. Elements are given by their codes, polynomials by their
+-- coefficients, constant term first. A value may state an impossible choice; 'withProfile' finds
+-- out.
 data Profile = Profile
   { profileOrder :: Natural
   -- ^ q, the number of symbols
@@ -66,7 +67,8 @@ data Profile = Profile
   }
   deriving stock (Eq, Show)
 
--- | The paper's array: GF(4) with A^2 = A + 1, h = x^4 + x^2 + A x + A^2, 15 x 17 cells, 2 x 2 windows, on the torus.
+-- | The paper's array: GF(4) with A^2 = A + 1, h = x^4 + x^2 + A x + A^2, 15 x 17 cells, 2 x 2
+-- windows, on the torus.
 canonicalProfile :: Profile
 canonicalProfile =
   Profile
@@ -96,15 +98,23 @@ data ProfileError
     ProfileFold FoldError
   | -- | There is no such window.
     ProfileWindow WindowError
-  | -- | No window was given, and none can be inferred: the first number, n1, is not q^k1 - 1 for a k1 that divides n, the second.
+  | -- | No window was given, and none can be inferred: the first number, n1, is not q^k1 - 1 for a
+    -- k1 that divides n, the second.
     WindowNotInferred Natural Natural
   deriving stock (Eq, Show)
 
--- | A profile from q, the modulus (or the default one), the polynomial, the shape, the window (or the inferred one) and the
--- initial state (or 0, ..., 0, 1), the rest as in 'canonicalProfile'. Refuses a q that is no prime power up to 256 when no modulus is
--- given, and a window that cannot be inferred; whether the choice is possible is for 'withProfile' to say.
+-- | A profile from q, the modulus (or the default one), the polynomial, the shape, the window (or
+-- the inferred one) and the initial state (or 0, ..., 0, 1), the rest as in 'canonicalProfile'.
+-- Refuses a q that is no prime power up to 256 when no modulus is given, and a window that cannot
+-- be inferred; whether the choice is possible is for 'withProfile' to say.
 chooseProfile
-  :: Natural -> Maybe [Natural] -> [Natural] -> Shape -> Maybe Shape -> Maybe [Natural] -> Either ProfileError Profile
+  :: Natural
+  -> Maybe [Natural]
+  -> [Natural]
+  -> Shape
+  -> Maybe Shape
+  -> Maybe [Natural]
+  -> Either ProfileError Profile
 chooseProfile q givenModulus h shape givenWindow givenState = do
   modulus <- maybe (snd <$> first ProfileField (conwayModulus q)) Right givenModulus
   window <- maybe (maybe notInferred Right (inferWindow q n shape)) Right givenWindow
@@ -121,20 +131,21 @@ chooseProfile q givenModulus h shape givenWindow givenState = do
   n = fromIntegral (max 1 (length h) - 1) :: Natural
   notInferred = Left (WindowNotInferred (rows shape) n)
 
--- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2 (MacWilliams and Sloane 1976). The arguments are q,
--- n and the shape.
+-- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2
+-- (MacWilliams and Sloane 1976). The arguments are q, n and the shape.
 --
 -- >>> inferWindow 4 4 (Shape 15 17)
 -- Just (Shape {rows = 2, columns = 2})
 inferWindow :: Natural -> Natural -> Shape -> Maybe Shape
 inferWindow q n (Shape n1 _)
   | q < 2 = Nothing
-  | otherwise = case [k1 | (k1, size) <- zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q)), n `mod` k1 == 0, size == n1 + 1] of
-      k1 : _ -> Just (Shape k1 (n `div` k1))
-      [] -> Nothing
+  | otherwise = listToMaybe [Shape k1 (n `div` k1) | (k1, size) <- powers, n `mod` k1 == 0, size == n1 + 1]
+ where
+  powers = zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q))
 
--- | Check a profile and bring its field, array and window into scope. Refuses every impossible choice, each with its own
--- 'ProfileError'. Not checked is whether the windows of the array are distinct: that is what "PraTactile.Window.Proof" proves.
+-- | Check a profile and bring its field, array and window into scope. Refuses every impossible
+-- choice, each with its own 'ProfileError'. Not checked is whether the windows of the array are
+-- distinct: that is what "PraTactile.Window.Proof" proves.
 --
 -- >>> withProfile canonicalProfile (\array _ -> toCode (cellAt array (Position 6 5)))
 -- Right 3
@@ -151,7 +162,8 @@ withProfile profile use = do
  where
   modulus = profileModulus profile
 
--- | The array of a profile over its field. The number of cells is compared first, because the other checks take long for large degrees.
+-- | The array of a profile over its field. The number of cells is compared first, because the other
+-- checks take long for large degrees.
 arrayOver :: forall k. KnownField k => Proxy k -> Profile -> Either ProfileError (PseudorandomArray k)
 arrayOver k profile = do
   h <- first ProfileField (polynomialFromCodes (profilePolynomial profile))

@@ -69,8 +69,10 @@ stateElements (State s) = s
 
 -- | The endless m-sequence, of period q^n - 1, as the recurrence states it.
 --
--- >>> take 6 (mSequence h (canonicalState h))   -- the paper's h
--- [0,0,0,1,0,1]
+-- >>> import PraTactile.Field.Named (GF4)
+-- >>> let terms h = take 9 (mSequence h (canonicalState h))
+-- >>> fmap terms (firstPrimitive 4 :: Either PolynomialError (Primitive GF4))
+-- Right [0,0,0,1,0,1,A,A,0]
 mSequence :: KnownField k => Primitive k -> State k -> [GF k]
 mSequence h (State s0) = go s0
  where
@@ -101,7 +103,7 @@ sequenceVector h (State s0) count = Primitive.take count $ Primitive.create $ do
   taps = Primitive.fromListN n (map negate (take n (coefficients (primitivePolynomial h))))
 {-# INLINABLE sequenceVector #-}
 
--- | The term s(t) for any t, without the terms before it: if x^t = r0 + ... + r(n-1) x^(n-1) modulo h, then
--- s(t) = r0 s(0) + ... + r(n-1) s(n-1), because both sides obey the recurrence.
+-- | The term s(t) for any t, without the terms before it: if x^t = r0 + ... + r(n-1) x^(n-1) modulo
+-- h, then s(t) = r0 s(0) + ... + r(n-1) s(n-1), because both sides obey the recurrence.
 termAt :: KnownField k => Primitive k -> State k -> Natural -> GF k
 termAt h (State s) t = sum (zipWith (*) (residueCoefficients h (powerOfRoot h t)) s)

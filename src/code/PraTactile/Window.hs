@@ -1,9 +1,8 @@
 {-# LANGUAGE DerivingStrategies #-}
 
--- |
--- Windows: the few neighbouring cells by whose content a position is told (section II of the
--- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position is its upper left
--- corner, the cell from which the offsets count, observed or not.
+-- | Windows: the few neighbouring cells by whose content a position is told (section II of the
+-- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
+-- is its upper left corner, the cell from which the offsets count, observed or not.
 module PraTactile.Window
   ( -- * Masks
     Mask
@@ -56,7 +55,8 @@ rectangle shape
   | area shape > largestMask = Left (WindowTooLarge (area shape))
   | otherwise = Right (Mask [Position i j | i <- [0 .. rows shape - 1], j <- [0 .. columns shape - 1]])
 
--- | The cells with these offsets, read in this order. Refuses no cells, more than 4096, and an offset that occurs twice.
+-- | The cells with these offsets, read in this order. Refuses no cells, more than 4096, and an
+-- offset that occurs twice.
 maskFrom :: [Position] -> Either WindowError Mask
 maskFrom offsets
   | null offsets = Left WindowEmpty
@@ -84,11 +84,13 @@ maskSize (Mask offsets) = length offsets
 maskExtent :: Mask -> Shape
 maskExtent (Mask offsets) = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
--- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies beyond the edges of the sheet.
+-- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
+-- beyond the edges of the sheet.
 windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
 windowAt surface array mask (Position r c) = traverse cell (maskOffsets mask)
  where
-  cell (Position i j) = cellAt array <$> canonicalPosition surface (arrayShape array) (toInteger (r + i)) (toInteger (c + j))
+  cell (Position i j) = cellAt array <$> at (toInteger (r + i)) (toInteger (c + j))
+  at = canonicalPosition surface (arrayShape array)
 
 -- | How a window becomes a number in base q.
 data Packing

@@ -30,6 +30,7 @@ data Field
 
 -- | Indices that are written out: p and the modulus as values.
 class KnownIndex (k :: Field) where
+  -- | p, and the modulus, constant term first.
   fieldIndex :: (Natural, [Natural])
 
 instance (KnownNat p, KnownNats modulus) => KnownIndex ('Over p modulus) where

@@ -167,8 +167,10 @@ buildTables codes g =
     }
  where
   q = codeOrder codes
-  powers = Primitive.fromListN 256 (map fromIntegral (take (q - 1) (iterate (codeMultiply codes g) 1)) ++ repeat 0)
-  logarithms = Primitive.replicate 256 0 Primitive.// [(fromIntegral (powers Primitive.! i), fromIntegral i) | i <- [0 .. q - 2]]
+  cycle1 = take (q - 1) (iterate (codeMultiply codes g) 1)
+  powers = Primitive.fromListN 256 (map fromIntegral cycle1 ++ repeat 0)
+  logarithms = Primitive.replicate 256 0 Primitive.// zip cycle1 [0 ..]
+  -- Codes and exponents are below 256, the length of the tables.
   powerOf i = fromIntegral (powers Primitive.! (i `mod` (q - 1))) :: Int
   logOf a = fromIntegral (logarithms Primitive.! a) :: Int
   times a b

@@ -20,7 +20,8 @@ import PraTactile.Grid
 import PraTactile.Window
 import PraTactile.Window.Visit
 
--- | Positions sorted by packed window: those of window w are entries @starts ! w@ to @starts ! (w + 1) - 1@ (compressed rows).
+-- | Positions sorted by packed window (compressed rows): those of window w are the entries from the
+-- start of w up to, not including, the start of w + 1.
 data CodeTable = CodeTable
   { tableStarts :: !(Vector Int32)
   , tablePositions :: !(Vector Int32)
@@ -31,7 +32,8 @@ data CodeTable = CodeTable
 largestTable :: Natural
 largestTable = 2 ^ (26 :: Int)
 
--- | The table of all windows of the surface. 'Left' with the number of entries that it would need when that exceeds 'largestTable'.
+-- | The table of all windows of the surface. 'Left' with the number of entries that it would need
+-- when that exceeds 'largestTable'.
 buildCodeTable :: Packing -> Surface -> Grid -> Mask -> Either Natural CodeTable
 buildCodeTable packing surface grid mask
   | spanned > largestTable = Left spanned
@@ -68,12 +70,14 @@ increment tally i = do
 codeTableSize :: CodeTable -> Natural
 codeTableSize table = fromIntegral (Primitive.length (tableStarts table) - 1)
 
--- | The positions of a packed window, by row and column; none when it does not occur or is no packed window.
+-- | The positions of a packed window, by row and column; none when it does not occur or is no
+-- packed window.
 codeTableLookup :: CodeTable -> Natural -> [Position]
 codeTableLookup table packed
   | packed >= codeTableSize table = []
-  | otherwise = map position (Primitive.toList (Primitive.slice from (to - from) (tablePositions table)))
+  | otherwise = map position (Primitive.toList (Primitive.take (to - from) (Primitive.drop from (tablePositions table))))
  where
+  -- The table has a start for every window and one more.
   window = fromIntegral packed
   from = fromIntegral (tableStarts table Primitive.! window)
   to = fromIntegral (tableStarts table Primitive.! (window + 1))

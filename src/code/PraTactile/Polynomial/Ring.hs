@@ -91,7 +91,8 @@ leadingCoefficient (Polynomial cs) = listToMaybe (reverse cs)
 isMonic :: Polynomial k -> Bool
 isMonic a = leadingCoefficient a == Just one
 
--- | Division with remainder, the remainder of lower degree than the divisor. 'Nothing' exactly when the divisor is zero.
+-- | Division with remainder, the remainder of lower degree than the divisor. 'Nothing' exactly when
+-- the divisor is zero.
 quotientRemainder :: KnownField k => Polynomial k -> Polynomial k -> Maybe (Polynomial k, Polynomial k)
 quotientRemainder (Polynomial a) (Polynomial b) = case reverse b of
   [] -> Nothing
@@ -101,7 +102,8 @@ quotientRemainder (Polynomial a) (Polynomial b) = case reverse b of
         (quotient, rest) = longDivision steps (map (inverted *) lower) (reverse a)
     pure (polynomial (reverse (map (inverted *) quotient)), polynomial (reverse rest))
 
--- | That many steps of the division by a monic polynomial whose lower coefficients are given, all highest degree first.
+-- | That many steps of the division by a monic polynomial whose lower coefficients are given, all
+-- highest degree first.
 longDivision :: KnownField k => Int -> [GF k] -> [GF k] -> ([GF k], [GF k])
 longDivision steps lower a = case a of
   top : rest | steps > 0 ->
@@ -117,8 +119,9 @@ greatestCommonDivisor a b = case quotientRemainder a b of
     Just inverted -> Polynomial (map (inverted *) (coefficients a))
     Nothing -> a
 
--- | @powerModulo h a e@ is a^e modulo h, by squaring from the highest binary digit of e down, so that the other factor is always a itself,
--- which for powers of x is short. 'Nothing' exactly when h is zero.
+-- | @powerModulo h a e@ is a^e modulo h, by squaring from the highest binary digit of e down, so
+-- that the other factor is always a itself, which for powers of x is short. 'Nothing' exactly when
+-- h is zero.
 powerModulo :: KnownField k => Polynomial k -> Polynomial k -> Natural -> Maybe (Polynomial k)
 powerModulo h a = go
  where

@@ -33,7 +33,8 @@ data Enumeration = Enumeration
   , differentWindows :: Natural
   -- ^ how many different contents were seen there
   , repeatedWindow :: Maybe (Position, Position)
-  -- ^ the first position, row by row, whose content was seen before, preceded by where it was first seen
+  -- ^ the first position, row by row, whose content was seen before, preceded by where it was first
+  -- seen
   , zeroPosition :: Maybe Position
   -- ^ the first position whose window is all zeros
   }
@@ -47,7 +48,8 @@ allDistinct seen = differentWindows seen == visitedWindows seen
 data EnumerationError
   = -- | No window of this shape lies on the sheet.
     NoWindow
-  | -- | There are this many possible contents, more than 'largestSpan', and this many positions, more than 'largestSort'.
+  | -- | There are this many possible contents, more than 'largestSpan', and this many positions,
+    -- more than 'largestSort'.
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
@@ -55,16 +57,17 @@ data EnumerationError
 largestSpan :: Natural
 largestSpan = 2 ^ (30 :: Int)
 
--- | 2^20: up to so many positions, what was seen is kept in an ordered map instead, whatever the number of contents.
+-- | 2^20: up to so many positions, what was seen is kept in an ordered map instead, whatever the
+-- number of contents.
 largestSort :: Natural
 largestSort = 2 ^ (20 :: Int)
 
--- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to find the partner. Refuses
--- when there is no window, or no memory for what was seen.
+-- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
+-- find the partner. Refuses when there is no window, or no memory for what was seen.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | null positions = Left NoWindow
-  | spanned <= largestSpan, Just windows <- visit MostSignificantFirst surface grid mask = Right (byBits windows)
+  | spanned <= largestSpan, Just windows <- visit packing surface grid mask = Right (byBits windows)
   | count <= largestSort = Right (byOrder [(p, content) | p <- positions, Just content <- [contentAt p]])
   | otherwise = Left (TooManyWindows spanned count)
  where
@@ -72,8 +75,10 @@ enumerate surface grid mask
   Shape height width = visitedShape surface (gridShape grid) mask
   count = height * width
   positions = [Position r c | height > 0, width > 0, r <- [0 .. height - 1], c <- [0 .. width - 1]]
-  contentAt (Position r c) = pack MostSignificantFirst (gridAlphabet grid) <$> traverse (cell r c) (maskOffsets mask)
-  cell r c (Position i j) = canonicalPosition surface (gridShape grid) (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
+  packing = MostSignificantFirst
+  contentAt (Position r c) = pack packing (gridAlphabet grid) <$> traverse (cell r c) (maskOffsets mask)
+  cell r c (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
+  at = canonicalPosition surface (gridShape grid)
 
 -- | One bit a content.
 byBits :: Visit -> Enumeration

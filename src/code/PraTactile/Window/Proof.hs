@@ -3,10 +3,9 @@
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
 
--- |
--- The window property: every window has a content of its own, so that the content tells the position (MacWilliams
--- and Sloane 1976; section II of the paper). Two roads lead to one verdict: visiting every window, and the rank of the mask. Where
--- both are open they are compared.
+-- | The window property: every window has a content of its own, so that the content tells the
+-- position (MacWilliams and Sloane 1976; section II of the paper). Two roads lead to one verdict:
+-- visiting every window, and the rank of the mask. Where both are open they are compared.
 module PraTactile.Window.Proof
   ( -- * Proving
     prove
@@ -49,11 +48,13 @@ data Verdict = Verdict
   , rankRoad :: Maybe Bool
   -- ^ what the rank says; 'Nothing' if it decides nothing here
   , rank :: Maybe Natural
-  -- ^ the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface that is not its own
+  -- ^ the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface
+  -- that is not its own
   , needed :: Maybe Natural
   -- ^ n, the rank that suffices; 'Nothing' likewise
   , distinctWindows :: Maybe Natural
-  -- ^ how many different contents there are; 'Nothing' on a sheet too large to visit, if the rank is less than n
+  -- ^ how many different contents there are; 'Nothing' on a sheet too large to visit, if the rank
+  -- is less than n
   , surface :: Surface
   -- ^ the surface whose windows they are
   , collision :: Maybe (Position, Position)
@@ -72,11 +73,13 @@ data ProofError
   | -- | The rank decides nothing here, and what is seen on a visit does not fit into memory: this many
     -- possible contents at this many positions.
     WindowsTooMany Natural Natural
-  | -- | The two roads contradict each other, which a theorem forbids: one of them is wrong, and neither is to be trusted.
+  | -- | The two roads contradict each other, which a theorem forbids: one of them is wrong, and
+    -- neither is to be trusted.
     RoadsDisagree Verdict
   deriving stock (Eq, Show)
 
--- | An array with a mask and a surface on which all windows have been shown to be distinct. Only 'prove' makes one.
+-- | An array with a mask and a surface on which all windows have been shown to be distinct. Only
+-- 'prove' makes one.
 data Proved (k :: Field) = Proved
   { provedArray :: PseudorandomArray k
   -- ^ The array.
@@ -88,16 +91,19 @@ data Proved (k :: Field) = Proved
 
 type role Proved nominal
 
--- | Decide whether the windows are distinct on the surface, by both roads as far as they are open: by visiting all windows if memory allows; by
--- the rank on the array's 'naturalSurface', where it decides, and on the sheet, where rank n is sufficient only. With the verdict comes
--- the witness if it is favourable. Refuses when there is no window, when neither road is open, and when the two disagree.
+-- | Decide whether the windows are distinct on the surface, by both roads as far as they are open:
+-- by visiting all windows if memory allows; by the rank on the array's 'naturalSurface', where it
+-- decides, and on the sheet, where rank n is sufficient only. With the verdict comes the witness if
+-- it is favourable. Refuses when there is no window, when neither road is open, and when the two
+-- disagree.
 prove
   :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Either ProofError (Verdict, Maybe (Proved k))
 prove on array mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
       (Left reason, Nothing) -> Left reason
-      (Right seen, Just byRank') | (allDistinct seen, differentWindows seen) /= byRank' -> Left (RoadsDisagree verdict)
+      (Right seen, Just told)
+        | (allDistinct seen, differentWindows seen) /= told -> Left (RoadsDisagree verdict)
       _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
  where
   visits = visitedShape on (arrayShape array) mask
@@ -119,7 +125,8 @@ prove on array mask
       , distinctWindows = either (const (snd <$> byRank)) (Just . differentWindows) visited
       }
 
--- | Decide whether the windows of any matrix are distinct, by visiting them all. Refuses when there is no window or too little memory.
+-- | Decide whether the windows of any matrix are distinct, by visiting them all. Refuses when there
+-- is no window or too little memory.
 proveGrid :: Surface -> Grid -> Mask -> Either ProofError Verdict
 proveGrid on grid mask = verdictOf on <$> visitAll on grid mask
 

@@ -14,7 +14,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
 
--- | The windows of a grid: positions (r, c) with 0 <= r < 'visitRows' and 0 <= c < 'visitColumns', and the packed content at each.
+-- | The windows of a grid: positions (r, c) with 0 <= r < 'visitRows' and 0 <= c < 'visitColumns',
+-- and the packed content at each.
 data Visit = Visit
   { visitRows :: !Int
   , visitColumns :: !Int
@@ -23,13 +24,14 @@ data Visit = Visit
   , visitKey :: Int -> Int -> Int
   }
 
--- | All windows of this shape on the surface. 'Nothing' when q^cells exceeds 2^62, so that a packed window would not fit. On
--- the sheet only windows that lie on it wholly are visited, perhaps none.
+-- | All windows of this shape on the surface. 'Nothing' when q^cells exceeds 2^62, so that a packed
+-- window would not fit. On the sheet only windows that lie on it wholly are visited, perhaps none.
 visit :: Packing -> Surface -> Grid -> Mask -> Maybe Visit
 visit packing surface grid mask
   | spanned > 2 ^ (62 :: Int) = Nothing
-  | otherwise = Just (Visit (fromIntegral visitedRows) (fromIntegral visitedColumns) (fromIntegral spanned) key)
+  | otherwise = Just (Visit (int visitedRows) (int visitedColumns) (int spanned) key)
  where
+  int = fromIntegral :: Natural -> Int
   spanned = fromIntegral q ^ maskSize mask :: Natural
   q = gridAlphabet grid
   height = gridHeight grid
@@ -47,17 +49,20 @@ visit packing surface grid mask
   right = Primitive.fromListN count (map (modulo width . column) offsets)
   along = Primitive.fromListN count [modulo cells (row o * fromIntegral width + column o) | o <- offsets]
   once side i = if i >= side then i - side else i
+  -- j counts the offsets; with r and c among those visited, the index lies within the cells.
   index r c j = case surface of
     TwistedTorus -> once cells (r * width + c + Primitive.unsafeIndex along j)
-    _ -> once height (r + Primitive.unsafeIndex down j) * width + once width (c + Primitive.unsafeIndex right j)
+    _ ->
+      once height (r + Primitive.unsafeIndex down j) * width
+        + once width (c + Primitive.unsafeIndex right j)
   key r c = go 0 0
    where
     go j acc
       | j == count = acc
       | otherwise = go (j + 1) (acc * q + fromIntegral (codes Primitive.! index r c j))
 
--- | Run an action for each window in turn, row by row: its coordinates and its packed content. A loop, because a list of millions of
--- positions would be kept in memory between two passes.
+-- | Run an action for each window in turn, row by row: its coordinates and its packed content. A
+-- loop, because a list of millions of positions would be kept in memory between two passes.
 forWindows :: Monad m => Visit -> (Int -> Int -> Int -> m ()) -> m ()
 forWindows windows act = go 0 0
  where
@@ -67,7 +72,8 @@ forWindows windows act = go 0 0
     | otherwise = act r c (visitKey windows r c) >> go r (c + 1)
 {-# INLINE forWindows #-}
 
--- | The rows and columns at which windows are: all of a torus; on the sheet those from which the mask does not stick out.
+-- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
+-- mask does not stick out.
 visitedShape :: Surface -> Shape -> Mask -> Shape
 visitedShape surface shape mask = case surface of
   Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))

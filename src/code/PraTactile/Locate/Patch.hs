@@ -1,0 +1,78 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+
+-- |
+-- Patches: what was read of the array in one place, with cells that were not read. Internal;
+-- "PraTactile.Locate" exports what a user needs.
+module PraTactile.Locate.Patch
+  ( Patch
+  , patch
+  , patchShape
+  , LocateError (..)
+  , observedCells
+  , completeWindows
+  ) where
+
+import qualified Data.Vector as Boxed
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Window
+
+-- | Why there is no table or no patch.
+data LocateError
+  = -- | The table would have this many entries, more than the second number.
+    TableTooLarge Natural Natural
+  | -- | The array does not fit into memory.
+    TableArray FoldError
+  | -- | The patch has no cells.
+    PatchEmpty
+  | -- | The row with this index, from 0, has this many cells instead of that many.
+    PatchRagged Int Int Int
+  deriving stock (Eq, Show)
+
+-- | A rectangle of observed and unobserved cells.
+data Patch (k :: Field) = Patch
+  { patchShape :: !Shape
+  -- ^ Its rows and columns; at least one each.
+  , patchCells :: !(Boxed.Vector (Maybe (GF k)))
+  }
+
+type role Patch nominal
+
+-- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
+-- of different lengths.
+patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
+patch cells
+  | width == 0 = Left PatchEmpty
+  | (i, r) : _ <- ragged = Left (PatchRagged i (length r) width)
+  | otherwise = Right (Patch (Shape height (fromIntegral width)) (Boxed.fromList (concat cells)))
+ where
+  height = fromIntegral (length cells)
+  ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
+  width = sum (map length (take 1 cells))
+
+-- | The observed cells with their offsets, row by row.
+observedCells :: Patch k -> [(Position, GF k)]
+observedCells observed =
+  [ (Position r c, a)
+  | (i, Just a) <- zip [0 ..] (Boxed.toList (patchCells observed))
+  , let (r, c) = i `divMod` columns (patchShape observed)
+  ]
+
+-- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
+completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
+completeWindows mask (Patch (Shape height width) cells) =
+  [ (Position i j, content)
+  | i <- below height (rows extent)
+  , j <- below width (columns extent)
+  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) (maskOffsets mask)]
+  ]
+ where
+  extent = maskExtent mask
+  below side size = if size > side then [] else [0 .. side - size]
+  at r c = do
+    cell <- cells Boxed.!? fromIntegral (r * width + c)
+    cell
