@@ -1,0 +1,117 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Rigid motions, the plan of a scan, and manifests.
+module Test.Touch.Probe (spec) where
+
+import qualified Data.ByteString as B
+import Data.Either (isLeft)
+import Test.Hspec
+import Test.QuickCheck
+
+import PraTactile.Probe
+import PraTactile.Probe.Manifest
+
+spec :: Spec
+spec = do
+  describe "Motions" motions
+  describe "Plans" plans
+  describe "Manifests" manifests
+
+genMotion :: Gen Motion
+genMotion = Motion <$> oneof [elements [0, 90, 180, 270], choose (0, 359.9)] <*> choose (-99, 99) <*> choose (-99, 99)
+
+genPose :: Gen Pose
+genPose = Pose <$> choose (-99, 99) <*> choose (-99, 99) <*> choose (0, 359.9)
+
+-- | Equal up to rounding, angles around the full turn too.
+same :: Pose -> Pose -> Property
+same a@(Pose x y r) b@(Pose x' y' r') = counterexample (show (a, b)) (abs (x - x') < 1e-9 && abs (y - y') < 1e-9 && (turn < 1e-9 || 360 - turn < 1e-9))
+ where
+  turn = abs (r - r')
+
+motions :: Spec
+motions = do
+  it "move stay = id" $ forAll genPose $ \p -> move stay p `same` p
+  it "move (inverse m) (move m p) = p" $
+    forAll ((,) <$> genMotion <*> genPose) $ \(m, p) -> move (inverse m) (move m p) `same` p
+  it "move (inverse (inverse m)) p = move m p" $
+    forAll ((,) <$> genMotion <*> genPose) $ \(m, p) -> move (inverse (inverse m)) p `same` move m p
+  it "move (m `andThen` n) p = move n (move m p)" $
+    forAll ((,,) <$> genMotion <*> genMotion <*> genPose) $ \(m, n, p) -> move (m `andThen` n) p `same` move n (move m p)
+  it "distances stay" $
+    forAll ((,,) <$> genMotion <*> genPose <*> genPose) $ \(m, p, q) ->
+      let distance (x, y) (x', y') = sqrt ((x - x') * (x - x') + (y - y') * (y - y'))
+          at (Pose x y _) = (x, y)
+       in abs (distance (at p) (at q) - distance (movePoint m (at p)) (movePoint m (at q))) < 1e-9
+  it "a quarter turn clockwise takes right to down, down to left, exactly" $ do
+    movePoint (Motion 90 0 0) (1, 0) `shouldBe` (0, 1)
+    movePoint (Motion 90 0 0) (0, 1) `shouldBe` (-1, 0)
+    movePoint (Motion (-270) 0 0) (1, 0) `shouldBe` (0, 1)
+    movePoint (Motion 180 5 7) (1, 2) `shouldBe` (4, 5)
+  it "rotations stay in [0, 360)" $
+    forAll ((,) <$> genMotion <*> genPose) $ \(m, p) -> let r = poseRotation (move m p) in r >= 0 && r < 360
+
+plans :: Spec
+plans = do
+  it "the region of the evaluation takes columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $
+    planScan 8 (0, 0) (40, 52)
+      `shouldBe` Right [Pose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0 | y <- [0, 8, 16, 24, 32, 36], x <- [0, 8, 16, 24]]
+  it "the frames cover the region and nothing else, neighbours no further apart than the spacing" $
+    forAll ((,,) <$> choose (1, 16) <*> choose (16, 70) <*> choose (16, 70)) $ \(spacing, w, h) ->
+      forAll ((,) <$> choose (-50, 50) <*> choose (-50, 50)) $ \(left, top) ->
+        case planScan spacing (left, top) (w, h) of
+          Left e -> counterexample (show e) False
+          Right poses ->
+            let offsets edge coordinate = unique [round ((coordinate p - edge) / taxelPitch - 8) | p <- poses]
+                good size os = take 1 os == [0] && last os == size - 16 && and (zipWith (\a b -> b - a <= spacing) os (drop 1 os))
+                xs = offsets left poseX
+                ys = offsets top poseY
+             in counterexample (show (xs, ys)) (good w xs && good h ys && length poses == length xs * length ys && all ((== 0) . poseRotation) poses)
+  it "refuses a spacing below one taxel, a region smaller than the sensor, and one without end" $ do
+    planScan 0 (0, 0) (40, 40) `shouldBe` Left (SpacingTooSmall 0)
+    planScan 8 (0, 0) (15, 40) `shouldBe` Left (RegionTooSmall 15 40)
+    planScan 8 (0, 0) (40, -1) `shouldBe` Left (RegionTooSmall 40 (-1))
+    planScan 1 (0, 0) (maxBound, maxBound) `shouldBe` Left (RegionTooLarge maxBound maxBound)
+ where
+  unique :: [Int] -> [Int]
+  unique = foldr (\a seen -> if a `elem` seen then seen else insertInOrder a seen) []
+  insertInOrder a seen = takeWhile (< a) seen ++ [a] ++ dropWhile (< a) seen
+
+manifests :: Spec
+manifests = do
+  it "parseManifest (renderManifest entries) = entries" $
+    forAll (listOf1 genEntry) $ \entries -> parseManifest (renderManifest entries) === Right entries
+  it "reads what the design shows" $
+    parseManifest "file,x_mm,y_mm,rotation_deg,force_n\nf0.pgm,12.7,-3.5,180,9.81\n"
+      `shouldBe` Right [Entry "f0.pgm" (Pose 12.7 (-3.5) 180) 9.81]
+  it "passes over a byte order mark, carriage returns and blank lines" $
+    parseManifest "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\r\na b.pgm,1,2,0,3\r\n\n"
+      `shouldBe` Right [Entry "a b.pgm" (Pose 1 2 0) 3]
+  it "takes a quoted name with commas and quotes" $
+    parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3") `shouldBe` Right [Entry "a,\"b\".pgm" (Pose 1 2 0) 3]
+  it "names the line, counting blank ones, and the field that is no finite number" $ do
+    parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n") `shouldBe` Left (BadNumber 4 "y_mm" "two")
+    parseManifest (header <> "a,1,2,NaN,3\n") `shouldBe` Left (BadNumber 2 "rotation_deg" "NaN")
+    parseManifest (header <> "a,Infinity,2,0,3\n") `shouldBe` Left (BadNumber 2 "x_mm" "Infinity")
+    parseManifest (header <> "a,1,2,0,1e999999999\n") `shouldBe` Left (BadNumber 2 "force_n" "1e999999999")
+    parseManifest (header <> "a,1,2,0,\n") `shouldBe` Left (BadNumber 2 "force_n" "")
+    parseManifest (header <> "a,1 2,2,0,1\n") `shouldBe` Left (BadNumber 2 "x_mm" "1 2")
+  it "names the line with the wrong number of fields" $ do
+    parseManifest (header <> "a,1,2,0\n") `shouldBe` Left (WrongFieldCount 2 4)
+    parseManifest (header <> "a,1,2,0,3\nb,1,2,0,3,4\n") `shouldBe` Left (WrongFieldCount 3 6)
+  it "refuses a file name that is empty or not UTF-8" $ do
+    parseManifest (header <> ",1,2,0,3\n") `shouldBe` Left (BadFileName 2)
+    parseManifest (header <> "\xff,1,2,0,3\n") `shouldBe` Left (BadFileName 2)
+  it "refuses another header, an empty file and one without frames" $ do
+    parseManifest "file,x_mm,y_mm,rotation,force_n\n" `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm", "rotation", "force_n"])
+    parseManifest "" `shouldBe` Left EmptyManifest
+    parseManifest " \n" `shouldSatisfy` isLeft
+    parseManifest header `shouldBe` Left NoEntries
+  it "answers any bytes" $
+    forAll ((,) <$> elements ["", header] <*> (B.pack <$> arbitrary)) $ \(start, rest) ->
+      either (const True) (not . null) (parseManifest (start <> rest))
+ where
+  header = "file,x_mm,y_mm,rotation_deg,force_n\n"
+  genEntry = Entry <$> genName <*> (Pose <$> finite <*> finite <*> finite) <*> finite
+  finite = arbitrary :: Gen Double
+  genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])
