@@ -168,7 +168,7 @@ spec = do
       array <- paperArray
       forM_ [Torus, Sheet] $ \on -> do
         table <- paperTable on
-        result <- quickCheckWithResult stdArgs {chatty = False, maxSuccess = 5000} $
+        result <- quickCheckWithResult stdArgs {chatty = False, maxSuccess = 2000} $
           forAllShrink (genPatch array) shrinkPatch $ \cells -> asByComparing array on table cells
         case result of
           Success {} -> pure ()
