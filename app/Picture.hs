@@ -11,14 +11,14 @@ import PraTactile.Array (Position (..))
 import PraTactile.Image (Raster, rasterHeight, rasterWidth, toRows)
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
-import PraTactile.Shape (symbolHeight, symbolWidth)
+import PraTactile.Shape (Alphabet, bitmapRows, shapeOf, symbolHeight, symbolWidth)
 import PraTactile.Stitch (Composite (..))
 import Recognised (recognitionMessage)
 
--- | A composite, 12 units a taxel, dark where it is pressed; each symbol's box (blue: recognised, red: not) with its element;
--- the first window's outline, and the answer below.
-recognitionSvg :: (Int -> String) -> Composite -> Recognition -> String
-recognitionSvg nameOf composite recognition = svg wide (high + 60) $
+-- | A composite, 12 units a taxel, dark where it is pressed; over it the shape of each recognised symbol with its element
+-- (blue) and the box of each that was not (red); the first window's outline, and the answer below.
+recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
+recognitionSvg alphabet nameOf composite recognition = svg wide (high + 60) $
   taxelRects (compositeImage composite)
     ++ concatMap symbolBox (recognisedSymbols recognition)
     ++ concat [ windowBox window | Right (Found _ window _) <- [recognisedAnswer recognition] ]
@@ -32,8 +32,15 @@ recognitionSvg nameOf composite recognition = svg wide (high + 60) $
       let (x, y) = pixelCentre (symbolCentre (readImage symbol))
           colour = maybe "#c0392b" (const "#1f6feb") (readClass symbol)
           label = maybe "?" (nameOf . snd) (readClass symbol)
-      in [ box x y (scale * fromIntegral symbolWidth) (scale * fromIntegral symbolHeight) colour 3
-         , text x (y + 14) "middle" 44 colour label ]
+      in maybe [] (shapeRects (x, y)) (readClass symbol)
+         ++ [ box x y (scale * fromIntegral symbolWidth) (scale * fromIntegral symbolHeight) colour 3
+            , text x (y + scale * fromIntegral symbolHeight / 2 + 24) "middle" 24 colour label ]
+    shapeRects (x, y) (orientation, c) =
+      [ printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"#1f6feb\" fill-opacity=\"0.35\"/>" (x + sign * (u - 4) * scale - half) (y + sign * (v - 6) * scale - half) scale scale
+      | Right shape <- [shapeOf alphabet c], (v, line) <- zip [0.5 ..] (bitmapRows shape), (u, True) <- zip [0.5 ..] line ]
+      where
+        half = scale / 2
+        sign = if orientation == Upright then 1 else -1
     -- The outermost symbols' boxes and a little more.
     windowBox window =
       let (x, y) = pixelCentre (windowSeenAt window)

@@ -4,9 +4,44 @@ module Main (main) where
 import Test.Hspec (describe, hspec)
 
 import qualified Test.Code.Array
+import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
+import qualified Test.Code.Locate
+import qualified Test.Code.Polynomial
+import qualified Test.Code.Profile
+import qualified Test.Code.Proof
+import qualified Test.Code.Sequence
+import qualified Test.Code.Window
+import qualified Test.CommandLine
+import qualified Test.Conformance
 import qualified Test.House
+import qualified Test.Object.Placement
+import qualified Test.Object.WingedEdge
+import qualified Test.Store
+import qualified Test.Touch.Image
+import qualified Test.Touch.Pgm
+import qualified Test.Touch.Shape
 
 main :: IO ()
 main = hspec $ do
-  describe "House" Test.House.spec
+  describe "The house" Test.House.spec
+  describe "The code" $ do
+    describe "Fields" Test.Code.Field.spec
+    describe "Factorisation" Test.Code.Factorisation.spec
+    describe "Polynomials" Test.Code.Polynomial.spec
+    describe "Sequences" Test.Code.Sequence.spec
+    describe "Arrays" Test.Code.Array.spec
+    describe "Windows" Test.Code.Window.spec
+    describe "Proofs" Test.Code.Proof.spec
+    describe "Locating" Test.Code.Locate.spec
+    describe "Profiles" Test.Code.Profile.spec
+  describe "Touch" $ do
+    describe "Images" Test.Touch.Image.spec
+    describe "PGM" Test.Touch.Pgm.spec
+    describe "Shapes" Test.Touch.Shape.spec
+  describe "Objects" $ do
+    describe "Winged edges" Test.Object.WingedEdge.spec
+    describe "Placement" Test.Object.Placement.spec
+  describe "Store" Test.Store.spec
+  describe "Conformance laws on this library" Test.Conformance.spec
+  describe "The command line" Test.CommandLine.spec

@@ -22,6 +22,7 @@ import Picture (recognitionSvg)
 import PraTactile.Field (KnownField)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
 import Recognised
 import Setup
@@ -54,9 +55,10 @@ run :: ArrayChoice -> Options -> IO Ending
 run choice options = do
   profile <- chosenProfile choice
   layout <- placementFor profile
+  alphabet <- shippedAlphabet
   net <- chosenNetwork (network options)
   readAs <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile (\array mask ->
-    decodeWith profile options <$> recogniser array mask layout net))
+    decodeWith alphabet profile options <$> recogniser array mask layout net))
   found <- sources (paths options)
   case (found, picture options) of
     (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
@@ -65,13 +67,13 @@ run choice options = do
   maximum . (Answered :) <$> forM composites readAs
 
 -- | Decode one composite: print the answer, draw the picture.
-decodeWith :: KnownField k => Profile -> Options -> Recogniser k -> Composite -> IO Ending
-decodeWith profile options reader composite = do
+decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> Composite -> IO Ending
+decodeWith alphabet profile options reader composite = do
   recognition <- orUnusable networkMessage (recognise reader composite) >>= maybe pure lookedUp (database options)
   if asJson options
     then printJson (recognitionJson profile nameOf recognition)
     else putStr (unlines (recognitionText nameOf recognition))
-  forM_ (picture options) $ \file -> writeWhole file (Lazy8.pack (recognitionSvg nameOf composite recognition))
+  forM_ (picture options) $ \file -> writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
   pure (recognitionEnding recognition)
   where
     nameOf = elementNames reader

@@ -103,5 +103,5 @@ allowances =
     , [ "base", "containers", "directory", "filepath", "monad-logger", "mtl", "persistent", "persistent-sqlite"
       , "resourcet", "text", "transformers", "pra-tactile", "pra-tactile:code" ])
   , ("library conformance"
-    , ["base", "containers", "QuickCheck", "vector", "pra-tactile", "pra-tactile:code", "pra-tactile:touch"])
+    , ["base", "containers", "QuickCheck", "transformers", "vector", "pra-tactile", "pra-tactile:code", "pra-tactile:touch"])
   ]
