@@ -18,6 +18,7 @@ demo: build
 	@sh tools/demo.sh
 
 test: setup build
+	@$(CABAL) doctests
 	@$(CABAL) test -v1 --test-show-details=streaming test:spec
 
 # The figure that matters: 1000 simulated presses, with and without stitching.

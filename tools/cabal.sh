@@ -3,7 +3,7 @@
 #   - GHC and cabal with every library installed beside GHC (Debian's packages): cabal is kept off the network;
 #   - GHC and cabal of another origin, with a package index: cabal fetches the libraries as usual;
 #   - neither: `tools/cabal.sh setup` installs Debian's packages (root or sudo).
-# usage: tools/cabal.sh setup | tools/cabal.sh CABAL-ARGUMENTS...
+# usage: tools/cabal.sh setup | tools/cabal.sh doctests | tools/cabal.sh CABAL-ARGUMENTS...
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -54,6 +54,16 @@ install_from_debian() {
 if [ "${1:-}" = setup ]; then
   if suitable_tools && { libraries_installed || index_present; }; then exit 0; fi
   install_from_debian
+  exit 0
+fi
+
+# The examples in the documentation; the library that runs them is not needed for anything else.
+if [ "${1:-}" = doctests ]; then
+  if libraries_installed && [ -n "$(ghc-pkg --simple-output list doctest 2>/dev/null)" ]; then
+    # shellcheck disable=SC2046
+    exec runghc tools/Doctests.hs $(grep -rl '>>> ' src/code src/touch src/recognition)
+  fi
+  echo "pra-tactile: the examples in the documentation were not run: the library doctest is not beside GHC's" >&2
   exit 0
 fi
 

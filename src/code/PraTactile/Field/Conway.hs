@@ -38,6 +38,7 @@ class NamedField (k :: Field) where
 -- | p and the default modulus, constant term first, of GF(q): the Conway polynomial.
 -- Refuses orders above 256 ('FieldTooLarge') and those that are no prime power.
 --
+-- >>> import PraTactile.Field.Conway (conwayModulus)
 -- >>> conwayModulus 9
 -- Right (3,[2,2,1])
 -- >>> conwayModulus 6

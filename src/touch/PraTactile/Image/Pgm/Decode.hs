@@ -22,6 +22,7 @@ import PraTactile.Image.Pgm.Type (Pgm, checkSize, pgm16, pgm8)
 -- stand in the header and, in plain files, among the samples. Refuses everything else, each cause with its own 'ImageError'; the
 -- memory taken is bounded by the file's own size and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
 --
+-- >>> import PraTactile.Image.Pgm.Type (pgmMaxval)
 -- >>> pgmMaxval <$> decodePgm (Data.ByteString.Char8.pack "P2 # two pixels\n2 1 9\n0 9\n")
 -- Right 9
 decodePgm :: ByteString -> Either ImageError Pgm
