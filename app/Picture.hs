@@ -18,13 +18,14 @@ import Recognised (recognitionMessage)
 -- | A composite, 12 units a taxel, dark where it is pressed; over it the shape of each recognised symbol with its element
 -- (blue) and the box of each that was not (red); the first window's outline, and the answer below.
 recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
-recognitionSvg alphabet nameOf composite recognition = svg wide (high + 60) $
+recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
   taxelRects (compositeImage composite)
     ++ concatMap symbolBox (recognisedSymbols recognition)
     ++ concat [ windowBox window | Right (Found _ window _) <- [recognisedAnswer recognition] ]
-    ++ [ text 12 (high + 24) "start" 18 "#222" (recognitionMessage recognition) ]
-    ++ [ text 12 (high + 48) "start" 15 "#555" (windowWords orientation window)
-       | Right (Found orientation window _) <- [recognisedAnswer recognition] ]
+    ++ [ text 12 (high + 22) "start" 16 "#222" (recognitionMessage recognition) ]
+    ++ concat [ [ text 12 (high + 43) "start" 14 "#555" (windowWords window)
+                , text 12 (high + 63) "start" 14 "#555" ("the composite is " ++ if orientation == Upright then "upright" else "turned by 180 degrees") ]
+              | Right (Found orientation window _) <- [recognisedAnswer recognition] ]
   where
     wide = scale * fromIntegral (rasterWidth (compositeImage composite)) :: Double
     high = scale * fromIntegral (rasterHeight (compositeImage composite)) :: Double
@@ -46,10 +47,9 @@ recognitionSvg alphabet nameOf composite recognition = svg wide (high + 60) $
       let (x, y) = pixelCentre (windowSeenAt window)
           reach along size = 2 * maximum (0 : [ abs (along (pixelCentre (symbolCentre (readImage s))) - along (x, y)) | s <- recognisedSymbols recognition ]) + scale * (fromIntegral size + 3)
       in [ box x y (reach fst symbolWidth) (reach snd symbolHeight) "#f0a020" 3 | length (recognisedSymbols recognition) == sum (map length (windowClasses window)) ]
-    windowWords orientation window =
+    windowWords window =
       "window " ++ intercalate " / " (map (unwords . map nameOf) (windowClasses window))
         ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window))
-        ++ (if orientation == Upright then "" else "; the composite is turned by 180 degrees")
 
 -- | Picture units a taxel.
 scale :: Double

@@ -26,7 +26,7 @@ while :; do
   say "Refused, so press again, elsewhere (seed $seed)"
 done
 
-say "3. What was true (the decoder did not know)"
+say "3. What was true (the decoder did not know; the region's corner is right of and below the face's upper left vertex)"
 rm -rf "$out/told"
 $pra probe --object cube --seed "$seed" --tell --output "$out/told" | sed -n 's/^truth: //p'
 rm -rf "$out/told"

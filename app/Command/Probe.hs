@@ -6,6 +6,7 @@ module Command.Probe
 import Data.List.NonEmpty (NonEmpty (..))
 import Options.Applicative hiding (command)
 import System.Random (StdGen, mkStdGen, randomR)
+import Text.Printf (printf)
 
 import ArrayChoice
 import Described
@@ -99,5 +100,5 @@ drawnFace faces generator = case faces of
 truth :: LaidFace -> Region -> String
 truth pressed region = unwords
   [ "truth: face", faceText (faceName (laidFace pressed)) ++ ", region from"
-  , show (taxelPitch * regionRight region) ++ "," ++ show (taxelPitch * regionDown region), "mm,"
+  , printf "%.2f,%.2f" (taxelPitch * regionRight region) (taxelPitch * regionDown region), "mm,"
   , if regionTurned region then "turned by 180 degrees" else "upright" ]
