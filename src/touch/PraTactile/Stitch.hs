@@ -74,11 +74,20 @@ compose displace frames = do
   placed <- maybe (Left NoFrames) Right (nonEmpty frames) >>= traverse (uncurry upright) . NonEmpty.zip (0 :| [1 ..])
   let left = minimum (fmap (fst . fst) placed)
       top = minimum (fmap (snd . fst) placed)
-      nominal = fmap (\((x, y), image) -> (((x - left) / taxelPitch, (y - top) / taxelPitch), image)) placed
+      nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
   checkArea (fmap fst nominal)
   let displacements = displace (NonEmpty.toList nominal)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
   pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
+
+-- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do not decide anything.
+inTaxels :: Double -> Double
+inTaxels t
+  | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
+  | otherwise = taxels
+ where
+  taxels = t / taxelPitch
+  million = 1048576
 
 -- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is the origin's, moved by whole taxels so that it holds
 -- all the images.

@@ -11,21 +11,23 @@ module PraTactile.Stitch.Register
 
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
+import Data.IntSet (IntSet)
+import qualified Data.IntSet as IntSet
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
-import PraTactile.Stitch.Search (Prior (..), Registration (..), mostProbable, searchRadius)
+import PraTactile.Stitch.Search (Prior (..), Registration (..), finestStep, mostProbable, searchRadius)
 
--- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the images' upper left pixels. Their mean is zero, since
--- a shift common to all frames cannot be seen. An image's displacement does not depend on the order of the images.
+-- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the images' upper left pixels. Their mean is zero,
+-- to half of 'finestStep', since a shift common to all frames cannot be seen. An image's displacement does not depend on the order of the images.
 register :: Registration -> [(Place, Raster)] -> [Place]
 register settings images = map snd (sortOn fst (zip order (IntMap.elems displacements)))
  where
   (order, ordered) = unzip (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] images))
-  nodes = linked (searchRadius settings) ordered
+  nodes = linked (sqrt 2 * searchRadius settings) ordered
   displacements = sweeps settings nodes (grown settings nodes)
 
 -- | A frame, and the other frames that may touch it once they are displaced, each with how telling the nominal overlap is.
@@ -68,11 +70,13 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
     [] -> placed
     first : rest ->
       let node = snd (foldl' (\a b -> if rank b > rank a then b else a) first rest)
-          (mean, count) = centre placed
-          variance = registrationSigma settings * registrationSigma settings * (1 + 1 / max 1 count)
-          displacement = located settings placed node (Prior mean variance) (searchRadius settings) mean -- Note [The prior while growing]
+          (mean, count) = centre placed -- Note [The prior while growing]
+          unsure = sqrt (1 + 1 / max 1 count)
+          variance = (unsure * registrationSigma settings) ^ (2 :: Int)
+          displacement = located settings placed node (Prior mean variance) (unsure * searchRadius settings) (whole mean)
           gained = foldl' (\w (gain, n) -> IntMap.adjust (\(g, n') -> (g + gain, n')) (nodeKey n) w)
        in go (IntMap.insert (nodeKey node) displacement placed) (gained (IntMap.delete (nodeKey node) waiting) (nodeLinks node))
+  whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int)) -- Note [Whole taxels]
   rank (gain, node) = (gain, sum (map fst (nodeLinks node)))
 
 -- Note [The prior while growing]
@@ -80,37 +84,42 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
 -- Displacements are known only up to a common shift, which is the first frame's own error at first. With k frames placed that shift is the mean of their
 -- displacements up to an error of variance sigma^2 / k, so the next displacement is spread about that mean with variance sigma^2 (1 + 1/k).
 
--- | Each frame registered against all the others, again and again, until none moves by more than 'settled' or the sweeps are used up.
--- The first sweep looks further, in case growing went astray when little was placed; the later ones only one taxel around.
+-- Note [Whole taxels]
+-- ~~~~~~~~~~~~~~~~~~~
+-- The grid that the others are blended on lies so that a frame at the start of its search needs no interpolation. Blending blurs an image that lies between the grid's
+-- pixels, so the search starts at a whole displacement while growing, and where the frame is in the sweeps: displacements by whole taxels, relative to each other, are then
+-- seen without any blur.
+
+-- | Each frame registered against all the others, again and again, until none moves any more or the sweeps are used up. The first sweep looks as far
+-- as growing did, in case that went astray while little was placed; the later ones look one taxel around, and only for frames that have had a neighbour move.
 sweeps :: Registration -> [Node] -> IntMap Place -> IntMap Place
-sweeps settings nodes = go (registrationSweeps settings) . centred
+sweeps settings nodes first = go (registrationSweeps settings) (searchRadius settings) (IntMap.keysSet first) (centred first)
  where
-  go :: Int -> IntMap Place -> IntMap Place
-  go left before
-    | left <= 0 = before
-    | and (IntMap.intersectionWith close before after) = after
-    | otherwise = go (left - 1) after
+  go :: Int -> Double -> IntSet -> IntMap Place -> IntMap Place
+  go left radius unsettled ds
+    | left <= 0 || IntSet.null unsettled = centred ds
+    | otherwise = uncurry (go (left - 1) 1) (fmap centred (foldl' (step radius) (unsettled, ds) nodes))
+  step radius (unsettled, ds) node
+    | IntSet.notMember key unsettled = (unsettled, ds)
+    | new == old = (settled, ds)
+    | otherwise = (foldl' (flip IntSet.insert) settled (map (nodeKey . snd) (nodeLinks node)), IntMap.insert key new ds)
    where
-    after = centred (foldl' step before nodes)
-    radius = if left == registrationSweeps settings then searchRadius settings / 2 else 1
-    step ds node = IntMap.insert (nodeKey node) (located settings ds node prior radius (start node ds)) ds
-  start node = IntMap.findWithDefault (0, 0) (nodeKey node)
-  prior = Prior (0, 0) (registrationSigma settings * registrationSigma settings)
-  close (x, y) (x', y') = abs (x - x') < settled && abs (y - y') < settled
+    key = nodeKey node
+    settled = IntSet.delete key unsettled
+    old = IntMap.findWithDefault (0, 0) key ds
+    new = located settings ds node (Prior (0, 0) (registrationSigma settings ^ (2 :: Int))) radius old
   centred ds = let ((mx, my), _) = centre ds in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
 
--- | Half the finest step of the search, in taxels.
-settled :: Double
-settled = 0.0625
-
--- | The mean of the displacements, (0, 0) when there are none, and their number.
+-- | The mean of the displacements, rounded to the search's finest step, (0, 0) when there are none, and their number. Rounded so, it leaves
+-- all displacements multiples of that step, and what is displaced by whole taxels is seen so, without any interpolation.
 centre :: IntMap Place -> (Place, Double)
 centre ds
   | IntMap.null ds = ((0, 0), 0)
-  | otherwise = ((sum (map fst places) / count, sum (map snd places) / count), count)
+  | otherwise = ((mean fst, mean snd), count)
  where
   places = IntMap.elems ds
   count = fromIntegral (length places)
+  mean coordinate = finestStep * fromIntegral (round (sum (map coordinate places) / count / finestStep) :: Int)
 
 -- | A frame's most probable displacement given those of other frames, looked for within a radius of a start.
 located :: Registration -> IntMap Place -> Node -> Prior -> Double -> Place -> Place

@@ -16,6 +16,7 @@ module PraTactile.Stitch.Search
 
     -- * The search
   , mostProbable
+  , finestStep
   ) where
 
 import Data.List (foldl')
@@ -75,20 +76,34 @@ logLikelihood settings (Overlap n vf vc cov)
   | n <= 0 || cov <= 0 = 0
   | otherwise = negate (n / 2) * log (1 - min 0.9999 rhoSquared)
  where
-  noise = registrationNoise settings * registrationNoise settings
+  -- Not quite nothing for a sensor without noise, so that rounding errors on flat images tell nothing.
+  noise = max 1e-9 (registrationNoise settings * registrationNoise settings)
   rhoSquared = cov * cov / ((vf + noise) * (vc + noise))
+
+-- | The search's finest step: an eighth of a taxel.
+finestStep :: Double
+finestStep = 0.125
 
 -- | The most probable displacement of an image on a reference: the best of the whole-taxel steps from a start no further away than a radius, then
 -- refined by steps of a half, a quarter and an eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
 mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior -> Double -> Place -> Place
-mostProbable settings ref image placeOf prior radius start@(x0, y0) = snd (foldl' refine whole [0.5, 0.25, 0.125])
+mostProbable settings ref image placeOf prior radius start@(x0, y0) = snd (foldl' refine whole [4 * finestStep, 2 * finestStep, finestStep])
  where
   whole = foldl' better (posterior start, start) [(x0 + i, y0 + j) | (i, j) <- steps]
   steps = [(i, j) | j <- line, i <- line, i * i + j * j <= radius * radius, (i, j) /= (0, 0)]
   line = let r = floor radius :: Int in map fromIntegral [negate r .. r] :: [Double]
-  refine best@(_, (x, y)) step =
-    foldl' better best [(x - step, y), (x + step, y), (x, y - step), (x, y + step)]
+  -- Along x first, then along y from there.
+  refine best step = foldl' along best [(step, 0), (0, step)]
+  along best@(_, (x, y)) (i, j) = foldl' better best [(x - i, y - j), (x + i, y + j)]
   better best@(score, _) candidate =
     let score' = posterior candidate in if score' > score then (score', candidate) else best
   posterior d =
-    let (px, py) = placeOf d in logLikelihood settings (overlapAt ref image px py) + logPrior prior d
+    let (px, py) = placeOf d in logLikelihood settings (capped (overlapAt ref image px py)) + logPrior prior d
+  -- Note [No reward for overlap]
+  capped overlap = overlap {overlapWeight = min startWeight (overlapWeight overlap)}
+  startWeight = let (px, py) = placeOf start in overlapWeight (overlapAt ref image px py)
+
+-- Note [No reward for overlap]
+-- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+-- The likelihood takes each pixel that leaves the overlap for one that chance must explain. But neighbouring pixels of a relief resemble each other, so the pixel's own image
+-- explains it nearly as well, and rewarding a larger overlap draws smooth images together. So an overlap counts for no more than the one at the start has.
