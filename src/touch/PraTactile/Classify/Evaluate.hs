@@ -43,12 +43,14 @@ tallyTogether = foldl' plus (Tally 0 0 0 0)
  where
   plus (Tally a b c d) (Tally a' b' c' d') = Tally (a + a') (b + b') (c + c') (d + d')
 
--- | How the test images lie.
+-- | How the test images are made.
 data Placing
   = -- | Taxel upon taxel, as in the paper's synthetic images.
     Aligned
   | -- | As stitching and segmentation leave them, misplaced by up to 'misplacementBound'.
     Misplaced
+  | -- | The same, and a corner or a margin was not seen.
+    Incomplete
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | For each class the tally of so many upright images, from a seed, with white noise of that standard deviation. Refuses
@@ -62,6 +64,7 @@ errorRates thresholds n a placing deviation count seed
   draw shape g = case placing of
     Aligned -> withNoise deviation (toRaster shape) g
     Misplaced -> uncurry (withNoise deviation) (specimen a Upright shape g)
+    Incomplete -> uncurry (withNoise deviation) (specimen a Curtailed shape g)
 
 -- | For each class the tally of so many specimens of a kind that is not an upright symbol, made of that class's shape: all that are
 -- recognised are wrong.

@@ -45,12 +45,12 @@ data Stage = Stage
   deriving stock (Eq, Show)
 
 -- | Eight hidden units; 5000 epochs in all: clean images, then half of them with noise of standard deviation 0.1, then 0.15, then 0.2,
--- then clean ones again. It takes about half a minute.
+-- then clean ones again. It takes less than a minute.
 shippedRegimen :: Regimen
 shippedRegimen =
   Regimen
     { hiddenLayerSize = 8
-    , composition = [(Upright, 250), (UpsideDown, 125), (Sideways, 50), (Displaced, 200), (Halves, 200), (Ordinary, 150), (Bare, 5)]
+    , composition = [(Upright, 250), (Curtailed, 125), (UpsideDown, 100), (CurtailedUpsideDown, 125), (Sideways, 50), (Displaced, 200), (Halves, 200), (Ordinary, 200), (Bare, 5)]
     , stages = [Stage 2 (for 300) [0], Stage 4 (for 300) [0, 0.1], Stage 4 (for 300) [0, 0.15], Stage 5 (for 300) [0, 0.2], Stage 2 (for 250) [0]]
     }
  where
@@ -59,8 +59,8 @@ shippedRegimen =
 -- Note [Rounds]
 -- ~~~~~~~~~~~~~
 -- The paper had a few real images of each character; here images can be drawn at will. A stage whose epochs all see one batch drives the
--- error on that batch to zero with ever steeper units, and learns it by heart: of 22,000 halves or ordinary features with noise 0.1 some ten
--- were then taken for symbols. The same number of epochs in rounds, each with a new batch, leaves none.
+-- error on that batch to zero with ever steeper units: it learns the batch by heart. In rounds, each with a new batch, the same number of
+-- epochs gave a network that errs less: at noise 0.5, of 4400 aligned images the greatest output was the wrong one for none instead of 34.
 
 -- | The seed of the shipped network.
 shippedSeed :: Int
@@ -89,7 +89,7 @@ roundImages makeup noises a g = (concat labelled, g')
  where
   (g', labelled) = mapAccumL several g [(kind, count, k, shape) | (kind, count) <- makeup, (k, shape) <- zip [0 ..] (shapes a)]
   several h (kind, count, k, shape) = mapAccumL (one kind k shape) h (take count (cycle (if null noises then [0] else noises)))
-  one kind k shape h noise = (h'', (image, if kind == Upright then Just k else Nothing))
+  one kind k shape h noise = (h'', (image, if genuine kind then Just k else Nothing))
    where
     (clean, h') = specimen a kind shape h
     (image, h'') = withNoise noise clean h'

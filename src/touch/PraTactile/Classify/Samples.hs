@@ -19,14 +19,17 @@ module PraTactile.Classify.Samples
   , stitchedView
   , see
 
-    -- * Noise
+    -- * What spoils it
   , withNoise
+  , Unseen (..)
+  , withUnseen
   ) where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import System.Random (StdGen)
 
-import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth, sample)
+import PraTactile.Image (Raster, generate, index, rasterHeight, rasterValues, rasterWidth, sample)
 import PraTactile.Random (normals, uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Distance (Feature, raises)
@@ -107,7 +110,7 @@ stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
 see :: View -> Scene -> Raster
 see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
   let right = (fromIntegral x + 0.5) / fromIntegral symbolWidth
-      at i = maybeZero (rasterValues down V.!? (y * rasterWidth down + i))
+      at i = fromMaybe 0 (index down i y)
    in viewBase view + (viewGain view - viewBase view) * ((1 - right) * at x + right * at (symbolWidth + x))
  where
   -- Separably: first along the rows, the two halves' columns side by side, then along the columns.
@@ -118,7 +121,33 @@ see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
     blurred (snd (viewBlur view)) (sample across (fromIntegral i)) (fromIntegral (y + margin) - snd (placed (i `quot` symbolWidth)))
   blurred share f t = (1 - share) * f t + share / 2 * (f (t - 1) + f (t + 1))
   placed half = let sign = if half == 0 then -0.5 else 0.5 in (fst (viewShift view) + sign * fst (viewTear view), snd (viewShift view) + sign * snd (viewTear view))
-  maybeZero = maybe 0 id
+
+-- | A part of the image where the sensor never was.
+data Unseen
+  = -- | A rectangle in a corner (at the right if the first flag says so, at the bottom if the second does), its width and height in
+    -- taxels: nothing is known there, and it counts as flat.
+    CornerUnseen !Bool !Bool !Int !Int
+  | -- | So many columns at the left or (flag set) at the right: they repeat the nearest one that was seen.
+    ColumnsUnseen !Bool !Int
+  | -- | The same for rows at the top or the bottom.
+    RowsUnseen !Bool !Int
+  deriving stock (Eq, Show)
+
+-- | The image as it is when that part was not seen.
+withUnseen :: Unseen -> Raster -> Raster
+withUnseen unseen image = generate w h value
+ where
+  w = rasterWidth image
+  h = rasterHeight image
+  value x y = case unseen of
+    CornerUnseen right bottom n m
+      | within right w n x && within bottom h m y -> 0
+      | otherwise -> at x y
+    ColumnsUnseen right n -> at (nearestSeen right w n x) y
+    RowsUnseen bottom n -> at x (nearestSeen bottom h n y)
+  at x y = fromMaybe 0 (index image x y)
+  within far size n t = if far then t >= size - n else t < n
+  nearestSeen far size n t = if far then min (size - 1 - n) t else max n t
 
 -- | The image with white noise of that standard deviation, clipped to 0..1 and rounded to the 256 levels of a frame.
 withNoise :: Double -> Raster -> StdGen -> (Raster, StdGen)
@@ -127,5 +156,5 @@ withNoise deviation image g = (generate (rasterWidth image) (rasterHeight image)
   (noise, g') = normals (V.length (rasterValues image)) g
   noisy x y = rounded (value (rasterValues image) + deviation * value noise)
    where
-    value v = maybe 0 id (v V.!? (y * rasterWidth image + x))
+    value v = fromMaybe 0 (v V.!? (y * rasterWidth image + x))
   rounded t = fromIntegral (round (255 * max 0 (min 1 t)) :: Int) / 255

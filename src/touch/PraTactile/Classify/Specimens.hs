@@ -3,6 +3,7 @@
 -- | The sorts of things whose images reach the classifier: upright symbols, and what must not be taken for one.
 module PraTactile.Classify.Specimens
   ( Kind (..)
+  , genuine
   , impostors
   , specimen
   , misplacementBound
@@ -20,8 +21,12 @@ import PraTactile.Shape.Distance (Feature (Full), ordinaryFeatures)
 data Kind
   = -- | A symbol, upright and in place.
     Upright
+  | -- | The same, but a corner of the image at most 3 taxels wide or tall, or a margin of at most 2, was not seen.
+    Curtailed
   | -- | A symbol turned by 180 degrees.
     UpsideDown
+  | -- | The same, but a corner at most 4 taxels wide or tall, or a margin of at most 2, was not seen.
+    CurtailedUpsideDown
   | -- | A symbol turned by 90 degrees.
     Sideways
   | -- | A symbol out of place by 3 to 6 taxels in at least one direction.
@@ -34,9 +39,13 @@ data Kind
     Bare
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | Everything that is not an upright symbol in place.
+-- | Whether a kind is an upright symbol in place, so that its class is the right answer.
+genuine :: Kind -> Bool
+genuine kind = kind == Upright || kind == Curtailed
+
+-- | Everything that is not, so that every answer is wrong.
 impostors :: [Kind]
-impostors = [k | k <- [minBound .. maxBound], k /= Upright]
+impostors = filter (not . genuine) [minBound .. maxBound]
 
 -- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels in each direction.
 misplacementBound :: Double
@@ -47,6 +56,8 @@ misplacementBound = 0.7
 specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
 specimen alphabetOfAll kind shape g = case kind of
   Upright -> (see view (symbolScene shape), g')
+  Curtailed -> curtailed 3 (see view (symbolScene shape)) g'
+  CurtailedUpsideDown -> curtailed 4 (see view (symbolScene (halfTurned shape))) g'
   UpsideDown -> (see view (symbolScene (halfTurned shape)), g')
   Sideways -> (see view (sidewaysScene shape), g')
   Displaced ->
@@ -68,6 +79,22 @@ specimen alphabetOfAll kind shape g = case kind of
     let (size, h') = between 3 6 h
         (side, h'') = below 2 h'
      in (if side == 0 then size else -size, h'')
+
+-- | The image without a corner at most so many taxels wide, or so many tall; or without 1 or 2 columns or rows.
+curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
+curtailed thickest image g0 = (withUnseen unseen image, g5)
+ where
+  (sort, g1) = below 4 g0
+  (u, g2) = below 2 g1
+  (v, g3) = below 2 g2
+  (thin, g4) = below thickest g3
+  (long, g5) = below symbolHeight g4
+  far = u == 1
+  unseen
+    | sort == 0 = CornerUnseen far (v == 1) (thin + 1) (long + 1)
+    | sort == 1 = CornerUnseen far (v == 1) (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
+    | sort == 2 = ColumnsUnseen far (v + 1)
+    | otherwise = RowsUnseen far (v + 1)
 
 between :: Double -> Double -> StdGen -> (Double, StdGen)
 between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')
