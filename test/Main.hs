@@ -17,10 +17,14 @@ import qualified Test.Conformance
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
+import qualified Test.Recognise
 import qualified Test.Store
 import qualified Test.Touch.Image
 import qualified Test.Touch.Pgm
+import qualified Test.Touch.Probe
+import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
+import qualified Test.Touch.Stitch
 
 main :: IO ()
 main = hspec $ do
@@ -38,10 +42,14 @@ main = hspec $ do
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.spec
     describe "PGM" Test.Touch.Pgm.spec
+    describe "Probing" Test.Touch.Probe.spec
+    describe "The sensor" Test.Touch.Sensor.spec
+    describe "Stitching" Test.Touch.Stitch.spec
     describe "Shapes" Test.Touch.Shape.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
   describe "Store" Test.Store.spec
+  describe "Recognition" Test.Recognise.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec

@@ -1,0 +1,137 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+-- | The hall: reliefs, explorations, and the whole way from an image to the face.
+module Test.Recognise (spec) where
+
+import Data.Foldable (for_)
+import Data.List (nub)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (generate)
+
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt)
+import PraTactile.Classify.Network (Network)
+import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Image
+import PraTactile.Locate (Reason (..))
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Probe (movePoint, taxelPitch)
+import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Relief
+import PraTactile.Shape
+import PraTactile.Stitch (compositeOf, standardRegistration)
+
+spec :: Spec
+spec = case shippedParts of
+  Left problem -> it "the shipped parts fit together" (expectationFailure problem)
+  Right parts -> either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
+    withProfile canonicalProfile $ \array mask ->
+      case recogniser array mask (placementOf parts) (networkOf parts) of
+        Left e -> it "the canonical array has a table" (expectationFailure (show e))
+        Right reader -> do
+          reliefSpec parts array
+          exploreSpec parts
+          recogniseSpec parts array reader
+
+data Parts = Parts { placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet }
+
+shippedParts :: Either String Parts
+shippedParts = Parts <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet
+  where
+    shown :: Show e => Either e a -> Either String a
+    shown = either (Left . show) Right
+
+reliefs :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, HeightMap)]
+reliefs parts array =
+  [ (face, heights) | face <- laidFaces (placementOf parts), Right heights <- [relief array (placementOf parts) (alphabetOf parts) face] ]
+
+-- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
+region :: HeightMap -> (Int, Int, Int, Int) -> Raster
+region heights (x, y, w, h) =
+  generate w h (\i j -> maybe 0 (/ symbolHeightMillimetres) (index (heightValues heights) (x + i) (y + j)))
+
+reliefSpec :: KnownField k => Parts -> PseudorandomArray k -> Spec
+reliefSpec parts array = describe "reliefs" $ do
+  it "every face has one, as large as the face in taxels" $ do
+    length (reliefs parts array) `shouldBe` 12
+    for_ (reliefs parts array) $ \(face, heights) ->
+      map ((* (127 / 80)) . fromIntegral) [rasterWidth (heightValues heights), rasterHeight (heightValues heights)]
+        `shouldBe` [spotRight (laidExtent face), spotDown (laidExtent face)]
+  it "a face's classes are the array's codes where it is laid" $
+    for_ (laidFaces (placementOf parts)) $ \face ->
+      concat (faceClasses array face)
+        `shouldBe` [ toCode (cellAt array (Position r c))
+                   | let Position r0 c0 = laidAt face, let Shape h w = laidGrid face, r <- [r0 .. r0 + h - 1], c <- [c0 .. c0 + w - 1] ]
+  it "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else" $
+    for_ (reliefs parts array) $ \(face, heights) -> do
+      let margin side = round (fromRational (side (laidMargin face)) / taxelPitch) :: Int
+      for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) -> for_ (zip [0 ..] line) $ \(j, c) -> do
+        let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
+            expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
+        Right (toRows cell) `shouldBe` fmap (\shape -> toRows (generate 16 20 (expected shape))) (shapeOf (alphabetOf parts) c)
+
+exploreSpec :: Parts -> Spec
+exploreSpec parts = describe "explorations" $ do
+  prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
+    forAll (elements (laidFaces (placementOf parts))) $ \face ->
+      case randomRegion standardRegionSize face (mkStdGen seed) of
+        Nothing -> counterexample "no room" False
+        Just (r, _) ->
+          let extent side = fromRational (side (laidExtent face)) + 1e-9
+              (w, h) = standardRegionSize
+              corners = [ movePoint (regionMotion r) (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y) | x <- [0, w], y <- [0, h] ]
+          in property (and [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown | (x, y) <- corners ])
+  it "a region larger than the face has no place on it" $
+    for_ (laidFaces (placementOf parts)) $ \face ->
+      fmap fst (randomRegion (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
+
+recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
+recogniseSpec parts array reader = describe "recognition" $ do
+  it "each of the 132 windows that lie on a face is found there, upright and half-turned" $ do
+    let cases = [ (face, heights, i, j) | (face, heights) <- reliefs parts array, let Shape h w = laidGrid face, i <- [0 .. h - 2], j <- [0 .. w - 2] ]
+    length cases `shouldBe` 132
+    for_ cases $ \(face, heights, i, j) -> for_ [(Upright, id), (HalfTurned, halfTurn)] $ \(orientation, turn) -> do
+      let margin side = round (fromRational (side (laidMargin face)) / taxelPitch) :: Int
+          image = region heights (margin spotRight + 16 * fromIntegral j, margin spotDown + 20 * fromIntegral i, 32, 40)
+          Position r c = laidAt face
+      found (turn image) `shouldBe` Right (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
+  it "nothing at all is refused: no-symbols" $ refusal (constant 40 52 0) `shouldBe` Just NoSymbols
+  it "uniform contact is refused: no-symbols" $ refusal (constant 40 52 1) `shouldBe` Just NoSymbols
+  it "an image of no size is refused: no-symbols" $ refusal (constant 0 0 0) `shouldBe` Just NoSymbols
+  it "three symbols are too few" $ refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)]) `shouldBe` Just (NotLocated NoCompleteWindow)
+  it "one symbol half-turned among upright ones is a contradiction of orientation" $
+    refusal (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, halfTurn)]) `shouldBe` Just OrientationContradicts
+  it "mirrored and quarter-turned symbols are not recognised" $
+    for_ [mirrorColumns, mirrorRows, quarterTurn, quarterTurn . quarterTurn . quarterTurn] $ \change ->
+      case recognise reader (compositeOf (change (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]))) of
+        Left e -> expectationFailure (show e)
+        Right recognition -> [ c | Just c <- map readClass (recognisedSymbols recognition) ] `shouldBe` []
+  it "an unreadable symbol leaves its cell unknown: no window is complete" $ do
+    let smudged = zipped (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]) (\x y v -> if x >= 20 && y >= 26 && y < 34 then 1 - v else v)
+    refusal smudged `shouldBe` Just (NotLocated NoCompleteWindow)
+  it "every refusal has a name of its own" $ length (nub (map refusalName refusals)) `shouldBe` length refusals
+  modifyMaxSuccess (const 40) $ prop "noise and position errors: a random exploration is right or refused, never wrong" $ \seed ->
+    forAll (elements (reliefs parts array)) $ \face ->
+      case trial standardSensor standardRegionSize face (mkStdGen seed) of
+        Nothing -> counterexample "the region does not lie on the face" False
+        Just t -> withStitching (runTrial reader standardRegistration t) =/= Mistaken
+  where
+    found image = case recognise reader (compositeOf image) of
+      Left e -> Left (show e)
+      Right recognition -> case recognisedAnswer recognition of
+        Left e -> Left (refusalName e)
+        Right (Several _ _) -> Left "several"
+        Right (Found orientation window _) -> Right (orientation, windowPosition window, onFace (windowWhereabouts window))
+    onFace place = case place of
+      OnFace p -> Just (placeFace p, placeCell p)
+      _ -> Nothing
+    refusal image = either (const Nothing) (either Just (const Nothing) . recognisedAnswer) (recognise reader (compositeOf image))
+    pasted placed = generate 32 40 $ \x y -> maximum (0 : [ v | (x0, y0, c, change) <- placed, Right shape <- [shapeOf (alphabetOf parts) c]
+                                                          , Just v <- [index (change (toRaster shape)) (x - x0) (y - y0)] ])
+    zipped image f = generate (rasterWidth image) (rasterHeight image) (\x y -> maybe 0 (f x y) (index image x y))
