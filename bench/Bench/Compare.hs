@@ -1,0 +1,91 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Holding a target: rounds of ours and the peer in turn, the ratios of each round, and whether the goal is met.
+module Bench.Compare
+  ( Row (..)
+  , Standing (..)
+  , compareWith
+  ) where
+
+import Control.Exception (IOException, bracket, try)
+import Control.Monad (replicateM)
+
+import Bench.Pairs
+import Bench.Targets
+
+-- | How a goal stands.
+data Standing
+  = Met
+  | Missed
+  | -- | Nothing was asked, or there was no peer.
+    NoVerdict
+  deriving stock (Eq, Show)
+
+-- | A line of the report.
+data Row = Row
+  { rowTarget :: Target
+  , rowGoal :: Goal
+  , rowUnit :: String
+  , rowOurs :: Maybe Spread
+  , rowPeer :: Maybe Spread
+  , rowFirst :: Maybe Double
+  -- ^ the peer's first answer, which includes what it compiles on first use
+  , rowRatio :: Maybe Spread
+  -- ^ how many times as fast as the peer
+  , rowPeak :: Double
+  -- ^ our process's memory, MiB
+  , rowStanding :: Standing
+  , rowNote :: String
+  }
+
+-- | Hold a target against each of its goals, with so many rounds after one that is not counted. Without the folder of the
+-- peers only our side runs.
+compareWith :: Maybe FilePath -> Int -> Target -> IO [Row]
+compareWith folder rounds target = mapM row (targetGoals target)
+ where
+  row goal = guarded goal $ case (goal, folder) of
+    (TimesAsFast _ peer, Just peers) ->
+      withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
+        firstPair <- pair us them
+        judged goal firstPair <$> replicateM rounds (pair us them)
+    _ -> withOurs $ \us -> do
+      firstAnswer <- alone us
+      judged goal firstAnswer <$> replicateM rounds (alone us)
+  withOurs = bracket (startOurs (targetCores target) (targetOurs target)) stop
+  pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask us <*> ask them
+  alone us = fmap (\a -> (a, Nothing)) <$> ask us
+  guarded goal act = either (failed goal) id <$> (try act :: IO (Either IOException Row))
+  failed goal problem = (emptyRow goal) {rowNote = show problem}
+  emptyRow goal = Row target goal "" Nothing Nothing Nothing Nothing 0 NoVerdict ""
+  judged goal firstRound later = case sequence (firstRound : later) of
+    Left problem -> (emptyRow goal) {rowNote = problem}
+    Right answers ->
+      let counted = drop 1 answers
+          unit = concatMap (answerUnit . fst) (take 1 answers)
+          us = spread (map (answerValue . fst) counted)
+          ratios = spread [faster unit (answerValue a) (answerValue b) | (a, Just b) <- counted]
+          peak = maximum (0 : map (answerPeak . fst) answers)
+          different = or [answerCheck a /= answerCheck b | (a, Just b) <- answers]
+       in (emptyRow goal)
+            { rowUnit = unit
+            , rowOurs = us
+            , rowPeer = spread [answerValue b | (_, Just b) <- counted]
+            , rowFirst = if null [() | (_, Just _) <- answers] then Nothing else answerValue <$> (snd =<< headOf answers)
+            , rowRatio = ratios
+            , rowPeak = peak
+            , rowStanding = standing goal us ratios peak
+            , rowNote = if different then "the results differ" else ""
+            }
+  headOf = foldr (\a _ -> Just a) Nothing
+  faster unit a b = if unit == "s" then b / a else a / b
+
+standing :: Goal -> Maybe Spread -> Maybe Spread -> Double -> Standing
+standing goal us ratios peak = case goal of
+  TimesAsFast 0 _ -> NoVerdict
+  TimesAsFast wanted _ -> maybe NoVerdict (met . (>= wanted) . median) ratios
+  WithinSeconds limit -> maybe NoVerdict (met . (<= limit) . median) us
+  WithinMebibytes limit -> met (peak <= limit)
+  Recorded -> NoVerdict
+ where
+  met yes = if yes then Met else Missed

@@ -1,0 +1,177 @@
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE TypeApplications #-}
+
+-- |
+-- This library's side of each comparison. Every entry prepares its input once and then measures as often as it is asked;
+-- the same work is done by a program of the same name in @bench/peers@.
+module Bench.Ours
+  ( ours
+  , scrambled
+  , sure
+  ) where
+
+import Control.Exception (evaluate)
+import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
+import Data.Bits (shiftR)
+import qualified Data.ByteString as Bytes
+import Data.List (intercalate)
+import Data.Maybe (catMaybes)
+import Data.Proxy (Proxy (..))
+import Data.Vector.Primitive (Vector)
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore (standardRegionSize)
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement (Placement, laidFaces)
+import PraTactile.Polynomial
+import PraTactile.Probe.Sensor (standardSensor)
+import PraTactile.Profile (canonicalProfile, withProfile)
+import PraTactile.Recognise
+import PraTactile.Relief (relief)
+import PraTactile.Sequence
+import PraTactile.Shape (paperAlphabet)
+import PraTactile.Stitch (compositeOf, standardRegistration)
+import PraTactile.Window
+import PraTactile.Window.Proof
+
+import Bench.Clock
+
+-- | The measurements by name: the outer action prepares.
+ours :: [(String, IO (IO Measurement))]
+ours =
+  [ ("products-gf4", products (Proxy @GF4))
+  , ("products-gf256", products (Proxy @GF256))
+  , ("products-run-time", sure (withField 2 [1, 1, 1] products))
+  , ("sequence-gf4-12", sequenceOf [2, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1])
+  , ("sequence-gf4-12-dense", sequenceOf [2, 1, 3, 3, 3, 1, 2, 3, 1, 3, 1, 3, 1])
+  , ("proof-gf4", wholeProof)
+  , ("rank-gf2-8x8", rankProof (Shape 255 ((2 ^ (64 :: Int) - 1) `div` 255)) (Shape 8 8))
+  , ("rank-gf2-32x2", rankProof (Shape (2 ^ (32 :: Int) - 1) (2 ^ (32 :: Int) + 1)) (Shape 32 2))
+  , ("cell-gf2-64", cells (Proxy @GF2) 64 255)
+  , ("cell-gf3-40", cells (Proxy @GF3) 40 242)
+  , ("cell-gf4-32", cells (Proxy @GF4) 32 1)
+  , ("cell-gf256-8", cells (Proxy @GF256) 8 1)
+  , ("first-gf2-128", firstOf (Proxy @GF2) 128)
+  , ("first-gf3-20", firstOf (Proxy @GF3) 20)
+  , ("quartics-gf4", quartics)
+  , ("decode", decode)
+  , ("evaluate-100", evaluate100)
+  ]
+
+-- | A result that the benchmark's own input cannot fail to have; a benchmark, unlike the library, may stop otherwise.
+sure :: Show e => Either e a -> a
+sure = either (errorWithoutStackTrace . ("bench: " ++) . show) id
+
+-- | 10^7 codes below q without a pattern that a cache could profit from; the peers make the same.
+scrambled :: forall k. KnownField k => Proxy k -> Int -> Vector (GF k)
+scrambled k multiplier =
+  Primitive.generate 10000000 (\i -> sure (fromCode (((i * multiplier) `shiftR` 16) `mod` fieldOrder k)))
+
+products :: forall k. KnownField k => Proxy k -> IO (IO Measurement)
+products k = do
+  x <- evaluate (scrambled k 2654435761)
+  y <- evaluate (scrambled k 2246822519)
+  pure $ do
+    (seconds, z) <- timed (uncurry (Primitive.zipWith (*))) (x, y)
+    let total = Primitive.foldl' (\acc a -> acc + toCode a) 0 z
+    pure (Measurement (fromIntegral (Primitive.length x) / seconds) (PerSecond "products") (show total))
+
+primitiveOf :: KnownField k => [Natural] -> Primitive k
+primitiveOf codes = sure (checkPrimitive (sure (polynomialFromCodes codes)))
+
+sequenceOf :: [Natural] -> IO (IO Measurement)
+sequenceOf codes = do
+  h <- evaluate (primitiveOf codes :: Primitive GF4)
+  pure $ do
+    (seconds, s) <- timed (sequenceVector h (canonicalState h)) 16777215
+    let weighted = Primitive.ifoldl' (\acc i a -> acc + i `mod` 257 * toCode a) 0 s
+    pure (Measurement (fromIntegral (Primitive.length s) / seconds) (PerSecond "symbols") (show weighted))
+
+wholeProof :: IO (IO Measurement)
+wholeProof = do
+  h <- evaluate (primitiveOf [2, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1] :: Primitive GF4)
+  mask <- evaluate (sure (rectangle (Shape 3 4)))
+  let foldAndProve g = distinct (prove Torus (sure (fold Diagonal (Shape 63 266305) g (canonicalState g))) mask)
+  pure $ do
+    (seconds, found) <- timed foldAndProve h
+    pure (Measurement seconds Seconds (maybe "undecided" show found))
+ where
+  distinct outcome = let (verdict, _) = sure outcome in
+    if proved verdict && enumeration verdict == Just True then distinctWindows verdict else Nothing
+
+rankProof :: Shape -> Shape -> IO (IO Measurement)
+rankProof shape window = do
+  h <- evaluate (sure (firstPrimitive 64) :: Primitive GF2)
+  array <- evaluate (sure (fold Diagonal shape h (canonicalState h)))
+  mask <- evaluate (sure (rectangle window))
+  pure $ do
+    (seconds, verdict) <- timed (\a -> let (v, _) = sure (prove Torus a mask) in if proved v then rank v else Nothing) array
+    pure (Measurement seconds Seconds (show verdict))
+
+-- | The mean over 256 cells of an array of q^n - 1 cells with this many rows, all over it.
+cells :: forall k. KnownField k => Proxy k -> Natural -> Natural -> IO (IO Measurement)
+cells _ n height = do
+  h <- evaluate (sure (firstPrimitive n) :: Primitive k)
+  let shape = Shape height (period h `div` height)
+      places = [Position (i * 37 `mod` rows shape) (i * 0x9E3779B97F4A7C15 `mod` columns shape) | i <- [1 .. 256]]
+  array <- evaluate (sure (fold (if height == 1 then RowMajor else Diagonal) shape h (canonicalState h)))
+  pure $ do
+    (seconds, _) <- timedEach (cellAt array) zero places
+    pure (Measurement seconds Seconds (show (sum (map (toCode . cellAt array) places))))
+
+polynomialText :: Primitive k -> String
+polynomialText = intercalate "," . map (show . toCode) . coefficients . primitivePolynomial
+
+firstOf :: forall k. KnownField k => Proxy k -> Natural -> IO (IO Measurement)
+firstOf _ n = pure $ do
+  (seconds, h) <- timed (\m -> sure (firstPrimitive m) :: Primitive k) n
+  pure (Measurement seconds Seconds (polynomialText h))
+
+quartics :: IO (IO Measurement)
+quartics = pure $ do
+  (seconds, found) <- timed (\n -> let hs = sure (primitivePolynomials n) :: [Primitive GF4] in length hs `seq` hs) 4
+  pure (Measurement seconds Seconds (unwords (map polynomialText found)))
+
+-- | What the touching benchmarks start from, as the command line does.
+withPaper :: (forall k. KnownField k => PseudorandomArray k -> Placement -> Recogniser k -> r) -> r
+withPaper use = sure (withProfile canonicalProfile prepared)
+ where
+  prepared array mask = use array layout (sure (recogniser array mask layout (sure shippedNetwork)))
+  layout = sure canonicalPlacement
+
+-- | Recognise the composite of the worked example.
+decode :: IO (IO Measurement)
+decode = do
+  image <- pgmIntensity . sure . decodePgm <$> Bytes.readFile "data/worked-example/composite.pgm"
+  composite <- evaluate (compositeOf image)
+  pure $ withPaper $ \_ _ reader -> do
+    (seconds, answer) <- timed (either (const "misfit") answerText . recognise reader) composite
+    pure (Measurement seconds Seconds answer)
+ where
+  answerText recognition = case recognisedAnswer recognition of
+    Right (Found orientation window _) -> text (show (orientation, windowPosition window))
+    Right (Several _ positions) -> text (show positions)
+    Left refusal -> text (refusalName refusal)
+  text t = length t `seq` t
+
+-- | 100 simulated presses, each decoded with stitching and without, on the cores that the run-time system is given.
+evaluate100 :: IO (IO Measurement)
+evaluate100 = pure $ withPaper $ \array layout reader -> do
+  let alphabet = sure paperAlphabet
+      faces = sure (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))
+      results seed =
+        let counts = tally (map withStitching (run (catMaybes (take 100 (trials standardSensor standardRegionSize faces seed)))))
+         in tallyWrong counts `seq` counts
+      run = withStrategy (parBuffer 64 rseq) . map (forced . runTrial reader standardRegistration)
+      forced r = withStitching r `seq` withoutStitching r `seq` r
+  (seconds, counts) <- timed results 1
+  let refused = sum (map snd (tallyRefused counts))
+  pure (Measurement seconds Seconds (unwords ["right", show (tallyRight counts), "wrong", show (tallyWrong counts), "refused", show refused]))

@@ -1,0 +1,98 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Programs that measure on request, asked in turn, so that what else the machine does falls on both alike.
+module Bench.Pairs
+  ( -- * Programs that measure
+    Participant
+  , startOurs
+  , startPeer
+  , ask
+  , stop
+
+    -- * What they answer
+  , Answer (..)
+
+    -- * Statistics
+  , Spread (..)
+  , spread
+  ) where
+
+import Control.Monad (void)
+import Data.Aeson (FromJSON (..), eitherDecodeStrict', withObject, (.:))
+import qualified Data.ByteString.Char8 as Bytes
+import Data.List (sort)
+import System.Environment (getExecutablePath)
+import System.FilePath ((</>))
+import System.IO
+import System.Process
+
+import Bench.Targets (Peer (..))
+
+-- | One line of JSON, as every participant prints it.
+data Answer = Answer
+  { answerValue :: Double
+  , answerUnit :: String
+  , answerCheck :: String
+  , answerPeak :: Double
+  -- ^ MiB
+  }
+  deriving stock (Eq, Show)
+
+instance FromJSON Answer where
+  parseJSON = withObject "measurement" $ \o -> Answer <$> o .: "value" <*> o .: "unit" <*> o .: "check" <*> o .: "peak_mib"
+
+-- | A running program: a line to it, a line back.
+data Participant = Participant ProcessHandle Handle Handle
+
+-- | This library's measurement of that name, in a process of its own with that many cores.
+startOurs :: Maybe Int -> String -> IO Participant
+startOurs cores name = do
+  self <- getExecutablePath
+  start self ["--measure", name, "+RTS", maybe "-N" (("-N" ++) . show) cores, "-RTS"]
+
+-- | A peer, from the folder that @bench/peers/setup.sh@ made.
+startPeer :: FilePath -> Peer -> IO Participant
+startPeer folder peer = case peer of
+  Script _ file arguments -> start (folder </> "bin" </> "python") (("bench/peers" </> file) : arguments)
+  Program _ file arguments -> start (folder </> "bin" </> file) arguments
+
+start :: FilePath -> [String] -> IO Participant
+start file arguments = do
+  (toIt, fromIt, process) <- piped
+  pure (Participant process toIt fromIt)
+ where
+  piped = do
+    created <- createProcess (proc file arguments) {std_in = CreatePipe, std_out = CreatePipe}
+    case created of
+      (Just i, Just o, _, p) -> hSetBuffering i LineBuffering >> pure (i, o, p)
+      _ -> ioError (userError ("no pipes to " ++ file))
+
+-- | One measurement, or what the program printed instead.
+ask :: Participant -> IO (Either String Answer)
+ask (Participant _ toIt fromIt) = do
+  hPutStrLn toIt "measure"
+  ended <- hIsEOF fromIt
+  if ended then pure (Left "it ended without an answer") else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
+
+-- | End a program by closing its input, and wait for it.
+stop :: Participant -> IO ()
+stop (Participant process toIt fromIt) = hClose toIt >> hClose fromIt >> void (waitForProcess process)
+
+-- | The least, the median and the greatest of some values.
+data Spread = Spread
+  { least :: Double
+  , median :: Double
+  , greatest :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 'Nothing' for no values; the median of an even number is the mean of the two in the middle.
+spread :: [Double] -> Maybe Spread
+spread values = case sort values of
+  [] -> Nothing
+  sorted@(smallest : _) ->
+    let size = length sorted
+        middle = take (2 - size `mod` 2) (drop ((size - 1) `div` 2) sorted)
+     in Just (Spread smallest (sum middle / fromIntegral (length middle)) (maximum sorted))

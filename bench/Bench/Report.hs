@@ -1,0 +1,67 @@
+-- |
+-- The report: a table in Markdown, which is also readable as it is printed.
+module Bench.Report
+  ( heading
+  , rowText
+  ) where
+
+import Data.List (intercalate)
+import Text.Printf (printf)
+
+import Bench.Compare
+import Bench.Pairs (Spread (..))
+import Bench.Targets
+
+-- | The table's head.
+heading :: [String]
+heading =
+  [ cells ["what", "ours", "peer", "its figure", "its first call", "times as fast, min / median / max", "asked", "", "peak MiB"]
+  , cells (replicate 9 "---")
+  ]
+
+cells :: [String] -> String
+cells texts = "| " ++ intercalate " | " texts ++ " |"
+
+-- | One row; our figure and the peer's are medians.
+rowText :: Row -> String
+rowText row =
+  cells
+    [ targetName (rowTarget row) ++ ": " ++ targetWhat (rowTarget row)
+    , maybe "-" spreadOf (rowOurs row)
+    , peerName
+    , maybe notRun (quantity unit . median) (rowPeer row)
+    , maybe "" (quantity unit) (rowFirst row)
+    , maybe "" (\s -> printf "%.2f / **%.2f** / %.2f" (least s) (median s) (greatest s)) (rowRatio row)
+    , asked
+    , verdict ++ (if null (rowNote row) then "" else " (" ++ rowNote row ++ ")")
+    , printf "%.0f" (rowPeak row)
+    ]
+ where
+  unit = rowUnit row
+  spreadOf s = quantity unit (median s) ++ " (" ++ quantity unit (least s) ++ " ... " ++ quantity unit (greatest s) ++ ")"
+  peerName = case rowGoal row of
+    TimesAsFast _ (Script name _ _) -> name
+    TimesAsFast _ (Program name _ _) -> name
+    _ -> ""
+  notRun = case rowGoal row of
+    TimesAsFast _ _ -> "not run"
+    _ -> ""
+  asked = case rowGoal row of
+    TimesAsFast 0 _ -> ""
+    TimesAsFast wanted _ -> printf "%.3g times" wanted
+    WithinSeconds limit -> quantity "s" limit
+    WithinMebibytes limit -> printf "%.0f MiB" limit
+    Recorded -> ""
+  verdict = case rowStanding row of
+    Met -> "met"
+    Missed -> "MISSED"
+    NoVerdict -> ""
+
+-- | A value with a unit of a fitting size.
+quantity :: String -> Double -> String
+quantity "s" seconds
+  | seconds < 1e-6 = printf "%.0f ns" (seconds * 1e9)
+  | seconds < 1e-3 = printf "%.3g us" (seconds * 1e6)
+  | seconds < 1 = printf "%.3g ms" (seconds * 1e3)
+  | otherwise = printf "%.3g s" seconds
+quantity unit rate = printf "%.4g M %s" (rate / 1e6) unit

@@ -1,0 +1,89 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- What the library is to reach, each figure beside the program it is compared with.
+module Bench.Targets
+  ( -- * Targets
+    Target (..)
+  , Goal (..)
+  , targets
+
+    -- * Peers
+  , Peer (..)
+  ) where
+
+-- | What is asked of a measurement.
+data Goal
+  = -- | At least this many times as fast as the peer, median of the ratios of paired runs.
+    TimesAsFast Double Peer
+  | -- | At most this many seconds, by the median.
+    WithinSeconds Double
+  | -- | At most this many MiB of memory at any time, the whole process.
+    WithinMebibytes Double
+  | -- | Nothing is asked; the figure is recorded.
+    Recorded
+  deriving stock (Eq, Show)
+
+-- | A program that does the same work, asked by a line on its standard input.
+data Peer
+  = -- | A script of @bench/peers@ and its arguments.
+    Script String FilePath [String]
+  | -- | A C program and its arguments.
+    Program String FilePath [String]
+  deriving stock (Eq, Show)
+
+-- | A measurement of "Bench.Ours" and what is asked of it.
+data Target = Target
+  { targetName :: String
+  -- ^ what it is called on the command line
+  , targetWhat :: String
+  , targetOurs :: String
+  -- ^ the measurement's name
+  , targetCores :: Maybe Int
+  -- ^ how many cores it may use; 'Nothing' for all
+  , targetGoals :: [Goal]
+  }
+
+-- | All targets, in the order of the report.
+targets :: [Target]
+targets =
+  [ Target "products-gf4" "products of 10^7 pairs, GF(4)" "products-gf4" one [TimesAsFast 1.8 (galoisProducts 4)]
+  , Target "products-gf256" "products of 10^7 pairs, GF(256)" "products-gf256" one [TimesAsFast 1.8 (galoisProducts 256)]
+  , Target "products-run-time" "the same, GF(4) chosen at run time" "products-run-time" one [TimesAsFast 1.8 (galoisProducts 4)]
+  , Target "sequence" "m-sequence, GF(4), n = 12, a period" "sequence-gf4-12" one
+      [ TimesAsFast 10 (Script "galois FLFSR" "register.py" [])
+      , TimesAsFast 1 (Program "C register" "register" (words "2 0 1 1 1 0 0 0 0 0 0 0"))
+      ]
+  , Target "sequence-constant" "the same, beside a polynomial compiled in" "sequence-gf4-12" one
+      [TimesAsFast 0 (Program "C register, compiled in" "register" ["constant"])]
+  , Target "sequence-dense" "the same, no coefficient zero" "sequence-gf4-12-dense" one
+      [TimesAsFast 1 (Program "C register" "register" (words "2 1 3 3 3 1 2 3 1 3 1 3"))]
+  , Target "proof" "sequence, fold and proof, GF(4), 63 x 266305, 3 x 4" "proof-gf4" one
+      [ TimesAsFast 15 (Script "galois + numpy" "proof.py" [])
+      , TimesAsFast (1 / 1.3) (Program "C" "enumerate" [])
+      , WithinMebibytes 64
+      ]
+  , Target "proof-all-cores" "the same on all cores" "proof-gf4" Nothing
+      [ TimesAsFast 15 (Script "galois + numpy" "proof.py" [])
+      , TimesAsFast 1 (Program "C" "enumerate" [])
+      , WithinMebibytes 64
+      ]
+  , Target "rank" "proof by rank, GF(2), 2^64 - 1 cells, 8 x 8 window" "rank-gf2-8x8" one [WithinSeconds 10e-3]
+  , Target "rank-tall" "the same, 32 x 2 window" "rank-gf2-32x2" one [WithinSeconds 10e-3]
+  , Target "cell-gf2" "one cell of 2^64 - 1, GF(2)" "cell-gf2-64" one [WithinSeconds 10e-6]
+  , Target "cell-gf3" "one cell of 3^40 - 1, GF(3)" "cell-gf3-40" one [WithinSeconds 1e-3]
+  , Target "cell-gf4" "one cell of 4^32 - 1, GF(4)" "cell-gf4-32" one [WithinSeconds 1e-3]
+  , Target "cell-gf256" "one cell of 256^8 - 1, GF(256)" "cell-gf256-8" one [WithinSeconds 1e-3]
+  , Target "first-gf2" "first primitive polynomial, GF(2), n = 128" "first-gf2-128" one
+      [TimesAsFast 1 (Script "galois" "primitive.py" ["first", "2", "128"])]
+  , Target "first-gf3" "first primitive polynomial, GF(3), n = 20" "first-gf3-20" one
+      [TimesAsFast 1 (Script "galois" "primitive.py" ["first", "3", "20"])]
+  , Target "quartics" "all 32 primitive quartics, GF(4)" "quartics-gf4" one
+      [WithinSeconds 50e-3, TimesAsFast 1 (Script "galois" "primitive.py" ["all", "4", "4"])]
+  , Target "decode" "decode the worked example's composite" "decode" one [Recorded]
+  , Target "evaluate" "100 simulated presses, decoded twice each" "evaluate-100" one [Recorded]
+  , Target "evaluate-all-cores" "the same on all cores" "evaluate-100" Nothing [Recorded]
+  ]
+ where
+  one = Just 1
+  galoisProducts q = Script "galois" "products.py" [show (q :: Int)]
