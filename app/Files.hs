@@ -16,7 +16,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, takeDirectory, takeFileName, (</>))
-import System.IO (IOMode (..), hClose, hFileSize, openBinaryTempFileWithDefaultPermissions, withBinaryFile)
+import System.IO (IOMode (..), hClose, openBinaryTempFileWithDefaultPermissions, withBinaryFile)
 import System.IO.Error (ioeGetErrorString, isDoesNotExistError, isPermissionError)
 
 import Ending
@@ -26,16 +26,17 @@ readBytes :: FilePath -> IO ByteString
 readBytes = readBytesUpTo (256 * 1024 * 1024)
 
 -- | A file's bytes, if there are not more than so many; otherwise leaves with status 2.
-readBytesUpTo :: Integer -> FilePath -> IO ByteString
+readBytesUpTo :: Int -> FilePath -> IO ByteString
 readBytesUpTo limit file = do
   isFolder <- doesDirectoryExist file
   when isFolder (unusable (file ++ " is a folder; a file is needed here"))
   outcome <- try (withBinaryFile file ReadMode readIt)
   either (unusable . readMessage file) (maybe (unusable tooLarge) pure) outcome
   where
+    -- The size is not asked for beforehand, so that pipes can be read too.
     readIt handle = do
-      size <- hFileSize handle
-      if size > limit then pure Nothing else Just <$> Bytes.hGetContents handle
+      bytes <- Lazy.hGet handle (limit + 1)
+      pure (if Lazy.length bytes > fromIntegral limit then Nothing else Just (Lazy.toStrict bytes))
     tooLarge = file ++ " is larger than " ++ show (limit `div` (1024 * 1024)) ++ " MiB, which no input of this kind needs"
 
 readMessage :: FilePath -> IOException -> String

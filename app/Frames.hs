@@ -2,6 +2,7 @@
 module Frames
   ( -- * What a path holds
     Source (..)
+  , sourcePath
   , sources
   , loadSource
     -- * Folders of frames
@@ -32,6 +33,13 @@ data Source
   = Folder FilePath              -- ^ a folder of frames with its manifest
   | Chosen FilePath [FilePath]   -- ^ some frames of a folder, as its manifest has them
   | CompositeFile FilePath       -- ^ one image that is a whole composite
+
+-- | The path that stands for a source: its file or its folder.
+sourcePath :: Source -> FilePath
+sourcePath source = case source of
+  Folder folder -> folder
+  Chosen folder _ -> folder
+  CompositeFile file -> file
 
 -- | Sort paths into sources: folders and composite images each by itself; files that the manifest beside them lists
 -- belong together. Leaves with status 2 where a path does not exist.

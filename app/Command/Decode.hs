@@ -64,16 +64,20 @@ run choice options = do
     (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
     _ -> pure ()
   composites <- forM found (loadSource (assembly (corrected options)))
-  maximum . (Answered :) <$> forM composites readAs
+  maximum . (Answered :) <$> forM (zip (map sourcePath found) composites) (\(path, composite) -> do
+    case found of
+      _ : _ : _ | not (asJson options) -> putStrLn (path ++ ":")
+      _ -> pure ()
+    readAs path composite)
 
--- | Decode one composite: print the answer, draw the picture.
-decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> Composite -> IO Ending
-decodeWith alphabet profile options reader composite = do
+-- | Decode one composite: draw the picture, print the answer.
+decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> FilePath -> Composite -> IO Ending
+decodeWith alphabet profile options reader path composite = do
   recognition <- orUnusable networkMessage (recognise reader composite) >>= maybe pure lookedUp (database options)
-  if asJson options
-    then printJson (recognitionJson profile nameOf recognition)
-    else putStr (unlines (recognitionText nameOf recognition))
   forM_ (picture options) $ \file -> writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
+  if asJson options
+    then printJson (recognitionJson profile path nameOf recognition)
+    else putStr (unlines (recognitionText nameOf recognition))
   pure (recognitionEnding recognition)
   where
     nameOf = elementNames reader

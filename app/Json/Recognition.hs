@@ -18,10 +18,11 @@ import PraTactile.Segment (SymbolImage (..))
 import Recognised
 
 -- | One answer: all keys always, null where there is nothing to say.
-recognitionJson :: Profile -> (Int -> String) -> Recognition -> Series
-recognitionJson profile nameOf recognition =
+recognitionJson :: Profile -> FilePath -> (Int -> String) -> Recognition -> Series
+recognitionJson profile path nameOf recognition =
   "schema" .= ("pra-tactile/decode/1" :: String)
     <> "profile" .= profileValue profile
+    <> "source" .= path
     <> "outcome" .= outcome
     <> "reason" .= either (Just . refusalName) (const Nothing) answer
     <> "message" .= recognitionMessage recognition
