@@ -100,11 +100,11 @@ network w1 w2
 -- | The greatest difference between a weight or bias of one network and that of the other; 'Nothing' if their sizes differ. A network trained
 -- again with another BLAS, which adds in another order, differs from the shipped one by less than 10^-6.
 greatestDifference :: Network -> Network -> Maybe Double
-greatestDifference a b
-  | map sizes [hiddenUnits, outputUnits] /= [(True, True), (True, True)] = Nothing
-  | otherwise = Just (maximum (0 : concatMap (\part -> V.toList (V.map abs (flatten (part a) - flatten (part b)))) [hiddenUnits, outputUnits]))
+greatestDifference (Network a1 a2) (Network b1 b2) = max <$> apart a1 b1 <*> apart a2 b2
  where
-  sizes part = (rows (part a) == rows (part b), cols (part a) == cols (part b))
+  apart a b
+    | (rows a, cols a) == (rows b, cols b) = Just (V.maximum (V.zipWith (\x y -> abs (x - y)) (flatten a) (flatten b)))
+    | otherwise = Nothing
 
 finite :: Vector Double -> Bool
 finite = V.all (\w -> not (isNaN w || isInfinite w))
