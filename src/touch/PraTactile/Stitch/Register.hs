@@ -19,7 +19,7 @@ import qualified Data.Map.Strict as Map
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
-import PraTactile.Stitch.Search (Prior (..), Registration (..), finestStep, mostProbable, searchRadius)
+import PraTactile.Stitch.Search (Prior (..), Registration (..), Window (..), finestStep, mostProbable, searchRadius)
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the images' upper left pixels. Their mean is zero,
 -- to half of 'finestStep', since a shift common to all frames cannot be seen. An image's displacement does not depend on the order of the images.
@@ -73,10 +73,9 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
           (mean, count) = centre placed -- Note [The prior while growing]
           unsure = sqrt (1 + 1 / max 1 count)
           variance = (unsure * registrationSigma settings) ^ (2 :: Int)
-          displacement = located settings placed node (Prior mean variance) (unsure * searchRadius settings) (whole mean)
+          displacement = located settings placed node (Prior mean variance) (Window mean (unsure * searchRadius settings)) (whole mean)
           gained = foldl' (\w (gain, n) -> IntMap.adjust (\(g, n') -> (g + gain, n')) (nodeKey n) w)
        in go (IntMap.insert (nodeKey node) displacement placed) (gained (IntMap.delete (nodeKey node) waiting) (nodeLinks node))
-  whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int)) -- Note [Whole taxels]
   rank (gain, node) = (gain, sum (map fst (nodeLinks node)))
 
 -- Note [The prior while growing]
@@ -87,19 +86,22 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
 -- Note [Whole taxels]
 -- ~~~~~~~~~~~~~~~~~~~
 -- The grid that the others are blended on lies so that a frame at the start of its search needs no interpolation. Blending blurs an image that lies between the grid's
--- pixels, so the search starts at a whole displacement while growing, and where the frame is in the sweeps: displacements by whole taxels, relative to each other, are then
--- seen without any blur.
+-- pixels, so the search starts at a whole displacement while growing, and whole taxels from where the frame is in the sweeps: displacements by whole taxels, relative to each
+-- other, are then seen without any blur.
 
 -- | Each frame registered against all the others, again and again, until none moves any more or the sweeps are used up. The first sweep looks as far
 -- as growing did, in case that went astray while little was placed; the later ones look one taxel around, and only for frames that have had a neighbour move.
 sweeps :: Registration -> [Node] -> IntMap Place -> IntMap Place
-sweeps settings nodes first = go (registrationSweeps settings) (searchRadius settings) (IntMap.keysSet first) (centred first)
+sweeps settings nodes first = go (registrationSweeps settings) everywhere (IntMap.keysSet first) (centred first)
  where
-  go :: Int -> Double -> IntSet -> IntMap Place -> IntMap Place
-  go left radius unsettled ds
+  go :: Int -> (Place -> (Window, Place)) -> IntSet -> IntMap Place -> IntMap Place
+  go left looking unsettled ds
     | left <= 0 || IntSet.null unsettled = centred ds
-    | otherwise = uncurry (go (left - 1) 1) (fmap centred (foldl' (step radius) (unsettled, ds) nodes))
-  step radius (unsettled, ds) node
+    | otherwise = uncurry (go (left - 1) nearby) (fmap centred (foldl' (step looking) (unsettled, ds) nodes))
+  -- The window and the start for a displacement: Note [Whole taxels]
+  everywhere d@(x, y) = let (wx, wy) = whole d in (Window (0, 0) (searchRadius settings), (x - wx, y - wy))
+  nearby d = (Window d 1, d)
+  step looking (unsettled, ds) node
     | IntSet.notMember key unsettled = (unsettled, ds)
     | new == old = (settled, ds)
     | otherwise = (foldl' (flip IntSet.insert) settled (map (nodeKey . snd) (nodeLinks node)), IntMap.insert key new ds)
@@ -107,8 +109,12 @@ sweeps settings nodes first = go (registrationSweeps settings) (searchRadius set
     key = nodeKey node
     settled = IntSet.delete key unsettled
     old = IntMap.findWithDefault (0, 0) key ds
-    new = located settings ds node (Prior (0, 0) (registrationSigma settings ^ (2 :: Int))) radius old
+    new = uncurry (located settings ds node (Prior (0, 0) (registrationSigma settings ^ (2 :: Int)))) (looking old)
   centred ds = let ((mx, my), _) = centre ds in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
+
+-- | The nearest whole displacement.
+whole :: Place -> Place
+whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
 -- | The mean of the displacements, rounded to the search's finest step, (0, 0) when there are none, and their number. Rounded so, it leaves
 -- all displacements multiples of that step, and what is displaced by whole taxels is seen so, without any interpolation.
@@ -121,15 +127,15 @@ centre ds
   count = fromIntegral (length places)
   mean coordinate = finestStep * fromIntegral (round (sum (map coordinate places) / count / finestStep) :: Int)
 
--- | A frame's most probable displacement given those of other frames, looked for within a radius of a start.
-located :: Registration -> IntMap Place -> Node -> Prior -> Double -> Place -> Place
-located settings displacements node prior radius (startX, startY) = case others of
-  Right known -> mostProbable settings known image (\(x, y) -> (x - startX + margin, y - startY + margin)) prior radius (startX, startY)
+-- | A frame's most probable displacement given those of other frames, looked for in a window by whole taxels from a start.
+located :: Registration -> IntMap Place -> Node -> Prior -> Window -> Place -> Place
+located settings displacements node prior window (startX, startY) = case others of
+  Right known -> mostProbable settings known image (\(x, y) -> (x - startX + margin, y - startY + margin)) prior window (startX, startY)
   Left _ -> (startX, startY)
  where
   image = nodeImage node
   (x0, y0) = nodePlace node
-  margin = fromIntegral (ceiling radius + 2 :: Int)
+  margin = fromIntegral (ceiling (windowRadius window) + 3 :: Int)
   side extent = extent + 2 * round margin
   -- See Note [How well the reference is known]
   others = do

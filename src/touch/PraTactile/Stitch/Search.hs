@@ -15,6 +15,7 @@ module PraTactile.Stitch.Search
   , logLikelihood
 
     -- * The search
+  , Window (..)
   , mostProbable
   , finestStep
   ) where
@@ -84,14 +85,22 @@ logLikelihood settings (Overlap n vf vc cov)
 finestStep :: Double
 finestStep = 0.125
 
--- | The most probable displacement of an image on a reference: the best of the whole-taxel steps from a start no further away than a radius, then
--- refined by steps of a half, a quarter and an eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
-mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior -> Double -> Place -> Place
-mostProbable settings ref image placeOf prior radius start@(x0, y0) = snd (foldl' refine whole [4 * finestStep, 2 * finestStep, finestStep])
+-- | Where a displacement is looked for: within a radius of a centre, in taxels.
+data Window = Window
+  { windowCentre :: !Place
+  , windowRadius :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The most probable displacement of an image on a reference: the best of those in the window that lie whole taxels from the start, which should be near its
+-- centre, then refined by steps of a half, a quarter and an eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
+mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior -> Window -> Place -> Place
+mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0, y0) =
+  snd (foldl' refine whole [4 * finestStep, 2 * finestStep, finestStep])
  where
-  whole = foldl' better (posterior start, start) [(x0 + i, y0 + j) | (i, j) <- steps]
-  steps = [(i, j) | j <- line, i <- line, i * i + j * j <= radius * radius, (i, j) /= (0, 0)]
-  line = let r = floor radius :: Int in map fromIntegral [negate r .. r] :: [Double]
+  whole = foldl' better (posterior start, start) (filter inside [(x0 + i, y0 + j) | j <- line, i <- line])
+  line = let r = ceiling radius + 1 :: Int in map fromIntegral [negate r .. r] :: [Double]
+  inside d@(x, y) = (x - cx) * (x - cx) + (y - cy) * (y - cy) <= radius * radius && d /= start
   -- Along x first, then along y from there.
   refine best step = foldl' along best [(step, 0), (0, step)]
   along best@(_, (x, y)) (i, j) = foldl' better best [(x - i, y - j), (x + i, y + j)]
