@@ -1,6 +1,6 @@
 # pra-tactile: everything a newcomer types. `make demo` and `make test` install what they need.
 CABAL = tools/cabal.sh
-.PHONY: all setup build demo test bench evaluate house shapes network clean
+.PHONY: all setup build demo test bench evaluate house shapes network check-network clean
 
 all: build
 
@@ -39,6 +39,11 @@ shapes: build
 	bin/pra-tactile shapes --design --output data/shapes.txt
 network: build
 	bin/pra-tactile train --output data/network.txt
+
+# The trained weights are reproduced to the bit from their seed (about a minute; with the reference BLAS).
+check-network: build
+	bin/pra-tactile train --output dist-newstyle/network-again.txt
+	cmp data/network.txt dist-newstyle/network-again.txt && echo "data/network.txt is reproduced to the bit"
 
 clean:
 	rm -rf dist-newstyle bin demo-out house.dot house.svg

@@ -20,11 +20,13 @@ import qualified Test.Object.WingedEdge
 import qualified Test.Recognise
 import qualified Test.Store
 import qualified Test.Touch.Image
+import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Stitch
+import qualified Test.Touch.Train
 
 main :: IO ()
 main = hspec $ do
@@ -46,6 +48,8 @@ main = hspec $ do
     describe "The sensor" Test.Touch.Sensor.spec
     describe "Stitching" Test.Touch.Stitch.spec
     describe "Shapes" Test.Touch.Shape.spec
+    describe "The network" Test.Touch.Network.spec
+    describe "Training" Test.Touch.Train.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
