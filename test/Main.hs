@@ -23,6 +23,7 @@ import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.Probe
+import qualified Test.Touch.Segment
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Stitch
@@ -47,6 +48,7 @@ main = hspec $ do
     describe "Probing" Test.Touch.Probe.spec
     describe "The sensor" Test.Touch.Sensor.spec
     describe "Stitching" Test.Touch.Stitch.spec
+    describe "Segmentation" Test.Touch.Segment.spec
     describe "Shapes" Test.Touch.Shape.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
