@@ -4,6 +4,7 @@ module Main (main) where
 import Test.Hspec (describe, hspec)
 
 import qualified Test.Code.Array
+import qualified Test.Code.Distance
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
 import qualified Test.Code.Locate
@@ -40,6 +41,7 @@ main = hspec $ do
     describe "Arrays" Test.Code.Array.spec
     describe "Windows" Test.Code.Window.spec
     describe "Proofs" Test.Code.Proof.spec
+    describe "Distances" Test.Code.Distance.spec
     describe "Locating" Test.Code.Locate.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do

@@ -74,6 +74,8 @@ windowMessage e = case e of
   WindowEmpty -> "the window has no cells"
   WindowTooLarge cells -> "the window has " ++ show cells ++ " cells, more than 4096"
   OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
+  DrawingCharacter c -> "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; " ++ show c ++ " is none of them"
+  DrawingRagged i given needs -> "row " ++ show (i + 1) ++ " of the mask has " ++ show given ++ " cells, the first has " ++ show needs
   PackedOutOfRange n -> show n ++ " packs no window"
 
 profileMessage :: ProfileError -> String

@@ -11,6 +11,9 @@ module PraTactile.Window
   , maskOffsets
   , maskSize
   , maskExtent
+  , maskRectangle
+  , maskFromDrawing
+  , maskDrawing
   , WindowError (..)
 
     -- * Contents
@@ -22,7 +25,7 @@ module PraTactile.Window
   , unpack
   ) where
 
-import Data.List (foldl', unfoldr)
+import Data.List (foldl', intercalate, unfoldr)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -37,6 +40,10 @@ data WindowError
     WindowTooLarge Natural
   | -- | The offset occurs twice.
     OffsetRepeated Position
+  | -- | The drawing has this character, which is neither # nor . nor a slash.
+    DrawingCharacter Char
+  | -- | The row of the drawing with this index, from 0, has this many cells instead of that many.
+    DrawingRagged Int Int Int
   | -- | The number is not below q^cells, so that it packs no window.
     PackedOutOfRange Natural
   deriving stock (Eq, Show)
@@ -83,6 +90,44 @@ maskSize (Mask offsets) = length offsets
 -- | The smallest rectangle that holds the cells and the window's position.
 maskExtent :: Mask -> Shape
 maskExtent (Mask offsets) = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
+
+-- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for others.
+maskRectangle :: Mask -> Maybe Shape
+maskRectangle mask
+  | area extent == fromIntegral (maskSize mask) = Just extent
+  | otherwise = Nothing
+ where
+  extent = maskExtent mask
+
+-- | The mask that is drawn: # for a cell that is observed and . for one that is not, the rows from
+-- the top down and parted by a slash. It is read row by row; its position is its upper left corner.
+-- Refuses other characters, rows of different lengths, and as 'maskFrom' does.
+--
+-- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> maskFromDrawing "##./.##"
+-- Right [(0,0),(0,1),(1,1),(1,2)]
+maskFromDrawing :: String -> Either WindowError Mask
+maskFromDrawing drawing
+  | c : _ <- filter (`notElem` "#./") drawing = Left (DrawingCharacter c)
+  | (i, r) : _ <- filter ((/= width) . length . snd) indexed = Left (DrawingRagged i (length r) width)
+  | otherwise = maskFrom [Position i j | (i, r) <- zip [0 ..] drawn, (j, '#') <- zip [0 ..] r]
+ where
+  drawn = splitRows drawing
+  indexed = zip [0 ..] drawn
+  width = sum (map length (take 1 drawn))
+  splitRows text = case break (== '/') text of
+    (r, _ : others) -> r : splitRows others
+    (r, []) -> [r]
+
+-- | The drawing of a mask that 'maskFromDrawing' reads: without the order in which it is read.
+--
+-- >>> maskDrawing <$> maskFromDrawing "##./.##"
+-- Right "##./.##"
+maskDrawing :: Mask -> String
+maskDrawing mask = intercalate "/" [[if Position i j `Set.member` cells then '#' else '.' | j <- to width] | i <- to height]
+ where
+  cells = Set.fromList (maskOffsets mask)
+  Shape height width = maskExtent mask
+  to side = [0 .. side - 1]
 
 -- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
 -- beyond the edges of the sheet.

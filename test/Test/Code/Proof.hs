@@ -5,7 +5,8 @@
 module Test.Code.Proof (spec) where
 
 import Control.Monad (forM_)
-import Data.List (elemIndex, nub)
+import qualified Data.IntSet as IntSet
+import Data.List (elemIndex, nub, tails, transpose)
 import Data.Maybe (isJust, listToMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
@@ -117,6 +118,17 @@ spec = do
     it "any matrix, on every surface, sees what a set of all windows holds" $
       forAllShrink genMatrix shrinkMatrix $ \(codes, offsets) ->
         conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
+    it "any rectangle on any small matrix, however it lies to the edges" $
+      forAllShrink genRectangle shrinkMatrix $ \(codes, offsets) ->
+        conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
+    it "a matrix so wide that it is swept in strips, and so large that processors share it" $
+      -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18 windows.
+      forM_ [(3, 9000, 2, 3), (3, 9000, 3, 1), (31, 8500, 2, 5), (8500, 31, 3, 3)] $ \(h, w, k1, k2) -> do
+        let codes = take h (chunksOf w (pseudorandom 3))
+        grid <- right (gridFromRows 3 codes)
+        m <- right (rectangle (Shape (fromIntegral k1) (fromIntegral k2)))
+        forM_ [minBound .. maxBound] $ \on ->
+          fmap differentWindows (enumerate on grid m) `shouldBe` Right (fromIntegral (IntSet.size (contentsOf on k1 k2 codes)))
     it "windows with more contents than machine words have, too" $ do
       -- 25 cells over 4 symbols: 2^50 contents; 36 cells: 2^72.
       array <- paperArray
@@ -189,6 +201,38 @@ genMatrix = do
   count <- choose (1, 4 :: Int)
   offsets <- vectorOf count ((\i j -> (fromInteger i, fromInteger j)) <$> choose (0, 3) <*> choose (0, 7))
   pure (codes, nub offsets)
+
+-- | A small matrix over three symbols, and a rectangle that may be larger.
+genRectangle :: Gen ([[Int]], [(Natural, Natural)])
+genRectangle = do
+  h <- choose (1, 6)
+  w <- choose (1, 6)
+  codes <- vectorOf h (vectorOf w (choose (0, 2)))
+  k1 <- choose (1, 4)
+  k2 <- choose (1, 4)
+  pure (codes, [(fromInteger i, fromInteger j) | i <- [0 .. k1 - 1], j <- [0 .. k2 - 1]])
+
+-- | Symbols below q without an end, by a linear congruence.
+pseudorandom :: Int -> [Int]
+pseudorandom q = map (\x -> (x `div` 65536) `mod` q) (iterate (\x -> (1103515245 * x + 12345) `mod` 2147483648) 1)
+
+chunksOf :: Int -> [a] -> [[a]]
+chunksOf n xs = let (first, rest) = splitAt n xs in first : chunksOf n rest
+
+-- | The contents of all windows of k1 x k2 cells over three symbols, by lists alone.
+contentsOf :: Surface -> Int -> Int -> [[Int]] -> IntSet.IntSet
+contentsOf on k1 k2 codes = IntSet.fromList (concatMap rowOfWindows (take visitedRows (tails continued)))
+ where
+  h = length codes
+  w = length (concat (take 1 codes))
+  (visitedRows, visitedColumns) = if on == Sheet then (h - k1 + 1, w - k2 + 1) else (h, w)
+  below = take (h + k1) (cycle codes)
+  continued = case on of
+    Torus -> map (\r -> r ++ take k2 r) below
+    TwistedTorus -> zipWith (\r next -> r ++ take k2 next) below (drop 1 (cycle codes))
+    Sheet -> codes
+  rowOfWindows rows' = take visitedColumns (map packed (tails (transpose (take k1 rows'))))
+  packed columns' = foldl (\n c -> 3 * n + c) 0 (concat (take k2 columns'))
 
 shrinkMatrix :: ([[Int]], [(Natural, Natural)]) -> [([[Int]], [(Natural, Natural)])]
 shrinkMatrix (codes, offsets) =

@@ -3,6 +3,7 @@ module Test.Code.Window (spec) where
 
 import Control.Monad (forM_)
 import Data.Either (isLeft)
+import Data.List (nub, sort)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Window
@@ -29,6 +30,22 @@ spec = do
       rectangle (Shape (10 ^ (9 :: Int)) (10 ^ (9 :: Int))) `shouldBe` Left (WindowTooLarge (10 ^ (18 :: Int)))
       isLeft (rectangle (Shape 64 64)) `shouldBe` False
       rectangle (Shape 64 65) `shouldBe` Left (WindowTooLarge 4160)
+    it "are drawn with # and ., rows parted by slashes" $ do
+      fmap offsets (maskFromDrawing "##./.##") `shouldBe` Right [(0, 0), (0, 1), (1, 1), (1, 2)]
+      fmap maskDrawing (mask [(3, 1), (0, 0)]) `shouldBe` Right "#./../../.#"
+      fmap maskRectangle (maskFromDrawing "##/##") `shouldBe` Right (Just (Shape 2 2))
+      fmap maskRectangle (maskFromDrawing ".#/.#") `shouldBe` Right Nothing
+      fmap maskRectangle (mask [(1, 0), (0, 0)]) `shouldBe` Right (Just (Shape 2 1))
+    it "other drawings are refused" $ do
+      maskFromDrawing "" `shouldBe` Left WindowEmpty
+      maskFromDrawing "../.." `shouldBe` Left WindowEmpty
+      maskFromDrawing "##/#" `shouldBe` Left (DrawingRagged 1 1 2)
+      maskFromDrawing "#x/##" `shouldBe` Left (DrawingCharacter 'x')
+      maskFromDrawing "##/" `shouldBe` Left (DrawingRagged 1 0 2)
+    it "a drawing is read as it was drawn" $
+      forAll (choose (1, 5) >>= (`vectorOf` ((,) <$> choose (0, 4) <*> choose (0, 4))) :: Gen [(Int, Int)]) $ \cells ->
+        let sorted = nub (sort [(fromIntegral i, fromIntegral j) | (i, j) <- cells])
+         in fmap (fmap offsets . maskFromDrawing . maskDrawing) (mask sorted) === Right (Right sorted)
   describe "contents" $ do
     it "of the worked example" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)

@@ -15,7 +15,6 @@ module PraTactile.Window.Enumeration
 
 import Control.Monad.ST (ST, runST)
 import Data.Bits (setBit, shiftR, testBit, (.&.))
-import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
 import Data.Vector.Primitive (MVector)
@@ -24,6 +23,7 @@ import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
+import PraTactile.Window.Contents
 import PraTactile.Window.Visit
 
 -- | What was seen on visiting every window of a surface.
@@ -67,7 +67,7 @@ largestSort = 2 ^ (20 :: Int)
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | null positions = Left NoWindow
-  | spanned <= largestSpan, Just windows <- visit packing surface grid mask = Right (byBits windows)
+  | spanned <= largestSpan, Just windows <- visit packing surface grid mask = Right (byBits surface grid mask windows)
   | count <= largestSort = Right (byOrder [(p, content) | p <- positions, Just content <- [contentAt p]])
   | otherwise = Left (TooManyWindows spanned count)
  where
@@ -80,35 +80,51 @@ enumerate surface grid mask
   cell r c (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
   at = canonicalPosition surface (gridShape grid)
 
--- | One bit a content.
-byBits :: Visit -> Enumeration
-byBits windows = runST $ do
-  seen <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
-  -- Strict, or each window would leave a suspended comparison behind.
-  let go !r !c !distinct !repeated !zeroAt
-        | r == visitRows windows = pure (distinct, repeated, zeroAt)
-        | c == visitColumns windows = go (r + 1) 0 distinct repeated zeroAt
-        | otherwise = do
-            let key = visitKey windows r c
-                zeroAt' = if key == 0 then earlier zeroAt (r, c) else zeroAt
-            new <- insert seen key
-            if new
-              then go r (c + 1) (distinct + 1) repeated zeroAt'
-              else go r (c + 1) distinct (earlier repeated (r, c)) zeroAt'
-  (distinct, repeated, zeroAt) <- go 0 0 (0 :: Int) Nothing Nothing
-  pure
-    Enumeration
-      { visitedWindows = fromIntegral (visitRows windows) * fromIntegral (visitColumns windows)
-      , differentWindows = fromIntegral distinct
-      , repeatedWindow = do
-          (r, c) <- repeated
-          (r0, c0) <- find (\(i, j) -> visitKey windows i j == visitKey windows r c) everywhere
-          pure (visitPosition r0 c0, visitPosition r c)
-      , zeroPosition = uncurry visitPosition <$> zeroAt
-      }
+-- | One bit a content. Where the content that was seen before and the zero window stand is looked
+-- for afterwards, if there are any.
+byBits :: Surface -> Grid -> Mask -> Visit -> Enumeration
+byBits surface grid mask windows =
+  Enumeration
+    { visitedWindows = visited
+    , differentWindows = different
+    , repeatedWindow = if different < visited then firstRepeated windows else Nothing
+    , zeroPosition = if zeroOccurs seen then firstWith windows 0 else Nothing
+    }
  where
-  everywhere = [(r, c) | r <- [0 .. visitRows windows - 1], c <- [0 .. visitColumns windows - 1]]
-  earlier old new = maybe (Just new) Just old
+  seen = contents surface grid mask windows
+  different = fromIntegral (countContents seen)
+  visited = fromIntegral (visitRows windows) * fromIntegral (visitColumns windows)
+
+-- | The first position, row by row, with this content.
+firstWith :: Visit -> Int -> Maybe Position
+firstWith windows key = uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
+
+-- | The first position whose content was seen before, preceded by where it was first seen.
+firstRepeated :: Visit -> Maybe (Position, Position)
+firstRepeated windows = do
+  (r, c) <- repeated
+  earlier <- firstWith windows (visitKey windows r c)
+  pure (earlier, visitPosition r c)
+ where
+  repeated = runST $ do
+    seen <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
+    let go !r !c
+          | r == visitRows windows = pure Nothing
+          | c == visitColumns windows = go (r + 1) 0
+          | otherwise = do
+              new <- insert seen (visitKey windows r c)
+              if new then go r (c + 1) else pure (Just (r, c))
+    go 0 0
+
+-- | The first coordinates, row by row, that satisfy the condition.
+firstWhere :: Visit -> (Int -> Int -> Bool) -> Maybe (Int, Int)
+firstWhere windows holds = go 0 0
+ where
+  go r c
+    | r == visitRows windows = Nothing
+    | c == visitColumns windows = go (r + 1) 0
+    | holds r c = Just (r, c)
+    | otherwise = go r (c + 1)
 
 -- | Put a key into the set; whether it is new.
 insert :: MVector s Word64 -> Int -> ST s Bool
@@ -121,13 +137,13 @@ insert seen key = do
 
 -- | An ordered map from contents to the position where each was first seen.
 byOrder :: [(Position, Natural)] -> Enumeration
-byOrder contents =
+byOrder found =
   Enumeration
-    { visitedWindows = fromIntegral (length contents)
+    { visitedWindows = fromIntegral (length found)
     , differentWindows = fromIntegral (Map.size firstSeen)
     , repeatedWindow =
-        listToMaybe [(p0, p) | (p, content) <- contents, Just p0 <- [Map.lookup content firstSeen], p0 /= p]
+        listToMaybe [(p0, p) | (p, content) <- found, Just p0 <- [Map.lookup content firstSeen], p0 /= p]
     , zeroPosition = Map.lookup 0 firstSeen
     }
  where
-  firstSeen = Map.fromListWith (\_ old -> old) [(content, p) | (p, content) <- contents]
+  firstSeen = Map.fromListWith (\_ old -> old) [(content, p) | (p, content) <- found]

@@ -1,41 +1,69 @@
 {-# LANGUAGE DataKinds #-}
 {-# LANGUAGE KindSignatures #-}
 
--- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
+-- |
+-- The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
 -- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,
 -- which tells all of them apart iff the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank
-  , rankOf
+  , windowVectors
+  , windowExponents
   , windowsOfRank
+  , rankOf
   ) where
 
+import Data.List (scanl')
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Extension
 import PraTactile.Field
 import PraTactile.Polynomial
 import PraTactile.Window
+import PraTactile.Window.Elimination
 
 -- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
 -- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
-windowRank array mask = rankOf (map (residueCoefficients h . alphaTo) (maskOffsets mask))
+windowRank array mask = fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
  where
-  alphaTo = powerOfRoot h . sequenceIndex array
-  h = arrayPrimitive array
+  n = primitiveDegree (arrayPrimitive array)
 
--- | The rank of a matrix over GF(q), given by rows of one length, by elimination without division.
-rankOf :: KnownField k => [[GF k]] -> Natural
-rankOf matrix = case break ((/= zero) . fst) split of
-  (_, []) | null split -> 0
-          | otherwise -> rankOf (map snd split)
-  (before, (pivot, pivotRow) : after) ->
-    1 + rankOf [zipWith (\x y -> pivot * x - a * y) r pivotRow | (a, r) <- before ++ after]
+-- | The e(i, j), below the period, for the cells of the mask in reading order.
+windowExponents :: KnownField k => PseudorandomArray k -> Mask -> [Natural]
+windowExponents array = map (sequenceIndex array) . maskOffsets
+
+-- | The alpha^e(i, j), each by its n coordinates in the basis 1, alpha, ..., for the cells of the
+-- mask in reading order.
+--
+-- As e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its column;
+-- and these follow from one row or column to the next, so that two long powers suffice for a rectangle.
+windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
+windowVectors array mask =
+  [ residueCoefficients h (multiplyModulo h a b)
+  | Position i j <- maskOffsets mask
+  , Just a <- [Map.lookup i down]
+  , Just b <- [Map.lookup j right]
+  ]
  where
-  -- Each row as its first element and the rest.
-  split = [(a, r) | a : r <- matrix]
+  h = arrayPrimitive array
+  down = powersAlong (`Position` 0) (map row (maskOffsets mask))
+  right = powersAlong (Position 0) (map column (maskOffsets mask))
+  alphaTo = powerOfRoot h . sequenceIndex array
+  -- From each index to the power that belongs to it, by steps.
+  powersAlong at indices = Map.fromList (zip used (drop 1 (scanl' (multiplyModulo h) (powerOfRoot h 0) taken)))
+   where
+    used = Set.toAscList (Set.fromList indices)
+    gaps = zipWith (-) used (0 : used)
+    taken = [a | gap <- gaps, Just a <- [Map.lookup gap steps]]
+    steps = Map.fromSet (alphaTo . at) (Set.fromList gaps)
+
+-- | The rank of a matrix over GF(q), given by rows of one length.
+rankOf :: KnownField k => [[GF k]] -> Natural
+rankOf matrix = fromIntegral (length (independentRows maxBound (map rowFromList matrix)))
 
 -- | How many distinct windows there are on the 'naturalSurface' when the rank is this. As alpha^t
 -- runs through the q^n - 1 non-zero elements, the content runs through the image of a linear map of

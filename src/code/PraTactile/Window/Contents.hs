@@ -1,0 +1,162 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- |
+-- Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
+-- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.
+module PraTactile.Window.Contents
+  ( Contents
+  , contents
+  , countContents
+  , zeroOccurs
+  ) where
+
+import Control.Monad (foldM_, forM_, when)
+import Control.Monad.ST (ST)
+import Data.Bits (popCount, shiftL, shiftR, (.&.), (.|.))
+import Data.List (sort)
+import Data.Vector.Primitive (MVector, Vector)
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Data.Word (Word32, Word64)
+import GHC.Conc (numCapabilities, par, pseq)
+import PraTactile.Grid
+import PraTactile.Window
+import PraTactile.Window.Visit
+
+-- | A set of contents: bit c of the vector, 64 bits a word, for the content numbered c. The
+-- numbering is one to one, and 0 is the content that is all zeros.
+newtype Contents = Contents (Vector Word64)
+
+-- | The contents of all windows of a visit, whose numbers must fit a set in memory. The grid, the
+-- surface and the mask are those of the visit.
+contents :: Surface -> Grid -> Mask -> Visit -> Contents
+contents surface grid mask windows = united (map seen (tiles windows))
+ where
+  seen tile = Contents $ Primitive.create $ do
+    set <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
+    case maskRectangle mask of
+      Just (Shape k1 k2)
+        | k1 <= rows (gridShape grid) && k2 <= columns (gridShape grid) ->
+            sweep surface grid (fromIntegral k1) (fromIntegral k2) tile set
+      _ -> everyKey windows tile set
+    pure set
+
+-- | How many contents are in the set.
+countContents :: Contents -> Int
+countContents (Contents set) = Primitive.foldl' (\n word -> n + popCount word) 0 set
+
+-- | Whether the content that is all zeros is in the set.
+zeroOccurs :: Contents -> Bool
+zeroOccurs (Contents set) = Primitive.any odd (Primitive.take 1 set)
+
+-- | Windows at rows from, up to, and columns from, up to, the ends excluded.
+data Tile = Tile !Int !Int !Int !Int
+
+-- | All windows, in one tile a processor if they are many. What is seen does not depend on it; a
+-- set of its own for each processor is for small sets only.
+tiles :: Visit -> [Tile]
+tiles windows
+  | height <= 0 || width <= 0 = []
+  | width >= height = [Tile 0 height c c' | (c, c') <- cut width]
+  | otherwise = [Tile r r' 0 width | (r, r') <- cut height]
+ where
+  height = visitRows windows
+  width = visitColumns windows
+  parts
+    | height * width < 2 ^ (18 :: Int) || visitSpan windows > 2 ^ (26 :: Int) = 1
+    | otherwise = max 1 (min 16 numCapabilities)
+  cut side = zip (cuts side) (drop 1 (cuts side))
+  cuts side = [i * side `div` parts | i <- [0 .. parts]]
+
+-- | The union, the sets being made side by side.
+united :: [Contents] -> Contents
+united sets = case sets of
+  [] -> Contents Primitive.empty
+  [only] -> only
+  first : others ->
+    let rest = united others
+     in first `par` (rest `pseq` union first rest)
+ where
+  union (Contents a) (Contents b) = Contents (Primitive.zipWith (.|.) a b)
+
+-- | Put a content into the set. Contents are below the span for which the set was made.
+include :: MVector s Word64 -> Int -> ST s ()
+include set key = do
+  word <- Mutable.unsafeRead set (key `shiftR` 6)
+  Mutable.unsafeWrite set (key `shiftR` 6) (word .|. (1 `shiftL` (key .&. 63)))
+{-# INLINE include #-}
+
+-- | Any mask: each window is read cell by cell.
+everyKey :: Visit -> Tile -> MVector s Word64 -> ST s ()
+everyKey windows (Tile r0 r1 c0 c1) set = go r0 c0
+ where
+  go !r !c
+    | r == r1 = pure ()
+    | c == c1 = go (r + 1) c0
+    | otherwise = include set (visitKey windows r c) >> go r (c + 1)
+
+{- Note [Rolling contents]
+   The windows of k1 x k2 cells are swept row by row, in strips of a few thousand columns. For each
+   column of the strip the number of its k1 cells is kept, the uppermost most significant; going
+   down a row, it is multiplied by q, the new cell is added, and the cell left behind subtracted at
+   its weight q^k1. The number of a window is that of its k2 columns in base q^k1, the left one most
+   significant; going right, it is multiplied by q^k1, the new column added, and the column left
+   behind subtracted at its weight q^(k1 k2). So a window costs two cells and two columns, whatever
+   its size; and the columns of a strip stay in the fastest memory.
+
+   The digits come in another order than the reading order: column by column. That is still one to
+   one, and zero is still zero, which is all that matters here. -}
+
+-- | A rectangle of k1 x k2 cells that is no larger than the grid. See Note [Rolling contents].
+sweep :: Surface -> Grid -> Int -> Int -> Tile -> MVector s Word64 -> ST s ()
+sweep surface grid k1 k2 (Tile r0 r1 c0 c1) set = do
+  -- Entry t + k2 is the column c + t of the strip from c; the first k2 entries stay 0.
+  numbers <- Mutable.replicate (strip + 2 * k2) 0
+  forM_ [c0, c0 + strip .. c1 - 1] $ \c -> do
+    Mutable.set numbers 0
+    let takeRow = rowOfStrip surface grid k1 k2 numbers set c (min strip (c1 - c) + k2 - 1)
+    forM_ [r0 .. r0 + k1 - 2] $ \r -> takeRow maxBound r r 0
+    -- The first row of windows leaves no cell behind.
+    takeRow (k2 - 1) (r0 + k1 - 1) (r0 + k1 - 1) 0
+    forM_ [r0 + 1 .. r1 - 1] $ \r -> takeRow (k2 - 1) (r + k1 - 1) (r - 1) (gridAlphabet grid ^ k1)
+ where
+  strip = max 1 (min 4096 (c1 - c0))
+
+-- | Take a row of cells into the numbers of the columns c, c + 1, ... of a strip, so many in all, and
+-- a row out of them at its weight; include the windows that end at column c + first or later. Rows
+-- and columns may lie beyond the edges by less than a turn.
+rowOfStrip
+  :: Surface -> Grid -> Int -> Int -> MVector s Word32 -> MVector s Word64 -> Int -> Int -> Int -> Int -> Int -> Int -> ST s ()
+rowOfStrip surface grid k1 k2 numbers set c size first new old weight =
+  foldM_ segment 0 (zip bounds (drop 1 bounds))
+ where
+  -- Columns past the edge, and those where no window ends yet, are parts of their own.
+  bounds = [0] ++ sort (filter (\t -> 0 < t && t < size) [first, width - c]) ++ [size]
+  segment key (from, to) = roll (from >= first) (origin new past) (origin old past) from to key
+   where
+    past = c + from >= width
+  -- The index of the strip's first column, if it lay on the same side of the edge.
+  origin i past
+    | not past = (i `mod` height) * width + c
+    | surface == TwistedTorus = ((i + 1) `mod` height) * width + c - width
+    | otherwise = (i `mod` height) * width + c - width
+  roll including newest oldest from to = go from
+   where
+    go !t !key
+      | t == to = pure key
+      | otherwise = do
+          number <- Mutable.unsafeRead numbers (t + k2)
+          gone <- Mutable.unsafeRead numbers t
+          let number' = fromIntegral number * q + cell (newest + t) - cell (oldest + t) * weight
+              key' = key * base + number' - fromIntegral gone * spanned
+          Mutable.unsafeWrite numbers (t + k2) (fromIntegral number')
+          when including (include set key')
+          go (t + 1) key'
+  {-# INLINE roll #-}
+  cell i = fromIntegral (Primitive.unsafeIndex cells i) :: Int
+  cells = gridCells grid
+  q = gridAlphabet grid
+  base = q ^ k1
+  spanned = base ^ k2
+  height = gridHeight grid
+  width = gridWidth grid

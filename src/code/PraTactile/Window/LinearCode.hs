@@ -1,0 +1,173 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Linear codes over GF(q), as far as the distances of a mask need them: a lightest codeword, and how
+-- many codewords there are of each weight. Internal; "PraTactile.Window.Distance" exports what it means.
+module PraTactile.Window.LinearCode
+  ( -- * Codes
+    LinearCode
+  , spannedBy
+  , dimension
+  , codeLength
+  , dual
+
+    -- * Lightest codewords
+  , Lightest (..)
+  , lightest
+
+    -- * Weights
+  , weights
+  , weightsOfDual
+  ) where
+
+import Control.Monad (forM_)
+import qualified Data.IntSet as IntSet
+import Data.List (foldl', tails, uncons)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.Window.Elimination
+
+-- | The space that some vectors of one length span: that length and a basis.
+data LinearCode (k :: Field) = LinearCode !Int !(Basis k)
+
+type role LinearCode nominal
+
+-- | The code of this length that the vectors span.
+spannedBy :: KnownField k => Int -> [Row k] -> LinearCode k
+spannedBy size = LinearCode size . foldl' (include (const True)) emptyBasis
+
+-- | The dimension: the number of independent codewords.
+dimension :: LinearCode k -> Int
+dimension (LinearCode _ basis) = basisSize basis
+
+-- | The number of elements of a codeword.
+codeLength :: LinearCode k -> Int
+codeLength (LinearCode size _) = size
+
+-- | The vectors that are orthogonal to every codeword. If the basis is the unit matrix at the pivots
+-- and P elsewhere, they have a unit matrix elsewhere, and the transpose of -P at the pivots.
+dual :: forall k. KnownField k => LinearCode k -> LinearCode k
+dual (LinearCode size basis) = spannedBy size (map orthogonal free)
+ where
+  pivoted = Map.fromList (basisRows basis) :: Map Int (Row k)
+  free = filter (`Map.notMember` pivoted) [0 .. size - 1]
+  orthogonal j = rowFromList (map (entry j) [0 .. size - 1])
+  entry j i = case Map.lookup i pivoted of
+    Just x -> negate (Primitive.unsafeIndex x j)
+    Nothing -> if i == j then one else zero
+
+-- | The number of elements that are not zero.
+weight :: Row k -> Int
+weight = Primitive.foldl' (\n a -> if a == zero then n else n + 1) 0
+
+-- | What the search for a lightest codeword found.
+data Lightest k
+  = -- | A codeword, not zero, and no other is lighter.
+    Lightest (Row k)
+  | -- | The search was given up: the weight is at least the first number, and at most the second.
+    Between Int Int
+  | -- | The code has no codeword but zero.
+    NoCodeword
+
+{- Note [Brouwer and Zimmermann]
+   Let a basis of the code be the unit matrix at the places I, one place a row. A codeword that is a
+   combination of more than w rows is not zero at more than w places of I. With several bases whose
+   places are disjoint, once all combinations of at most w rows of each have been seen, a codeword not
+   seen has more than w such places for every basis, and so at least the sum of the w + 1 in all. Where
+   only k - d places are left for the k rows of a basis, the d rows without a place can hide as many:
+   such a basis counts w + 1 - d, and is used once that is more than 1. The search ends when the
+   lightest codeword seen is no heavier than the sum. (K.-H. Zimmermann 1996; M. Grassl in "Discovering
+   Mathematics with Magma", 2006.) -}
+
+-- | A lightest codeword that is not zero, by the method of Note [Brouwer and Zimmermann]. The search
+-- is given up before it has looked at so many codewords.
+lightest :: KnownField k => Natural -> LinearCode k -> Lightest k
+lightest effort code@(LinearCode size basis)
+  | k == 0 = NoCodeword
+  | otherwise = search 1 effort Nothing
+ where
+  k = dimension code
+  bases = informationSets size (map snd (basisRows basis))
+  -- Before it looks at w rows: what is left of the effort, and the lightest codeword seen.
+  search w left best
+    | Just x <- best, w > k || weight x <= bound (w - 1) = Lightest x
+    | cost > left = Between (max 1 (bound (w - 1))) (maybe size weight best)
+    | otherwise = search (w + 1) (left - cost) (foldl' lighter best (concatMap (uncurry combinations) looks))
+   where
+    looks = [(v, x) | (deficit, x) <- bases, deficit < w, v <- [if deficit == w - 1 then 1 else w .. w]]
+    cost = sum [combinationCount (fieldOrder code) k v | (v, _) <- looks]
+  -- What a codeword weighs at least that is no combination of at most w rows.
+  bound w = sum [w + 1 - deficit | (deficit, _) <- bases, deficit < w]
+  lighter best x = case best of
+    Just y | weight y <= weight x -> best
+    _ -> Just x
+
+-- | Bases of the code that are unit matrices at disjoint places, as many as there are places for,
+-- each with the number of its rows that have no place.
+informationSets :: KnownField k => Int -> [Row k] -> [(Int, [Row k])]
+informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
+ where
+  go places
+    | IntSet.null taken = []
+    | otherwise = (length rows - IntSet.size taken, map snd (basisRows basis)) : go (places IntSet.\\ taken)
+   where
+    basis = foldl' (include (`IntSet.member` places)) emptyBasis rows
+    taken = IntSet.fromList (map fst (basisRows basis)) `IntSet.intersection` places
+
+-- | Include a row, whether or not it is spanned already.
+include :: KnownField k => (Int -> Bool) -> Basis k -> Row k -> Basis k
+include preferred basis = fromMaybe basis . extend preferred basis
+
+-- | The combinations of exactly w rows, up to a factor: the first coefficient is 1.
+combinations :: KnownField k => Int -> [Row k] -> [Row k]
+combinations w rows = concat [go (w - 1) x others | x : others <- tails rows]
+ where
+  go 0 x _ = [x]
+  go left x others = concat [go (left - 1) (addScaled a y x) rest | y : rest <- tails others, a <- drop 1 elements]
+
+-- | How many 'combinations' of w out of k rows there are over GF(q).
+combinationCount :: Int -> Int -> Int -> Natural
+combinationCount q k w = binomial k w * fromIntegral (q - 1) ^ (w - 1)
+
+binomial :: Int -> Int -> Natural
+binomial n k
+  | k < 0 || k > n = 0
+  | otherwise = product (map fromIntegral [n - k + 1 .. n]) `div` product (map fromIntegral [1 .. k])
+
+-- | How many codewords have each weight, by visiting all q^k of them, up to a factor. Weights that do
+-- not occur are left out.
+weights :: forall k. KnownField k => LinearCode k -> Map Int Natural
+weights code@(LinearCode size basis) = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
+ where
+  units = fromIntegral (fieldOrder code - 1)
+  counted = Map.fromDistinctAscList (zip [0 ..] (map fromIntegral (Primitive.toList tally)))
+  tally = Primitive.create $ do
+    counts <- Mutable.replicate (size + 1) (0 :: Int)
+    let visit x others = case others of
+          [] -> Mutable.modify counts (+ 1) (weight x)
+          y : rest -> forM_ (elements :: [GF k]) $ \a -> visit (addScaled a y x) rest
+    forM_ (tails (map snd (basisRows basis))) $ mapM_ (uncurry visit) . uncons
+    pure counts
+
+-- | How many codewords of the dual code have each weight, from how many the code has of each, its
+-- length and q: the identity of MacWilliams, by Krawtchouk's polynomials.
+weightsOfDual :: Int -> Int -> Map Int Natural -> Map Int Natural
+weightsOfDual q size own = Map.filter (> 0) (Map.fromDistinctAscList [(j, fromInteger (total j `div` codewords)) | j <- [0 .. size]])
+ where
+  codewords = toInteger (sum (Map.elems own))
+  total j = sum [toInteger count * krawtchouk j i | (i, count) <- Map.toList own]
+  krawtchouk :: Int -> Int -> Integer
+  krawtchouk j i =
+    sum
+      [ (-1) ^ s * toInteger (q - 1) ^ (j - s) * toInteger (binomial i s) * toInteger (binomial (size - i) (j - s))
+      | s <- [0 .. j]
+      ]
