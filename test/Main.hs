@@ -11,6 +11,8 @@ import qualified Test.Code.Locate
 import qualified Test.Code.Polynomial
 import qualified Test.Code.Profile
 import qualified Test.Code.Proof
+import qualified Test.Code.Recurrence
+import qualified Test.Code.Register
 import qualified Test.Code.Sequence
 import qualified Test.Code.Window
 import qualified Test.CommandLine
@@ -38,6 +40,8 @@ main = hspec $ do
     describe "Factorisation" Test.Code.Factorisation.spec
     describe "Polynomials" Test.Code.Polynomial.spec
     describe "Sequences" Test.Code.Sequence.spec
+    describe "Shift registers" Test.Code.Register.spec
+    describe "Fast forms of sequences" Test.Code.Recurrence.spec
     describe "Arrays" Test.Code.Array.spec
     describe "Windows" Test.Code.Window.spec
     describe "Proofs" Test.Code.Proof.spec

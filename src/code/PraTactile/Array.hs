@@ -34,11 +34,10 @@ module PraTactile.Array
   , toRows
   ) where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
-import qualified Data.Vector.Primitive.Mutable as Mutable
-import Data.Proxy (Proxy (..))
-import Data.Word (Word8)
 import Numeric.Natural (Natural)
+import PraTactile.Array.Laid
 import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Polynomial
@@ -81,8 +80,8 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
   , rowWeight :: !Natural
   , columnWeight :: !Natural
   -- ^ The cell (r, c) holds the term r * rowWeight + c * columnWeight, modulo the period.
-  , wholePeriod :: Maybe (Primitive.Vector (GF k))
-  -- ^ One period, made when first used, if it is short.
+  , arrayTerm :: Natural -> GF k
+  -- ^ The terms of the sequence, by what is made for all of them when first used.
   }
 
 type role PseudorandomArray nominal
@@ -101,10 +100,12 @@ fold folding shape@(Shape n1 n2) h state
  where
   terms = period h
   g = gcd n1 n2
-  array u v = PseudorandomArray h state folding shape (u `mod` terms) (v `mod` terms) short
-  short
-    | terms <= 2 ^ (20 :: Int) = Just (sequenceVector h state (fromIntegral terms))
-    | otherwise = Nothing
+  array u v = PseudorandomArray h state folding shape (u `mod` terms) (v `mod` terms) term
+  term
+    | terms <= 2 ^ (20 :: Int) =
+        let short = sequenceVector h state (fromIntegral terms)
+         in fromMaybe zero . (short Primitive.!?) . fromIntegral
+    | otherwise = termAt h state
 
 -- | @inverseModulo m a@ is the inverse of a modulo m, when they are coprime; 0 modulo 1.
 inverseModulo :: Natural -> Natural -> Natural
@@ -129,40 +130,24 @@ positionOfIndex array i = case arrayFolding array of
  where
   Shape n1 n2 = arrayShape array
 
--- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. Takes
--- time logarithmic in the period, constant when that is at most 2^20.
+-- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. The array
+-- is not built: up to 2^20 cells are looked up in one period of the sequence, and of larger arrays
+-- each cell is computed by a jump.
 cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
-cellAt array position = case wholePeriod array >>= (Primitive.!? fromIntegral i) of
-  Just a -> a
-  Nothing -> termAt (arrayPrimitive array) (arrayState array) i
- where
-  i = sequenceIndex array position
+cellAt array = arrayTerm array . sequenceIndex array
 
 -- | The whole array as codes. Refuses more than 'largestGrid' cells before taking memory.
 toGrid :: forall k. KnownField k => PseudorandomArray k -> Either FoldError Grid
 toGrid array
   | area shape > largestGrid = Left tooMany
-  | otherwise = either (const (Left tooMany)) Right (gridFromVector q shape laid)
+  | otherwise = either (const (Left tooMany)) Right (gridFromVector q shape (codes cells))
  where
   shape = arrayShape array
   tooMany = TooManyCells (area shape) largestGrid
-  q = fieldOrder (Proxy :: Proxy k)
-  n1 = fromIntegral (rows shape) :: Int
-  n2 = fromIntegral (columns shape) :: Int
-  terms = sequenceVector (arrayPrimitive array) (arrayState array) (n1 * n2)
-  codes = Primitive.map (fromIntegral . toCode) terms :: Primitive.Vector Word8
-  laid = case arrayFolding array of
-    RowMajor -> codes
-    Diagonal -> Primitive.create $ do
-      cells <- Mutable.new (n1 * n2)
-      -- i < n1 n2, the length of the codes, while r < n1 and c < n2.
-      let step i r c
-            | i >= n1 * n2 = pure cells
-            | otherwise = do
-                Mutable.write cells (r * n2 + c) (codes Primitive.! i)
-                step (i + 1) (next n1 r) (next n2 c)
-          next n j = if j + 1 == n then 0 else j + 1
-      step 0 0 0
+  q = fieldOrder array
+  cells = case arrayFolding array of
+    RowMajor -> sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
+    Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (rowWeight array, columnWeight array) shape
 
 -- | The whole array, row by row. Refuses as 'toGrid' does.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]
