@@ -4,7 +4,8 @@
 -- | Tactile images as numbers: a rectangle of real values, row 0 at the top, 0 for no contact and 1 for full scale.
 -- Files are the business of "PraTactile.Image.Pgm".
 --
--- Wherever a place is named, x (the column, to the right) comes before y (the row, downwards), and pixel centres lie at the integers.
+-- Wherever a place is named, x (the column, to the right) comes before y (the row, downwards), and pixel
+-- centres lie at the integers.
 module PraTactile.Image
   ( -- * Rasters
     Raster
@@ -70,7 +71,8 @@ rasterValues :: Raster -> Vector Double
 rasterValues (Raster _ _ v) = v
 {-# INLINE rasterValues #-}
 
--- | A raster of the given width and height from its values, row by row. Refuses ('WrongValueCount') any other number of values.
+-- | A raster of the given width and height from its values, row by row. Refuses ('WrongValueCount') any other
+-- number of values.
 raster :: Int -> Int -> Vector Double -> Either ImageError Raster
 raster w h v
   | w < 0 || h < 0 || toInteger w * toInteger h /= toInteger (V.length v) = Left (WrongValueCount w h (V.length v))
@@ -112,8 +114,8 @@ index (Raster w h v) x y
   | otherwise = v V.!? (y * w + x)
 {-# INLINE index #-}
 
--- | The value at a real place, bilinearly between the four pixel centres around it. Outside the image the nearest edge pixel's
--- value holds; an empty image is 0 everywhere, and so is a place that is not a number.
+-- | The value at a real place, bilinearly between the four pixel centres around it. Outside the image the
+-- nearest edge pixel's value holds; an empty image is 0 everywhere, and so is a place that is not a number.
 sample :: Raster -> Double -> Double -> Double
 sample (Raster w h v) x y
   | w == 0 || h == 0 || isNaN x || isNaN y = 0
@@ -135,10 +137,12 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
 
 -- Note [Bounds]
 -- ~~~~~~~~~~~~~
--- 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both its indices lie in [0, n - 1]; the constructor is
--- hidden and every function here keeps width * height values; so r * w + x is an index of the vector.
+-- 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both its indices lie in [0, n
+-- - 1]; the constructor is hidden and every function here keeps width * height values; so r * w + x is an
+-- index of the vector.
 
--- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage') what is not wholly in the image.
+-- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage') what is not
+-- wholly in the image.
 crop :: Int -> Int -> Int -> Int -> Raster -> Either ImageError Raster
 crop x y cw ch image@(Raster w h _)
   | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch = Left (OutsideImage (x, y, cw, ch) (w, h))
@@ -202,7 +206,8 @@ minimumValue = ifAny V.minimum
 maximumValue :: Raster -> Maybe Double
 maximumValue = ifAny V.maximum
 
--- | The value below which that share (clipped to 0..1) of the values lies, linearly between the two nearest in order, if there are any.
+-- | The value below which that share (clipped to 0..1) of the values lies, linearly between the two nearest
+-- in order, if there are any.
 --
 -- >>> fromRows [[4, 1, 3, 2]] >>= Right . quantile 0.5
 -- Right (Just 2.5)

@@ -1,8 +1,10 @@
 {-# LANGUAGE DerivingStrategies #-}
 
--- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back, and the plan of a scan.
+-- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back, and the
+-- plan of a scan.
 --
--- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the face; angles are degrees clockwise.
+-- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the face;
+-- angles are degrees clockwise.
 module PraTactile.Probe
   ( -- * The sensor's geometry
     taxelPitch
@@ -35,7 +37,8 @@ taxelPitch = 1.5875
 sensorSide :: Int
 sensorSide = 16
 
--- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some frame of coordinates.
+-- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some frame of
+-- coordinates.
 data Pose = Pose
   { poseX :: !Double
   , poseY :: !Double
@@ -43,8 +46,8 @@ data Pose = Pose
   }
   deriving stock (Eq, Ord, Show)
 
--- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its own frame of coordinates), the
--- force in newtons, and the tactile image, 'sensorSide' taxels square.
+-- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its own frame
+-- of coordinates), the force in newtons, and the tactile image, 'sensorSide' taxels square.
 data Frame = Frame
   { framePose :: !Pose
   , frameForce :: !Double
@@ -52,8 +55,9 @@ data Frame = Frame
   }
   deriving stock (Eq, Show)
 
--- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift (millimetres).
--- As a change of coordinates it carries what is said in one frame of coordinates, such as the robot's, to another, such as a face's.
+-- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift (millimetres). As
+-- a change of coordinates it carries what is said in one frame of coordinates, such as the robot's, to
+-- another, such as a face's.
 data Motion = Motion
   { motionRotation :: !Double
   , motionX :: !Double
@@ -124,9 +128,9 @@ data ProbeError
 maxPresses :: Integer
 maxPresses = 100000
 
--- | The poses, rotation 0, of presses that cover a region exactly: that many taxels apart in both directions, row by row from the
--- upper left, the last row and column flush with the region's edge. Spacing in taxels; the region's upper left corner in millimetres, its
--- width and height in taxels.
+-- | The poses, rotation 0, of presses that cover a region exactly: that many taxels apart in both directions,
+-- row by row from the upper left, the last row and column flush with the region's edge. Spacing in taxels;
+-- the region's upper left corner in millimetres, its width and height in taxels.
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24

@@ -1,7 +1,7 @@
 -- | The few random draws the simulation and the training need, each with its generator as argument and result.
 --
--- The draws are made from the generator's 64-bit words alone, so that one seed gives one result under every version of the
--- random package.
+-- The draws are made from the generator's 64-bit words alone, so that one seed gives one result under every
+-- version of the random package.
 module PraTactile.Random
   ( -- * Uniform
     uniform
@@ -24,8 +24,9 @@ uniform g = (fromIntegral (word `shiftR` 11) / 9007199254740992, g')
   (word, g') = genWord64 g
 {-# INLINE uniform #-}
 
--- | Two independent draws from the normal distribution of mean 0 and variance 1, by Box and Muller's formula (Ann. Math. Statist. 29,
--- 1958): sqrt (-2 ln u) times the cosine and the sine of 2 pi v, for u in (0, 1] and v in [0, 1).
+-- | Two independent draws from the normal distribution of mean 0 and variance 1, by Box and Muller's formula
+-- (Ann. Math. Statist. 29, 1958): sqrt (-2 ln u) times the cosine and the sine of 2 pi v, for u in (0, 1] and
+-- v in [0, 1).
 normalPair :: RandomGen g => g -> ((Double, Double), g)
 normalPair g = ((radius * cos angle, radius * sin angle), g'')
  where
@@ -40,7 +41,8 @@ normal :: RandomGen g => g -> (Double, g)
 normal g = let ((a, _), g') = normalPair g in (a, g')
 {-# INLINE normal #-}
 
--- | That many draws from the normal distribution of mean 0 and variance 1, two from each 'normalPair'. A negative number counts as none.
+-- | That many draws from the normal distribution of mean 0 and variance 1, two from each 'normalPair'. A
+-- negative number counts as none.
 normals :: RandomGen g => Int -> g -> (Vector Double, g)
 normals n g0 = (V.fromListN n' (take n' drawn), end)
  where

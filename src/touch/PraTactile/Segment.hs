@@ -1,8 +1,8 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# OPTIONS_GHC -O2 #-}
 
--- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images of the symbols that lie wholly in it, each with its
--- position and its axes.
+-- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images of the
+-- symbols that lie wholly in it, each with its position and its axes.
 module PraTactile.Segment
   ( -- * Symbols
     SymbolImage (..)
@@ -24,7 +24,7 @@ import qualified Data.Vector.Storable as V
 
 import PraTactile.Image (Raster, generate, index, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
-import PraTactile.Segment.Box (Extent (..), Scene (..), Side (..), extentLength, fitted, horizontalExtent, verticalExtent)
+import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, threshold)
 import PraTactile.Shape (symbolHeight, symbolWidth)
@@ -37,7 +37,8 @@ data SymbolImage = SymbolImage
   , symbolPixels :: !Raster
   -- ^ 8 x 12 taxels, resampled along the symbol's axis from its box: background 0, embossing about 1, not clipped.
   , symbolAxis :: !Double
-  -- ^ The direction of its x axis, degrees clockwise from the composite's, up to a half turn, which only recognising the symbol decides. Upright boxes: 0.
+  -- ^ The direction of its x axis, degrees clockwise from the composite's, up to a half turn, which only
+  -- recognising the symbol decides. Upright boxes: 0.
   , symbolSize :: !(Double, Double)
   -- ^ The width and height that were measured, in pixels.
   }
@@ -65,8 +66,9 @@ data Segmentation = Segmentation
   }
   deriving stock (Eq, Show)
 
--- | The symbols of a composite. A blank composite has none. The levels are taken from the whole composite; what rises above their middle is cut into
--- components, and each component whose box fits a symbol's becomes one.
+-- | The symbols of a composite. A blank composite has none. The levels are taken from the whole composite;
+-- what rises above their middle is cut into components, and each component whose box fits a symbol's becomes
+-- one.
 segment :: Composite -> Segmentation
 segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList differences) of
   Nothing -> Segmentation [] [] 0
@@ -79,7 +81,11 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
  where
   touched = touchedPixels composite
   differences =
-    [a - 2 * b + c | ((x, y), b) <- Map.toList touched, Just a <- [Map.lookup (x - 1, y) touched], Just c <- [Map.lookup (x + 1, y) touched]]
+    [ a - 2 * b + c
+    | ((x, y), b) <- Map.toList touched
+    , Just a <- [Map.lookup (x - 1, y) touched]
+    , Just c <- [Map.lookup (x + 1, y) touched]
+    ]
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double
@@ -104,24 +110,26 @@ judged image found scene component = do
   across <- horizontalExtent scene component
   down <- verticalExtent scene component
   pure $ case (fitted sizeTolerance width across, fitted sizeTolerance height down) of
-    (Just x, Just y) -> Right (SymbolImage (x, y) (pixelsAt (x, y) across down) 0 (extentLength across, extentLength down))
+    (Just x, Just y) -> Right (SymbolImage (x, y) (pixelsAt (x, y) across down) 0 (size across down))
     _ -> Left (Reject (box across down) (cause across down))
  where
   width = fromIntegral symbolWidth
   height = fromIntegral symbolHeight
+  size across down = (extentLength across, extentLength down)
   box (Extent l r) (Extent t b) = (sidePlace l, sidePlace t, sidePlace r, sidePlace b)
   cause across down
     | any cut [(across, width), (down, height)] && all notTooLarge [(across, width), (down, height)] = CutOff
     | otherwise = WrongSize
-  cut (extent@(Extent from to), size) = extentLength extent < size && (sideOpen from || sideOpen to)
-  notTooLarge (extent, size) = extentLength extent <= size + sizeTolerance
+  cut (extent@(Extent from to), full) = extentLength extent < full && (sideOpen from || sideOpen to)
+  notTooLarge (extent, full) = extentLength extent <= full + sizeTolerance
   pixelsAt (x, y) across down =
     generate symbolWidth symbolHeight $ \i j ->
       let px = within across (x + fromIntegral i - (width - 1) / 2)
           py = within down (y + fromIntegral j - (height - 1) / 2)
        in maybe 0 (\(v, _) -> (v - levelBackground found) / contrast found) (referenceAt image px py)
 
--- | The place itself, or, where it lies beyond an open side, the last pixel centre before that side: what was not touched is taken to go on as it was seen last.
+-- | The place itself, or, where it lies beyond an open side, the last pixel centre before that side: what was
+-- not touched is taken to go on as it was seen last.
 within :: Extent -> Double -> Double
 within (Extent from to) = atMost . atLeast
  where
@@ -140,6 +148,7 @@ leastPixels = 4
 largestGap :: Int
 largestGap = 2
 
--- | How far a measured width or height may be from a symbol's, in taxels: less than the two taxels that a symbol's strokes are wide.
+-- | How far a measured width or height may be from a symbol's, in taxels: less than the two taxels that a
+-- symbol's strokes are wide.
 sizeTolerance :: Double
 sizeTolerance = 1.6

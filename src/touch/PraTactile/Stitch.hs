@@ -1,7 +1,7 @@
 {-# LANGUAGE DerivingStrategies #-}
 
--- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one composite image, the misalignment of successive frames
--- corrected by two-dimensional cross-correlation.
+-- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one composite image,
+-- the misalignment of successive frames corrected by two-dimensional cross-correlation.
 module PraTactile.Stitch
   ( -- * Composites
     Composite (..)
@@ -42,9 +42,11 @@ data StitchError
     FrameRotation !Int !Double
   | -- | A frame's pose or one of its values is infinite or not a number.
     FrameNotFinite !Int
-  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels' pixels; its width and height, taxels.
+  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels' pixels; its
+    -- width and height, taxels.
     AreaTooLarge !Double !Double
-  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius that is negative or above 64 taxels.
+  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius that is
+    -- negative or above 64 taxels.
     UnusableRegistration !Registration
   deriving stock (Eq, Show)
 
@@ -56,8 +58,9 @@ maxCompositePixels = 4194304
 maxFrames :: Int
 maxFrames = 10000
 
--- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the frames saw there, with bilinear weights.
--- The composite does not depend on the order of the frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
+-- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the frames saw
+-- there, with bilinear weights. The composite does not depend on the order of the frames, and moves with
+-- their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
 stitch settings frames
   | usable settings = compose (register settings) frames
@@ -80,7 +83,8 @@ compose displace frames = do
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
   pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
 
--- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do not decide anything.
+-- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do not decide
+-- anything.
 inTaxels :: Double -> Double
 inTaxels t
   | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
@@ -89,8 +93,8 @@ inTaxels t
   taxels = t / taxelPitch
   million = 1048576
 
--- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is the origin's, moved by whole taxels so that it holds
--- all the images.
+-- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is the
+-- origin's, moved by whole taxels so that it holds all the images.
 blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
 blended (left, top) images = Composite image weights origin
  where
@@ -117,13 +121,15 @@ checkArea places
   width = maximum (fmap fst places) + fromIntegral sensorSide
   height = maximum (fmap snd places) + fromIntegral sensorSide
 
--- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's own rotation is undone, and the image so turned.
+-- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's own rotation
+-- is undone, and the image so turned.
 upright :: Int -> Frame -> Either StitchError (Place, Raster)
 upright i (Frame (Pose x y r) _ image)
-  | rasterWidth image /= sensorSide || rasterHeight image /= sensorSide = Left (FrameSize i (rasterWidth image) (rasterHeight image))
+  | width /= sensorSide || height /= sensorSide = Left (FrameSize i width height)
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
   | otherwise = (,) (x - half, y - half) <$> turned
  where
+  (width, height) = (rasterWidth image, rasterHeight image)
   half = taxelPitch * fromIntegral (sensorSide - 1) / 2
   finite v = not (isNaN v || isInfinite v)
   turned = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of

@@ -36,7 +36,8 @@ noisy seed sd image = compositeOf (generate w h (\x y -> max 0 (min 1 (value x y
   value x y = fromMaybe 0 (index image x y)
   (noise, _) = normals (w * h) (mkStdGen seed)
 
--- | An image of that size with a bitmap embossed at a real place (of its upper left pixel's centre): each pixel the mean over its square.
+-- | An image of that size with a bitmap embossed at a real place (of its upper left pixel's centre): each
+-- pixel the mean over its square.
 embossedAt :: Int -> Int -> [((Double, Double), Raster)] -> Raster
 embossedAt w h bitmaps = generate w h (\x y -> sum [share b (fromIntegral x - px) (fromIntegral y - py) | ((px, py), b) <- bitmaps])
  where

@@ -27,7 +27,8 @@ texture seed w h = HeightMap taxelPitch (generate w h (\x y -> full * fromMaybe 
   heights = V.unfoldrN (w * h) (Just . uniform) (mkStdGen seed)
   full = sensorFullScale standardSensor
 
--- | A face with the paper's symbols: the classes of its cells, row by row, each symbol in the middle of a cell of 16 x 20 taxels.
+-- | A face with the paper's symbols: the classes of its cells, row by row, each symbol in the middle of a
+-- cell of 16 x 20 taxels.
 faceOf :: [[Int]] -> HeightMap
 faceOf cells = HeightMap taxelPitch (generate (16 * columns) (20 * length cells) height)
  where
@@ -50,7 +51,8 @@ spec = do
   describe "Forward model" forward
   describe "Noise and position errors" errors
 
--- | The mean height under an element, as a share of full scale, from points of a fine grid: the definition, up to the grid's fineness.
+-- | The mean height under an element, as a share of full scale, from points of a fine grid: the definition,
+-- up to the grid's fineness.
 sampled :: HeightMap -> Pose -> Int -> Int -> Double
 sampled (HeightMap cell heights) (Pose px py r) i j = sum hs / genericLength hs
  where

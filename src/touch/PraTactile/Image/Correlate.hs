@@ -2,11 +2,12 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# OPTIONS_GHC -O2 #-}
 
--- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole and at fractional displacements (the paper's
--- section IV: "a 2-D cross-correlation algorithm is used to correct the misalignment errors of successive images").
+-- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole and at
+-- fractional displacements (the paper's section IV: "a 2-D cross-correlation algorithm is used to correct the
+-- misalignment errors of successive images").
 --
--- At displacement d the image's pixel p lies on the reference's place p + d. With f(p) the image's value, c(p) and m(p) the reference's value and
--- weight there, and n the sum of all m(p),
+-- At displacement d the image's pixel p lies on the reference's place p + d. With f(p) the image's value,
+-- c(p) and m(p) the reference's value and weight there, and n the sum of all m(p),
 --
 -- > mean f     = sum m f / n
 -- > variance f = sum m (f - mean f)^2 / n
@@ -35,10 +36,11 @@ import qualified Data.Vector.Storable as V
 
 import PraTactile.Image (ImageError (..), Raster, constant, index, rasterHeight, rasterValues, rasterWidth)
 
--- | An image with a weight at each pixel, such as the number of frames it is the mean of; nothing is known where the weight is 0.
+-- | An image with a weight at each pixel, such as the number of frames it is the mean of; nothing is known
+-- where the weight is 0.
 --
--- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of the weights around it, and the value the mean of the values
--- around it with those shares times their weights.
+-- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of the weights
+-- around it, and the value the mean of the values around it with those shares times their weights.
 data Reference = Reference
   { referenceSums :: !Raster
   -- ^ The weight times the value at each pixel.
@@ -47,7 +49,8 @@ data Reference = Reference
   }
   deriving stock (Eq, Show)
 
--- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters of different size.
+-- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters of
+-- different size.
 reference :: Raster -> Raster -> Either ImageError Reference
 reference sums weights
   | size sums /= size weights = Left (SizesDiffer (size sums) (size weights))
@@ -59,7 +62,8 @@ reference sums weights
 referenceOf :: Raster -> Reference
 referenceOf image = Reference image (constant (rasterWidth image) (rasterHeight image) 1)
 
--- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0. 'Nothing' where the weight is.
+-- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0. 'Nothing'
+-- where the weight is.
 referenceAt :: Reference -> Double -> Double -> Maybe (Double, Double)
 referenceAt (Reference sums weights) x y
   | near x && near y && m > 0 = Just (at sums / m, m)
@@ -84,7 +88,8 @@ data Overlap = Overlap
   }
   deriving stock (Eq, Show)
 
--- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' where the image or the reference is flat, or they do not meet.
+-- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' where the image or the reference is flat,
+-- or they do not meet.
 zncc :: Overlap -> Maybe Double
 zncc (Overlap n vf vc cov)
   | n > 0 && vf > flat && vc > flat = Just (max (-1) (min 1 (cov / sqrt vf / sqrt vc)))
@@ -93,8 +98,8 @@ zncc (Overlap n vf vc cov)
   -- The variance of a constant comes out of the sums as rounding errors of this order.
   flat = 1e-12
 
--- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels between reference pixels not all of which exist are
--- left out.
+-- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels between
+-- reference pixels not all of which exist are left out.
 overlapAt :: Reference -> Raster -> Double -> Double -> Overlap
 overlapAt (Reference sums weights) image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
@@ -146,9 +151,10 @@ overlapAt (Reference sums weights) image dx dy
 
 -- Note [Bounds]
 -- ~~~~~~~~~~~~~
--- 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x >= -bx and x < w - stepX - bx give 0 <= x + bx and
--- x + bx + stepX < w, and likewise for y with the reference's height, so all four of the reference's indices are good; where an axis' fraction is 0 its step is 0.
--- Displacements are bounded by 'near', so nothing overflows.
+-- 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x >= -bx and x < w - stepX
+-- - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with the reference's height, so all four
+-- of the reference's indices are good; where an axis' fraction is 0 its step is 0. Displacements are bounded
+-- by 'near', so nothing overflows.
 
 -- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts as 0.
 overlapOf :: Double -> Double -> Double -> Double -> Double -> Double -> Overlap

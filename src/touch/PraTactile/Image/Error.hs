@@ -31,8 +31,8 @@ data ImageError
     BadHeader !HeaderField !ByteString
   | -- | A maximum value outside 1 to 65535.
     MaxvalOutOfRange !Natural
-  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based sample, and the bytes found there
-    -- (at most eight).
+  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based sample, and the
+    -- bytes found there (at most eight).
     BadSample !Int !ByteString
   | -- | The file ends too soon: samples needed, samples found.
     Truncated !Int !Int

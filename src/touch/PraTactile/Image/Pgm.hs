@@ -1,7 +1,8 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE PatternSynonyms #-}
 
--- | PGM files, the form in which frames and composites come and go: P2 and P5, 8 and 16 bits, to and from JuicyPixels' images and 'Raster's.
+-- | PGM files, the form in which frames and composites come and go: P2 and P5, 8 and 16 bits, to and from
+-- JuicyPixels' images and 'Raster's.
 --
 -- 0 is no contact and the maximum value full scale.
 module PraTactile.Image.Pgm
@@ -37,6 +38,7 @@ import Codec.Picture (Image (..), Pixel8, encodePng)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as L
+import Data.List (intersperse)
 import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
 
@@ -71,7 +73,7 @@ plain :: Int -> [Word16] -> Builder.Builder
 plain width samples = mconcat (concatMap line (chunks width samples))
  where
   line row = [spaced part <> Builder.char7 '\n' | part <- chunks 11 row]
-  spaced = mconcat . zipWith (\first s -> (if first then mempty else Builder.char7 ' ') <> Builder.word16Dec s) (True : repeat False)
+  spaced = mconcat . intersperse (Builder.char7 ' ') . map Builder.word16Dec
 
 chunks :: Int -> [a] -> [[a]]
 chunks n list = case splitAt n list of
@@ -88,8 +90,9 @@ pgmIntensity pgm = case pgm of
   shares :: Double -> V.Vector Double -> Raster
   shares full samples = generate w (pgmHeight pgm) (\x y -> maybe 0 (/ full) (samples V.!? (y * w + x)))
 
--- | The PGM of a raster: values clipped to 0..1, times the maximum value, rounded to the nearest sample (ties to the even one); what is not a
--- number becomes 0. Refuses a maximum value of 0 and an empty or too large raster. The values of 'pgmIntensity' give back their samples.
+-- | The PGM of a raster: values clipped to 0..1, times the maximum value, rounded to the nearest sample (ties
+-- to the even one); what is not a number becomes 0. Refuses a maximum value of 0 and an empty or too large
+-- raster. The values of 'pgmIntensity' give back their samples.
 pgmFromIntensity :: Word16 -> Raster -> Either ImageError Pgm
 pgmFromIntensity m image = do
   (w, h) <- checkSize (fromIntegral (rasterWidth image)) (fromIntegral (rasterHeight image))

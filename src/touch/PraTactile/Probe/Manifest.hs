@@ -1,7 +1,8 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The manifest of a folder of frames: a CSV file, one line a frame, with the header @file,x_mm,y_mm,rotation_deg,force_n@.
+-- | The manifest of a folder of frames: a CSV file, one line a frame, with the header
+-- @file,x_mm,y_mm,rotation_deg,force_n@.
 module PraTactile.Probe.Manifest
   ( -- * Manifests
     Entry (..)
@@ -67,10 +68,10 @@ data ManifestError
 manifestHeader :: [Text]
 manifestHeader = ["file", "x_mm", "y_mm", "rotation_deg", "force_n"]
 
--- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of lines are passed over; fields may be quoted but
--- not hold a line break.
+-- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of lines are
+-- passed over; fields may be quoted but not hold a line break.
 parseManifest :: ByteString -> Either ManifestError [Entry]
-parseManifest file = case [(i, line) | (i, line) <- zip [1 ..] (map trimmed (C.lines (unmarked file))), not (B.null line)] of
+parseManifest file = case filter (not . B.null . snd) (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
   [] -> Left EmptyManifest
   (i, header) : rest -> do
     names <- record i header
@@ -82,7 +83,8 @@ parseManifest file = case [(i, line) | (i, line) <- zip [1 ..] (map trimmed (C.l
   trimmed line = if "\r" `B.isSuffixOf` line then B.take (B.length line - 1) line else line
   encoded = toField
 
--- | One line's fields. The lines are split before cassava sees them, because it drops blank ones and so would lose count.
+-- | One line's fields. The lines are split before cassava sees them, because it drops blank ones and so would
+-- lose count.
 record :: Int -> ByteString -> Either ManifestError Record
 record i line = case decode NoHeader (L.fromStrict line) of
   Right records | [fields] <- V.toList records -> Right fields
@@ -107,8 +109,8 @@ entry i line = do
 shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
--- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided that there are some, that no file name is empty or
--- holds a line break, and that the numbers are finite.
+-- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided that there
+-- are some, that no file name is empty or holds a line break, and that the numbers are finite.
 renderManifest :: [Entry] -> ByteString
 renderManifest entries = L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
  where

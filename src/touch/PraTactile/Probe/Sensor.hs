@@ -3,8 +3,9 @@
 
 -- | The sensor's forward model (the paper's section III): the height map of a face in, frames out.
 --
--- Each tab of the elastic overlay expands without stress, so an element's output is proportional to the height it meets; it is modelled as
--- the mean height under the element's square aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
+-- Each tab of the elastic overlay expands without stress, so an element's output is proportional to the
+-- height it meets; it is modelled as the mean height under the element's square aperture, one pitch wide, as
+-- a share of full scale, with normal noise added, clipped to 0..1.
 module PraTactile.Probe.Sensor
   ( -- * What is touched
     HeightMap (..)
@@ -29,8 +30,9 @@ import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn)
 import PraTactile.Probe (Frame (..), Motion (..), Pose (..), move, sensorSide, taxelPitch)
 import PraTactile.Random (normalPair, normals)
 
--- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights in millimetres above the plane
--- that the probe rests on. The upper left corner of cell (0, 0) is the origin of the face's coordinates. Off the map there is nothing to touch, height 0.
+-- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights in
+-- millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is the origin of
+-- the face's coordinates. Off the map there is nothing to touch, height 0.
 data HeightMap = HeightMap
   { heightPitch :: !Double
   , heightValues :: !Raster
@@ -58,14 +60,16 @@ standardSensor = Sensor 1.5875 0.1 1 10
 idealSensor :: Sensor
 idealSensor = standardSensor {sensorNoise = 0, sensorPositionError = 0}
 
--- | The image without noise at a pose in the face's coordinates, clipped to 0..1: exact for multiples of 90 degrees, where the aperture's
--- overlap with each cell is a product of lengths; for other angles the mean over 8 x 8 points of each aperture.
+-- | The image without noise at a pose in the face's coordinates, clipped to 0..1: exact for multiples of 90
+-- degrees, where the aperture's overlap with each cell is a product of lengths; for other angles the mean
+-- over 8 x 8 points of each aperture.
 forwardImage :: Sensor -> HeightMap -> Pose -> Raster
 forwardImage sensor (HeightMap cell heights) (Pose x y r)
   | cell <= 0 || full <= 0 = generate sensorSide sensorSide (\_ _ -> 0)
   | otherwise = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
       0 -> upright
-      -- A sensor turned clockwise sees its surroundings turned counter-clockwise, that is by three quarter turns clockwise.
+      -- A sensor turned clockwise sees its surroundings turned counter-clockwise, that is by three quarter
+      -- turns clockwise.
       90 -> quarterTurn (halfTurn upright)
       180 -> halfTurn upright
       270 -> quarterTurn upright
@@ -81,7 +85,8 @@ forwardImage sensor (HeightMap cell heights) (Pose x y r)
     start = centre + taxelPitch * (fromIntegral k - half)
   covered xs ys = sum [wx * wy * heightAt i j | (j, wy) <- ys, (i, wx) <- xs]
   slanted radians i j =
-    sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points] / fromIntegral (supersampling * supersampling)
+    sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points]
+      / fromIntegral (supersampling * supersampling)
    where
     points =
       [ (x + cos radians * u - sin radians * v, y + sin radians * u + cos radians * v)
@@ -113,10 +118,12 @@ press sensor heights pose g
  where
   ideal = forwardImage sensor heights pose
   (noise, g') = normals (sensorSide * sensorSide) g
-  noisy x y = max 0 (min 1 (fromMaybe 0 (index ideal x y) + sensorNoise sensor * fromMaybe 0 (noise V.!? (y * sensorSide + x))))
+  noisy x y = max 0 (min 1 (fromMaybe 0 (index ideal x y) + sensorNoise sensor * deviate x y))
+  deviate x y = fromMaybe 0 (noise V.!? (y * sensorSide + x))
 
--- | One press where the robot means it to be: the motion carries the robot's coordinates to the face's; the pose is the nominal one, in the
--- robot's coordinates. The frame states the nominal pose; its image is taken where the position error, drawn first, has put the sensor.
+-- | One press where the robot means it to be: the motion carries the robot's coordinates to the face's; the
+-- pose is the nominal one, in the robot's coordinates. The frame states the nominal pose; its image is taken
+-- where the position error, drawn first, has put the sensor.
 probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
 probe sensor heights motion nominal g = (Frame nominal (sensorForce sensor) image, g'')
  where

@@ -21,8 +21,9 @@ import qualified Data.Set as Set
 
 import PraTactile.Segment.Component (Pixel)
 
--- | One end of an extent: where the intensity passes the threshold, in pixels (a pixel reaches half a pixel to either side of its centre), and whether
--- what lies beyond was not touched, so that the symbol may go on there.
+-- | One end of an extent: where the intensity passes the threshold, in pixels (a pixel reaches half a pixel
+-- to either side of its centre), and whether what lies beyond was not touched, so that the symbol may go on
+-- there.
 data Side = Side
   { sidePlace :: !Double
   , sideOpen :: !Bool
@@ -52,8 +53,9 @@ verticalExtent :: Scene -> Set Pixel -> Maybe Extent
 verticalExtent scene component =
   measured (\(y, x) -> sceneAt scene (x, y)) (sceneThreshold scene) [(y, x) | (x, y) <- Set.toList component]
 
--- | The extent along the first coordinate. The profile along it is, at each place, the largest mean of two pixels that neighbour across
--- it: a symbol's side is at least two taxels of embossing long, and a single noisy pixel does not move it.
+-- | The extent along the first coordinate. The profile along it is, at each place, the largest mean of two
+-- pixels that neighbour across it: a symbol's side is at least two taxels of embossing long, and a single
+-- noisy pixel does not move it.
 measured :: (Pixel -> Maybe Double) -> Double -> [Pixel] -> Maybe Extent
 measured at level pixels
   | null pixels = Nothing
@@ -76,8 +78,9 @@ measured at level pixels
       here = profile (start + inward * k)
       share = if here > before then max 0 ((level - before) / (here - before)) else 1
 
--- | The centre of something of known length that fills an extent, if it can: the extent's length may differ from it by no more than the tolerance.
--- When the extent is too short by more than half a pixel and one side is open, the thing is laid against the other side.
+-- | The centre of something of known length that fills an extent, if it can: the extent's length may differ
+-- from it by no more than the tolerance. When the extent is too short by more than half a pixel and one side
+-- is open, the thing is laid against the other side.
 fitted :: Double -> Double -> Extent -> Maybe Double
 fitted tolerance size extent@(Extent from to)
   | abs missing > tolerance = Nothing

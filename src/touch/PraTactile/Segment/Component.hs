@@ -10,8 +10,9 @@ import qualified Data.Set as Set
 -- | A pixel: its column and its row.
 type Pixel = (Int, Int)
 
--- | The components of a set of pixels, in the order of their least pixels. Two pixels are connected when neither their columns nor their rows differ
--- by more than the given gap and one: gap 0 is connection by sides and corners.
+-- | The components of a set of pixels, in the order of their least pixels. Two pixels are connected when
+-- neither their columns nor their rows differ by more than the given gap and one: gap 0 is connection by
+-- sides and corners.
 --
 -- >>> map Data.Set.toList (components 0 (Data.Set.fromList [(0, 0), (1, 1), (3, 1)]))
 -- [[(0,0),(1,1)],[(3,1)]]

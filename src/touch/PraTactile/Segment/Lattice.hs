@@ -1,10 +1,11 @@
 {-# LANGUAGE DerivingStrategies #-}
 
--- | The lattice that the symbols lie on (the paper's section II.B, feature 3): "the distances along the symbol axes to the neighbouring symbols" tell which
--- symbols are neighbours in a row or a column, and so each symbol's place relative to the others.
+-- | The lattice that the symbols lie on (the paper's section II.B, feature 3): "the distances along the
+-- symbol axes to the neighbouring symbols" tell which symbols are neighbours in a row or a column, and so
+-- each symbol's place relative to the others.
 --
--- Rows and columns are counted along the symbols' axes as the composite shows them. Whether the lattice is upright or half-turned, only recognising the
--- symbols decides: 'halfTurned' gives the other reading.
+-- Rows and columns are counted along the symbols' axes as the composite shows them. Whether the lattice is
+-- upright or half-turned, only recognising the symbols decides: 'halfTurned' gives the other reading.
 module PraTactile.Segment.Lattice
   ( -- * Arranging
     Cell
@@ -55,12 +56,13 @@ columnPitch = 16
 rowPitch :: Double
 rowPitch = 20
 
--- | How far a neighbour may be from where the pitch has it, in taxels along each axis: half the clear space between symbols.
+-- | How far a neighbour may be from where the pitch has it, in taxels along each axis: half the clear space
+-- between symbols.
 pitchTolerance :: Double
 pitchTolerance = 4
 
--- | The symbols in clusters, from top to bottom and left to right of their first symbols. Symbols that no chain of neighbours connects are in different
--- clusters: nothing says how many cells lie between them.
+-- | The symbols in clusters, from top to bottom and left to right of their first symbols. Symbols that no
+-- chain of neighbours connects are in different clusters: nothing says how many cells lie between them.
 arrange :: [SymbolImage] -> [Cluster]
 arrange symbols = go (Set.fromList (Map.keys numbered))
  where
@@ -71,16 +73,19 @@ arrange symbols = go (Set.fromList (Map.keys numbered))
     Just (first, _) ->
       let (cells, conflict) = walk numbered first
           members = Map.restrictKeys numbered (Map.keysSet cells)
-       in maybe (settle members cells) (`Contradiction` Map.elems members) conflict : go (waiting `Set.difference` Map.keysSet cells)
+          cluster = maybe (settle members cells) (`Contradiction` Map.elems members) conflict
+       in cluster : go (waiting `Set.difference` Map.keysSet cells)
 
--- | All the symbols that can be reached from one, each with its cell by the shortest road, and the first contradiction met on the way.
+-- | All the symbols that can be reached from one, each with its cell by the shortest road, and the first
+-- contradiction met on the way.
 walk :: Map Int SymbolImage -> Int -> (Map Int Cell, Maybe Conflict)
 walk symbols first = go [first] (Map.singleton first (0, 0)) Nothing
  where
   go [] cells conflict = (cells, conflict)
-  go (here : queue) cells conflict = go (queue ++ Map.keys new) (cells `Map.union` new) (conflict `orElse` contradiction)
+  go (here : queue) cells conflict =
+    go (queue ++ Map.keys new) (cells `Map.union` new) (conflict `orElse` contradiction)
    where
-    reached = Map.fromList [(there, cell) | Just (row, column) <- [Map.lookup here cells], (there, cell) <- steps row column]
+    reached = Map.fromList (maybe [] (uncurry steps) (Map.lookup here cells))
     steps row column =
       [ (there, (row + i, column + j))
       | Just symbol <- [Map.lookup here symbols]
@@ -88,8 +93,8 @@ walk symbols first = go [first] (Map.singleton first (0, 0)) Nothing
       , Just (i, j) <- [neighbour symbol other]
       ]
     new = reached `Map.difference` cells
-    contradiction = case [(there, a, b) | (there, (a, b)) <- Map.toList (Map.intersectionWith (,) cells reached), a /= b] of
-      (there, a, b) : _ -> (\symbol -> TwoCells symbol a b) <$> Map.lookup there symbols
+    contradiction = case filter (uncurry (/=) . snd) (Map.toList (Map.intersectionWith (,) cells reached)) of
+      (there, (a, b)) : _ -> (\symbol -> TwoCells symbol a b) <$> Map.lookup there symbols
       [] -> Nothing
   orElse (Just c) _ = Just c
   orElse Nothing c = c
@@ -122,7 +127,7 @@ settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toLi
   conflict : _ -> Contradiction conflict (Map.elems members)
   [] -> Cluster (Map.mapKeys (\(row, column) -> (row - top, column - left)) (Map.mapMaybe single occupants))
  where
-  occupants = Map.fromListWith (flip (++)) [(cell, [symbol]) | (cell, symbol) <- Map.elems (Map.intersectionWith (,) cells members)]
+  occupants = Map.fromListWith (flip (++)) (Map.elems (Map.intersectionWith (\cell symbol -> (cell, [symbol])) cells members))
   top = minimum (0 : map fst (Map.elems cells))
   left = minimum (0 : map snd (Map.elems cells))
   single occupant = case occupant of

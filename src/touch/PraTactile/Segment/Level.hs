@@ -28,11 +28,13 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given also the second differences @a - 2 b + c@ of neighbours a, b, c among them. The intensities are split
--- in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which makes the variance between the two parts largest; the levels are the parts' medians.
+-- | The levels of a set of intensities, given also the second differences @a - 2 b + c@ of neighbours a, b, c
+-- among them. The intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979),
+-- which makes the variance between the two parts largest; the levels are the parts' medians.
 --
--- 'Nothing' when that shows no embossing: less than 0.1 of full scale between the two, or less than four times the noise, which is taken from the median
--- second difference (0.6745 sqrt 6 standard deviations for normal noise). Noise alone splits into parts that differ by less.
+-- 'Nothing' when that shows no embossing: less than 0.1 of full scale between the two, or less than four
+-- times the noise, which is taken from the median second difference (0.6745 sqrt 6 standard deviations for
+-- normal noise). Noise alone splits into parts that differ by less.
 levels :: Vector Double -> Vector Double -> Maybe Levels
 levels intensities differences
   | V.null intensities || high <= low || contrast found < 0.1 || contrast found < 4 * noise = Nothing

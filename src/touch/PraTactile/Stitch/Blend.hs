@@ -26,8 +26,9 @@ data Blend = Blend
   , blendWeights :: !Raster
   }
 
--- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel (0, 0). Each pixel of an image
--- gives its value to the four grid pixels around its place, with bilinear weights, which add up to 1. What falls off the grid is dropped.
+-- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel (0, 0).
+-- Each pixel of an image gives its value to the four grid pixels around its place, with bilinear weights,
+-- which add up to 1. What falls off the grid is dropped.
 blend :: Int -> Int -> [(Place, Raster)] -> Blend
 blend width height images = Blend (part 0) (part area)
  where

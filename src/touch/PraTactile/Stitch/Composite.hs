@@ -15,7 +15,8 @@ data Composite = Composite
   { compositeImage :: !Raster
   -- ^ The mean of what the frames saw at each pixel; 0 where none touched.
   , compositeCoverage :: !Raster
-  -- ^ How much sensor weight each pixel got: about the number of frames that saw it, 0 for never touched. The same size as the image.
+  -- ^ How much sensor weight each pixel got: about the number of frames that saw it, 0 for never touched. The
+  -- same size as the image.
   , compositeOrigin :: !(Double, Double)
   -- ^ The centre of pixel (0, 0), x and y in millimetres, in the robot's coordinates.
   , compositeDisplacements :: ![(Double, Double)]
@@ -23,7 +24,8 @@ data Composite = Composite
   }
   deriving stock (Eq, Show)
 
--- | A single image, such as one read from a file, as a composite that was touched once everywhere, with its pixel (0, 0) at the origin.
+-- | A single image, such as one read from a file, as a composite that was touched once everywhere, with its
+-- pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
 compositeOf image = Composite image (constant (rasterWidth image) (rasterHeight image) 1) (0, 0) []
 

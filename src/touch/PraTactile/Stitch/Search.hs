@@ -49,9 +49,9 @@ searchRadius settings = registrationReach settings * registrationSigma settings
 
 -- | Whether the settings make sense: a positive sigma, noise of at least 0, and a search radius of at most 64 taxels.
 usable :: Registration -> Bool
-usable settings = registrationSigma settings > 0 && registrationNoise settings >= 0 && registrationReach settings >= 0 && within
+usable settings = sigma > 0 && noise >= 0 && not (isInfinite noise) && reach >= 0 && sigma * reach <= 64
  where
-  within = searchRadius settings <= 64 && not (isInfinite (registrationNoise settings))
+  Registration sigma noise reach _ = settings
 
 -- | A normal distribution of displacements: its mean, and its variance along each axis in square taxels.
 data Prior = Prior
@@ -66,12 +66,14 @@ logPrior (Prior (mx, my) variance) (x, y) = negate (squared (x - mx) + squared (
  where
   squared t = t * t
 
--- | How much more probable, as a natural logarithm, an overlap is when the image and the reference show the same relief than when they have nothing to
--- do with each other: the profile likelihood of n pairs of normal values with correlation rho, -(n/2) ln (1 - rho^2), for rho > 0, else 0. (It is n times
--- the mutual information of two normal variables with that correlation.)
+-- | How much more probable, as a natural logarithm, an overlap is when the image and the reference show the
+-- same relief than when they have nothing to do with each other: the profile likelihood of n pairs of normal
+-- values with correlation rho, -(n/2) ln (1 - rho^2), for rho > 0, else 0. (It is n times the mutual
+-- information of two normal variables with that correlation.)
 --
--- In rho both variances are enlarged by the noise's, so that the accidental correlations of two blank patches, which the largest of some seventy displacements
--- would make look telling, carry next to no information, and the prior decides.
+-- In rho both variances are enlarged by the noise's, so that the accidental correlations of two blank
+-- patches, which the largest of some seventy displacements would make look telling, carry next to no
+-- information, and the prior decides.
 logLikelihood :: Registration -> Overlap -> Double
 logLikelihood settings (Overlap n vf vc cov)
   | n <= 0 || cov <= 0 = 0
@@ -92,8 +94,9 @@ data Window = Window
   }
   deriving stock (Eq, Show)
 
--- | The most probable displacement of an image on a reference: the best of those in the window that lie whole taxels from the start, which should be near its
--- centre, then refined by steps of a half, a quarter and an eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
+-- | The most probable displacement of an image on a reference: the best of those in the window that lie whole
+-- taxels from the start, which should be near its centre, then refined by steps of a half, a quarter and an
+-- eighth. The function turns a displacement into the place of the image's pixel (0, 0) on the reference.
 mostProbable :: Registration -> Reference -> Raster -> (Place -> Place) -> Prior -> Window -> Place -> Place
 mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0, y0) =
   snd (foldl' refine whole [4 * finestStep, 2 * finestStep, finestStep])
@@ -114,5 +117,7 @@ mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0
 
 -- Note [No reward for overlap]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- The likelihood takes each pixel that leaves the overlap for one that chance must explain. But neighbouring pixels of a relief resemble each other, so the pixel's own image
--- explains it nearly as well, and rewarding a larger overlap draws smooth images together. So an overlap counts for no more than the one at the start has.
+-- The likelihood takes each pixel that leaves the overlap for one that chance must explain. But neighbouring
+-- pixels of a relief resemble each other, so the pixel's own image explains it nearly as well, and rewarding
+-- a larger overlap draws smooth images together. So an overlap counts for no more than the one at the start
+-- has.

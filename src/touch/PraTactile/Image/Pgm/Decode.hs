@@ -18,9 +18,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
 import PraTactile.Image.Pgm.Type (Pgm, checkSize, pgm16, pgm8)
 
--- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte first), with comments wherever white space may
--- stand in the header and, in plain files, among the samples. Refuses everything else, each cause with its own 'ImageError'; the
--- memory taken is bounded by the file's own size and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
+-- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte first), with
+-- comments wherever white space may stand in the header and, in plain files, among the samples. Refuses
+-- everything else, each cause with its own 'ImageError'; the memory taken is bounded by the file's own size
+-- and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
 --
 -- >>> import PraTactile.Image.Pgm.Type (pgmMaxval)
 -- >>> pgmMaxval <$> decodePgm (Data.ByteString.Char8.pack "P2 # two pixels\n2 1 9\n0 9\n")
@@ -70,14 +71,16 @@ rawSamples _ count maxval rest = do
 
 -- Note [The byte after the maximum value]
 -- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- "A single whitespace character (usually a newline)" separates the maximum value from the samples, so no second one may be skipped: it would be
--- a sample. A comment that follows the maximum value's last digit at once counts, with the end of its line, as that character, as in libnetpbm
--- (pm_getc reads every header byte and turns a comment into its line end); one after a blank is already image.
+-- "A single whitespace character (usually a newline)" separates the maximum value from the samples, so no
+-- second one may be skipped: it would be a sample. A comment that follows the maximum value's last digit at
+-- once counts, with the end of its line, as that character, as in libnetpbm (pm_getc reads every header byte
+-- and turns a comment into its line end); one after a blank is already image.
 
 -- | The samples of a plain file: decimal numbers between white space; comments are tolerated.
 plainSamples :: Samples
 plainSamples width count maxval rest0
-  -- Each sample takes a digit and, but for the last, a white space: a file that is too short is refused before anything is made.
+  -- Each sample takes a digit and, but for the last, a white space: a file that is too short is refused
+  -- before anything is made.
   | B.length rest0 < 2 * count - 1 = Left (Truncated count (countNumbers rest0))
   | otherwise = do
       rest <- check 0 rest0
@@ -105,8 +108,9 @@ headerNumber field rest = maybe (Left (BadHeader field (B.take 8 start))) Right 
  where
   start = skipWhite rest
 
--- | The decimal number a string begins with, and what follows it, which must be white space, a comment or nothing. Numbers above 10^18 stand
--- for themselves no longer but remain too large for everything they are compared with, so a header of a million digits costs no arithmetic.
+-- | The decimal number a string begins with, and what follows it, which must be white space, a comment or
+-- nothing. Numbers above 10^18 stand for themselves no longer but remain too large for everything they are
+-- compared with, so a header of a million digits costs no arithmetic.
 number :: ByteString -> Maybe (Natural, ByteString)
 number start
   | B.null digits || not (endsToken rest) = Nothing

@@ -2,7 +2,8 @@
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE PatternSynonyms #-}
 
--- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all, samples within the maximum value.
+-- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all, samples within
+-- the maximum value.
 module PraTactile.Image.Pgm.Type
   ( Pgm
   , pattern Pgm8
@@ -26,7 +27,8 @@ import Numeric.Natural (Natural)
 
 import PraTactile.Image.Error (ImageError (..))
 
--- | A grey image with its maximum value, in JuicyPixels' own type: 8 bits a sample for maximum values up to 255, 16 above.
+-- | A grey image with its maximum value, in JuicyPixels' own type: 8 bits a sample for maximum values up to
+-- 255, 16 above.
 data Pgm
   = Eight !Word8 !(Image Pixel8)
   | Sixteen !Word16 !(Image Pixel16)
@@ -38,7 +40,8 @@ instance Show Pgm where
     Sixteen m image -> shown "Pgm16 " m image
    where
     shown name m (Image w h samples) =
-      showString name . showsPrec 11 m . showString (" (Image " ++ show w ++ " " ++ show h ++ " ") . shows samples . showChar ')'
+      showString name . showsPrec 11 m . showString (size w h) . shows samples . showChar ')'
+    size w h = " (Image " ++ show w ++ " " ++ show h ++ " "
 
 -- | The maximum value, 1 to 255, and the image. For matching only; 'pgm8' builds one.
 pattern Pgm8 :: Word8 -> Image Pixel8 -> Pgm
@@ -50,14 +53,15 @@ pattern Pgm16 m image <- Sixteen m image
 
 {-# COMPLETE Pgm8, Pgm16 #-}
 
--- | A PGM with a maximum value of 1 to 255. Refuses a maximum value of 0, an empty or too large image, a sample above the maximum value and an
--- image whose samples are not as many as its pixels.
+-- | A PGM with a maximum value of 1 to 255. Refuses a maximum value of 0, an empty or too large image, a
+-- sample above the maximum value and an image whose samples are not as many as its pixels.
 pgm8 :: Word8 -> Image Pixel8 -> Either ImageError Pgm
 pgm8 m image
   | m < 1 = Left (MaxvalOutOfRange 0)
   | otherwise = Eight m <$> checked m image
 
--- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' does, and smaller maximum values, whose samples take 8 bits.
+-- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' does, and smaller maximum values, whose
+-- samples take 8 bits.
 pgm16 :: Word16 -> Image Pixel16 -> Either ImageError Pgm
 pgm16 m image
   | m < 256 = Left (MaxvalOutOfRange (fromIntegral m))
@@ -73,9 +77,10 @@ checked m image@(Image w h samples) = do
   (w', h') <- checkSize (natural w) (natural h)
   when (V.length samples /= w' * h') (Left (WrongValueCount w h (V.length samples)))
   case V.findIndex (> m) samples of
-    Just i -> let (y, x) = i `quotRem` w' in Left (SampleAboveMaxval (x, y) (maybe 0 fromIntegral (samples V.!? i)) (fromIntegral m))
+    Just i -> Left (SampleAboveMaxval (i `rem` w', i `quot` w') (sampleAt i) (fromIntegral m))
     Nothing -> Right image
  where
+  sampleAt i = maybe 0 fromIntegral (samples V.!? i)
   natural = fromIntegral . max 0
 
 -- | The number of columns.
@@ -93,12 +98,14 @@ pgmMaxval :: Pgm -> Int
 pgmMaxval (Eight m _) = fromIntegral m
 pgmMaxval (Sixteen m _) = fromIntegral m
 
--- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they are, so the maximum value is lost.
+-- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they are, so the
+-- maximum value is lost.
 pgmDynamic :: Pgm -> DynamicImage
 pgmDynamic (Eight _ image) = ImageY8 image
 pgmDynamic (Sixteen _ image) = ImageY16 image
 
--- | The size of an image in pixels as it may be, or why not. Nothing is multiplied or allocated before the bound is known to hold.
+-- | The size of an image in pixels as it may be, or why not. Nothing is multiplied or allocated before the
+-- bound is known to hold.
 checkSize :: Natural -> Natural -> Either ImageError (Int, Int)
 checkSize w h
   | w == 0 || h == 0 = Left (ZeroSize w h)
