@@ -2,8 +2,10 @@
 module Test.Code.Factorisation (spec) where
 
 import Control.Monad (forM_)
+import Data.List (tails)
 import Numeric.Natural (Natural)
 import PraTactile.Factorisation
+import PraTactile.Factorisation.Prime (pocklington)
 import Test.Hspec
 import Test.QuickCheck
 
@@ -19,6 +21,14 @@ spec = do
       forM_ [61, 89, 107, 127 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right True)
     it "knows the Mersenne numbers of exponent 67, 83, 97 and 101 to be composite" $
       forM_ [67, 83, 97, 101 :: Int] $ \e -> (e, isPrime (2 ^ e - 1)) `shouldBe` (e, Right False)
+  describe "pocklington" $ do
+    it "is true of no composite number, and of every prime, from 3 to 3000" $
+      [n | n <- [3 .. 3000], pocklington n /= byTrial n] `shouldBe` []
+    it "proves primes of which n - 1 is factored only to the cube root" $
+      forM_ cubeRootPrimes $ \n -> (n, pocklington n) `shouldBe` (n, True)
+    it "is true of no product of two primes that are 1 modulo the same large F" $
+      [n | (a, b) <- pairs [k | k <- [2, 4 .. 600], byTrial (k * f + 1)], let n = (a * f + 1) * (b * f + 1), pocklington n]
+        `shouldBe` []
   describe "factorise" $ do
     it "agrees with trial division up to 5000" $
       [n | n <- [1 .. 5000], factorise n /= Right (factorsByTrial n)] `shouldBe` []
@@ -49,6 +59,22 @@ spec = do
     it "refuses what is zero" $ do
       factorisePowerMinusOne 1 5 `shouldBe` Left FactorisationOfZero
       factorisePowerMinusOne 7 0 `shouldBe` Left FactorisationOfZero
+    it "reaches 2^256 - 1, of which the seventh Fermat number is a part" $
+      fmap (map fst) (factorisePowerMinusOne 2 256)
+        `shouldBe` Right
+          [ 3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721, 59649589127497217, 5704689200685129054721 ]
+    it "reaches 4^64 - 1, which is 2^128 - 1, and 3^20 - 1" $ do
+      factorisePowerMinusOne 4 64 `shouldBe` factorisePowerMinusOne 2 128
+      factorisePowerMinusOne 3 20 `shouldBe` Right [(2, 4), (5, 2), (11, 2), (61, 1), (1181, 1)]
+    it "proves each of the primes that it finds: the product is the number, for 2^1 - 1 ... 2^120 - 1" $
+      forM_ [1 .. 120] $ \n -> case factorisePowerMinusOne 2 n of
+        Left e -> expectationFailure (show (n, e))
+        Right factors -> do
+          (n, product [p ^ e | (p, e) <- factors]) `shouldBe` (n, 2 ^ n - 1)
+          [p | (p, _) <- factors, isPrime p /= Right True] `shouldBe` []
+    it "has the values of the cyclotomic polynomials as parts, whose product over the divisors of d is b^d - 1" $
+      [ (b, n, d) | b <- [2 .. 7], n <- [1 .. 30], d <- [1 .. n], n `mod` d == 0
+      , product [v | (e, v) <- cyclotomicValues b n, d `mod` e == 0] /= b ^ d - 1 ] `shouldBe` []
     it "reaches 2^128 - 1 by its algebraic factors" $
       fmap (map fst) (factorisePowerMinusOne 2 128)
         `shouldBe` Right [3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721]
@@ -64,6 +90,23 @@ factorsByTrial :: Natural -> [(Natural, Natural)]
 factorsByTrial n = [(p, exponent' p n) | p <- [2 .. n], n `mod` p == 0, byTrial p]
  where
   exponent' p m = if m `mod` p == 0 then 1 + exponent' p (m `div` p) else 0
+
+-- | Primes n with n - 1 = F a b, F of prime factors up to 31 between the cube root and the square root of n,
+-- a and b primes of 28 digits.
+cubeRootPrimes :: [Natural]
+cubeRootPrimes =
+  [ 23015585351685905060778704369961982602876185638337685126505800292998217974950195673001
+  , 1026526881222006542663915813144039907657342078631464432820846214660126095540161386518801
+  , 60791853740232645429162614617153965531783149557661952794868323755660724414416446847501
+  ]
+
+-- | 2^20.
+f :: Natural
+f = 1048576
+
+-- | The pairs of a list, each with its elements in their order.
+pairs :: [a] -> [(a, a)]
+pairs list = [(a, b) | a : rest <- tails list, b <- a : rest]
 
 strongPseudoprimes :: [Natural]
 strongPseudoprimes =

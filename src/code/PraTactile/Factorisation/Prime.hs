@@ -1,0 +1,108 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Which numbers are primes, with proof: the strong test where a theorem says that it
+-- decides, Pocklington's theorem beyond. Imports base only.
+module PraTactile.Factorisation.Prime
+  ( -- * Primality
+    isPrime
+  , millerRabinDomain
+  , pocklington
+
+    -- * Errors
+  , FactorError (..)
+  ) where
+
+import Data.List (find, inits, nub)
+import Numeric.Natural (Natural)
+import PraTactile.Factorisation.Divisor
+
+-- | Why a factorisation is not known.
+data FactorError
+  = -- | Zero has no factorisation.
+    FactorisationOfZero
+  | -- | This composite number was not split within the effort allowed.
+    FactorNotFound Natural
+  | -- | This number passes the test for primes, but was not proved to be one.
+    PrimalityUndecided Natural
+  deriving stock (Eq, Show)
+
+-- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone;
+-- above it a composite is still recognised for certain, and a prime is proved by 'pocklington'.
+-- Refuses ('PrimalityUndecided') when n - 1 does not factor far enough for that.
+--
+-- >>> isPrime (2 ^ 61 - 1)
+-- Right True
+isPrime :: Natural -> Either FactorError Bool
+isPrime n
+  | n < 2 = Right False
+  | n `elem` millerRabinBases = Right True
+  | not (all (strongProbablePrime n) millerRabinBases) = Right False
+  | n < millerRabinDomain = Right True
+  | not (all (strongProbablePrime n) furtherBases) = Right False
+  | pocklington n = Right True
+  | otherwise = Left (PrimalityUndecided n)
+
+-- | 3317044064679887385961981: no composite below it is a strong probable prime to the first 13
+-- prime bases (Sorenson and Webster, Math. Comp. 86, 2017).
+millerRabinDomain :: Natural
+millerRabinDomain = 3317044064679887385961981
+
+millerRabinBases :: [Natural]
+millerRabinBases = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41]
+
+-- | Primes beyond those bases: above the domain each is one more chance to recognise a composite.
+furtherBases :: [Natural]
+furtherBases = takeWhile (< 150) (drop (length millerRabinBases) smallPrimes)
+
+-- | n > 2: with n - 1 = 2^s d, d odd, either a^d = 1 or some a^(2^i d) = -1, i < s.
+strongProbablePrime :: Natural -> Natural -> Bool
+strongProbablePrime n a
+  | even n = False
+  | otherwise = start == 1 || (n - 1) `elem` take twos (iterate (\x -> x * x `mod` n) start)
+ where
+  twos = length (takeWhile even (iterate (`div` 2) (n - 1)))
+  start = powerModulo n a ((n - 1) `div` 2 ^ twos)
+
+{- Note [Proofs from n - 1]
+   Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n
+   and a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a
+   may differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if
+   F^2 > n. If only F^3 >= n, a composite n is (a F + 1)(b F + 1); in base F, n = c2 F^2 + c1 F + 1,
+   and such a and b exist iff c1^2 - 4 c2 is a square (Crandall and Pomerance, Prime Numbers,
+   theorem 4.1.5). -}
+
+-- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof; 'False'
+-- says nothing. See Note [Proofs from n - 1].
+pocklington :: Natural -> Bool
+pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors rest)))
+ where
+  (small, rest) = trialDivision (n - 1)
+  enough primes = product primes ^ (3 :: Int) >= n
+  suffices primes = all witnessed (nub primes) && noTwoFactors (product primes)
+  witnessed l = any (witness l) millerRabinBases
+  witness l a = powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
+  noTwoFactors f = f * f > n || not (isSquare (toInteger c1 * toInteger c1 - 4 * toInteger c2))
+   where
+    (c2, c1) = (n `div` f) `divMod` f
+
+isSquare :: Integer -> Bool
+isSquare a = a >= 0 && root * root == fromInteger a
+ where
+  root = squareRoot (fromInteger a)
+
+-- | Such prime factors as are found and proved, each as often as it divides, found as they are
+-- asked for.
+provedFactors :: Natural -> [Natural]
+provedFactors 1 = []
+provedFactors m = case isPrime m of
+  Right True -> [m]
+  Right False -> maybe [] (\d -> provedFactors d ++ provedFactors (m `div` d)) (properDivisor m)
+  Left _ -> []
+
+-- | @powerModulo n a e@ is a^e modulo n, by squaring.
+powerModulo :: Natural -> Natural -> Natural -> Natural
+powerModulo n = go 1
+ where
+  go acc _ 0 = acc `mod` n
+  go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)
