@@ -2,6 +2,7 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- GF(q^n) as GF(q)[x] modulo a primitive h: where positions live, since the state of the
@@ -9,30 +10,84 @@
 module PraTactile.Extension
   ( -- * Residues
     Residue
+  , residue
   , residueCoefficients
+  , residueVector
+
+    -- * Arithmetic
+  , addModulo
   , multiplyModulo
+  , powerOfResidue
+  , inverseModulo
+  , frobeniusModulo
 
     -- * Powers of the root
   , powerOfRoot
+
+    -- * Down to GF(q)
+  , traceModulo
+  , tracesOfPowers
+  , normModulo
   ) where
 
+import Data.Proxy (Proxy (..))
+import Data.Vector.Primitive (Vector)
+import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial
+import PraTactile.Polynomial.Modulus
+import PraTactile.Polynomial.Primitive (primitiveModulus)
 
--- | An element of GF(q)[x] / h, by its representative of degree less than n.
-newtype Residue (k :: Field) = Residue (Polynomial k)
+-- | An element of GF(q)[x] / h, by its representative of degree less than n. Where a function is
+-- given a residue of another h, it is the class modulo its own h of that representative.
+newtype Residue (k :: Field) = Residue (Coefficients k)
   deriving stock (Eq, Ord)
 
 type role Residue nominal
 
+instance KnownField k => Show (Residue k) where
+  showsPrec d (Residue a) = showParen (d > 10) (showString "residue " . shows (Primitive.toList a))
+
+-- | The class of a polynomial of any degree.
+residue :: KnownField k => Primitive k -> Polynomial k -> Residue k
+residue h = Residue . residueFrom (primitiveModulus h) . coefficients
+
 -- | The n coefficients of the representative, constant term first.
-residueCoefficients :: Primitive k -> Residue k -> [GF k]
-residueCoefficients h (Residue a) = take (primitiveDegree h) (coefficients a ++ repeat zero)
+residueCoefficients :: KnownField k => Primitive k -> Residue k -> [GF k]
+residueCoefficients h = Primitive.toList . residueVector h
+
+-- | The same in one byte each.
+residueVector :: KnownField k => Primitive k -> Residue k -> Vector (GF k)
+residueVector h (Residue a)
+  | Primitive.length a == primitiveDegree h = a
+  | otherwise = residueFrom (primitiveModulus h) (Primitive.toList a)
+
+-- | The sum of two residues.
+addModulo :: KnownField k => Primitive k -> Residue k -> Residue k -> Residue k
+addModulo h a b = Residue (Primitive.zipWith (+) (residueVector h a) (residueVector h b))
 
 -- | The product of two residues modulo h.
 multiplyModulo :: KnownField k => Primitive k -> Residue k -> Residue k -> Residue k
-multiplyModulo h (Residue a) (Residue b) = reduce h (a * b)
+multiplyModulo h a b = Residue (multiplyResidues (primitiveModulus h) (residueVector h a) (residueVector h b))
+
+-- | A power, with an exponent of any size; the power 0 is 1, of zero too.
+powerOfResidue :: KnownField k => Primitive k -> Residue k -> Natural -> Residue k
+powerOfResidue h a = Residue . powerOf (primitiveModulus h) (residueVector h a)
+
+-- | The inverse of a residue, by Euclid. Refuses zero ('DivisionByZero').
+inverseModulo :: KnownField k => Primitive k -> Residue k -> Either FieldError (Residue k)
+inverseModulo h a
+  | representative == 0 = Left DivisionByZero
+  | otherwise = Right (residue h inverted)
+ where
+  representative = polynomial (residueCoefficients h a)
+  -- h is irreducible, so that the greatest common divisor is 1.
+  (_, inverted, _) = bezout representative (primitivePolynomial h)
+
+-- | The q-th power: the automorphism of GF(q^n) that leaves GF(q) as it is.
+frobeniusModulo :: KnownField k => Primitive k -> Residue k -> Residue k
+frobeniusModulo h = Residue . frobenius (primitiveModulus h) . residueVector h
 
 -- | alpha^e, for an exponent of any size, by squaring.
 --
@@ -43,8 +98,28 @@ multiplyModulo h (Residue a) (Residue b) = reduce h (a * b)
 -- >>> fmap reduced (firstPrimitive 4 :: Either PolynomialError (Primitive GF4))
 -- Right [A^2,A,1,0]
 powerOfRoot :: KnownField k => Primitive k -> Natural -> Residue k
-powerOfRoot h = maybe (Residue 0) Residue . powerModulo (primitivePolynomial h) variable
+powerOfRoot h = Residue . powerOfX (primitiveModulus h)
 
--- A primitive h is not zero, so that the quotient always exists.
-reduce :: KnownField k => Primitive k -> Polynomial k -> Residue k
-reduce h a = Residue (maybe a snd (quotientRemainder a (primitivePolynomial h)))
+-- | The trace to GF(q), the sum of the n conjugates a^(q^i): a linear function, which is given by
+-- its values at the powers of alpha.
+traceModulo :: KnownField k => Primitive k -> Residue k -> GF k
+traceModulo h a = Primitive.sum (Primitive.zipWith (*) (tracesOfPowers h) (residueVector h a))
+
+-- | The traces of 1, alpha, ..., alpha^(n-1), by Newton's identities from the coefficients of h: with
+-- h = x^n + c(n-1) x^(n-1) + ..., the sum p(k) of the k-th powers of the roots has
+-- p(k) = - (c(n-1) p(k-1) + ... + c(n-k+1) p(1) + k c(n-k)).
+tracesOfPowers :: KnownField k => Primitive k -> Vector (GF k)
+tracesOfPowers h = Primitive.fromListN n (fromIntegral n : reverse (go 1 (take (n - 1) upper) []))
+ where
+  n = primitiveDegree h
+  -- c(n-1), ..., c1, c0
+  upper = drop 1 (reverse (coefficients (primitivePolynomial h)))
+  -- The sums found so far, the last one first.
+  go _ [] sums = sums
+  go k (c : rest) sums = go (k + 1 :: Integer) rest (negate (sum (zipWith (*) upper sums) + fromInteger k * c) : sums)
+
+-- | The norm to GF(q), the product of the n conjugates, which is the power (q^n - 1)/(q - 1).
+normModulo :: forall k. KnownField k => Primitive k -> Residue k -> GF k
+normModulo h a = Primitive.sum (Primitive.take 1 (residueVector h (powerOfResidue h a (period h `div` (q - 1)))))
+ where
+  q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural

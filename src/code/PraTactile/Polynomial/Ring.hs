@@ -2,7 +2,6 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- The ring of polynomials over GF(q). Internal; "PraTactile.Polynomial" exports it.
@@ -16,18 +15,23 @@ module PraTactile.Polynomial.Ring
   , polynomialDegree
   , leadingCoefficient
   , isMonic
+  , valueAt
   , quotientRemainder
   , greatestCommonDivisor
+  , bezout
+  , normalising
   , powerModulo
-  , monicPolynomials
+  , modulusOf
+  , fromResidue
   ) where
 
-import Data.List (dropWhileEnd, genericTake, unfoldr)
+import Data.List (dropWhileEnd)
 import Data.Maybe (listToMaybe)
 import Data.Ord (comparing)
-import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
+import PraTactile.Polynomial.Modulus
 
 -- | A polynomial over the field k: its coefficients, constant term first, the last one not
 -- zero. 'Ord' compares the coefficients from the highest degree down, after the degrees.
@@ -111,32 +115,43 @@ longDivision steps lower a = case a of
      in (top : quotient, remainder)
   _ -> ([], a)
 
--- | The monic greatest common divisor, by Euclid; zero when both are zero.
+-- | The monic greatest common divisor, by Euclid; zero when both are zero. It ends, because every
+-- remainder has a lower degree than the one before.
 greatestCommonDivisor :: KnownField k => Polynomial k -> Polynomial k -> Polynomial k
 greatestCommonDivisor a b = case quotientRemainder a b of
   Just (_, r) -> greatestCommonDivisor b r
-  Nothing -> case leadingCoefficient a >>= either (const Nothing) Just . inverse of
-    Just inverted -> Polynomial (map (inverted *) (coefficients a))
-    Nothing -> a
+  Nothing -> constant (normalising a) * a
 
--- | @powerModulo h a e@ is a^e modulo h, by squaring from the highest binary digit of e down, so
--- that the other factor is always a itself, which for powers of x is short. 'Nothing' exactly when
--- h is zero.
+-- | @bezout a b@ is (g, u, v) with g the 'greatestCommonDivisor' of a and b, and u a + v b = g.
+bezout :: KnownField k => Polynomial k -> Polynomial k -> (Polynomial k, Polynomial k, Polynomial k)
+bezout a b = case quotientRemainder a b of
+  -- From u b + v r = g and r = a - quotient b.
+  Just (quotient, r) -> let (g, u, v) = bezout b r in (g, v, u - quotient * v)
+  Nothing -> let c = constant (normalising a) in (c * a, c, 0)
+
+-- | The inverse of the leading coefficient; 1 for the zero polynomial.
+normalising :: KnownField k => Polynomial k -> GF k
+normalising a = maybe one (either (const one) id . inverse) (leadingCoefficient a)
+
+-- | The value at an element, by Horner's rule.
+valueAt :: KnownField k => Polynomial k -> GF k -> GF k
+valueAt (Polynomial cs) a = foldr (\c rest -> c + a * rest) zero cs
+
+-- | @powerModulo h a e@ is a^e modulo h. 'Nothing' exactly when h is zero.
 powerModulo :: KnownField k => Polynomial k -> Polynomial k -> Natural -> Maybe (Polynomial k)
-powerModulo h a = go
+powerModulo h a e
+  | null (coefficients h) = Nothing
+  | otherwise = Just (maybe 0 power' (modulusOf h))
  where
-  reduce b = snd <$> quotientRemainder b h
-  go 0 = reduce 1
-  go e = do
-    root <- go (e `div` 2)
-    square <- reduce (root * root)
-    if odd e then reduce (square * a) else Just square
+  power' modulus = fromResidue (powerOf modulus (residueFrom modulus (coefficients a)) e)
 
--- | All monic polynomials of a degree, ascending: q^n of them, made as they are asked for.
-monicPolynomials :: forall k. KnownField k => Natural -> [Polynomial k]
-monicPolynomials n = map monicOf [0 .. q ^ n - 1]
- where
-  q = toInteger (fieldOrder (Proxy :: Proxy k))
-  monicOf index = Polynomial (genericTake n (unfoldr digit index ++ repeat zero) ++ [one])
-  digit 0 = Nothing
-  digit i = Just (either (const zero) id (fromCode (fromInteger (i `mod` q))), i `div` q)
+-- | The arithmetic modulo a polynomial; 'Nothing' for degree 0, where all residues are 0, and for
+-- the zero polynomial.
+modulusOf :: KnownField k => Polynomial k -> Maybe (Modulus k)
+modulusOf h = case reverse (map (normalising h *) (coefficients h)) of
+  _ : upper@(_ : _) -> Just (modulusFrom (map negate (reverse upper)))
+  _ -> Nothing
+
+-- | The representative of lowest degree.
+fromResidue :: Coefficients k -> Polynomial k
+fromResidue = polynomial . Primitive.toList

@@ -1,0 +1,59 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
+-- "PraTactile.Polynomial" exports it.
+module PraTactile.Polynomial.Irreducible
+  ( isIrreducible
+  , countIrreducible
+
+    -- * What the test is made of
+  , frobeniusOfX
+  , primeDivisors
+  ) where
+
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.Polynomial.Modulus
+import PraTactile.Polynomial.Ring
+
+-- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin, SIAM J. Comput. 9,
+-- 1980): x^(q^n) = x modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides n.
+isIrreducible :: KnownField k => Polynomial k -> Bool
+isIrreducible h = case modulusOf h of
+  Nothing -> False
+  Just modulus ->
+    let n = modulusDegree modulus
+        powerMinusX d = frobeniusOfX modulus d - fromResidue (residueFrom modulus [zero, one])
+        coprime a = polynomialDegree (greatestCommonDivisor h a) == Just 0
+     in -- Most polynomials have a root in GF(q), and powers are not needed.
+        (n == 1 || all ((/= zero) . valueAt h) elements)
+          && powerMinusX n == 0
+          && all (coprime . powerMinusX . (n `div`)) (primeDivisors n)
+
+-- | x^(q^d) modulo the modulus.
+frobeniusOfX :: KnownField k => Modulus k -> Int -> Polynomial k
+frobeniusOfX modulus d = fromResidue (go d (residueFrom modulus [zero, one]))
+ where
+  go 0 a = a
+  go i a = go (i - 1 :: Int) $! frobenius modulus a
+
+-- | The primes that divide a degree, ascending.
+--
+-- >>> primeDivisors 12
+-- [2,3]
+primeDivisors :: Int -> [Int]
+primeDivisors n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0) [2 .. l - 1]]
+
+-- | How many monic irreducible polynomials of degree n >= 1 there are, by Gauss's formula:
+-- (1/n) times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0.
+countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
+countIrreducible k n
+  | n == 0 = 0
+  | otherwise = fromInteger (sum [moebius primes * q ^ (n `div` fromIntegral (product primes)) | primes <- subsets] `div` toInteger n)
+ where
+  q = toInteger (fieldOrder k)
+  -- mu(d) is not 0 exactly for products d of different primes.
+  subsets = foldr (\l rest -> rest ++ map (l :) rest) [[]] (primeDivisors (fromIntegral n))
+  moebius primes = if even (length primes) then 1 else -1

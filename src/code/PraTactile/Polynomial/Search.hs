@@ -1,0 +1,101 @@
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Orders in which to look for polynomials: ascending, by the number of terms, and at random. Internal;
+-- "PraTactile.Polynomial" exports it.
+module PraTactile.Polynomial.Search
+  ( -- * Candidates
+    monicPolynomials
+  , monicByTerms
+  , randomMonics
+
+    -- * Irreducible and primitive ones
+  , irreduciblePolynomials
+  , primitivePolynomials
+  , firstPrimitive
+  , fewestTermsPrimitive
+  , randomPrimitive
+  ) where
+
+import Data.Bits (shiftR, xor)
+import Data.List (genericSplitAt, genericTake, unfoldr)
+import Data.Proxy (Proxy (..))
+import Data.Word (Word64)
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.Polynomial.Irreducible
+import PraTactile.Polynomial.Primitive
+import PraTactile.Polynomial.Ring
+
+-- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
+-- down): q^n of them, made as they are asked for.
+monicPolynomials :: forall k. KnownField k => Natural -> [Polynomial k]
+monicPolynomials n = map monicOf [0 .. q ^ n - 1]
+ where
+  q = toInteger (fieldOrder (Proxy :: Proxy k))
+  monicOf index = polynomial (genericTake n (unfoldr digit index ++ repeat zero) ++ [one])
+  digit 0 = Nothing
+  digit i = Just (either (const zero) id (fromCode (fromInteger (i `mod` q))), i `div` q)
+
+-- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first, and
+-- those of equally many ascending. For degree 1, x comes before them.
+monicByTerms :: KnownField k => Natural -> [Polynomial k]
+monicByTerms n
+  | n == 0 = []
+  | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. n]
+ where
+  withTerms terms = [polynomial (reverse (one : lower)) | lower <- choose n terms]
+  -- So many coefficients, highest first, of which so many, the last among them, are not 0.
+  choose size terms
+    | terms == 0 || terms > size = []
+    | size == 1 = map (: []) units
+    | otherwise = map (zero :) (choose (size - 1) terms) ++ [c : rest | c <- units, rest <- choose (size - 1) (terms - 1)]
+  units = drop 1 elements
+
+-- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
+-- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper 32
+-- bits of each by the remainder modulo q, constant term first; of the 2^32 values those that would favour small codes
+-- are passed over.
+randomMonics :: forall k. KnownField k => Word64 -> Natural -> [Polynomial k]
+randomMonics seed n = go coefficientsDrawn
+ where
+  go drawn = let (lower, rest) = genericSplitAt n drawn in polynomial (lower ++ [one]) : go rest
+  coefficientsDrawn = [either (const zero) id (fromCode (fromIntegral (w `mod` q))) | w <- map (`shiftR` 32) (splitMix seed), w < limit]
+  q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Word64
+  limit = 2 ^ (32 :: Int) `div` q * q
+
+-- | The outputs of SplitMix64 from a seed.
+splitMix :: Word64 -> [Word64]
+splitMix seed = map mix (drop 1 (iterate (+ 0x9e3779b97f4a7c15) seed))
+ where
+  mix z0 =
+    let z1 = (z0 `xor` (z0 `shiftR` 30)) * 0xbf58476d1ce4e5b9
+        z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
+     in z2 `xor` (z2 `shiftR` 31)
+
+-- | The monic irreducible polynomials of a degree, ascending, made as they are asked for.
+irreduciblePolynomials :: KnownField k => Natural -> [Polynomial k]
+irreduciblePolynomials = filter isIrreducible . monicPolynomials
+
+-- | The primitive polynomials of a degree n >= 1, ascending, made as they are asked for. Refuses as
+-- 'primitiveAmong' does.
+primitivePolynomials :: KnownField k => Natural -> Either PolynomialError [Primitive k]
+primitivePolynomials n = primitiveAmong n (monicPolynomials n)
+
+-- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x + A^2.
+firstPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
+firstPrimitive n = firstOf n monicPolynomials
+
+-- | Of the primitive polynomials with the fewest terms, the first: the shift register with the fewest
+-- taps.
+fewestTermsPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
+fewestTermsPrimitive n = firstOf n monicByTerms
+
+-- | A primitive polynomial drawn uniformly from a seed.
+randomPrimitive :: KnownField k => Word64 -> Natural -> Either PolynomialError (Primitive k)
+randomPrimitive seed n = firstOf n (randomMonics seed)
+
+firstOf :: KnownField k => Natural -> (Natural -> [Polynomial k]) -> Either PolynomialError (Primitive k)
+firstOf n candidates = primitiveAmong n (candidates n) >>= \found -> case found of
+  h : _ -> Right h
+  [] -> Left (NoPrimitivePolynomial n)
