@@ -37,6 +37,7 @@ main = do
 data Options = Options
   { peers :: Maybe FilePath
   , rounds :: Int
+  , patience :: Int
   , names :: [String]
   }
 
@@ -47,6 +48,7 @@ commandLine = info (options <**> helper)
   options = Options
     <$> optional (strOption (long "peers" <> metavar "FOLDER" <> help "The folder that bench/peers/setup.sh made (default: the peers do not run)"))
     <*> option auto (long "rounds" <> metavar "N" <> value 7 <> showDefault <> help "How many pairs of measurements count, after one that does not")
+    <*> option auto (long "patience" <> metavar "SECONDS" <> value 120 <> showDefault <> help "How long an answer is waited for")
     <*> many (strArgument (metavar "NAME..." <> help ("Of: " ++ unwords (map targetName targets) ++ " (default: all)")))
 
 -- | Hold the chosen targets and print the table, a row as soon as it is known.
@@ -57,7 +59,7 @@ hold options = do
   unless (rounds options >= 1) (refuse "--rounds is a number from 1 up")
   mapM_ putStrLn heading
   forM_ [t | t <- targets, null (names options) || targetName t `elem` names options] $ \target ->
-    compareWith (peers options) (rounds options) target >>= mapM_ (putStrLn . rowText)
+    compareWith (peers options) (patience options) (rounds options) target >>= mapM_ (putStrLn . rowText)
 
 -- | Measure once for each line on standard input.
 measure :: String -> IO ()

@@ -40,21 +40,23 @@ data Row = Row
   }
 
 -- | Hold a target against each of its goals, with so many rounds after one that is not counted. Without the folder of the
--- peers only our side runs.
-compareWith :: Maybe FilePath -> Int -> Target -> IO [Row]
-compareWith folder rounds target = mapM row (targetGoals target)
+-- peers only our side runs. An answer is waited for so many seconds.
+compareWith :: Maybe FilePath -> Int -> Int -> Target -> IO [Row]
+compareWith folder patience rounds target = mapM row (targetGoals target)
  where
   row goal = guarded goal $ case (goal, folder) of
     (TimesAsFast _ peer, Just peers) ->
       withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
         firstPair <- pair us them
-        judged goal firstPair <$> replicateM rounds (pair us them)
+        judged goal firstPair <$> further firstPair (pair us them)
     _ -> withOurs $ \us -> do
       firstAnswer <- alone us
-      judged goal firstAnswer <$> replicateM rounds (alone us)
+      judged goal firstAnswer <$> further firstAnswer (alone us)
+  -- A program that did not answer is not asked again.
+  further before act = either (const (pure [])) (const (replicateM rounds act)) before
   withOurs = bracket (startOurs (targetCores target) (targetOurs target)) stop
-  pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask us <*> ask them
-  alone us = fmap (\a -> (a, Nothing)) <$> ask us
+  pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask patience us <*> ask patience them
+  alone us = fmap (\a -> (a, Nothing)) <$> ask patience us
   guarded goal act = either (failed goal) id <$> (try act :: IO (Either IOException Row))
   failed goal problem = (emptyRow goal) {rowNote = show problem}
   emptyRow goal = Row target goal "" Nothing Nothing Nothing Nothing 0 NoVerdict ""

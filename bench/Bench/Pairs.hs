@@ -23,10 +23,12 @@ import Control.Monad (void)
 import Data.Aeson (FromJSON (..), eitherDecodeStrict', withObject, (.:))
 import qualified Data.ByteString.Char8 as Bytes
 import Data.List (sort)
+import Data.Maybe (fromMaybe)
 import System.Environment (getExecutablePath)
 import System.FilePath ((</>))
 import System.IO
 import System.Process
+import System.Timeout (timeout)
 
 import Bench.Targets (Peer (..))
 
@@ -69,16 +71,23 @@ start file arguments = do
       (Just i, Just o, _, p) -> hSetBuffering i LineBuffering >> pure (i, o, p)
       _ -> ioError (userError ("no pipes to " ++ file))
 
--- | One measurement, or what the program printed instead.
-ask :: Participant -> IO (Either String Answer)
-ask (Participant _ toIt fromIt) = do
+-- | One measurement within so many seconds, or what happened instead.
+ask :: Int -> Participant -> IO (Either String Answer)
+ask patience (Participant _ toIt fromIt) = do
   hPutStrLn toIt "measure"
-  ended <- hIsEOF fromIt
-  if ended then pure (Left "it ended without an answer") else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
+  fromMaybe (Left ("no answer within " ++ show patience ++ " s")) <$> timeout (patience * 1000000) answered
+ where
+  answered = do
+    ended <- hIsEOF fromIt
+    if ended then pure (Left "it ended without an answer") else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
 
--- | End a program by closing its input, and wait for it.
+-- | End a program, whether or not it still measures, and wait for it.
 stop :: Participant -> IO ()
-stop (Participant process toIt fromIt) = hClose toIt >> hClose fromIt >> void (waitForProcess process)
+stop (Participant process toIt fromIt) = do
+  hClose toIt
+  hClose fromIt
+  terminateProcess process
+  void (waitForProcess process)
 
 -- | The least, the median and the greatest of some values.
 data Spread = Spread

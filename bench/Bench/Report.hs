@@ -31,7 +31,7 @@ rowText row =
     , peerName
     , maybe notRun (quantity unit . median) (rowPeer row)
     , maybe "" (quantity unit) (rowFirst row)
-    , maybe "" (\s -> printf "%.2f / **%.2f** / %.2f" (least s) (median s) (greatest s)) (rowRatio row)
+    , maybe "" (\s -> significant (least s) ++ " / **" ++ significant (median s) ++ "** / " ++ significant (greatest s)) (rowRatio row)
     , asked
     , verdict ++ (if null (rowNote row) then "" else " (" ++ rowNote row ++ ")")
     , printf "%.0f" (rowPeak row)
@@ -48,7 +48,7 @@ rowText row =
     _ -> ""
   asked = case rowGoal row of
     TimesAsFast 0 _ -> ""
-    TimesAsFast wanted _ -> printf "%.3g times" wanted
+    TimesAsFast wanted _ -> significant wanted ++ " times"
     WithinSeconds limit -> quantity "s" limit
     WithinMebibytes limit -> printf "%.0f MiB" limit
     Recorded -> ""
@@ -57,11 +57,17 @@ rowText row =
     Missed -> "MISSED"
     NoVerdict -> ""
 
--- | A value with a unit of a fitting size.
+-- | A value with three significant digits and a unit of a fitting size.
 quantity :: String -> Double -> String
 quantity "s" seconds
-  | seconds < 1e-6 = printf "%.0f ns" (seconds * 1e9)
-  | seconds < 1e-3 = printf "%.3g us" (seconds * 1e6)
-  | seconds < 1 = printf "%.3g ms" (seconds * 1e3)
-  | otherwise = printf "%.3g s" seconds
-quantity unit rate = printf "%.4g M %s" (rate / 1e6) unit
+  | seconds < 1e-6 = significant (seconds * 1e9) ++ " ns"
+  | seconds < 1e-3 = significant (seconds * 1e6) ++ " us"
+  | seconds < 1 = significant (seconds * 1e3) ++ " ms"
+  | otherwise = significant seconds ++ " s"
+quantity _ rate = significant (rate / 1e6) ++ " M/s"
+
+significant :: Double -> String
+significant x
+  | x < 10 = printf "%.2f" x
+  | x < 100 = printf "%.1f" x
+  | otherwise = printf "%.0f" x
