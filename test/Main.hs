@@ -4,9 +4,11 @@ module Main (main) where
 import Test.Hspec (describe, hspec)
 
 import qualified Test.Code.Array
+import qualified Test.Code.ArrayCode
 import qualified Test.Code.Distance
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
+import qualified Test.Code.Folding
 import qualified Test.Code.Locate
 import qualified Test.Code.Polynomial
 import qualified Test.Code.Profile
@@ -43,6 +45,8 @@ main = hspec $ do
     describe "Shift registers" Test.Code.Register.spec
     describe "Fast forms of sequences" Test.Code.Recurrence.spec
     describe "Arrays" Test.Code.Array.spec
+    describe "Foldings" Test.Code.Folding.spec
+    describe "Array codes" Test.Code.ArrayCode.spec
     describe "Windows" Test.Code.Window.spec
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec

@@ -38,6 +38,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array.Laid
+import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Polynomial
@@ -77,9 +78,7 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
   -- ^ How the sequence is folded.
   , arrayShape :: !Shape
   -- ^ The shape, n1 x n2.
-  , rowWeight :: !Natural
-  , columnWeight :: !Natural
-  -- ^ The cell (r, c) holds the term r * rowWeight + c * columnWeight, modulo the period.
+  , arrayWeights :: !Weights
   , arrayTerm :: Natural -> GF k
   -- ^ The terms of the sequence, by what is made for all of them when first used.
   }
@@ -93,34 +92,24 @@ fold
 fold folding shape@(Shape n1 n2) h state
   | area shape /= terms = Left (WrongArea shape terms)
   | otherwise = case folding of
-      RowMajor -> Right (array n2 1)
+      RowMajor -> Right (array (n2, 1))
       Diagonal
-        | g == 1 -> Right (array (n2 * inverseModulo n1 n2) (n1 * inverseModulo n2 n1))
+        | g == 1 -> Right (array (diagonalWeights n1 n2))
         | otherwise -> Left (NotCoprime n1 n2 g)
  where
   terms = period h
   g = gcd n1 n2
-  array u v = PseudorandomArray h state folding shape (u `mod` terms) (v `mod` terms) term
+  array weights = PseudorandomArray h state folding shape weights term
   term
     | terms <= 2 ^ (20 :: Int) =
         let short = sequenceVector h state (fromIntegral terms)
          in fromMaybe zero . (short Primitive.!?) . fromIntegral
     | otherwise = termAt h state
 
--- | @inverseModulo m a@ is the inverse of a modulo m, when they are coprime; 0 modulo 1.
-inverseModulo :: Natural -> Natural -> Natural
-inverseModulo m a = fromInteger (go (toInteger m, 0) (toInteger a `mod` toInteger m, 1) `mod` toInteger m)
- where
-  -- Each pair (r, t) keeps t a = r modulo m.
-  go :: (Integer, Integer) -> (Integer, Integer) -> Integer
-  go (_, t) (0, _) = t
-  go (r, t) (r', t') = go (r', t') (r - (r `div` r') * r', t - (r `div` r') * t')
-
 -- | The index i, below the period, of the term s(i) that a cell holds; positions beyond the edges
 -- continue on the 'naturalSurface'.
 sequenceIndex :: KnownField k => PseudorandomArray k -> Position -> Natural
-sequenceIndex array (Position r c) =
-  (r * rowWeight array + c * columnWeight array) `mod` period (arrayPrimitive array)
+sequenceIndex array (Position r c) = weightedIndex (period (arrayPrimitive array)) (arrayWeights array) r c
 
 -- | The cell that holds the term s(i), for any i: the inverse of 'sequenceIndex'.
 positionOfIndex :: PseudorandomArray k -> Natural -> Position
@@ -147,7 +136,7 @@ toGrid array
   q = fieldOrder array
   cells = case arrayFolding array of
     RowMajor -> sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
-    Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (rowWeight array, columnWeight array) shape
+    Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
 
 -- | The whole array, row by row. Refuses as 'toGrid' does.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]

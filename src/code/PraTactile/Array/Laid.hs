@@ -16,6 +16,7 @@ import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
 import Numeric.Natural (Natural)
+import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Polynomial
@@ -32,7 +33,7 @@ import PraTactile.Sequence.Synthesis
 
 -- | @laid h s (u, v) shape@ is the cells row by row, s(r u + c v) in the cell (r, c), given the
 -- sequence's terms, below the period, by a function. See Note [Rows and columns obey recurrences].
-laid :: KnownField k => Primitive k -> (Natural -> GF k) -> (Natural, Natural) -> Shape -> Vector (GF k)
+laid :: KnownField k => Primitive k -> (Natural -> GF k) -> Weights -> Shape -> Vector (GF k)
 laid h s (u, v) (Shape n1 n2) = Primitive.create $ do
   cells <- Mutable.new (height * width)
   forM_ [0 .. seeds - 1] $ \r -> do
@@ -48,14 +49,12 @@ laid h s (u, v) (Shape n1 n2) = Primitive.create $ do
   width = fromIntegral n2 :: Int
   along = recurrenceOfPower v
   down = delayed width (recurrenceOfPower u)
-  firstTerms r = [s ((r * u + c * v) `mod` period h) | c <- take (longestLag along) [0 ..]]
+  firstTerms r = [s (weightedIndex (period h) (u, v) r c) | c <- take (longestLag along) [0 ..]]
   -- Of wide arrays as many rows as the faster way down looks back, of others as few as possible.
   seeds
     | width >= 1024 = min height ((longestLag (spread down) + width - 1) `div` width)
     | otherwise = min height (longestLag down `div` max 1 width)
-  recurrenceOfPower e =
-    recurrenceOf (init' (coefficients (minimalPolynomialOfPower h e)))
-  init' cs = take (length cs - 1) cs
+  recurrenceOfPower e = let cs = coefficients (minimalPolynomialOfPower h e) in recurrenceOf (take (length cs - 1) cs)
 
 -- | The minimal polynomial of alpha^e over GF(q), by synthesis of the coefficients of 1 in alpha^0,
 -- alpha^e, alpha^(2 e), ...: this sequence obeys the minimal polynomial, which is irreducible, and is not
