@@ -9,7 +9,7 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Options.Applicative hiding (command)
 
 import ArrayChoice
-import Command.Stitch (assembly, stitchingOption)
+import Command.Stitch (Assembly, assemble, assemblyOptions)
 import Described
 import Ending
 import Files (writeWhole)
@@ -28,7 +28,7 @@ import Recognised
 import Setup
 
 data Options = Options
-  { corrected :: Bool
+  { assembly :: Assembly
   , network :: Maybe FilePath
   , database :: Maybe FilePath
   , picture :: Maybe FilePath
@@ -44,7 +44,7 @@ command = described "decode" "Recognise object, face and place from tactile imag
   (run <$> arrayChoice <*> options)
   where
     options = Options
-      <$> stitchingOption
+      <$> assemblyOptions
       <*> networkOption
       <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
       <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw the composite with the recovered symbols over it (one source only)"))
@@ -63,7 +63,7 @@ run choice options = do
   case (found, picture options) of
     (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
     _ -> pure ()
-  composites <- forM found (loadSource (assembly (corrected options)))
+  composites <- forM found (loadSource (assemble (assembly options)))
   maximum . (Answered :) <$> forM (zip (map sourcePath found) composites) (\(path, composite) -> do
     case found of
       _ : _ : _ | not (asJson options) -> putStrLn (path ++ ":")

@@ -13,6 +13,7 @@ import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
 import Text.Printf (printf)
 
 import ArrayChoice
+import Command.Stitch (registrationFor)
 import Described
 import Ending
 import Json
@@ -26,7 +27,6 @@ import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
-import PraTactile.Stitch (standardRegistration)
 import Setup
 
 data Options = Options
@@ -74,7 +74,7 @@ run choice options
 measure :: KnownField k => Profile -> Options -> Recogniser k -> [(LaidFace, HeightMap)] -> IO Ending
 measure profile options reader faces = do
   started <- traverse (maybe (unusable tooLarge) pure) (take (presses options) (trials sensor (size options) faces (seed options)))
-  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial reader standardRegistration) started)
+  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial reader (registrationFor (positionError options) (noise options))) started)
   watched <- hIsTerminalDevice stderr
   forM_ (zip [1 :: Int ..] results) $ \(i, result) -> do
     () <- result `seq` pure ()

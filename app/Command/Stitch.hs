@@ -1,8 +1,10 @@
 -- | @pra-tactile stitch@: a folder of frames to one composite image.
 module Command.Stitch
   ( command
-  , stitchingOption
-  , assembly
+  , Assembly
+  , assemblyOptions
+  , assemble
+  , registrationFor
   ) where
 
 import qualified Data.ByteString.Lazy as Lazy
@@ -23,25 +25,36 @@ import PraTactile.Stitch
 command :: Mod CommandFields (IO Ending)
 command = described "stitch" "Assemble the frames of a folder into one composite image, correcting their positions by cross-correlation."
   [ "pra-tactile stitch frames --output composite.pgm" ]
-  (run <$> stitchingOption
+  (run <$> assemblyOptions
        <*> strArgument (metavar "FOLDER")
        <*> strOption (long "output" <> metavar "FILE" <> help "The composite, .pgm or .png"))
 
--- | @--no-stitching@.
-stitchingOption :: Parser Bool
-stitchingOption = flag True False (long "no-stitching" <> help "Take the nominal positions as they are")
+-- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
+type Assembly = Maybe Registration
+
+-- | @--no-stitching@, or what the robot and the sensor are like.
+assemblyOptions :: Parser Assembly
+assemblyOptions = flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
+  <|> (Just <$> (registrationFor
+    <$> option auto (long "position-error" <> metavar "SIGMA" <> value 1 <> showDefault <> help "Standard deviation of each frame's position that the robot is known for, taxels")
+    <*> option auto (long "noise" <> metavar "SD" <> value 0.1 <> showDefault <> help "Standard deviation of the sensor's noise, as a share of full scale")))
+
+-- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full scale); an error of less
+-- than a hundredth of a taxel is taken as that, because a prior without width cannot be searched.
+registrationFor :: Double -> Double -> Registration
+registrationFor sigma noise = standardRegistration { registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma, registrationNoise = noise }
 
 -- | Assemble frames with stitching or without.
-assembly :: Bool -> [Frame] -> Either StitchError Composite
-assembly corrected = if corrected then stitch standardRegistration else placeOnly
+assemble :: Assembly -> [Frame] -> Either StitchError Composite
+assemble = maybe placeOnly stitch
 
-run :: Bool -> FilePath -> FilePath -> IO Ending
-run corrected folder output = do
+run :: Assembly -> FilePath -> FilePath -> IO Ending
+run way folder output = do
   encoder <- case map toLower (takeExtension output) of
     ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
     ".png" -> pure (Right . rasterPng)
     _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
-  composite <- loadSource (assembly corrected) (Folder folder)
+  composite <- loadSource (assemble way) (Folder folder)
   writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
   putStrLn ("wrote " ++ output ++ ": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
     ++ show (rasterHeight (compositeImage composite)) ++ " taxels from " ++ show (length (compositeDisplacements composite)) ++ " frames")

@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Tactile images as numbers: a rectangle of real values, row 0 at the top, 0 for no contact and 1 for full scale.
 -- Files are the business of "PraTactile.Image.Pgm".

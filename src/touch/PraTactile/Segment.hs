@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images of the
 -- symbols that lie wholly in it, each with its position and its axes.

@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | The paper's classifier (section IV): a two-layer feedforward network of sigmoid units that takes the 8 x 12 image of a symbol, has
 -- eight units in the hidden layer and one in the output layer for each class.

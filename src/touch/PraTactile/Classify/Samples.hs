@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Synthetic images of symbols, and of what is not one, as the classifier meets them: a little misplaced, blurred and out of register
 -- from stitching, of varying contrast, and noisy.

@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Training by backpropagation: gradient descent on the sum of squared errors over a whole batch, with momentum and an adaptive
 -- learning rate (the paper's section IV; Demuth and Beale's @traingdx@). Which images it is trained with is "PraTactile.Classify.Regimen".

@@ -1,6 +1,5 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole and at
 -- fractional displacements (the paper's section IV: "a 2-D cross-correlation algorithm is used to correct the

@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | The sensor's forward model (the paper's section III): the height map of a face in, frames out.
 --

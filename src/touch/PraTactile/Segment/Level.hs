@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | How high the background and the embossing lie in a composite, and whether there is any embossing at all.
 module PraTactile.Segment.Level

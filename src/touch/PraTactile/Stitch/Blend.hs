@@ -1,5 +1,4 @@
 {-# LANGUAGE BangPatterns #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | Blending: images at real places laid onto one grid of pixels.
 module PraTactile.Stitch.Blend

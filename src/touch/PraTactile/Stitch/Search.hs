@@ -1,5 +1,4 @@
 {-# LANGUAGE DerivingStrategies #-}
-{-# OPTIONS_GHC -O2 #-}
 
 -- | The search for one frame's displacement: correlation as evidence, the robot's accuracy as prior.
 module PraTactile.Stitch.Search
