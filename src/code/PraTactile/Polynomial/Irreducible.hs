@@ -8,7 +8,7 @@ module PraTactile.Polynomial.Irreducible
   , countIrreducible
 
     -- * What the test is made of
-  , frobeniusOfX
+  , powerMinusX
   , primeDivisors
   ) where
 
@@ -25,19 +25,20 @@ isIrreducible h = case modulusOf h of
   Nothing -> False
   Just modulus ->
     let n = modulusDegree modulus
-        powerMinusX d = frobeniusOfX modulus d - fromResidue (residueFrom modulus [zero, one])
         coprime a = polynomialDegree (greatestCommonDivisor h a) == Just 0
      in -- Most polynomials have a root in GF(q), and powers are not needed.
         (n == 1 || all ((/= zero) . valueAt h) elements)
-          && powerMinusX n == 0
-          && all (coprime . powerMinusX . (n `div`)) (primeDivisors n)
+          && powerMinusX modulus n == 0
+          && all (coprime . powerMinusX modulus . (n `div`)) (primeDivisors n)
 
--- | x^(q^d) modulo the modulus.
-frobeniusOfX :: KnownField k => Modulus k -> Int -> Polynomial k
-frobeniusOfX modulus d = fromResidue (go d (residueFrom modulus [zero, one]))
+-- | x^(q^d) - x modulo h.
+powerMinusX :: forall k. KnownField k => Modulus k -> Int -> Polynomial k
+powerMinusX modulus d = fromResidue (go d x) - fromResidue x
  where
+  x = residueFrom modulus [zero, one]
+  go :: Int -> Coefficients k -> Coefficients k
   go 0 a = a
-  go i a = go (i - 1 :: Int) $! frobenius modulus a
+  go i a = go (i - 1) $! frobenius modulus a
 
 -- | The primes that divide a degree, ascending.
 --

@@ -5,10 +5,10 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
--- Primitive polynomials over GF(q), and the check that makes one. Internal;
--- "PraTactile.Polynomial" exports all but the modulus.
+-- Primitive polynomials over GF(q), and the check that makes one. Internal; "PraTactile.Polynomial"
+-- exports all but the constructor and the modulus.
 module PraTactile.Polynomial.Primitive
-  ( Primitive
+  ( Primitive (Primitive)
   , primitivePolynomial
   , primitiveDegree
   , primitiveModulus
@@ -54,7 +54,7 @@ data PolynomialError
   deriving stock (Eq, Show)
 
 -- | A monic polynomial of degree n >= 1 that has been shown to be primitive: irreducible, and with
--- a root of order q^n - 1. Only 'checkPrimitive' and the search make one.
+-- a root of order q^n - 1. Only 'checkPrimitive', the search and the check of a certificate make one.
 data Primitive (k :: Field) = Primitive
   { primitivePolynomial :: Polynomial k
   -- ^ The polynomial that was shown to be primitive.

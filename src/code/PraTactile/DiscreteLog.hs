@@ -1,0 +1,127 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+
+-- |
+-- Which power of alpha an element of GF(q^n) is: the step from the state of the shift
+-- register to the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby
+-- steps and giant steps of Shanks). The cost goes with the square root of the largest prime that divides
+-- q^n - 1, and where that is too large the answer is a refusal.
+module PraTactile.DiscreteLog
+  ( -- * Logarithms
+    discreteLogarithm
+
+    -- * Many logarithms to one base
+  , Logarithms
+  , prepareLogarithms
+  , logarithmFrom
+
+    -- * Limits
+  , LogarithmError (..)
+  , largestFeasiblePrime
+  , mostBabySteps
+  ) where
+
+import Data.List (foldl')
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe, mapMaybe)
+import Numeric.Natural (Natural)
+import PraTactile.Extension
+import PraTactile.Factorisation.Divisor (squareRoot)
+import PraTactile.Field
+import PraTactile.Polynomial
+
+-- | Why there is no logarithm.
+data LogarithmError
+  = -- | Zero is no power of alpha.
+    LogarithmOfZero
+  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime', the second.
+    LogarithmInfeasible Natural Natural
+  deriving stock (Eq, Show)
+
+-- | 2^18: baby steps kept for one prime. With their table they take about 40 MB.
+mostBabySteps :: Natural
+mostBabySteps = 2 ^ (18 :: Int)
+
+-- | 2^40: with 'mostBabySteps', up to 2^22 giant steps are made, some seconds of them.
+largestFeasiblePrime :: Natural
+largestFeasiblePrime = 2 ^ (40 :: Int)
+
+-- | What is computed once for all logarithms to the base alpha, as far as they need it.
+data Logarithms (k :: Field) = Logarithms (Primitive k) [Part k]
+
+type role Logarithms nominal
+
+-- | One prime power r^e of q^n - 1, and how to take logarithms in the subgroup of order r.
+data Part k = Part
+  { partPrime :: Natural
+  , partExponent :: Natural
+  , partSteps :: Natural
+  -- ^ m, how many baby steps there are
+  , partBaby :: Map (Residue k) Natural
+  -- ^ gamma^j -> j, j < m, gamma = alpha^((q^n - 1)/r)
+  , partGiant :: Residue k
+  -- ^ gamma^(-m)
+  }
+
+-- | Prepare to take logarithms to the base alpha, the root of h. Refuses when a prime that divides
+-- q^n - 1 is too large ('LogarithmInfeasible').
+prepareLogarithms :: KnownField k => Primitive k -> Either LogarithmError (Logarithms k)
+prepareLogarithms h
+  | largest > largestFeasiblePrime = Left (LogarithmInfeasible largest largestFeasiblePrime)
+  | otherwise = Right (Logarithms h (map part (periodFactors h)))
+ where
+  largest = maximum (1 : map fst (periodFactors h))
+  part (r, e) = Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * (period h `div` r)))
+   where
+    m = min mostBabySteps (squareRoot (r - 1) + 1)
+    gamma = powerOfRoot h (period h `div` r)
+    babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
+
+-- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
+logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
+logarithmFrom (Logarithms h parts) a
+  | a == residue h 0 = Left LogarithmOfZero
+  | otherwise = Right (fst (foldl' chineseRemainder (0, 1) [(partLogarithm h p a, partPrime p ^ partExponent p) | p <- parts]))
+
+-- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the digits
+-- below r^i known to be x, the digit i is the logarithm to the base gamma of (b / alpha^(x N/r^e))^(r^(e-1-i)).
+partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
+partLogarithm h p a = foldl' withDigit 0 [0 .. partExponent p - 1]
+ where
+  r = partPrime p
+  cofactor = period h `div` r ^ partExponent p
+  b = powerOfResidue h a cofactor
+  withDigit x i =
+    let rest = multiplyModulo h b (powerOfRoot h ((r ^ partExponent p - x) * cofactor))
+     in x + r ^ i * stepLogarithm h p (powerOfResidue h rest (r ^ (partExponent p - 1 - i)))
+
+-- | The logarithm to the base gamma of one of its powers: some giant step i back from it ends on a
+-- baby step j, and it is i m + j.
+stepLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
+stepLogarithm h p d = maybe 0 id (listToMaybe (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
+ where
+  m = partSteps p
+  giants = [0 .. partPrime p `div` m]
+  found (i, c) = (+ i * m) <$> Map.lookup c (partBaby p)
+
+-- | The number below m n that is x modulo m and y modulo n, for coprime m and n.
+chineseRemainder :: (Natural, Natural) -> (Natural, Natural) -> (Natural, Natural)
+chineseRemainder (x, m) (y, n) = (x + m * step, m * n)
+ where
+  step = fromInteger ((toInteger y - toInteger x) * fst (euclid (toInteger m) (toInteger n)) `mod` toInteger n)
+  -- u and v with u a + v b = gcd a b.
+  euclid :: Integer -> Integer -> (Integer, Integer)
+  euclid _ 0 = (1, 0)
+  euclid s t = let (quotient, rest) = s `divMod` t; (u, v) = euclid t rest in (v, u - quotient * v)
+
+-- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which it is infeasible.
+--
+-- >>> import PraTactile.Field.Named (GF4)
+-- >>> let twice h = discreteLogarithm h (powerOfRoot h 123)
+-- >>> fmap twice (firstPrimitive 4 :: Either PolynomialError (Primitive GF4))
+-- Right (Right 123)
+discreteLogarithm :: KnownField k => Primitive k -> Residue k -> Either LogarithmError Natural
+discreteLogarithm h a = prepareLogarithms h >>= (`logarithmFrom` a)
