@@ -6,11 +6,14 @@ import Test.Hspec (describe, hspec)
 import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
 import qualified Test.Code.Distance
+import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
 import qualified Test.Code.Folding
+import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.Polynomial
+import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
 import qualified Test.Code.Proof
 import qualified Test.Code.Recurrence
@@ -39,8 +42,11 @@ main = hspec $ do
   describe "The house" Test.House.spec
   describe "The code" $ do
     describe "Fields" Test.Code.Field.spec
+    describe "The structure of fields" Test.Code.FieldStructure.spec
     describe "Factorisation" Test.Code.Factorisation.spec
     describe "Polynomials" Test.Code.Polynomial.spec
+    describe "Searching polynomials" Test.Code.PolynomialSearch.spec
+    describe "Extension fields" Test.Code.Extension.spec
     describe "Sequences" Test.Code.Sequence.spec
     describe "Shift registers" Test.Code.Register.spec
     describe "Fast forms of sequences" Test.Code.Recurrence.spec
