@@ -33,7 +33,7 @@ session p array mask = do
     , multiply = \a b -> fromElement <$> ((*) <$> element a <*> element b)
     , negation = \a -> fromElement . negate <$> element a
     , inverse = \a -> element a >>= either (const (refuse "division-by-zero")) (pure . fromElement) . Field.inverse
-    , term = \i -> pure (fromElement (termAt (arrayPrimitive array) (arrayState array) i))
+    , term = pure . fromElement . termOf
     , cell = pure . fromElement . cellAt array
     , pack = \codes -> Window.pack (profilePacking p) q . map toCode <$> traverse element codes
     , unpack = either (const (refuse "out-of-range")) (pure . map fromIntegral) . Window.unpack (profilePacking p) q (maskSize mask)
@@ -47,6 +47,8 @@ session p array mask = do
     }
   where
     q = fieldOrder (Proxy :: Proxy k)
+    -- Prepared once for all terms.
+    termOf = termAt (arrayPrimitive array) (arrayState array)
     element :: Code -> Wire (GF k)
     element code
       | code < fromIntegral q = either (const (refuse "invalid")) pure (fromCode (fromIntegral code))
