@@ -1,15 +1,20 @@
 {-# LANGUAGE DerivingStrategies #-}
 -- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window --state@, or
--- @--profile FILE@, or nothing, which is the canonical profile.
+-- @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
 module ArrayChoice
   ( ArrayChoice
   , arrayChoice
   , chosenProfile
+  , chosenSequence
     -- * Readers of option values
+  , naturalReader
   , shapeReader
   , positionReader
   , numbersReader
   , pairReader
+    -- * Options of several commands
+  , orderOption
+  , modulusOption
   ) where
 
 import Data.Char (isDigit, isSpace)
@@ -19,10 +24,11 @@ import Options.Applicative
 import Text.Read (readMaybe)
 
 import Ending
+import Json (foldingName)
 import Json.Profile (readProfile)
 import Message (profileMessage)
-import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Profile (Profile, canonicalProfile, chooseProfile)
+import PraTactile.Array (Folding, Position (..), Shape (..))
+import PraTactile.Profile (Profile, canonicalProfile, chooseProfile, foldedBy)
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
@@ -32,6 +38,7 @@ data ArrayChoice = ArrayChoice
   , choiceShape :: Maybe Shape
   , choiceWindow :: Maybe Shape
   , choiceState :: Maybe [Natural]
+  , choiceFolding :: Maybe Folding
   , choiceFile :: Maybe FilePath
   }
   deriving stock (Eq, Show)
@@ -39,22 +46,37 @@ data ArrayChoice = ArrayChoice
 -- | The options, all of them optional.
 arrayChoice :: Parser ArrayChoice
 arrayChoice = ArrayChoice
-  <$> optional (option natural (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256"))
-  <*> optional (option numbersReader (long "modulus" <> metavar "C0,C1,.." <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"))
+  <$> optional orderOption
+  <*> optional modulusOption
   <*> optional (option numbersReader (long "polynomial" <> metavar "C0,C1,.." <> help "Primitive characteristic polynomial over GF(q) as codes, constant term first, monic"))
   <*> optional (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
   <*> optional (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"))
   <*> optional (option numbersReader (long "state" <> metavar "S0,S1,.." <> help "Initial state of the shift register as codes (default 0,..,0,1)"))
+  <*> optional (option (eitherReader foldingNamed) (long "folding" <> metavar "FOLDING" <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
   <*> optional (strOption (long "profile" <> metavar "FILE" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
+
+  where
+    foldingNamed name = case [ f | f <- [minBound ..], foldingName f == name ] of
+      f : _ -> Right f
+      [] -> Left (show name ++ " is not a folding; choose diagonal or row-major")
+
+-- | @--q@.
+orderOption :: Parser Natural
+orderOption = option naturalReader (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256")
+
+-- | @--modulus@.
+modulusOption :: Parser [Natural]
+modulusOption = option numbersReader (long "modulus" <> metavar "C0,C1,.." <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)")
 
 -- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
 chosenProfile :: ArrayChoice -> IO Profile
 chosenProfile choice = case choice of
-  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing file -> maybe (pure canonicalProfile) readProfile file
+  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) -> readProfile file
   ArrayChoice { choiceFile = Just _ } ->
-    unusable "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, --window and --state"
+    unusable "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, --window, --state and --folding"
+  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing folding Nothing -> pure (maybe id foldedBy folding canonicalProfile)
   ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Just shape } ->
-    orUnusable profileMessage
+    maybe id foldedBy (choiceFolding choice) <$> orUnusable profileMessage
       (chooseProfile q (choiceModulus choice) h shape (choiceWindow choice) (choiceState choice))
   _ -> unusable ("to choose an array, give --q, --polynomial and --shape together (missing: " ++ missing ++ ")")
   where
@@ -63,8 +85,16 @@ chosenProfile choice = case choice of
         ++ [ "--polynomial" | Nothing <- [choicePolynomial choice] ]
         ++ [ "--shape" | Nothing <- [choiceShape choice] ] )
 
-natural :: ReadM Natural
-natural = eitherReader readNatural
+-- | As 'chosenProfile', where only the sequence matters: without a shape, all terms lie in one row.
+chosenSequence :: ArrayChoice -> IO Profile
+chosenSequence choice = case choice of
+  ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Nothing, choiceFile = Nothing } ->
+    chosenProfile choice { choiceShape = Just (Shape 1 (q ^ (max 1 (length h) - 1) - 1)), choiceWindow = Just (Shape 1 1) }
+  _ -> chosenProfile choice
+
+-- | A number 0, 1, 2, ...
+naturalReader :: ReadM Natural
+naturalReader = eitherReader readNatural
 
 readNatural :: String -> Either String Natural
 readNatural text

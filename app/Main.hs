@@ -1,6 +1,7 @@
 -- | The command line: one parser a command, each in its own module.
 module Main (main) where
 
+import qualified Command.Advise
 import qualified Command.Array
 import qualified Command.Decode
 import qualified Command.Evaluate
@@ -9,8 +10,10 @@ import qualified Command.Objects
 import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
+import qualified Command.Sequence
 import qualified Command.Shapes
 import qualified Command.Stitch
+import qualified Command.Synthesise
 import qualified Command.Table
 import qualified Command.Train
 import Data.Version (showVersion)
@@ -47,7 +50,8 @@ versionOption = infoOption ("pra-tactile " ++ showVersion version) (long "versio
 
 commands :: Parser (IO Ending)
 commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
-    [ Command.Array.command, Command.Prove.command, Command.Locate.command, Command.Table.command, Command.Profile.command ])
+    [ Command.Array.command, Command.Prove.command, Command.Locate.command, Command.Table.command, Command.Profile.command
+    , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
     [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Evaluate.command ])
   <|> subparser (commandGroup "Objects and symbols:" <> hidden <> mconcat

@@ -38,7 +38,7 @@ run choice chosen asJson = do
 -- | @--surface torus|sheet@.
 surfaceOption :: Parser (Maybe Surface)
 surfaceOption = optional (option (eitherReader surfaceNamed)
-  (long "surface" <> metavar "SURFACE" <> help "torus, twisted-torus or sheet (default: the profile's, torus)"))
+  (long "surface" <> metavar "SURFACE" <> help "torus, twisted-torus or sheet (default: the folding's own)"))
   where
     surfaceNamed name = case [ s | s <- [minBound ..], surfaceName s == name ] of
       s : _ -> Right s

@@ -2,6 +2,7 @@
 module Message.Code
   ( fieldMessage
   , polynomialMessage
+  , factorMessage
   , foldMessage
   , profileMessage
   , proofMessage

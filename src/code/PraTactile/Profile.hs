@@ -13,6 +13,7 @@ module PraTactile.Profile
   , Reading (..)
   , canonicalProfile
   , chooseProfile
+  , foldedBy
   , inferWindow
 
     -- * From profiles to arrays
@@ -130,6 +131,10 @@ chooseProfile q givenModulus h shape givenWindow givenState = do
  where
   n = fromIntegral (max 1 (length h) - 1) :: Natural
   notInferred = Left (WindowNotInferred (rows shape) n)
+
+-- | The profile with another folding, and the surface that is natural for it.
+foldedBy :: Folding -> Profile -> Profile
+foldedBy folding profile = profile {profileFolding = folding, profileSurface = naturalSurface folding}
 
 -- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2
 -- (MacWilliams and Sloane 1976). The arguments are q, n and the shape.
