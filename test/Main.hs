@@ -21,6 +21,7 @@ import qualified Test.Code.Register
 import qualified Test.Code.Sequence
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.House
 import qualified Test.Object.Placement
@@ -75,3 +76,4 @@ main = hspec $ do
   describe "Recognition" Test.Recognise.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
+  describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec

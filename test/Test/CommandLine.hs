@@ -4,17 +4,14 @@ module Test.CommandLine (spec) where
 
 import Control.Monad (void, (>=>))
 import Data.Aeson
-import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf)
 import System.Directory
-import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (readProcessWithExitCode)
+import Test.CommandLine.Run
 import Test.Hspec
 
 spec :: Spec
@@ -22,37 +19,6 @@ spec = do
   codeSpec
   touchSpec
   badInputSpec
-
--- | Status, standard output, standard error.
-type Outcome = (Int, String, String)
-
-pra :: [String] -> IO Outcome
-pra = (`praWith` "")
-
-praWith :: [String] -> String -> IO Outcome
-praWith arguments input = do
-  (code, out, err) <- readProcessWithExitCode "pra-tactile" arguments input
-  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
-
--- | The value under a path of keys in one line of JSON.
-key :: [Key] -> String -> Maybe Value
-key path line = decode (Lazy8.pack line) >>= go path
-  where
-    go [] value = Just value
-    go (k : ks) (Object o) = KeyMap.lookup k o >>= go ks
-    go _ _ = Nothing
-
--- | It prints exactly these lines, nothing on the standard error, and ends with status 0.
-prints :: [String] -> [String] -> Expectation
-prints arguments expected = pra arguments `shouldReturn` (0, unlines expected, "")
-
--- | It prints nothing, one line of complaint with this in it, and ends with status 2.
-complains :: [String] -> String -> Expectation
-complains arguments about = do
-  (status, out, err) <- pra arguments
-  (status, out) `shouldBe` (2, "")
-  err `shouldSatisfy` (about `isInfixOf`)
-  length (lines err) `shouldBe` 1
 
 codeSpec :: Spec
 codeSpec = describe "the code" $ do
@@ -213,7 +179,7 @@ badInputSpec = describe "bad input: one line, status 2, nothing written" $ do
   it "--version and every command's --help with an example end with status 0" $ do
     (status, out, _) <- pra ["--version"]
     (status, "pra-tactile " `isPrefixOf` out) `shouldBe` (0, True)
-    for_ ["array", "prove", "locate", "table", "probe", "stitch", "train", "decode", "evaluate", "objects", "profile", "shapes"] $ \name -> do
+    for_ ["array", "prove", "locate", "table", "probe", "stitch", "train", "decode", "evaluate", "objects", "profile", "shapes", "sequence", "synthesise", "advise"] $ \name -> do
       (helped, text, _) <- pra [name, "--help"]
       (helped, "Example" `isInfixOf` text) `shouldBe` (0, True)
   where

@@ -1,0 +1,48 @@
+-- | Running the executable, for the tests of the command line.
+module Test.CommandLine.Run
+  ( Outcome
+  , pra
+  , praWith
+  , key
+  , prints
+  , complains
+  ) where
+
+import Data.Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.List (isInfixOf)
+import System.Exit (ExitCode (..))
+import System.Process (readProcessWithExitCode)
+import Test.Hspec
+
+-- | Status, standard output, standard error.
+type Outcome = (Int, String, String)
+
+pra :: [String] -> IO Outcome
+pra = (`praWith` "")
+
+praWith :: [String] -> String -> IO Outcome
+praWith arguments input = do
+  (code, out, err) <- readProcessWithExitCode "pra-tactile" arguments input
+  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
+
+-- | The value under a path of keys in one line of JSON.
+key :: [Key] -> String -> Maybe Value
+key path line = decode (Lazy8.pack line) >>= go path
+  where
+    go [] value = Just value
+    go (k : ks) (Object o) = KeyMap.lookup k o >>= go ks
+    go _ _ = Nothing
+
+-- | It prints exactly these lines, nothing on the standard error, and ends with status 0.
+prints :: [String] -> [String] -> Expectation
+prints arguments expected = pra arguments `shouldReturn` (0, unlines expected, "")
+
+-- | It prints nothing, one line of complaint with this in it, and ends with status 2.
+complains :: [String] -> String -> Expectation
+complains arguments about = do
+  (status, out, err) <- pra arguments
+  (status, out) `shouldBe` (2, "")
+  err `shouldSatisfy` (about `isInfixOf`)
+  length (lines err) `shouldBe` 1
