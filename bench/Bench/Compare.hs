@@ -10,6 +10,7 @@ module Bench.Compare
 
 import Control.Exception (IOException, bracket, try)
 import Control.Monad (replicateM)
+import Data.Maybe (listToMaybe)
 
 import Bench.Pairs
 import Bench.Targets
@@ -47,23 +48,22 @@ compareWith folder patience rounds target = mapM row (targetGoals target)
   row goal = guarded goal $ case (goal, folder) of
     (TimesAsFast _ peer, Just peers) ->
       withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
-        firstPair <- pair us them
-        judged goal firstPair <$> further firstPair (pair us them)
-    _ -> withOurs $ \us -> do
-      firstAnswer <- alone us
-      judged goal firstAnswer <$> further firstAnswer (alone us)
+        judged goal 1 <$> oneAndMore (pair us them)
+    -- A process that has measured before may hold memory of that.
+    (WithinMebibytes _, _) -> judged goal 0 <$> replicateM rounds (withOurs alone)
+    _ -> withOurs (fmap (judged goal 1) . oneAndMore . alone)
   -- A program that did not answer is not asked again.
-  further before act = either (const (pure [])) (const (replicateM rounds act)) before
-  withOurs = bracket (startOurs (targetCores target) (targetOurs target)) stop
+  oneAndMore act = act >>= \one -> (one :) <$> either (const (pure [])) (const (replicateM rounds act)) one
+  withOurs = bracket (startOurs (targetRunTime target) (targetOurs target)) stop
   pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask patience us <*> ask patience them
   alone us = fmap (\a -> (a, Nothing)) <$> ask patience us
   guarded goal act = either (failed goal) id <$> (try act :: IO (Either IOException Row))
   failed goal problem = (emptyRow goal) {rowNote = show problem}
   emptyRow goal = Row target goal "" Nothing Nothing Nothing Nothing 0 NoVerdict ""
-  judged goal firstRound later = case sequence (firstRound : later) of
+  judged goal uncounted rounded = case sequence rounded of
     Left problem -> (emptyRow goal) {rowNote = problem}
     Right answers ->
-      let counted = drop 1 answers
+      let counted = drop uncounted answers
           unit = concatMap (answerUnit . fst) (take 1 answers)
           us = spread (map (answerValue . fst) counted)
           ratios = spread [faster unit (answerValue a) (answerValue b) | (a, Just b) <- counted]
@@ -73,13 +73,12 @@ compareWith folder patience rounds target = mapM row (targetGoals target)
             { rowUnit = unit
             , rowOurs = us
             , rowPeer = spread [answerValue b | (_, Just b) <- counted]
-            , rowFirst = if null [() | (_, Just _) <- answers] then Nothing else answerValue <$> (snd =<< headOf answers)
+            , rowFirst = listToMaybe [answerValue b | (_, Just b) <- answers]
             , rowRatio = ratios
             , rowPeak = peak
             , rowStanding = standing goal us ratios peak
             , rowNote = if different then "the results differ" else ""
             }
-  headOf = foldr (\a _ -> Just a) Nothing
   faster unit a b = if unit == "s" then b / a else a / b
 
 standing :: Goal -> Maybe Spread -> Maybe Spread -> Double -> Standing

@@ -48,11 +48,11 @@ instance FromJSON Answer where
 -- | A running program: a line to it, a line back.
 data Participant = Participant ProcessHandle Handle Handle
 
--- | This library's measurement of that name, in a process of its own with that many cores.
-startOurs :: Maybe Int -> String -> IO Participant
-startOurs cores name = do
+-- | This library's measurement of that name, in a process of its own with these options for the run-time system.
+startOurs :: [String] -> String -> IO Participant
+startOurs runTime name = do
   self <- getExecutablePath
-  start self ["--measure", name, "+RTS", maybe "-N" (("-N" ++) . show) cores, "-RTS"]
+  start self (["--measure", name, "+RTS"] ++ runTime ++ ["-RTS"])
 
 -- | A peer, from the folder that @bench/peers/setup.sh@ made.
 startPeer :: FilePath -> Peer -> IO Participant

@@ -18,8 +18,8 @@ COMMAND = "bench/peers/facts.py test/data"
 
 
 def ascending(polynomial):
-    """galois lists the highest degree first."""
-    return [int(c) for c in reversed(polynomial.coeffs)]
+    """galois lists the highest degree first, and the zero polynomial as one zero."""
+    return [int(c) for c in reversed(polynomial.coeffs)] if polynomial != 0 else []
 
 
 def field(q):
