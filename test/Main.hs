@@ -12,6 +12,8 @@ import qualified Test.Code.Field
 import qualified Test.Code.Folding
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
+import qualified Test.Code.LocateNearest
+import qualified Test.Code.LocateRoads
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -58,6 +60,8 @@ main = hspec $ do
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
     describe "Locating" Test.Code.Locate.spec
+    describe "The roads to a position" Test.Code.LocateRoads.spec
+    describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.spec

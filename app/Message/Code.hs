@@ -104,6 +104,7 @@ locateMessage e = case e of
   TableArray why -> foldMessage why
   PatchEmpty -> "the patch has no cells"
   PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
+  TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
 
 reasonMessage :: Reason -> String
 reasonMessage reason = case reason of
@@ -113,3 +114,5 @@ reasonMessage reason = case reason of
   NotInArray -> "no complete window of the patch occurs in the array"
   Contradiction -> "the observed cells do not fit one place: at least one of them is wrong"
   OffSheet -> "the windows fit one place, but there the patch reaches beyond the edge of the sheet"
+  BeyondRadius -> "no position differs from the observed cells in as few of them as may be corrected"
+  BelowThreshold -> "the likeliest position is not likely enough"

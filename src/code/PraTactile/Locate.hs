@@ -41,6 +41,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid
+import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Table
 import PraTactile.Window
@@ -86,48 +87,6 @@ tableLookup = codeTableLookup . tableCodes
 tableEntries :: Table k -> [(Natural, [Position])]
 tableEntries table =
   [(packed, positions) | packed <- [0 .. tableSize table - 1], positions@(_ : _) <- [tableLookup table packed]]
-
--- | What is known of a patch's place. Positions are those of its upper left cell, observed or not.
-data Outcome
-  = -- | The only position that agrees with every observed cell; and the offsets in the patch of the
-    -- complete windows that say so.
-    Located Position [Position]
-  | -- | All positions, two or more, that agree with every observed cell; and the offsets as above.
-    Ambiguous [Position] [Position]
-  | -- | No position, and why.
-    Refused Reason
-  deriving stock (Eq, Show)
-
--- | Why a patch has no position. The list is closed; 'reasonName' is the name for other programs.
-data Reason
-  = -- | Every complete window is all zeros, which occurs nowhere: @zero-window@.
-    ZeroWindow
-  | -- | Fewer cells are observed than a window has: @too-few-cells@.
-    TooFewCells
-  | -- | Enough cells are observed, but no window is complete: @no-complete-window@.
-    NoCompleteWindow
-  | -- | No complete window occurs on the surface: @not-in-array@.
-    NotInArray
-  | -- | The windows, or the windows and other observed cells, do not fit one place: @contradiction@.
-    Contradiction
-  | -- | What lies on the sheet fits one place, but there the patch's upper left or an observed cell
-    -- lies beyond the edge: @off-sheet@.
-    OffSheet
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
-
--- | The name of a reason in files and on the wire.
-reasonName :: Reason -> String
-reasonName reason = case reason of
-  ZeroWindow -> "zero-window"
-  TooFewCells -> "too-few-cells"
-  NoCompleteWindow -> "no-complete-window"
-  NotInArray -> "not-in-array"
-  Contradiction -> "contradiction"
-  OffSheet -> "off-sheet"
-
--- | All reasons.
-reasons :: [Reason]
-reasons = [minBound .. maxBound]
 
 -- | The place of a patch: all its complete windows and all its other observed cells must agree. On
 -- the sheet, every observed cell and the patch's upper left must lie on it.

@@ -129,6 +129,8 @@ spec = do
                    , (NotInArray, "not-in-array")
                    , (Contradiction, "contradiction")
                    , (OffSheet, "off-sheet")
+                   , (BeyondRadius, "beyond-radius")
+                   , (BelowThreshold, "below-threshold")
                    ]
     it "patches without cells or with ragged rows are none" $ do
       noPatch [] `shouldBe` Left PatchEmpty
@@ -263,7 +265,7 @@ asByComparing array on table cells =
       property (not (null offsets) && all absent contents && any (any (/= 0)) contents) .&&. fitting === []
     Right (Refused OffSheet) -> on === Sheet .&&. fitting === [] .&&. length stickingOut === 1
     Right (Refused Contradiction) -> property (not (null offsets) && not (all absent contents)) .&&. fitting === [] .&&. stickingOut === []
-    Right (Ambiguous _ _) -> property False
+    Right _ -> property False
     Left _ -> property False
  where
   outcome = locateRows table cells

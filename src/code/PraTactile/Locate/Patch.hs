@@ -31,6 +31,9 @@ data LocateError
     PatchEmpty
   | -- | The row with this index, from 0, has this many cells instead of that many.
     PatchRagged Int Int Int
+  | -- | The array has this many cells, more than the second number: too many to compare a patch with
+    -- each of them.
+    TooManyPlaces Natural Natural
   deriving stock (Eq, Show)
 
 -- | A rectangle of observed and unobserved cells.

@@ -1,0 +1,222 @@
+{-# LANGUAGE DataKinds #-}
+
+-- | Locating with errors and erasures, against every position and every pattern of errors.
+module Test.Code.LocateNearest (spec) where
+
+import Control.Monad (forM_)
+import Data.Bits (popCount, shiftL, shiftR, xor, (.&.), (.|.))
+import Data.List (foldl', sort)
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Window
+import PraTactile.Window.Distance
+import Test.Code.Generators
+import Test.Hspec
+import Test.QuickCheck (Gen, Property, Result (..), choose, conjoin, counterexample, forAll, property, maxSuccess, chatty, quickCheckWithResult, stdArgs, vectorOf, (===))
+
+spec :: Spec
+spec = do
+  describe "every pattern of errors within the guaranteed radius and just beyond it, on the paper's array" $ do
+    -- The code is linear: adding a codeword moves the received word and every codeword alike, so that the patterns
+    -- around one position stand for those around all; only the place that the zero word would have
+    -- moves. Likewise the multiples of a pattern stand for each other, so that at one position only those are tried
+    -- whose first error adds 1. The smaller windows are exhausted at all 255 positions none the less.
+    forM_ [(2, 3, 0, 255), (3, 2, 0, 255), (3, 3, 1, 255), (3, 4, 2, 5), (4, 4, 4, 1)] $ \(h, w, t, places) ->
+      it (show h ++ "x" ++ show w ++ ": " ++ show t ++ " errors are corrected, and more are refused or decoded as comparing with all positions says, at " ++ show places ++ " positions") $ do
+        shelf <- paperBook Torus
+        guaranteedRadius . distance <$> minimumDistance' shelf (Shape h w) `shouldReturn` fromIntegral t
+        sums <- mapM (patterns shelf (Shape h w) t (places == 1)) (take places (everyPosition 7))
+        [bad | bad : _ <- sums] `shouldBe` []
+  describe "any patch with holes and errors" $ do
+    it "is decoded as its definition says, on torus and sheet, by any radius" $ do
+      forM_ [Torus, Sheet] $ \surface -> do
+        shelf <- paperBook surface
+        holds 1500 $ forAll ((,) <$> genDamaged shelf <*> choose (0, 4 :: Int)) $ \(cells, e) -> asDefined shelf (fromIntegral e) cells
+    it "is located right if 2 e is less than the distance of the cells that were observed" $ do
+      shelf <- paperBook Torus
+      holds 1500 $ forAll (genWithin shelf) $ \(place, wrong, cells) -> case patch cells of
+        Left e -> counterexample (show e) False
+        Right p ->
+          let decision = nearest shelf Guaranteed p
+           in conjoin
+                [ case decisionOutcome decision of
+                    Located found _ -> found === place
+                    other -> counterexample (show other) (decisionDistance decision === 0)
+                , if decisionDistance decision == 0 then property True else decisionWrong decision === sort wrong
+                ]
+    it "has the distance that the rank road finds for the cells observed" $ do
+      shelf <- paperBook Torus
+      holds 300 $ forAll genOffsets $ \offsets ->
+        either (const Nothing) (Just . distance) (either (const (Left ())) (either (const (Left ())) Right . minimumDistance (bookArray shelf)) (maskFrom offsets))
+          === Just (observedDistance shelf offsets)
+  it "the zero word is refused: zero-window" $ do
+    shelf <- paperBook Torus
+    p <- right (patch [[Just 0, Just 0, Just 0], [Just 0, Just 1, Just 0], [Just 0, Just 0, Just 0]])
+    decisionOutcome (nearest shelf Guaranteed p) `shouldBe` Refused ZeroWindow
+    none <- right (patch [[Nothing, Nothing]])
+    decisionOutcome (nearest shelf Guaranteed none) `shouldBe` Refused TooFewCells
+  it "no distance is promised where the surface is not the array's own, and so nothing is corrected" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    shelf <- right (book TwistedTorus array m)
+    observedDistance shelf (maskOffsets m) `shouldBe` 0
+    p <- right (patch [[Just 0, Just 1, Just 2, Just 3], [Just 0, Just 1, Just 2, Just 2], [Just 0, Just 1, Just 2, Just 3], [Just 0, Just 1, Just 2, Just 3]])
+    decisionRadius (nearest shelf Guaranteed p) `shouldBe` 0
+
+paperBook :: Surface -> IO (Book GF4)
+paperBook surface = do
+  array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+  m <- right (rectangle (Shape 2 2))
+  right (book surface array m)
+
+minimumDistance' :: Book GF4 -> Shape -> IO Distance
+minimumDistance' shelf size = right (rectangle size) >>= right . minimumDistance (bookArray shelf)
+
+-- | All positions of the paper's array, in a scattered order.
+everyPosition :: Int -> [Position]
+everyPosition start = [Position (fromIntegral (i `mod` 15)) (fromIntegral (i `mod` 17)) | k <- [0 .. 254], let i = start + 37 * k]
+
+-- | The patterns of at most t + 1 errors around a window: those whose decision is not what it should be. What it should be is found by other means: two
+-- bits a cell, and counting the cells in which two windows differ by bit operations.
+patterns :: Book GF4 -> Shape -> Int -> Bool -> Position -> IO [([Position], Decision)]
+patterns shelf size t upToFactor place = do
+  m <- right (rectangle size)
+  let offsets = maskOffsets m
+      count = length offsets
+      array = bookArray shelf
+      content (Position r c) = [cellAt array (Position ((r + i) `mod` 15) ((c + j) `mod` 17)) | Position i j <- offsets]
+      packed = foldl' (\n a -> n `shiftL` 2 .|. toCode a) (0 :: Int) :: [GF GF4] -> Int
+      book' = Primitive.fromList (map (packed . content) positionsInOrder)
+      differ a b = let x = a `xor` b in popCount ((x .|. (x `shiftR` 1)) .&. (0x5555555555555555 :: Int))
+      sent = content place
+      errors k = choices upToFactor k (zip [0 ..] sent)
+      check (wrong, received) =
+        let word = packed received
+            near = Primitive.map (differ word) book'
+            least = Primitive.minimum near
+            spots = [i | (i, n) <- zip [0 ..] (Primitive.toList near), n == least]
+            expected
+              | length wrong <= t = Located place []
+              | least <= t, [i] <- spots = Located (positionsInOrder !! i) []
+              | differ word 0 <= t = Refused ZeroWindow
+              | t == 0 = Refused Contradiction
+              | otherwise = Refused BeyondRadius
+         in case patch (rowsOf (fromIntegral (columns size)) (map Just received)) of
+              Left _ -> []
+              Right p ->
+                let decision = nearest shelf Guaranteed p
+                    outcome = case decisionOutcome decision of
+                      Located found _ -> Located found []
+                      Refused NotInArray -> Refused Contradiction
+                      other -> other
+                 in [ (map (offsets !!) wrong, decision)
+                    | outcome /= expected
+                        || decisionNearest decision /= Just (fromIntegral least)
+                        || (length wrong <= t && decisionWrong decision /= map (offsets !!) wrong)
+                    ]
+  pure (concatMap check (concat [errors k | k <- [0 .. min count (t + 1)]]))
+ where
+  positionsInOrder = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
+  -- Every way to have exactly k wrong symbols: their indices, and the word.
+  choices :: Bool -> Int -> [(Int, GF GF4)] -> [([Int], [GF GF4])]
+  choices _ 0 cells = [([], map snd cells)]
+  choices _ _ [] = []
+  choices first k ((i, a) : rest) =
+    [(wrong, a : word) | (wrong, word) <- choices first k rest]
+      ++ [(i : wrong, b : word) | b <- if first then [a + 1] else elements, b /= a, (wrong, word) <- choices False (k - 1) rest]
+
+rowsOf :: Int -> [a] -> [[a]]
+rowsOf w cells = case splitAt w cells of
+  ([], _) -> []
+  (r, rest) -> r : rowsOf w rest
+
+type Cells = [[Maybe (GF GF4)]]
+
+genDamaged :: Book GF4 -> Gen Cells
+genDamaged shelf = do
+  h <- choose (1, 4)
+  w <- choose (1, 4)
+  r <- choose (0, 14)
+  c <- choose (0, 16)
+  mapM (mapM damage) (seen shelf (Position (fromInteger r) (fromInteger c)) h w)
+ where
+  damage a = do
+    fate <- choose (0, 99 :: Int)
+    b <- genElement
+    pure (if fate < 15 then Nothing else if fate < 30 then Just b else Just a)
+
+seen :: Book GF4 -> Position -> Integer -> Integer -> [[GF GF4]]
+seen shelf (Position r c) h w =
+  [[cellAt (bookArray shelf) (Position (r + fromInteger i) (c + fromInteger j)) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
+
+-- | A patch with holes and as many errors as are promised to be corrected: its position, the wrong cells, the patch.
+genWithin :: Book GF4 -> Gen (Position, [Position], Cells)
+genWithin shelf = do
+  h <- choose (2, 5)
+  w <- choose (2, 5)
+  r <- choose (0, 14)
+  c <- choose (0, 16)
+  let place = Position (fromInteger r) (fromInteger c)
+      cells = seen shelf place h w
+      at i j = Position (fromInteger i) (fromInteger j)
+  gone <- vectorOf (fromInteger (h * w)) ((< 25) <$> choose (0, 99 :: Int))
+  let observed = [at i j | ((i, j), False) <- zip [(i, j) | i <- [0 .. h - 1], j <- [0 .. w - 1]] gone]
+      t = fromIntegral (guaranteedRadius (observedDistance shelf observed))
+  errors <- choose (0, t :: Int)
+  wrong <- pick errors observed
+  let damage o a
+        | o `notElem` observed = pure Nothing
+        | o `elem` wrong = Just . (a +) <$> nonZero
+        | otherwise = pure (Just a)
+  patched <- mapM (\(i, line) -> mapM (\(j, a) -> damage (at i j) a) (zip [0 ..] line)) (zip [0 ..] cells)
+  pure (place, wrong, patched)
+ where
+  nonZero = genElement >>= \a -> if a == 0 then nonZero else pure a
+  pick 0 _ = pure []
+  pick _ [] = pure []
+  pick k from = do
+    i <- choose (0, length from - 1)
+    (from !! i :) <$> pick (k - 1 :: Int) (take i from ++ drop (i + 1) from)
+
+genOffsets :: Gen [Position]
+genOffsets = do
+  kept <- vectorOf 16 (choose (0, 99 :: Int))
+  let offsets = [Position (fromInteger i) (fromInteger j) | (k, (i, j)) <- zip kept [(i, j) | i <- [0 .. 3], j <- [0 .. 3]], k < 60]
+  if null offsets then genOffsets else pure offsets
+
+-- | Count, at every position, the observed cells that differ.
+asDefined :: Book GF4 -> Natural -> Cells -> Property
+asDefined shelf e cells = case patch cells of
+  Left complaint -> counterexample (show complaint) False
+  Right p ->
+    let decision = nearest shelf (UpTo e) p
+        observed = [(i, j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
+        fits (Position r c) = bookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
+        differing (Position r c) = [Position i j | (i, j, a) <- observed, cellAt (bookArray shelf) (Position (r + i) (c + j)) /= a]
+        counted = [(fromIntegral (length (differing place)), place) | r <- [0 .. 14], c <- [0 .. 16], let place = Position r c, fits place]
+        ordered = sort (map fst counted)
+        best = [place | (count, place) <- counted, [count] == take 1 ordered]
+        within = take 1 ordered <= [e]
+     in counterexample (show decision) $
+          conjoin
+            [ decisionNearest decision === (case ordered of { a : _ -> Just a; [] -> Nothing })
+            , decisionRunnerUp decision === (case ordered of { _ : b : _ -> Just b; _ -> Nothing })
+            , case decisionOutcome decision of
+                Located place _ -> conjoin [property within, best === [place], decisionWrong decision === differing place]
+                Ambiguous places _ -> conjoin [property (within && length best > 1), places === best]
+                Refused TooFewCells -> property (null observed)
+                Refused ZeroWindow -> property (not (within && not (null ordered)) && fromIntegral (length [() | (_, _, a) <- observed, a /= 0]) <= e)
+                Refused BeyondRadius -> property (e > 0 && not (within && not (null ordered)))
+                Refused _ -> property (e == 0 && not (within && not (null ordered)))
+            ]
+
+holds :: Int -> Property -> Expectation
+holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
+  Success {} -> pure ()
+  _ -> expectationFailure (output r)

@@ -1,0 +1,116 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- | The roads from observed cells to position agree.
+module Test.Code.LocateRoads (spec) where
+
+import Control.Monad (forM_)
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Search
+import PraTactile.Window
+import Test.Code.Generators
+import Test.Hspec
+import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
+
+spec :: Spec
+spec = do
+  it "every window of every small array, and every content, has the same outcome by all roads" $
+    forM_ smallArrays $ \(q, n, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
+      h <- firstOver k n
+      forM_ [(Diagonal, Torus), (Diagonal, Sheet), (RowMajor, TwistedTorus), (RowMajor, Sheet)] $ \(folding, surface) ->
+        forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
+          m <- right (rectangle window)
+          table <- right (buildTable MostSignificantFirst surface array m)
+          shelf <- right (book surface array m)
+          let contents = [grid | packed <- [0 .. tableSize table - 1], Right codes <- [unpack MostSignificantFirst q (maskSize m) packed], grid <- toPatch window codes]
+          [cells | cells <- contents, not (agree surface array m table shelf cells)] `shouldBe` []
+  it "patches of the paper's array with holes and errors have the same outcome where a window is complete" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    forM_ [Torus, Sheet] $ \surface -> do
+      table <- right (buildTable MostSignificantFirst surface array m)
+      shelf <- right (book surface array m)
+      holds 1500 $ forAll (genPatch array) $ \cells -> agree surface array m table shelf cells
+  it "where no window is complete, search and the nearest position still answer: all positions that agree" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    let observed = [[Just (cellAt array (Position 6 5)), Nothing, Just (cellAt array (Position 6 7))], [Nothing, Just (cellAt array (Position 7 6)), Just (cellAt array (Position 7 7))]]
+    p <- right (patch observed)
+    searchPatch Torus array m p `shouldBe` Right (Located (Position 6 5) [])
+    few <- right (patch (take 1 observed))
+    case searchPatch Torus array m few of
+      Right (Ambiguous places []) -> length places `shouldBe` 4 ^ (4 - 2 :: Int)
+      other -> expectationFailure (show other)
+  it "an array beyond 2^20 cells is not searched" $ do
+    h <- firstOver (Proxy :: Proxy GF2) 21
+    array <- right (folded RowMajor (Shape 1 (2 ^ (21 :: Int) - 1)) h)
+    m <- right (rectangle (Shape 1 21))
+    p <- right (patch [replicate 21 (Just 1)])
+    searchPatch TwistedTorus array m p `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
+    (() <$ book TwistedTorus array m) `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
+
+-- | The field's order, the degree, a shape of q^n - 1 cells, and a window: with the window property,
+-- with windows that repeat, and with more cells than are needed.
+smallArrays :: [(Int, Natural, Shape, Shape)]
+smallArrays =
+  [ (2, 4, Shape 3 5, Shape 2 2)
+  , (2, 6, Shape 7 9, Shape 3 2)
+  , (2, 6, Shape 7 9, Shape 2 2)
+  , (2, 4, Shape 3 5, Shape 3 3)
+  , (3, 3, Shape 2 13, Shape 1 3)
+  , (3, 3, Shape 2 13, Shape 2 3)
+  , (4, 2, Shape 3 5, Shape 2 2)
+  , (4, 4, Shape 15 17, Shape 2 2)
+  , (4, 4, Shape 15 17, Shape 1 3)
+  , (5, 3, Shape 4 31, Shape 1 3)
+  , (9, 2, Shape 8 10, Shape 1 2)
+  , (9, 2, Shape 5 16, Shape 1 2)
+  , (16, 1, Shape 3 5, Shape 1 2)
+  ]
+
+toPatch :: KnownField k => Shape -> [Int] -> [[[Maybe (GF k)]]]
+toPatch window codes = [rowsOf (map Just cells) | Right cells <- [traverse fromCode codes]]
+ where
+  rowsOf cells = case splitAt (fromIntegral (columns window)) cells of
+    ([], _) -> []
+    (r, rest) -> r : rowsOf rest
+
+-- | The search agrees with the table wherever that uses the patch, and the nearest position, without a
+-- correction, with the search always.
+agree :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Table k -> Book k -> [[Maybe (GF k)]] -> Bool
+agree surface array m table shelf cells = case patch cells of
+  Left _ -> False
+  Right p ->
+    let byTable = locatePatch table p
+        bySearch = searchPatch surface array m p
+     in (byTable `elem` [Refused TooFewCells, Refused NoCompleteWindow] || bySearch == Right byTable)
+          && Right (decisionOutcome (nearest shelf (UpTo 0) p)) == bySearch
+
+-- | A patch of the array with unobserved cells, sometimes with an error, sometimes across the edges.
+genPatch :: KnownField k => PseudorandomArray k -> Gen [[Maybe (GF k)]]
+genPatch array = do
+  h <- choose (1, 4)
+  w <- choose (1, 4)
+  r <- choose (0, 14)
+  c <- choose (0, 16)
+  errors <- QuickCheck.elements [0, 0, 8, 60 :: Int]
+  unobserved <- QuickCheck.elements [0, 10, 30, 60 :: Int]
+  let observe a = do
+        wrong <- (< errors) <$> choose (0, 99)
+        gone <- (< unobserved) <$> choose (0, 99)
+        b <- if wrong then genElement else pure a
+        pure (if gone then Nothing else Just b)
+  mapM (mapM observe) [[cellAt array (Position (fromInteger (r + i)) (fromInteger (c + j))) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
+
+holds :: Testable p => Int -> p -> Expectation
+holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
+  Success {} -> pure ()
+  _ -> expectationFailure (output r)
