@@ -87,12 +87,14 @@ endingOf :: Outcome -> Ending
 endingOf outcome = case outcome of
   Located _ _ -> Answered
   Ambiguous _ _ -> NotAnswered
+  AmbiguousCoset _ _ -> NotAnswered
   Refused _ -> NotAnswered
 
 outcomeText :: Outcome -> String
 outcomeText outcome = case outcome of
   Located (Position r c) _ -> "row " ++ show r ++ ", column " ++ show c
   Ambiguous places _ -> "ambiguous: " ++ show (length places) ++ " positions fit: " ++ unwords (map pair places)
+  AmbiguousCoset count _ -> "ambiguous: " ++ show count ++ " positions fit"
   Refused reason -> "refused (" ++ reasonName reason ++ "): " ++ reasonMessage reason
   where
     pair (Position r c) = show r ++ "," ++ show c
@@ -101,6 +103,7 @@ outcomeJson :: Profile -> Outcome -> Series
 outcomeJson profile outcome = case outcome of
   Located place support -> form "located" (Just place) [] Nothing ("located: " ++ outcomeText outcome) support
   Ambiguous places support -> form "ambiguous" Nothing places Nothing (outcomeText outcome) support
+  AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (outcomeText outcome) []
   Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
   where
     form = answerJson profile

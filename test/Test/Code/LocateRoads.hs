@@ -11,6 +11,7 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
+import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Search
@@ -30,15 +31,17 @@ spec = do
           m <- right (rectangle window)
           table <- right (buildTable MostSignificantFirst surface array m)
           shelf <- right (book surface array m)
+          algebra <- right (prepareAlgebra surface array m)
           let contents = [grid | packed <- [0 .. tableSize table - 1], Right codes <- [unpack MostSignificantFirst q (maskSize m) packed], grid <- toPatch window codes]
-          [cells | cells <- contents, not (agree surface array m table shelf cells)] `shouldBe` []
+          [cells | cells <- contents, not (agree surface array m table shelf algebra cells)] `shouldBe` []
   it "patches of the paper's array with holes and errors have the same outcome where a window is complete" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
     forM_ [Torus, Sheet] $ \surface -> do
       table <- right (buildTable MostSignificantFirst surface array m)
       shelf <- right (book surface array m)
-      holds 1500 $ forAll (genPatch array) $ \cells -> agree surface array m table shelf cells
+      algebra <- right (prepareAlgebra surface array m)
+      holds 1500 $ forAll (genPatch array) $ \cells -> agree surface array m table shelf algebra cells
   it "where no window is complete, search and the nearest position still answer: all positions that agree" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
@@ -49,6 +52,25 @@ spec = do
     case searchPatch Torus array m few of
       Right (Ambiguous places []) -> length places `shouldBe` 4 ^ (4 - 2 :: Int)
       other -> expectationFailure (show other)
+  it "the algebra does without a table: a 5x6 window of a 2^60-cell array over GF(4), and any 30 independent cells" $ do
+    h <- firstOver (Proxy :: Proxy GF4) 30
+    array <- right (folded Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) h)
+    m <- right (rectangle (Shape 15 2))
+    algebra <- right (prepareAlgebra Torus array m)
+    forM_ [Position 0 0, Position 123456789 987654321, Position (4 ^ (15 :: Int) - 2) (4 ^ (15 :: Int))] $ \place@(Position r c) -> do
+      let seen i j = Just (cellAt array (Position (r + i) (c + j)))
+      window <- right (patch [[seen i j | j <- [0, 1]] | i <- [0 .. 14]])
+      algebraPatch algebra window `shouldBe` Right (Located place [Position 0 0])
+      scattered <- right (patch [[if (i * 7 + j * 3) `mod` 4 == 0 then Nothing else seen i j | j <- [0 .. 6]] | i <- [0 .. 6]])
+      algebraPatch algebra scattered `shouldBe` Right (Located place [])
+      wrong <- right (patch [[if (i, j) == (3, 4) then (+ 1) <$> seen i j else seen i j | j <- [0 .. 6]] | i <- [0 .. 6]])
+      algebraPatch algebra wrong `shouldBe` Right (Refused Contradiction)
+      few <- right (patch [[seen 0 j | j <- [0 .. 9]]])
+      algebraPatch algebra few `shouldBe` Right (AmbiguousCoset (4 ^ (20 :: Int)) 20)
+  it "the algebra refuses a surface on which the sequence does not go on" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    (() <$ prepareAlgebra TwistedTorus array m) `shouldBe` Left (SurfaceForeign TwistedTorus Torus)
   it "an array beyond 2^20 cells is not searched" $ do
     h <- firstOver (Proxy :: Proxy GF2) 21
     array <- right (folded RowMajor (Shape 1 (2 ^ (21 :: Int) - 1)) h)
@@ -84,14 +106,15 @@ toPatch window codes = [rowsOf (map Just cells) | Right cells <- [traverse fromC
     (r, rest) -> r : rowsOf rest
 
 -- | The search agrees with the table wherever that uses the patch, and the nearest position, without a
--- correction, with the search always.
-agree :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Table k -> Book k -> [[Maybe (GF k)]] -> Bool
-agree surface array m table shelf cells = case patch cells of
+-- correction, and the algebra with the search always.
+agree :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Table k -> Book k -> Algebra k -> [[Maybe (GF k)]] -> Bool
+agree surface array m table shelf algebra cells = case patch cells of
   Left _ -> False
   Right p ->
     let byTable = locatePatch table p
         bySearch = searchPatch surface array m p
      in (byTable `elem` [Refused TooFewCells, Refused NoCompleteWindow] || bySearch == Right byTable)
+          && algebraPatch algebra p == Right (either (const (Refused TooFewCells)) id bySearch)
           && Right (decisionOutcome (nearest shelf (UpTo 0) p)) == bySearch
 
 -- | A patch of the array with unobserved cells, sometimes with an error, sometimes across the edges.

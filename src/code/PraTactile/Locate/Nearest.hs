@@ -28,7 +28,7 @@ import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate.Book
 import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
-import PraTactile.Locate.Search (nowhere)
+import PraTactile.Locate.Search (agreeing, nowhere)
 import PraTactile.Window (maskOffsets)
 
 -- | How many of the observed cells may be taken to be wrong.
@@ -99,7 +99,7 @@ nearest shelf stated observed =
               differing = wrongAt place
            in (Located place (supportWithout differing), differing)
         indices -> (Ambiguous (map (comparedPosition comparison) indices) (supportWithout []), [])
-    | radius == 0 = (Refused (nowhere (bookSurface shelf) (bookArray shelf) (bookMask shelf) observed), [])
+    | radius == 0 = (Refused (nowhere (bookSurface shelf) array (bookMask shelf) (agreeing (bookSurface shelf) array) observed), [])
     | weight <= radius = (Refused ZeroWindow, [])
     | otherwise = (Refused BeyondRadius, [])
   nearestIndices = [i | (i, e) <- zip [0 ..] (Primitive.toList distances), e == least]

@@ -12,6 +12,7 @@ module PraTactile.Locate.Outcome
   , reasons
   ) where
 
+import Numeric.Natural (Natural)
 import PraTactile.Grid (Position)
 
 -- | What is known of a patch's place. Positions are those of its upper left cell, observed or not.
@@ -21,6 +22,9 @@ data Outcome
     Located Position [Position]
   | -- | All positions, two or more, that agree with every observed cell; and the offsets as above.
     Ambiguous [Position] [Position]
+  | -- | So many positions agree with every observed cell, too many to list. They are the powers of
+    -- alpha in a coset of a space over GF(q) of this dimension, the second number.
+    AmbiguousCoset Natural Natural
   | -- | No position, and why.
     Refused Reason
   deriving stock (Eq, Show)

@@ -1,5 +1,3 @@
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- The search road from observed cells to position, which is what locating means: compare the patch
 -- with the array at every position. Too slow to use on large arrays and too simple to be wrong; the
@@ -31,7 +29,7 @@ searchPatch surface array mask observed
   | otherwise = Right $ case agreeing surface array (observedCells observed) of
       _ | null (observedCells observed) -> Refused TooFewCells
       [place] -> Located place support
-      [] -> Refused (nowhere surface array mask observed)
+      [] -> Refused (nowhere surface array mask (agreeing surface array) observed)
       places -> Ambiguous places support
  where
   cells = area (arrayShape array)
@@ -60,9 +58,12 @@ shifted :: Surface -> Shape -> (Integer, Integer) -> Position -> Maybe Position
 shifted surface shape (r, c) (Position i j) =
   canonicalPosition surface shape (r + toInteger i) (c + toInteger j)
 
--- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows.
-nowhere :: forall k. KnownField k => Surface -> PseudorandomArray k -> Mask -> Patch k -> Reason
-nowhere surface array mask observed
+-- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows. The function tells
+-- where cells, by their offsets, agree, as 'agreeing' does.
+nowhere
+  :: KnownField k
+  => Surface -> PseudorandomArray k -> Mask -> ([(Position, GF k)] -> [Position]) -> Patch k -> Reason
+nowhere surface array mask agreeingAt observed
   | null windows = if all ((== zero) . snd) cells then ZeroWindow else Contradiction
   | null occurring = if all (all (== zero) . snd) windows then ZeroWindow else NotInArray
   | surface == Sheet && any sticksOut places = OffSheet
@@ -74,7 +75,7 @@ nowhere surface array mask observed
   occurring =
     [ (offset, positions)
     | (offset, content) <- windows
-    , positions@(_ : _) <- [agreeing surface array (zip (maskOffsets mask) content)]
+    , positions@(_ : _) <- [agreeingAt (zip (maskOffsets mask) content)]
     ]
   -- Where the patch's upper left is, perhaps beyond the edge, when its first window that occurs is at one of
   -- its positions.

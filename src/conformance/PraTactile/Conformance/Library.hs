@@ -43,6 +43,7 @@ session p array mask = do
         case locatePatch table observed of
           Located place _ -> pure (At place)
           Ambiguous places _ -> pure (OneOf places)
+          AmbiguousCoset _ _ -> pure (OneOf [])
           Refused reason -> refuse (reasonName reason)
     }
   where
