@@ -210,6 +210,7 @@ asDefined shelf e cells = case patch cells of
             , case decisionOutcome decision of
                 Located place _ -> conjoin [property within, best === [place], decisionWrong decision === differing place]
                 Ambiguous places _ -> conjoin [property (within && length best > 1), places === best]
+                AmbiguousCoset _ _ -> property False
                 Refused TooFewCells -> property (null observed)
                 Refused ZeroWindow -> property (not (within && not (null ordered)) && fromIntegral (length [() | (_, _, a) <- observed, a /= 0]) <= e)
                 Refused BeyondRadius -> property (e > 0 && not (within && not (null ordered)))

@@ -52,7 +52,7 @@ spec = do
     case searchPatch Torus array m few of
       Right (Ambiguous places []) -> length places `shouldBe` 4 ^ (4 - 2 :: Int)
       other -> expectationFailure (show other)
-  it "the algebra does without a table: a 5x6 window of a 2^60-cell array over GF(4), and any 30 independent cells" $ do
+  it "the algebra does without a table, on 2^60 cells over GF(4): from a 15x2 window, or any 30 independent cells" $ do
     h <- firstOver (Proxy :: Proxy GF4) 30
     array <- right (folded Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) h)
     m <- right (rectangle (Shape 15 2))

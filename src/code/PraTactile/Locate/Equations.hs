@@ -49,15 +49,15 @@ type role Equation nominal
 equations :: KnownField k => PseudorandomArray k -> [(Position, GF k)] -> Either WindowError [Equation k]
 equations array cells = do
   mask <- maskFrom (map fst cells)
-  pure (zipWith (\(offset, a) power -> Equation offset (factors power) a) cells (windowVectors array mask))
+  pure (zipWith (\(offset, a) root -> Equation offset (factors root) a) cells (windowVectors array mask))
  where
   h = arrayPrimitive array
   n = primitiveDegree h
   terms = sequenceVector h (arrayState array) (2 * n - 1)
   -- s(e + k) is the same combination of s(k), s(k + 1), ... as alpha^e is of 1, alpha, ...
-  factors power = [Primitive.sum (Primitive.zipWith (*) coordinates (Primitive.drop k terms)) | k <- [0 .. n - 1]]
+  factors root = [Primitive.sum (Primitive.zipWith (*) coordinates (Primitive.drop k terms)) | k <- [0 .. n - 1]]
    where
-    coordinates = Primitive.fromListN n power
+    coordinates = Primitive.fromListN n root
 
 -- | The solutions of equations: none, or one plus every combination of some independent directions, each by the n
 -- coordinates x0, ..., x(n-1).
