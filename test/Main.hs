@@ -3,6 +3,7 @@ module Main (main) where
 
 import Test.Hspec (describe, hspec)
 
+import qualified Test.Code.Advise
 import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
 import qualified Test.Code.Distance
@@ -21,6 +22,7 @@ import qualified Test.Code.Proof
 import qualified Test.Code.Recurrence
 import qualified Test.Code.Register
 import qualified Test.Code.Sequence
+import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Sequences
@@ -51,11 +53,13 @@ main = hspec $ do
     describe "Searching polynomials" Test.Code.PolynomialSearch.spec
     describe "Extension fields" Test.Code.Extension.spec
     describe "Sequences" Test.Code.Sequence.spec
+    describe "Sequences as another program has them" Test.Code.SequenceFacts.spec
     describe "Shift registers" Test.Code.Register.spec
     describe "Fast forms of sequences" Test.Code.Recurrence.spec
     describe "Arrays" Test.Code.Array.spec
     describe "Foldings" Test.Code.Folding.spec
     describe "Array codes" Test.Code.ArrayCode.spec
+    describe "Advice" Test.Code.Advise.spec
     describe "Windows" Test.Code.Window.spec
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
