@@ -66,19 +66,14 @@ largestSort = 2 ^ (20 :: Int)
 -- find the partner. Refuses when there is no window, or no memory for what was seen.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
-  | null positions = Left NoWindow
+  | count == 0 = Left NoWindow
   | spanned <= largestSpan, Just windows <- visit packing surface grid mask = Right (byBits surface grid mask windows)
-  | count <= largestSort = Right (byOrder [(p, content) | p <- positions, Just content <- [contentAt p]])
+  | count <= largestSort = Right (byOrder (packedWindows packing surface grid mask))
   | otherwise = Left (TooManyWindows spanned count)
  where
   spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
-  Shape height width = visitedShape surface (gridShape grid) mask
-  count = height * width
-  positions = [Position r c | height > 0, width > 0, r <- [0 .. height - 1], c <- [0 .. width - 1]]
+  count = area (visitedShape surface (gridShape grid) mask)
   packing = MostSignificantFirst
-  contentAt (Position r c) = pack packing (gridAlphabet grid) <$> traverse (cell r c) (maskOffsets mask)
-  cell r c (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
-  at = canonicalPosition surface (gridShape grid)
 
 -- | One bit a content. Where the content that was seen before and the zero window stand is looked
 -- for afterwards, if there are any.

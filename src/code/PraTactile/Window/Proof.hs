@@ -25,6 +25,7 @@ module PraTactile.Window.Proof
   , allDistinct
   , EnumerationError (..)
   , windowRank
+  , windowVectors
   , windowsOfRank
   , rankOf
   ) where

@@ -5,6 +5,7 @@ module PraTactile.Window.Visit
   ( Visit (..)
   , visit
   , forWindows
+  , packedWindows
   , visitedShape
   , visitPosition
   ) where
@@ -71,6 +72,20 @@ forWindows windows act = go 0 0
     | c == visitColumns windows = go (r + 1) 0
     | otherwise = act r c (visitKey windows r c) >> go r (c + 1)
 {-# INLINE forWindows #-}
+
+-- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
+packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
+packedWindows packing surface grid mask =
+  [ (Position r c, pack packing (gridAlphabet grid) content)
+  | r <- counted height
+  , c <- counted width
+  , Just content <- [traverse (cell r c) (maskOffsets mask)]
+  ]
+ where
+  Shape height width = visitedShape surface (gridShape grid) mask
+  counted n = takeWhile (< n) [0 ..]
+  cell r c (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
+  at = canonicalPosition surface (gridShape grid)
 
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
 -- mask does not stick out.

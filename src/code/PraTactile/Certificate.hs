@@ -1,0 +1,214 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- A proof of the window property as data that a stranger can check: everything that the proof stands
+-- on is written down so that checking it takes no search. "PraTactile.Certificate.Check" checks it, and so
+-- does @data/check_certificate.py@, which shares nothing with this library.
+module PraTactile.Certificate
+  ( -- * Certificates
+    Certificate (..)
+  , OrderFactor (..)
+  , PrimeProof (..)
+  , PrimeWitness (..)
+  , Evidence (..)
+  , RankEvidence (..)
+
+    -- * Certifying
+  , certify
+  , Road (..)
+  , CertificateError (..)
+  ) where
+
+import Control.Monad (when)
+import Data.Bifunctor (first)
+import Data.List (find)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Certificate.Digest
+import PraTactile.Extension
+import PraTactile.Factorisation
+import PraTactile.Field
+import PraTactile.Polynomial
+import PraTactile.Profile
+import PraTactile.Window
+import PraTactile.Window.Elimination
+import PraTactile.Window.Proof
+import PraTactile.Window.Visit (visitedShape)
+
+-- | All windows of a mask on an array are distinct, and why. With N = q^n - 1, h is primitive because x
+-- has order N modulo h: x^N is 1, and x^(N/l) is not for any prime l that divides N; whence the
+-- sequence has period N, and fills the array.
+data Certificate = Certificate
+  { certificateProfile :: Profile
+  -- ^ the array and the surface; the window is the smallest rectangle that holds the mask
+  , certificateMask :: [Position]
+  -- ^ the cells of the window, by their offsets, in reading order
+  , certificateWindows :: Natural
+  -- ^ how many windows the surface has, all of them distinct
+  , certificatePeriod :: Natural
+  -- ^ N = q^n - 1
+  , certificateFactors :: [OrderFactor]
+  -- ^ the factorisation of N, ascending
+  , certificatePrimes :: [PrimeProof]
+  -- ^ the primes used that are not below 'millerRabinDomain', each after those that its proof uses
+  , certificateEvidence :: Evidence
+  -- ^ why the windows are distinct
+  }
+  deriving stock (Eq, Show)
+
+-- | A prime l that divides N, its exponent, and x^(N/l) modulo h: n codes, constant term first.
+data OrderFactor = OrderFactor
+  { orderPrime :: Natural
+  , orderExponent :: Natural
+  , orderResidue :: [Natural]
+  }
+  deriving stock (Eq, Show)
+
+-- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e that are told divide
+-- P - 1, their product exceeds the square root of P, and for each a witness a has a^(P-1) = 1 modulo P and
+-- a^((P-1)/l) - 1 coprime to P.
+data PrimeProof = PrimeProof
+  { shownPrime :: Natural
+  , shownBy :: [PrimeWitness]
+  }
+  deriving stock (Eq, Show)
+
+-- | A prime l with its exponent e in P - 1, and the witness a.
+data PrimeWitness = PrimeWitness
+  { witnessPrime :: Natural
+  , witnessExponent :: Natural
+  , witnessBase :: Natural
+  }
+  deriving stock (Eq, Show)
+
+-- | Why the windows are distinct.
+data Evidence
+  = -- | The alpha^e(i, j) of the mask have rank n.
+    ByRank RankEvidence
+  | -- | Visiting all windows has seen them distinct: the 'digestOfWindows'.
+    ByEnumeration String
+  deriving stock (Eq, Show)
+
+-- | That a mask has rank n.
+data RankEvidence = RankEvidence
+  { rankVectors :: [[Natural]]
+  -- ^ alpha^e(i, j) for each cell of the mask, by n codes, the coefficient of 1 first
+  , rankCells :: [Natural]
+  -- ^ n of the cells, by their indices in the mask, ascending
+  , rankInverse :: [[Natural]]
+  -- ^ the inverse, by rows, of the matrix whose rows are the vectors of those cells
+  }
+  deriving stock (Eq, Show)
+
+-- | By which road to certify.
+data Road
+  = -- | By rank where the rank decides, otherwise by enumeration.
+    AnyRoad
+  | RankRoad
+  | EnumerationRoad
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | Why there is no certificate.
+data CertificateError
+  = -- | The profile describes no array.
+    CertificateProfile ProfileError
+  | -- | There is no verdict.
+    CertificateProof ProofError
+  | -- | The windows are not distinct.
+    NotDistinct Verdict
+  | -- | The rank decides nothing on this surface.
+    RankUndecided Verdict
+  | -- | Not all windows were visited, or they are too many for a digest.
+    NotVisited Verdict
+  | -- | N was not factored.
+    PeriodNotFactored FactorError
+  | -- | This prime is beyond 'millerRabinDomain', and its primality was not shown in a way that a
+    -- certificate can state.
+    PrimeNotShown Natural
+  deriving stock (Eq, Show)
+
+-- | Prove that all windows of a mask are distinct on the profile's surface, and write the proof down.
+-- The profile's window becomes the extent of the mask. Refuses a profile without an array, windows
+-- that are not distinct, and what cannot be shown on the road asked for.
+certify :: Road -> Profile -> Mask -> Either CertificateError Certificate
+certify road profile mask = do
+  outcome <- first CertificateProfile (withProfile stated (\array _ -> certifyArray road stated array mask))
+  outcome
+ where
+  stated = profile {profileWindow = maskExtent mask}
+
+certifyArray
+  :: forall k. KnownField k => Road -> Profile -> PseudorandomArray k -> Mask -> Either CertificateError Certificate
+certifyArray road profile array mask = do
+  (verdict, _) <- first CertificateProof (prove on array mask)
+  when (not (proved verdict)) (Left (NotDistinct verdict))
+  evidence <- case road of
+    EnumerationRoad -> enumerated verdict
+    RankRoad -> ranked verdict
+    AnyRoad -> either (const (enumerated verdict)) Right (ranked verdict)
+  factors <- first PeriodNotFactored (factorisePowerMinusOne p (m * fromIntegral (primitiveDegree h)))
+  primes <- concat <$> traverse (primeProofs . fst) factors
+  pure
+    Certificate
+      { certificateProfile = profile
+      , certificateMask = maskOffsets mask
+      , certificateWindows = area (visitedShape on (arrayShape array) mask)
+      , certificatePeriod = period h
+      , certificateFactors = [OrderFactor l e (residue (period h `div` l)) | (l, e) <- factors]
+      , certificatePrimes = withoutRepetition primes
+      , certificateEvidence = evidence
+      }
+ where
+  on = profileSurface profile
+  h = arrayPrimitive array
+  p = fromIntegral (fieldCharacteristic array)
+  m = fromIntegral (fieldDegree array)
+  residue = codes . residueCoefficients h . powerOfRoot h
+  enumerated verdict = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
+    True <- enumeration verdict
+    grid <- either (const Nothing) Just (toGrid array)
+    digestOfWindows (profilePacking profile) on grid mask
+  ranked verdict = maybe (Left (RankUndecided verdict)) Right $ do
+    True <- rankRoad verdict
+    ByRank <$> rankEvidence array mask
+  withoutRepetition shown = [x | (i, x) <- zip [0 ..] shown, shownPrime x `notElem` map shownPrime (take i shown)]
+
+-- | The evidence that a mask has rank n; 'Nothing' if it has not.
+rankEvidence :: KnownField k => PseudorandomArray k -> Mask -> Maybe RankEvidence
+rankEvidence array mask = do
+  inverse' <- inverseMatrix [x | (i, x) <- zip [0 ..] vectors, i `elem` cells]
+  if length cells == n then Just (evidence inverse') else Nothing
+ where
+  n = primitiveDegree (arrayPrimitive array)
+  vectors = windowVectors array mask
+  cells = independentRows n (map rowFromList vectors)
+  evidence inverse' = RankEvidence (map codes vectors) (map fromIntegral cells) (map codes inverse')
+
+codes :: [GF k] -> [Natural]
+codes = map (fromIntegral . toCode)
+
+-- | The proofs that a prime needs, and those that they use before them; none below
+-- 'millerRabinDomain', where the strong test decides.
+primeProofs :: Natural -> Either CertificateError [PrimeProof]
+primeProofs prime
+  | prime < millerRabinDomain = Right []
+  | otherwise = do
+      factors <- first (const (PrimeNotShown prime)) (factorise (prime - 1))
+      before <- concat <$> traverse (primeProofs . fst) factors
+      witnesses <- traverse witness factors
+      pure (before ++ [PrimeProof prime witnesses])
+ where
+  witness (l, e) = maybe (Left (PrimeNotShown prime)) (Right . PrimeWitness l e) (find (shows' l) [2 .. 200])
+  shows' l a =
+    powerModuloInteger prime a (prime - 1) == 1
+      && gcd prime (powerModuloInteger prime a ((prime - 1) `div` l) + prime - 1) == 1
+
+-- | @powerModuloInteger n a e@ is a^e modulo n, by squaring.
+powerModuloInteger :: Natural -> Natural -> Natural -> Natural
+powerModuloInteger n = go 1
+ where
+  go acc _ 0 = acc `mod` n
+  go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)
