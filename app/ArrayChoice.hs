@@ -6,6 +6,8 @@ module ArrayChoice
   , arrayChoice
   , chosenProfile
   , chosenSequence
+  , chosenProfileFor
+  , choiceBesideFile
     -- * Readers of option values
   , naturalReader
   , shapeReader
@@ -28,7 +30,7 @@ import Json (foldingName)
 import Json.Profile (readProfile)
 import Message (profileMessage)
 import PraTactile.Array (Folding, Position (..), Shape (..))
-import PraTactile.Profile (Profile, canonicalProfile, chooseProfile, foldedBy)
+import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
@@ -42,6 +44,9 @@ data ArrayChoice = ArrayChoice
   , choiceFile :: Maybe FilePath
   }
   deriving stock (Eq, Show)
+
+nothingChosen :: ArrayChoice
+nothingChosen = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing Nothing
 
 -- | The options, all of them optional.
 arrayChoice :: Parser ArrayChoice
@@ -84,6 +89,19 @@ chosenProfile choice = case choice of
       ( [ "--q" | Nothing <- [choiceOrder choice] ]
         ++ [ "--polynomial" | Nothing <- [choicePolynomial choice] ]
         ++ [ "--shape" | Nothing <- [choiceShape choice] ] )
+
+-- | The same for a window that is given otherwise and has this extent: it takes the place of @--window@.
+chosenProfileFor :: Shape -> ArrayChoice -> IO Profile
+chosenProfileFor extent choice = case choice of
+  ArrayChoice { choiceWindow = Just _ } -> unusable "--mask already says what a window is; leave out --window"
+  ArrayChoice { choiceShape = Just _ } -> chosenProfile choice { choiceWindow = Just extent }
+  _ -> (\profile -> profile { profileWindow = extent }) <$> chosenProfile choice
+
+-- | Beside a file that holds the array itself: q and the window, if they are given, and nothing else.
+choiceBesideFile :: ArrayChoice -> Either String (Maybe Natural, Maybe Shape)
+choiceBesideFile choice
+  | choice { choiceOrder = Nothing, choiceWindow = Nothing } == nothingChosen = Right (choiceOrder choice, choiceWindow choice)
+  | otherwise = Left "FILE already holds the array; beside it only --q and --window (or --mask) say more"
 
 -- | As 'chosenProfile', where only the sequence matters: without a shape, all terms lie in one row.
 chosenSequence :: ArrayChoice -> IO Profile

@@ -3,6 +3,8 @@ module Main (main) where
 
 import qualified Command.Advise
 import qualified Command.Array
+import qualified Command.Certificate
+import qualified Command.Check
 import qualified Command.Decode
 import qualified Command.Evaluate
 import qualified Command.Locate
@@ -50,7 +52,8 @@ versionOption = infoOption ("pra-tactile " ++ showVersion version) (long "versio
 
 commands :: Parser (IO Ending)
 commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
-    [ Command.Array.command, Command.Prove.command, Command.Locate.command, Command.Table.command, Command.Profile.command
+    [ Command.Array.command, Command.Prove.command, Command.Certificate.command, Command.Check.command
+    , Command.Locate.command, Command.Table.command, Command.Profile.command
     , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
     [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Evaluate.command ])

@@ -5,47 +5,66 @@ module Command.Prove
   , surfaceOption
   ) where
 
-import Data.Aeson ((.=))
+import Data.Aeson (Value (..), (.=))
 import Data.Aeson.Encoding (Series)
 import Data.Maybe (fromMaybe)
 import Options.Applicative hiding (command)
 
 import ArrayChoice
+import CsvGrid (readGrid)
 import Described
 import Ending
 import Json
 import Json.Profile
-import Message (profileMessage, proofMessage)
-import PraTactile.Array (Position (..), Surface (..))
+import MaskChoice
+import Message (profileMessage, proofMessage, windowMessage)
+import PraTactile.Array (Position (..), Shape (..), Surface (..))
+import PraTactile.Grid (gridAlphabet, gridShape)
 import PraTactile.Profile
+import PraTactile.Window
 import PraTactile.Window.Proof
 
 command :: Mod CommandFields (IO Ending)
-command = described "prove" "Prove or refute that the content of every window tells its position: by visiting every window, and by the rank of the window's cells."
+command = described "prove" "Prove or refute that the content of every window tells its position: by visiting every window, and by the rank of the window's cells. FILE decides any array, whoever made it."
   [ "pra-tactile prove --json"
-  , "pra-tactile prove --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x4 --surface sheet" ]
-  (run <$> arrayChoice <*> surfaceOption <*> switch (long "json" <> help "Print the verdict as JSON"))
+  , "pra-tactile prove --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x4 --surface sheet"
+  , "pra-tactile prove --mask '##./.##'"
+  , "pra-tactile prove array.csv --window 2x2" ]
+  (run <$> arrayChoice <*> maskOption <*> surfaceOption <*> switch (long "json" <> help "Print the verdict as JSON")
+    <*> optional (strArgument (metavar "FILE" <> help "A CSV file of codes, one row a line, instead of a pseudorandom array; needs --window or --mask; --q is the largest code and one more unless given")))
 
-run :: ArrayChoice -> Maybe Surface -> Bool -> IO Ending
-run choice chosen asJson = do
-  profile <- chosenProfile choice
-  let on = fromMaybe (profileSurface profile) chosen
-  outcome <- orUnusable profileMessage (withProfile profile (\array mask -> fst <$> prove on array mask))
-  verdict <- orUnusable proofMessage outcome
-  if asJson then printJson (verdictJson profile verdict) else putStr (verdictText profile verdict)
+run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> Bool -> Maybe FilePath -> IO Ending
+run choice drawn on asJson source = do
+  (subject, mask, verdict) <- maybe (ofProfile choice drawn on) (ofFile choice drawn on) source
+  if asJson then printJson (verdictJson subject mask verdict) else putStr (verdictText subject mask verdict)
   pure (if proved verdict then Answered else NotAnswered)
 
--- | @--surface torus|sheet@.
-surfaceOption :: Parser (Maybe Surface)
-surfaceOption = optional (option (eitherReader surfaceNamed)
-  (long "surface" <> metavar "SURFACE" <> help "torus, twisted-torus or sheet (default: the folding's own)"))
-  where
-    surfaceNamed name = case [ s | s <- [minBound ..], surfaceName s == name ] of
-      s : _ -> Right s
-      [] -> Left (show name ++ " is not a surface; choose torus, twisted-torus or sheet")
+-- | Of what the windows are: its shape, and how JSON tells it.
+data Subject = Subject Shape Series
 
-verdictText :: Profile -> Verdict -> String
-verdictText profile verdict = unlines $
+ofProfile :: ArrayChoice -> Maybe Mask -> Maybe Surface -> IO (Subject, Mask, Verdict)
+ofProfile choice drawn on = do
+  (profile, mask) <- chosenMask choice drawn on
+  outcome <- orUnusable profileMessage (withProfile profile (\array _ -> fst <$> prove (profileSurface profile) array mask))
+  verdict <- orUnusable proofMessage outcome
+  pure (Subject (profileShape profile) ("profile" .= profileValue profile), mask, verdict)
+
+ofFile :: ArrayChoice -> Maybe Mask -> Maybe Surface -> FilePath -> IO (Subject, Mask, Verdict)
+ofFile choice drawn on file = do
+  (q, window) <- orUnusable id (choiceBesideFile choice)
+  mask <- case (drawn, window) of
+    (Just mask, Nothing) -> pure mask
+    (Nothing, Just shape) -> orUnusable windowMessage (rectangle shape)
+    (Nothing, Nothing) -> unusable "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
+    (Just _, Just _) -> unusable "--mask already says what a window is; leave out --window"
+  grid <- readGrid q file
+  verdict <- orUnusable proofMessage (proveGrid (fromMaybe Torus on) grid mask)
+  let Shape high wide = gridShape grid
+      told = "profile" .= Null <> "file" .= file <> "q" .= gridAlphabet grid <> "shape" .= [naturalValue high, naturalValue wide]
+  pure (Subject (gridShape grid) told, mask, verdict)
+
+verdictText :: Subject -> Mask -> Verdict -> String
+verdictText (Subject shape _) mask verdict = unlines $
   [ if proved verdict
       then "proved: every " ++ window ++ " window on the " ++ place ++ " has a content of its own"
       else "refuted: some " ++ window ++ " windows on the " ++ place ++ " have the same content"
@@ -55,16 +74,17 @@ verdictText profile verdict = unlines $
   ++ [ "  different windows:        " ++ show n | Just n <- [distinctWindows verdict] ]
   ++ [ "  the same window is at row " ++ at a ++ " and at row " ++ at b | Just (a, b) <- [collision verdict] ]
   where
-    window = shapeText (profileWindow profile)
-    place = surfaceName (surface verdict) ++ " of " ++ shapeText (profileShape profile)
+    window = maskText mask
+    place = surfaceName (surface verdict) ++ " of " ++ shapeText shape
     road = maybe "not decided" (\yes -> if yes then "yes" else "no")
     ofNeeded r = " (rank " ++ show r ++ maybe "" (\n -> ", needed " ++ show n) (needed verdict) ++ ")"
     at (Position r c) = show r ++ ", column " ++ show c
 
-verdictJson :: Profile -> Verdict -> Series
-verdictJson profile verdict =
+verdictJson :: Subject -> Mask -> Verdict -> Series
+verdictJson (Subject _ subject) mask verdict =
   "schema" .= ("pra-tactile/prove/1" :: String)
-    <> "profile" .= profileValue profile
+    <> subject
+    <> "mask" .= maskDrawing mask
     <> "proved" .= proved verdict
     <> "enumeration" .= enumeration verdict
     <> "rank_road" .= rankRoad verdict

@@ -4,6 +4,9 @@ module Json.Profile
   ( profileValue
   , profileText
   , readProfile
+    -- * Parsers
+  , parseProfile
+  , number
   ) where
 
 import Control.Monad (unless)

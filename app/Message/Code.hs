@@ -4,6 +4,8 @@ module Message.Code
   , polynomialMessage
   , factorMessage
   , foldMessage
+  , windowMessage
+  , gridMessage
   , profileMessage
   , proofMessage
   , locateMessage
@@ -17,6 +19,7 @@ import Json (shapeText, surfaceName)
 import PraTactile.Array
 import PraTactile.Factorisation (FactorError (..))
 import PraTactile.Field (FieldError (..))
+import PraTactile.Grid (GridError (..), largestGrid)
 import PraTactile.Locate
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
@@ -78,6 +81,14 @@ windowMessage e = case e of
   DrawingCharacter c -> "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; " ++ show c ++ " is none of them"
   DrawingRagged i given needs -> "row " ++ show (i + 1) ++ " of the mask has " ++ show given ++ " cells, the first has " ++ show needs
   PackedOutOfRange n -> show n ++ " packs no window"
+
+gridMessage :: GridError -> String
+gridMessage e = case e of
+  GridEmpty -> "there are no cells"
+  GridRagged i given needs -> "row " ++ show (i + 1) ++ " has " ++ show given ++ " cells, the first has " ++ show needs
+  GridCode (Position r c) code -> "the code " ++ show code ++ " at row " ++ show r ++ ", column " ++ show c ++ " is not below q"
+  GridAlphabet q -> "an alphabet has 2 to 256 symbols, not " ++ show q
+  GridCells cells -> "the array has " ++ show cells ++ " cells; at most " ++ show largestGrid ++ " are held in memory"
 
 profileMessage :: ProfileError -> String
 profileMessage e = case e of

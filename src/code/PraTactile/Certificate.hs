@@ -157,7 +157,7 @@ certifyArray road profile array mask = do
       , certificateMask = maskOffsets mask
       , certificateWindows = area (visitedShape on (arrayShape array) mask)
       , certificatePeriod = period h
-      , certificateFactors = [OrderFactor l e (residue (period h `div` l)) | (l, e) <- factors]
+      , certificateFactors = [OrderFactor l e (residueAt (period h `div` l)) | (l, e) <- factors]
       , certificatePrimes = withoutRepetition primes
       , certificateEvidence = evidence
       }
@@ -166,7 +166,7 @@ certifyArray road profile array mask = do
   h = arrayPrimitive array
   p = fromIntegral (fieldCharacteristic array)
   m = fromIntegral (fieldDegree array)
-  residue = codes . residueCoefficients h . powerOfRoot h
+  residueAt = codes . residueCoefficients h . powerOfRoot h
   enumerated verdict = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
     True <- enumeration verdict
     grid <- either (const Nothing) Just (toGrid array)

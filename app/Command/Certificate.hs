@@ -1,0 +1,71 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | @pra-tactile certificate@: the proof of the window property as data.
+module Command.Certificate
+  ( command
+  ) where
+
+import Data.Aeson ((.=))
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Options.Applicative hiding (command)
+
+import ArrayChoice
+import Described
+import Ending
+import Files (writeWhole)
+import Json
+import Json.Certificate
+import MaskChoice
+import Message
+import PraTactile.Array (Surface)
+import PraTactile.Certificate
+import PraTactile.Profile (Profile (..))
+import PraTactile.Window (Mask)
+
+command :: Mod CommandFields (IO Ending)
+command = described "certificate" "Prove that the content of every window tells its position, and write the proof down so that a stranger can check it ('pra-tactile check', or data/check_certificate.py, which needs Python alone)."
+  [ "pra-tactile certificate --output paper.json"
+  , "pra-tactile certificate --mask '##./.##' --surface sheet --enumeration --output sheet.json" ]
+  (run <$> arrayChoice <*> maskOption <*> surfaceOption <*> road
+    <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
+    <*> switch (long "json" <> help "With --output, tell as JSON what was written"))
+  where
+    road = flag' RankRoad (long "rank" <> help "Show the rank of the window's cells, at any size")
+      <|> flag' EnumerationRoad (long "enumeration" <> help "Give the digest of all windows, sorted")
+      <|> pure AnyRoad
+
+run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> Road -> Maybe FilePath -> Bool -> IO Ending
+run choice drawn on road output asJson = do
+  (profile, mask) <- chosenMask choice drawn on
+  case certify road profile mask of
+    Left why | refused why -> warn (certificateMessage why) >> pure NotAnswered
+             | otherwise -> unusable (certificateMessage why)
+    Right certificate -> do
+      maybe putStr (\file -> writeWhole file . Lazy8.pack) output (certificateText certificate)
+      maybe (pure ()) (putStr . written certificate) output
+      pure Answered
+  where
+    written certificate file
+      | asJson = Lazy8.unpack (encodeLine (writtenJson certificate file)) ++ "\n"
+      | otherwise = "wrote " ++ file ++ ": all " ++ show (certificateWindows certificate) ++ " windows, by " ++ roadName certificate ++ "\n"
+    writtenJson certificate file =
+      "schema" .= ("pra-tactile/certificate-written/1" :: String)
+        <> "file" .= file
+        <> "road" .= roadName certificate
+        <> "windows" .= naturalValue (certificateWindows certificate)
+        <> "surface" .= surfaceName (profileSurface (certificateProfile certificate))
+        <> "shape" .= shapeText (profileShape (certificateProfile certificate))
+
+-- | Whether the question was well formed, but the answer is no.
+refused :: CertificateError -> Bool
+refused e = case e of
+  NotDistinct _ -> True
+  RankUndecided _ -> True
+  NotVisited _ -> True
+  PeriodNotFactored _ -> True
+  PrimeNotShown _ -> True
+  _ -> False
+
+roadName :: Certificate -> String
+roadName certificate = case certificateEvidence certificate of
+  ByRank _ -> "rank"
+  ByEnumeration _ -> "enumeration"
