@@ -6,6 +6,7 @@ import Test.Hspec (describe, hspec)
 import qualified Test.Code.Advise
 import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
+import qualified Test.Code.Certificate
 import qualified Test.Code.Distance
 import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
@@ -25,6 +26,7 @@ import qualified Test.Code.Sequence
 import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.House
@@ -63,6 +65,7 @@ main = hspec $ do
     describe "Windows" Test.Code.Window.spec
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
+    describe "Certificates" Test.Code.Certificate.spec
     describe "Locating" Test.Code.Locate.spec
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
@@ -85,3 +88,4 @@ main = hspec $ do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
+  describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
