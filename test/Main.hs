@@ -15,7 +15,9 @@ import qualified Test.Code.Folding
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateNearest
+import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
+import qualified Test.Code.LocateSoft
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -69,6 +71,8 @@ main = hspec $ do
     describe "Locating" Test.Code.Locate.spec
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
+    describe "Locating from probabilities" Test.Code.LocateSoft.spec
+    describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.spec

@@ -10,6 +10,7 @@ module PraTactile.Locate.Patch
   ( Patch
   , patch
   , patchShape
+  , rectangular
   , LocateError (..)
   , observedCells
   , completeWindows
@@ -48,10 +49,16 @@ type role Patch nominal
 -- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
 -- of different lengths.
 patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
-patch cells
+patch cells = do
+  shape <- rectangular cells
+  pure (Patch shape (Boxed.fromList (concat cells)))
+
+-- | The shape of rows. Refuses as 'patch' does.
+rectangular :: [[a]] -> Either LocateError Shape
+rectangular cells
   | width == 0 = Left PatchEmpty
   | (i, r) : _ <- ragged = Left (PatchRagged i (length r) width)
-  | otherwise = Right (Patch (Shape height (fromIntegral width)) (Boxed.fromList (concat cells)))
+  | otherwise = Right (Shape height (fromIntegral width))
  where
   height = fromIntegral (length cells)
   ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)

@@ -1,0 +1,151 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Locating from probabilities: of each cell is known how likely each symbol is, and what follows is
+-- how likely each position is (Bayes' theorem). Exact: the patch is compared with every position.
+--
+-- A cell's probabilities are those that a classifier gives on seeing its image when all symbols are
+-- equally frequent, independently of other cells'; all positions are equally likely beforehand. Then
+-- the probability of a position is proportional to the product of the probabilities of the symbols that
+-- it would have in the observed cells.
+module PraTactile.Locate.Soft
+  ( -- * What is known of a cell
+    Belief
+  , belief
+  , certainly
+  , BeliefError (..)
+
+    -- * What is known of a patch
+  , SoftPatch
+  , softPatch
+  , hardened
+
+    -- * Positions
+  , posterior
+  , Posterior (..)
+
+    -- * Deciding
+  , decide
+  ) where
+
+import Data.List (sortOn)
+import Data.Ord (Down (..))
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import PraTactile.Field
+import PraTactile.Grid
+import PraTactile.Locate.Book
+import PraTactile.Locate.Outcome
+import PraTactile.Locate.Patch
+
+-- | The probability of each symbol in a cell, by its code; they add up to 1.
+newtype Belief (k :: Field) = Belief (Primitive.Vector Double)
+  deriving stock (Eq, Show)
+
+type role Belief nominal
+
+-- | Why numbers are no probabilities.
+data BeliefError
+  = -- | There are so many numbers, and so many symbols.
+    BeliefLength Int Int
+  | -- | The number at this index, from 0, is negative, or none.
+    BeliefNegative Int Double
+  | -- | The numbers add up to this, which is not 1 within 0.001.
+    BeliefSum Double
+  deriving stock (Eq, Show)
+
+-- | The probabilities of the symbols, by their codes. Refuses another number of them than there are symbols,
+-- negative ones, and a sum that is not 1 within 0.001; that much, which printing may have cost,
+-- is put right.
+belief :: forall k. KnownField k => [Double] -> Either BeliefError (Belief k)
+belief numbers
+  | given /= q = Left (BeliefLength given q)
+  | (i, x) : _ <- filter (not . (>= 0) . snd) (zip [0 ..] numbers) = Left (BeliefNegative i x)
+  | not (abs (total - 1) <= 0.001) = Left (BeliefSum total)
+  | otherwise = Right (Belief (Primitive.fromListN q (map (/ total) numbers)))
+ where
+  q = fieldOrder (Proxy :: Proxy k)
+  given = length (take (q + 1) numbers)
+  total = sum numbers
+
+-- | No doubt.
+certainly :: forall k. KnownField k => GF k -> Belief k
+certainly a = Belief (Primitive.generate (fieldOrder (Proxy :: Proxy k)) (\code -> if code == toCode a then 1 else 0))
+
+-- | A rectangle of cells of which something is known, and of such of which nothing is.
+data SoftPatch (k :: Field) = SoftPatch [[Maybe (Belief k)]] [(Position, Belief k)]
+
+type role SoftPatch nominal
+
+-- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
+-- of different lengths.
+softPatch :: [[Maybe (Belief k)]] -> Either LocateError (SoftPatch k)
+softPatch cells = SoftPatch cells known <$ rectangular cells
+ where
+  known = [(Position i j, b) | (i, line) <- zip [0 ..] cells, (j, Just b) <- zip [0 ..] line]
+
+-- | The patch with the likeliest symbol of each observed cell, the one of the lowest code if several are.
+hardened :: KnownField k => SoftPatch k -> Either LocateError (Patch k)
+hardened (SoftPatch cells _) = patch (map (map (fmap likeliest)) cells)
+ where
+  likeliest (Belief probabilities) = either (const zero) id (fromCode (Primitive.maxIndex probabilities))
+
+-- | How likely positions are.
+data Posterior = Posterior
+  { posteriorBest :: Maybe Position
+  -- ^ The likeliest position, the first of them if several are; 'Nothing' if none is possible.
+  , posteriorDoubt :: Double
+  -- ^ The probability that it is another one: 1 less the best's, without the rounding of that difference.
+  , posteriorEqual :: [Position]
+  -- ^ The positions that are exactly as likely as the best, itself among them.
+  , posteriorEqualDoubt :: Double
+  -- ^ The probability that it is none of those.
+  , posteriorMargin :: Maybe Double
+  -- ^ The logarithm of how many times as likely the best is as the next one; infinite if no other one is
+  -- possible, 'Nothing' if there is no other one.
+  , posteriorRanking :: [(Position, Double)]
+  -- ^ All positions with their probabilities, the likeliest first; made when asked for.
+  }
+  deriving stock (Eq, Show)
+
+-- | How likely each position of the book is; on the sheet those at which all observed cells lie on it.
+posterior :: Book k -> SoftPatch k -> Posterior
+posterior shelf (SoftPatch _ known)
+  | count == 0 || isInfinite best = Posterior Nothing 1 [] 1 Nothing []
+  | otherwise =
+      Posterior
+        { posteriorBest = Just (comparedPosition comparison bestIndex)
+        , posteriorDoubt = others / (1 + others)
+        , posteriorEqual = map (comparedPosition comparison) equal
+        , posteriorEqualDoubt = less / (fromIntegral (length equal) + less)
+        , posteriorMargin = if count == 1 then Nothing else Just (best - next)
+        , posteriorRanking = sortOn (Down . snd) (zipWith (\i x -> (comparedPosition comparison i, x / (1 + others))) [0 ..] (Primitive.toList relative))
+        }
+ where
+  comparison = compareWith shelf [(offset, Primitive.map log probabilities) | (offset, Belief probabilities) <- known]
+  likelihoods = comparedTotals comparison
+  count = Primitive.length likelihoods
+  bestIndex = Primitive.maxIndex likelihoods
+  best = likelihoods Primitive.! bestIndex
+  -- Relative to the best one, so that products of many small numbers do not vanish.
+  relative = Primitive.map (\x -> exp (x - best)) likelihoods
+  others = Primitive.sum (Primitive.imap (\i x -> if i == bestIndex then 0 else x) relative)
+  less = Primitive.sum (Primitive.zipWith (\x y -> if x == best then 0 else y) likelihoods relative)
+  equal = [i | (i, x) <- zip [0 ..] (Primitive.toList likelihoods), x == best]
+  next = Primitive.maximum (Primitive.imap (\i x -> if i == bestIndex then -1 / 0 else x) likelihoods)
+
+-- | @decide tolerated@: the likeliest position, if the probability that it is another one is at most
+-- as large as tolerated; then of many answers at most that share is wrong, if the probabilities are honest. Several positions
+-- equally likely, of which the same holds together, are 'Ambiguous'. Else 'BelowThreshold'; 'Contradiction' where
+-- no position is possible.
+decide :: Double -> Posterior -> Outcome
+decide tolerated found = case posteriorBest found of
+  Nothing -> Refused Contradiction
+  Just place
+    | posteriorDoubt found <= tolerated -> Located place []
+    | _ : _ : _ <- posteriorEqual found, posteriorEqualDoubt found <= tolerated -> Ambiguous (posteriorEqual found) []
+    | otherwise -> Refused BelowThreshold

@@ -1,0 +1,120 @@
+{-# LANGUAGE DataKinds #-}
+
+-- | Positions from probabilities.
+module Test.Code.LocateSoft (spec) where
+
+import Data.List (sortOn)
+import Data.Ord (Down (..))
+import Data.Ratio ((%))
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Soft
+import PraTactile.Window
+import Test.Code.Generators
+import Test.Hspec
+import Test.QuickCheck (Gen, Property, Result (..), chatty, choose, conjoin, counterexample, forAll, maxSuccess, quickCheckWithResult, stdArgs, vectorOf, (===))
+
+spec :: Spec
+spec = do
+  it "the posterior is Bayes' theorem: products of the cells' probabilities, made to add up to 1" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    mapM_ (\surface -> right (book surface array m) >>= \shelf -> holds 200 (forAll genChances (asBayes shelf))) [Torus, Sheet]
+  it "of symbols beyond doubt it locates as the exact comparison does" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    shelf <- right (book Torus array m)
+    holds 300 $ forAll ((,,) <$> choose (0, 14) <*> choose (0, 16) <*> vectorOf 6 genElement') $ \(r, c, other) ->
+      let at i j = Position (fromInteger (r + i)) (fromInteger (c + j))
+          seen = [[Just (cellAt array (at i j)) | j <- [0 .. 2]] | i <- [0, 1]]
+          drawn = [map Just (take 3 other), map Just (drop 3 other)]
+          exact cells = either (const (Refused TooFewCells)) (withoutSupport . decisionOutcome . nearest shelf (UpTo 0)) (patch cells)
+          soft cells = either (const (Refused TooFewCells)) (decide 0 . posterior shelf) (softPatch (map (map (fmap certainly)) cells))
+          withoutSupport outcome = case outcome of
+            Located p _ -> Located p []
+            Ambiguous ps _ -> Ambiguous ps []
+            _ -> Refused Contradiction
+       in conjoin [soft seen === exact seen, soft drawn === exact drawn, soft (map (take 1) seen) === exact (map (take 1) seen)]
+  it "a position is told only if the doubt is tolerated" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    shelf <- right (book Torus array m)
+    [sure, unsure] <- mapM right [belief [0, 0, 0, 1], belief [0.1, 0, 0, 0.9]]
+    [two, one'] <- mapM (\code -> certainly <$> right (fromCode code)) [2, 1]
+    p <- right (softPatch [[Just unsure, Just two], [Just sure, Just one']])
+    let found = posterior shelf p
+    posteriorBest found `shouldBe` Just (Position 6 5)
+    posteriorDoubt found `shouldSatisfy` near 0.1
+    posteriorMargin found `shouldSatisfy` maybe False (near (log 9))
+    map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith near [0.9, 0.1]
+    decide 0.11 found `shouldBe` Located (Position 6 5) []
+    decide 0.09 found `shouldBe` Refused BelowThreshold
+  it "an array can be impossible" $ do
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    m <- right (rectangle (Shape 2 2))
+    shelf <- right (book Torus array m)
+    p <- right (softPatch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
+    decide 0.5 (posterior shelf p) `shouldBe` Refused Contradiction
+  it "numbers that are no probabilities are refused" $ do
+    (belief [1, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefLength 3 4)
+    (belief [1, 0, 0, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefLength 5 4)
+    (belief [1.5, -0.5, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefNegative 1 (-0.5))
+    (belief [0.5, 0, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefSum 0.5)
+    (belief [0 / 0, 0, 0, 1] :: Either BeliefError (Belief GF4)) `shouldSatisfy` either (const True) (const False)
+ where
+  near a b = abs (a - b) < 1e-9 * (1 + abs a)
+  genElement' = genElement :: Gen (GF GF4)
+
+-- | Of each cell the four probabilities in 64ths, or nothing.
+genChances :: Gen [[Maybe [Integer]]]
+genChances = do
+  h <- choose (1, 3)
+  w <- choose (1, 3)
+  vectorOf h (vectorOf w cell)
+ where
+  cell = do
+    gone <- choose (0, 4 :: Int)
+    if gone == 0 then pure Nothing else Just <$> chances
+  chances = do
+    a <- choose (0, 64)
+    b <- choose (0, 64 - a)
+    c <- choose (0, 64 - a - b)
+    pure [a, b, c, 64 - a - b - c]
+
+-- | The same in exact fractions.
+asBayes :: Book GF4 -> [[Maybe [Integer]]] -> Property
+asBayes shelf chances = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
+  Left e -> counterexample (show e) False
+  Right beliefs -> case softPatch beliefs of
+    Left e -> counterexample (show e) False
+    Right p ->
+      let found = posterior shelf p
+          near a b = abs (a - fromRational b) < 1e-12 :: Bool
+       in case sortOn (Down . snd) exact of
+            ranked@((_, best) : _)
+              | total > 0 ->
+                  conjoin
+                    [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
+                    , counterexample (show found) (and (zipWith (\(_, a) (_, b) -> near a (b / total)) (posteriorRanking found) ranked))
+                    , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
+                    , length (posteriorRanking found) === length exact
+                    ]
+            _ -> posteriorBest found === Nothing
+ where
+  observed = [(i, j, ks) | (i, line) <- zip [0 ..] chances, (j, Just ks) <- zip [0 ..] line]
+  exact =
+    [ (Position r c, product [(ks !! toCode (cellAt (bookArray shelf) (Position (r + i) (c + j)))) % 64 | (i, j, ks) <- observed])
+    | r <- [0 .. 14]
+    , c <- [0 .. 16]
+    , bookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
+    ]
+  total = sum (map snd exact)
+
+holds :: Int -> Property -> Expectation
+holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
+  Success {} -> pure ()
+  _ -> expectationFailure (output r)
