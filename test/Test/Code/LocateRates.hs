@@ -42,14 +42,15 @@ spec = do
       Just (Rates a b c) -> let Rates a' b' c' = decodingRates 4 9 weights 1 0.05 in maximum (map abs [a - a', b - b', c - c']) `shouldSatisfy` (< 1e-12)
       Nothing -> expectationFailure "nothing"
  where
-  -- Rows, columns, radius, error rate; and what is right, wrong and refused in %, each within half a unit of its last digit; but the last one
-  -- but one was given as 100 less the others.
+  -- Rows, columns, radius, error rate; and what is right, wrong and refused in %, each within half a unit of its last digit; for 4x4 at 5 %
+  -- within 3 standard errors of a million trials, as the figure is one of a simulation: at most 4 errors among 16 cells have
+  -- the probability 99.914 %.
   figures :: [((Natural, Natural, Int, Double), ((Double, Double), (Double, Double), (Double, Double)))]
   figures =
     [ ((2, 2, 0, 0.006), ((97.6, 0.05), (2.4, 0.05), (0.01, 0.005)))
     , ((3, 3, 1, 0.006), ((99.87, 0.005), (0.000065, 0.0000005), (0.13, 0.005)))
     , ((3, 3, 1, 0.05), ((92.9, 0.05), (0.03, 0.00005), (7.1, 0.05)))
-    , ((4, 4, 4, 0.05), ((99.92, 0.005), (0.00039, 0.000005), (0.08, 0.01)))
+    , ((4, 4, 4, 0.05), ((99.92, 0.009), (0.00039, 0.000005), (0.08, 0.009)))
     , ((4, 4, 4, 0.1), ((98.3, 0.05), (0.0083, 0.00005), (1.7, 0.05)))
     ]
 
