@@ -67,7 +67,7 @@ sequenceMessage e = case e of
 foldMessage :: FoldError -> String
 foldMessage e = case e of
   NotCoprime n1 n2 g -> "the diagonal fold of " ++ shapeText (Shape n1 n2) ++ " does not fill the array: both sides are divisible by "
-    ++ show g ++ ", so it reaches only every " ++ ordinal g ++ " cell"
+    ++ show g ++ ", so it reaches only every " ++ ordinal g ++ " cell; 'pra-tactile advise' tells what to do instead"
   WrongArea shape terms -> "the shape " ++ shapeText shape ++ " has " ++ show (area shape) ++ " cells, but the sequence has q^n - 1 = " ++ show terms ++ " terms"
   TooManyCells cells limit -> "the array has " ++ show cells ++ " cells; at most " ++ show limit ++ " are held in memory"
   where
