@@ -5,7 +5,6 @@ module Json.Advice
   ) where
 
 import Data.Aeson
-import Data.Aeson.Encoding (Series)
 import Data.Aeson.Types (Pair)
 
 import Json
