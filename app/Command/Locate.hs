@@ -7,7 +7,6 @@ module Command.Locate
 import Data.Aeson (toJSON, (.=))
 import Data.Aeson.Encoding (Series)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.Char (isSpace)
 import Data.Maybe (fromMaybe)
 import Options.Applicative hiding (command)
 import System.IO (hFlush, isEOF, stdout)
@@ -18,70 +17,90 @@ import Described
 import Ending
 import Json
 import Json.Profile
+import Locating
 import Message
+import PatchText
 import PraTactile.Array (Position (..), Surface (..))
-import PraTactile.Field (KnownField, parseElement)
+import PraTactile.Field (KnownField)
 import PraTactile.Locate
+import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Profile
 
+data Options = Options
+  { road :: Maybe Road
+  , radius :: Radius
+  , doubt :: Double
+  , explain :: Bool
+  , asJson :: Bool
+  , source :: Maybe String
+  }
+
 command :: Mod CommandFields (IO Ending)
-command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed."
+command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may be the list of the probabilities of all symbols."
   [ "pra-tactile locate '3 2 / 3 1'"
   , "pra-tactile locate 'A^2 A / A^2 1' --json"
+  , "pra-tactile locate '3 2 1 / 3 ? 1 / 0 1 2' --explain"
+  , "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2"
   , "pra-tactile locate --batch < patches.txt" ]
-  (run <$> arrayChoice <*> surfaceOption <*> switch (long "json" <> help "Print the answer as JSON") <*> source)
+  (run <$> arrayChoice <*> surfaceOption <*> options)
   where
-    source = flag' Nothing (long "batch" <> help "Read one patch a line from the standard input; print one JSON answer a line")
-      <|> (Just <$> strArgument (metavar "PATCH"))
+    options = Options
+      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> help "How to find positions at which all observed cells agree (default: compare with every position and correct errors; by algebra beyond 2^20 cells)"))
+      <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)")))
+      <*> option auto (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
+      <*> switch (long "explain" <> help "Say what the answer rests on: the cells, their equations, the distance to the next candidate")
+      <*> switch (long "json" <> help "Print the answer as JSON")
+      <*> (flag' Nothing (long "batch" <> help "Read one patch a line from the standard input; print one JSON answer a line")
+        <|> (Just <$> strArgument (metavar "PATCH")))
+    roadReader = eitherReader $ \name -> case lookup name [ (roadName r, r) | r <- [TableRoad, AlgebraRoad, SearchRoad] ] of
+      Just found -> Right found
+      Nothing -> Left (show name ++ " is no road; write table, algebra or search")
+    naturalReader = eitherReader $ \text -> case reads text of
+      [(n, "")] | n >= (0 :: Integer) -> Right (fromInteger n)
+      _ -> Left (show text ++ " is not a number 0, 1, 2, ...")
 
-run :: ArrayChoice -> Maybe Surface -> Bool -> Maybe String -> IO Ending
-run choice chosen asJson source = do
-  profile <- chosenProfile choice
-  let on = fromMaybe (profileSurface profile) chosen
-      build array mask = buildTable (profilePacking profile) on array mask
-  answered <- orUnusable profileMessage (withProfile profile (\array mask -> fmap (answering profile asJson source) (build array mask)))
-  either (unusable . locateMessage) id answered
+run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
+run choice chosen options
+  | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
+  | Just _ <- road options, UpTo _ <- radius options = unusable "--road finds positions at which all cells agree; leave it out to correct errors with --radius"
+  | otherwise = do
+      profile <- chosenProfile choice
+      let on = fromMaybe (profileSurface profile) chosen
+          how = Choice (road options) (radius options) (doubt options) (profilePacking profile)
+      answered <- orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> locator how on array mask))
+      either unusable id answered
 
-answering :: KnownField k => Profile -> Bool -> Maybe String -> Table k -> IO Ending
-answering profile asJson source table = case source of
-  Nothing -> batch profile table Answered
-  Just text -> case answer table text of
+answering :: KnownField k => Profile -> Options -> Locator k -> IO Ending
+answering profile options locate = case source options of
+  Nothing -> batch profile options locate Answered
+  Just text -> case readPatch text >>= locate of
     Left complaint -> unusable complaint
-    Right outcome -> do
-      if asJson then printJson (outcomeJson profile outcome) else putStrLn (outcomeText outcome)
-      pure (endingOf outcome)
+    Right answer -> do
+      if asJson options
+        then printJson (outcomeJson profile options answer)
+        else putStr (unlines (answerText answer : (if explain options then answerExplained answer else [])))
+      pure (endingOf (answerOutcome answer))
 
 -- | One line after another, each answered at once; the worst ending of all.
-batch :: KnownField k => Profile -> Table k -> Ending -> IO Ending
-batch profile table worst = do
+batch :: KnownField k => Profile -> Options -> Locator k -> Ending -> IO Ending
+batch profile options locate worst = do
   done <- isEOF
   if done then pure worst else do
     line <- getLine
-    let outcome = answer table line
-    Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile) outcome))
+    let answer = readPatch line >>= locate
+    Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
     hFlush stdout
-    let ending = either (const Unusable) endingOf outcome
-    ending `seq` batch profile table $! max worst ending
+    let ending = either (const Unusable) (endingOf . answerOutcome) answer
+    ending `seq` batch profile options locate $! max worst ending
 
--- | Locate a patch as it is written; 'Left' says what is wrong with the writing.
-answer :: KnownField k => Table k -> String -> Either String Outcome
-answer table text = do
-  cells <- traverse (traverse cell . words) (rowsOf text)
-  observed <- either (Left . locateMessage) Right (patch cells)
-  pure (locatePatch table observed)
+-- | The outcome, and how many cells were taken to be wrong.
+answerText :: Answer -> String
+answerText answer = outcomeText (answerOutcome answer) ++ corrections (answerCorrected answer)
   where
-    cell "?" = Right Nothing
-    cell word = either (Left . fieldMessage) (Right . Just) (parseElement word)
-
--- | The rows, parted by @/@; none in an empty line.
-rowsOf :: String -> [String]
-rowsOf text
-  | all isSpace text = []
-  | otherwise = parted text
-  where
-    parted rest = case break (== '/') rest of
-      (line, _ : more) -> line : parted more
-      (line, []) -> [line]
+    corrections cells = case length cells of
+      0 -> ""
+      1 -> " (1 cell corrected)"
+      n -> " (" ++ show n ++ " cells corrected)"
 
 endingOf :: Outcome -> Ending
 endingOf outcome = case outcome of
@@ -99,13 +118,15 @@ outcomeText outcome = case outcome of
   where
     pair (Position r c) = show r ++ "," ++ show c
 
-outcomeJson :: Profile -> Outcome -> Series
-outcomeJson profile outcome = case outcome of
-  Located place support -> form "located" (Just place) [] Nothing ("located: " ++ outcomeText outcome) support
-  Ambiguous places support -> form "ambiguous" Nothing places Nothing (outcomeText outcome) support
-  AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (outcomeText outcome) []
-  Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
+outcomeJson :: Profile -> Options -> Answer -> Series
+outcomeJson profile options answer = base <> "road" .= roadName (answerRoad answer) <> mconcat [ key .= detail | (key, detail) <- answerDetails answer ]
+    <> (if explain options then "explanation" .= answerExplained answer else mempty)
   where
+    base = case answerOutcome answer of
+      Located place support -> form "located" (Just place) [] Nothing ("located: " ++ answerText answer) support
+      Ambiguous places support -> form "ambiguous" Nothing places Nothing (answerText answer) support
+      AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (answerText answer) []
+      Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
     form = answerJson profile
 
 invalidJson :: Profile -> String -> Series

@@ -9,6 +9,8 @@ module Message.Code
   , profileMessage
   , proofMessage
   , locateMessage
+  , algebraMessage
+  , beliefMessage
   , reasonMessage
   ) where
 
@@ -20,7 +22,10 @@ import PraTactile.Array
 import PraTactile.Factorisation (FactorError (..))
 import PraTactile.Field (FieldError (..))
 import PraTactile.Grid (GridError (..), largestGrid)
+import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Locate
+import PraTactile.Locate.Algebra (AlgebraError (..))
+import PraTactile.Locate.Soft (BeliefError (..))
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
 import PraTactile.Sequence (SequenceError (..))
@@ -116,6 +121,20 @@ locateMessage e = case e of
   PatchEmpty -> "the patch has no cells"
   PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
   TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
+
+algebraMessage :: AlgebraError -> String
+algebraMessage e = case e of
+  SurfaceForeign chosen own -> "the algebra needs the surface on which the array goes on, " ++ surfaceName own ++ ", or the sheet; this is the " ++ surfaceName chosen
+  AlgebraLogarithm LogarithmOfZero -> "zero has no logarithm"
+  AlgebraLogarithm (LogarithmInfeasible prime limit) -> "the position needs a discrete logarithm in a group whose order the prime " ++ show prime
+    ++ " divides, which is infeasible beyond " ++ show limit
+  AlgebraCells why -> windowMessage why
+
+beliefMessage :: BeliefError -> String
+beliefMessage e = case e of
+  BeliefLength given needs -> "a cell has " ++ show given ++ " probabilities; the alphabet has " ++ show needs ++ " symbols"
+  BeliefNegative i x -> "the probability with index " ++ show i ++ " is " ++ show x ++ "; probabilities are numbers from 0 to 1"
+  BeliefSum total -> "the probabilities of a cell add up to " ++ show total ++ ", not to 1"
 
 reasonMessage :: Reason -> String
 reasonMessage reason = case reason of

@@ -1,0 +1,72 @@
+-- | Why an answer is what it is, in sentences: the cells used, their equations, the distance to the next candidate.
+module Explain
+  ( explainCells
+  , explainDecision
+  , explainPosterior
+  , explainOutcome
+  ) where
+
+import Data.List (intercalate)
+import Text.Printf (printf)
+
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate
+import PraTactile.Locate.Equations
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Soft
+import PraTactile.Polynomial (primitiveDegree)
+import PraTactile.Window
+
+-- | The observed cells as equations for alpha^t, t being the index of the patch's upper left cell in the sequence, and what they leave open.
+explainCells :: KnownField k => PseudorandomArray k -> Mask -> [(Position, GF k)] -> [String]
+explainCells array mask cells = case equations array cells of
+  Left _ -> ["no cell was observed"]
+  Right given ->
+    [ show (length cells) ++ " cells were observed; a window has " ++ show (maskSize mask) ++ ", and " ++ show n ++ " independent ones tell a position."
+    , "With alpha a root of the array's polynomial and alpha^t = " ++ intercalate " + " (map unknown [0 .. n - 1]) ++ " at the patch's upper left cell, they say:"
+    ]
+      ++ map equation given
+      ++ [leaves (solve n given)]
+  where
+    n = primitiveDegree (arrayPrimitive array)
+    unknown i = variable i ++ (case i of { 0 -> ""; 1 -> " alpha"; _ -> " alpha^" ++ show i })
+    variable i = "x" ++ show (i :: Int)
+    equation e = "  cell " ++ place (equationOffset e) ++ ": " ++ combination (equationFactors e) ++ " = " ++ showElement (equationValue e)
+    combination factors = case [term a i | (a, i) <- zip factors [0 ..], a /= zero] of
+      [] -> "0"
+      terms -> intercalate " + " terms
+    term a i = (if a == one then "" else showElement a ++ " ") ++ variable i
+    leaves solutions = case solutions of
+      Inconsistent -> "These contradict each other: at least one cell is wrong."
+      Solutions x []
+        | all (== zero) x -> "Their only solution is zero, which is no power of alpha: the zero window stands nowhere."
+        | otherwise -> "Their solution: " ++ intercalate ", " [variable i ++ " = " ++ showElement a | (i, a) <- zip [0 ..] x] ++ "."
+      Solutions _ directions -> "They leave " ++ show (length directions) ++ " of the " ++ show n ++ " unknowns open: " ++ show (solutionCount solutions) ++ " positions."
+
+-- | How near the nearest positions are.
+explainDecision :: Decision -> [String]
+explainDecision decision =
+  [ "Windows of these cells differ in at least " ++ show (decisionDistance decision) ++ " cells, so that up to "
+      ++ show (guaranteedRadius (decisionDistance decision)) ++ " wrong ones are always corrected; up to " ++ show (decisionRadius decision) ++ " are."
+  ]
+    ++ [ "The nearest position differs in " ++ show e ++ " cells" ++ maybe "" (\f -> ", the next one in " ++ show f) (decisionRunnerUp decision) ++ "."
+       | Just e <- [decisionNearest decision]
+       ]
+    ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "." | wrong@(_ : _) <- [decisionWrong decision] ]
+
+-- | How likely the likeliest positions are.
+explainPosterior :: Double -> Posterior -> [String]
+explainPosterior tolerated found =
+  [ "The probabilities of the positions:" | Just _ <- [posteriorBest found] ]
+    ++ [ printf "  %s: %.6g" (place at) chance | (at, chance) <- take 3 (posteriorRanking found) ]
+    ++ [ printf "The likeliest is wrong with probability %.3g; %.3g is tolerated." (posteriorDoubt found) tolerated | Just _ <- [posteriorBest found] ]
+
+-- | What stands for the outcome.
+explainOutcome :: Outcome -> [String]
+explainOutcome outcome = case outcome of
+  Located _ windows@(_ : _) -> ["Complete windows that say so stand at the offsets " ++ unwords (map place windows) ++ "."]
+  _ -> []
+
+place :: Position -> String
+place (Position r c) = "(" ++ show r ++ "," ++ show c ++ ")"

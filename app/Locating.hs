@@ -1,0 +1,135 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE OverloadedStrings #-}
+-- | The roads from a patch to its position, as the command line offers them.
+module Locating
+  ( -- * Choices
+    Road (..)
+  , roadName
+  , Choice (..)
+    -- * Answers
+  , Locator
+  , locator
+  , Answer (..)
+  ) where
+
+import Data.Aeson (Value (Null), object, toJSON, (.=))
+import Data.Bifunctor (first)
+import Data.Text (Text)
+import Numeric.Natural (Natural)
+
+import Explain
+import Json
+import Message
+import PatchText
+import PraTactile.Array
+import PraTactile.Field (KnownField)
+import PraTactile.Locate
+import PraTactile.Locate.Algebra
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Patch (observedCells)
+import PraTactile.Locate.Search
+import PraTactile.Locate.Soft
+import PraTactile.Window
+
+-- | How the position is found.
+data Road
+  = TableRoad
+  | AlgebraRoad
+  | SearchRoad
+  | NearestRoad   -- ^ compare with every position and correct errors
+  | SoftRoad      -- ^ the probability of every position
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | As the command line and JSON have it.
+roadName :: Road -> String
+roadName road = case road of
+  TableRoad -> "table"
+  AlgebraRoad -> "algebra"
+  SearchRoad -> "search"
+  NearestRoad -> "nearest"
+  SoftRoad -> "soft"
+
+-- | What the command line chooses.
+data Choice = Choice
+  { chosenRoad :: Maybe Road      -- ^ 'Nothing': as the patch and the array need it
+  , chosenRadius :: Radius
+  , chosenDoubt :: Double         -- ^ the probability of a wrong answer that is tolerated
+  , chosenPacking :: Packing
+  }
+
+-- | An answer, and what it is worth.
+data Answer = Answer
+  { answerOutcome :: Outcome
+  , answerRoad :: Road
+  , answerCorrected :: [Position]      -- ^ the offsets of the cells taken to be wrong
+  , answerDetails :: [(Text, Value)]   -- ^ further keys of the JSON form
+  , answerExplained :: [String]        -- ^ in sentences
+  }
+
+-- | From a patch to its answer; 'Left' where the patch needs a road that the array does not allow.
+type Locator k = Observed k -> Either String Answer
+
+-- | The locator of an array; 'Left' where the road chosen is impossible for it. What is computed once for the array is computed when first used.
+locator :: KnownField k => Choice -> Surface -> PseudorandomArray k -> Mask -> Either String (Locator k)
+locator choice surface array mask = case chosenRoad choice of
+  Nothing -> bySize shelved
+  Just TableRoad -> hardOnly . viaTable <$> tabled
+  Just AlgebraRoad -> hardOnly . viaAlgebra <$> prepared
+  Just _ -> Right (hardOnly viaSearch)
+  where
+    shelved = first locateMessage (book surface array mask)
+    tabled = first locateMessage (buildTable (chosenPacking choice) surface array mask)
+    prepared = first algebraMessage (prepareAlgebra surface array mask)
+    -- Large arrays are not compared with the patch: algebra, or where that cannot be, the table.
+    bySize (Right shelf) = Right (either' (viaNearest shelf) (viaSoft shelf))
+    bySize (Left tooLarge) = case prepared of
+      Right algebra -> Right (either' (viaAlgebra algebra) (const (Left tooLarge)))
+      Left infeasible -> either (\why -> Left (infeasible ++ "; and " ++ why)) (\table -> Right (either' (viaTable table) (const (Left tooLarge)))) tabled
+    either' hard soft observed = case observed of
+      Symbols p -> hard p
+      Chances p -> soft p
+    hardOnly hard = either' hard (const (Left "probabilities are for the comparison with all positions; leave out --road"))
+    viaTable table p = Right (plain TableRoad p (locatePatch table p))
+    viaAlgebra algebra p = plain AlgebraRoad p <$> first algebraMessage (algebraPatch algebra p)
+    viaSearch p = plain SearchRoad p <$> first locateMessage (searchPatch surface array mask p)
+    plain road p outcome = Answer outcome road [] (counted outcome) (explainCells array mask (observedCells p) ++ explainOutcome outcome)
+    viaNearest shelf p
+      | fewer p = Right (plain NearestRoad p (Refused TooFewCells))
+      | otherwise =
+          let decision = nearest shelf (chosenRadius choice) p
+          in Right (Answer (decisionOutcome decision) NearestRoad (decisionWrong decision) (counted (decisionOutcome decision) ++ ofDecision decision)
+               (explainCells array mask (observedCells p) ++ explainDecision decision ++ explainOutcome (decisionOutcome decision)))
+    -- Fewer cells than a window has never tell a position on the array's own surface.
+    fewer p = length (observedCells p) < maskSize mask
+    viaSoft shelf p =
+      let found = posterior shelf p
+          outcome = decide (chosenDoubt choice) found
+      in Right (Answer outcome SoftRoad [] (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
+
+counted :: Outcome -> [(Text, Value)]
+counted outcome = case outcome of
+  Located _ _ -> [("count", toJSON (1 :: Int))]
+  Ambiguous places _ -> [("count", toJSON (length places))]
+  AmbiguousCoset count dimension -> [("count", naturalValue count), ("dimension", naturalValue dimension)]
+  Refused _ -> [("count", toJSON (0 :: Int))]
+
+ofDecision :: Decision -> [(Text, Value)]
+ofDecision decision =
+  [ ("corrected", toJSON (map positionListValue (decisionWrong decision)))
+  , ("nearest", maybeNumber (decisionNearest decision))
+  , ("runner_up", maybeNumber (decisionRunnerUp decision))
+  , ("minimum_distance", naturalValue (decisionDistance decision))
+  , ("radius", naturalValue (decisionRadius decision))
+  ]
+
+maybeNumber :: Maybe Natural -> Value
+maybeNumber = maybe Null naturalValue
+
+ofPosterior :: Posterior -> [(Text, Value)]
+ofPosterior found =
+  [ ("doubt", toJSON (posteriorDoubt found))
+  , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (posteriorRanking found)])
+  ]
