@@ -15,8 +15,8 @@ module Locating
   ) where
 
 import Data.Aeson (Value (Null), object, toJSON, (.=))
+import Data.Aeson.Key (Key)
 import Data.Bifunctor (first)
-import Data.Text (Text)
 import Numeric.Natural (Natural)
 
 import Explain
@@ -65,7 +65,7 @@ data Answer = Answer
   { answerOutcome :: Outcome
   , answerRoad :: Road
   , answerCorrected :: [Position]      -- ^ the offsets of the cells taken to be wrong
-  , answerDetails :: [(Text, Value)]   -- ^ further keys of the JSON form
+  , answerDetails :: [(Key, Value)]   -- ^ further keys of the JSON form
   , answerExplained :: [String]        -- ^ in sentences
   }
 
@@ -109,14 +109,14 @@ locator choice surface array mask = case chosenRoad choice of
           outcome = decide (chosenDoubt choice) found
       in Right (Answer outcome SoftRoad [] (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
 
-counted :: Outcome -> [(Text, Value)]
+counted :: Outcome -> [(Key, Value)]
 counted outcome = case outcome of
   Located _ _ -> [("count", toJSON (1 :: Int))]
   Ambiguous places _ -> [("count", toJSON (length places))]
   AmbiguousCoset count dimension -> [("count", naturalValue count), ("dimension", naturalValue dimension)]
   Refused _ -> [("count", toJSON (0 :: Int))]
 
-ofDecision :: Decision -> [(Text, Value)]
+ofDecision :: Decision -> [(Key, Value)]
 ofDecision decision =
   [ ("corrected", toJSON (map positionListValue (decisionWrong decision)))
   , ("nearest", maybeNumber (decisionNearest decision))
@@ -128,7 +128,7 @@ ofDecision decision =
 maybeNumber :: Maybe Natural -> Value
 maybeNumber = maybe Null naturalValue
 
-ofPosterior :: Posterior -> [(Text, Value)]
+ofPosterior :: Posterior -> [(Key, Value)]
 ofPosterior found =
   [ ("doubt", toJSON (posteriorDoubt found))
   , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (posteriorRanking found)])

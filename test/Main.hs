@@ -28,6 +28,7 @@ import qualified Test.Code.Sequence
 import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
@@ -91,5 +92,6 @@ main = hspec $ do
   describe "Recognition" Test.Recognise.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
+  describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec

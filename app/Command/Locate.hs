@@ -55,9 +55,6 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
     roadReader = eitherReader $ \name -> case lookup name [ (roadName r, r) | r <- [TableRoad, AlgebraRoad, SearchRoad] ] of
       Just found -> Right found
       Nothing -> Left (show name ++ " is no road; write table, algebra or search")
-    naturalReader = eitherReader $ \text -> case reads text of
-      [(n, "")] | n >= (0 :: Integer) -> Right (fromInteger n)
-      _ -> Left (show text ++ " is not a number 0, 1, 2, ...")
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
 run choice chosen options
