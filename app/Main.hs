@@ -7,8 +7,10 @@ import qualified Command.Certificate
 import qualified Command.Check
 import qualified Command.Decode
 import qualified Command.Evaluate
+import qualified Command.Field
 import qualified Command.Locate
 import qualified Command.Objects
+import qualified Command.Polynomials
 import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
@@ -54,7 +56,8 @@ commands :: Parser (IO Ending)
 commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
     [ Command.Array.command, Command.Prove.command, Command.Certificate.command, Command.Check.command
     , Command.Locate.command, Command.Table.command, Command.Profile.command
-    , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command ])
+    , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command
+    , Command.Field.command, Command.Polynomials.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
     [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Evaluate.command ])
   <|> subparser (commandGroup "Objects and symbols:" <> hidden <> mconcat

@@ -38,7 +38,7 @@ trialDivision n = foldl' divideOut ([], n) smallPrimes
 
 -- | A proper divisor of a composite number that has no factor below 1000, or nothing when the
 -- effort is spent. The effort finds a factor of 10 digits nearly always in well under a second and one
--- of 20 digits mostly in some seconds; it is spent after about 10 seconds on a number of 60 digits.
+-- of 20 digits mostly in some seconds; it is spent after about 10 seconds, of a number of any size.
 --
 -- >>> (`elem` [Just 1009, Just 1013]) (properDivisor (1009 * 1013))
 -- True
@@ -99,7 +99,10 @@ curveDivisors :: Natural -> [Natural]
 curveDivisors n = [fromInteger d | (curve, limit, multiplier) <- attempts, d <- attempt curve limit multiplier]
  where
   attempts = zipWith (\curve (limit, multiplier) -> (curve, limit, multiplier)) [2 ..] (concatMap level [(2000, 30), (11000, 75), (50000, 60)])
-  level (limit, curves) = replicate curves (limit, foldl' lcm 1 [2 .. limit])
+  level (limit, curves) = replicate (affordable curves) (limit, foldl' lcm 1 [2 .. limit])
+  -- Beyond 200 binary digits fewer curves, for a product takes the longer.
+  affordable curves = max 1 (curves * 200 * 200 `div` (size * size))
+  size = max 200 (length (takeWhile (> 0) (iterate (`shiftR` 1) n)))
   attempt curve limit multiplier =
     let point = multiple modulus curve multiplier (Point 2 1)
      in [common point, gcd modulus (secondStage modulus curve limit point)]
