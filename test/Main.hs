@@ -12,6 +12,7 @@ import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
 import qualified Test.Code.Folding
+import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateNearest
@@ -30,6 +31,7 @@ import qualified Test.Code.Window
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Proof
+import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.House
@@ -57,6 +59,7 @@ main = hspec $ do
     describe "Polynomials" Test.Code.Polynomial.spec
     describe "Searching polynomials" Test.Code.PolynomialSearch.spec
     describe "Extension fields" Test.Code.Extension.spec
+    describe "Facts about fields" Test.Code.FieldFacts.spec
     describe "Sequences" Test.Code.Sequence.spec
     describe "Sequences as another program has them" Test.Code.SequenceFacts.spec
     describe "Shift registers" Test.Code.Register.spec
@@ -93,5 +96,6 @@ main = hspec $ do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
+  describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
