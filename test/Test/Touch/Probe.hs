@@ -107,11 +107,16 @@ manifests = do
     parseManifest "" `shouldBe` Left EmptyManifest
     parseManifest " \n" `shouldSatisfy` isLeft
     parseManifest header `shouldBe` Left NoEntries
-  it "answers any bytes" $
-    forAll ((,) <$> elements ["", header] <*> (B.pack <$> arbitrary)) $ \(start, rest) ->
+  it "refuses a quote that is not closed: the CSV library throws for one that ends the line" $ do
+    parseManifest (header <> "\"") `shouldBe` Left (NotCsv 2)
+    parseManifest (header <> "a,1,2,0,\"\n") `shouldBe` Left (NotCsv 2)
+    parseManifest "\"" `shouldBe` Left (NotCsv 1)
+  it "answers any bytes, quotes and commas above all" $
+    withMaxSuccess 2000 $ forAll ((,) <$> elements ["", header] <*> genBytes) $ \(start, rest) ->
       either (const True) (not . null) (parseManifest (start <> rest))
  where
   header = "file,x_mm,y_mm,rotation_deg,force_n\n"
+  genBytes = B.pack <$> listOf (frequency [(2, arbitrary), (1, elements (B.unpack "\",\n\r1a "))])
   genEntry = Entry <$> genName <*> (Pose <$> finite <*> finite <*> finite) <*> finite
   finite = arbitrary :: Gen Double
   genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])
