@@ -45,12 +45,14 @@ ladder =
         , terms "GF(256), n = 4" (Proxy @GF256) 4
         ]
     , bgroup "one cell, row-major"
-        [ cell "GF(2), n = 16 (in memory)" (Proxy @GF2) 16
-        , cell "GF(2), n = 32" (Proxy @GF2) 32
-        , cell "GF(2), n = 64" (Proxy @GF2) 64
-        , cell "GF(2), n = 128" (Proxy @GF2) 128
-        , cell "GF(4), n = 32" (Proxy @GF4) 32
-        , cell "GF(256), n = 8" (Proxy @GF256) 8
+        [ cell "GF(2), n = 16 (in memory)" (canonical (Proxy @GF2) 16)
+        , cell "GF(2), n = 32" (canonical (Proxy @GF2) 32)
+        , cell "GF(2), n = 64" (canonical (Proxy @GF2) 64)
+        , cell "GF(2), n = 128" (canonical (Proxy @GF2) 128)
+        , cell "GF(4), n = 32" (canonical (Proxy @GF4) 32)
+        , cell "GF(4), n = 64" (canonical (Proxy @GF4) 64)
+        , -- Not the first: of x^8 + c2 x^2 + c1 x + c0, none of which is irreducible, there are 2^24.
+          cell "GF(256), n = 8" (sure (checkPrimitive (sure (polynomialFromCodes [232, 32, 17, 159, 27, 1, 174, 189, 1]))) :: Primitive GF256)
         ]
     , bgroup "proof by enumeration"
         [ enumerated (show on) on folding shape window
@@ -75,6 +77,7 @@ ladder =
         , first "GF(3), n = 10" (Proxy @GF3) 10
         , first "GF(4), n = 12" (Proxy @GF4) 12
         , first "GF(9), n = 8" (Proxy @GF9) 8
+        , first "GF(64), n = 8, the worst" (Proxy @GF64) 8
         , first "GF(256), n = 4" (Proxy @GF256) 4
         ]
     , bgroup "factors of 2^n - 1"
@@ -98,10 +101,9 @@ terms name k n = bench name (whnf (sequenceVector h (canonicalState h)) 65536)
  where
   h = canonical k n
 
-cell :: KnownField k => String -> Proxy k -> Natural -> Benchmark
-cell name k n = bench name (whnf (cellAt array) (Position 0 (0x9E3779B97F4A7C15 `mod` period h)))
+cell :: KnownField k => String -> Primitive k -> Benchmark
+cell name h = bench name (whnf (cellAt array) (Position 0 (0x9E3779B97F4A7C15 `mod` period h)))
  where
-  h = canonical k n
   array = sure (fold RowMajor (Shape 1 (period h)) h (canonicalState h))
 
 -- | Over GF(4); the area gives the degree.
