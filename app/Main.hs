@@ -14,6 +14,7 @@ import qualified Command.Polynomials
 import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
+import qualified Command.Rates
 import qualified Command.Sequence
 import qualified Command.Shapes
 import qualified Command.Stitch
@@ -55,7 +56,7 @@ versionOption = infoOption ("pra-tactile " ++ showVersion version) (long "versio
 commands :: Parser (IO Ending)
 commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
     [ Command.Array.command, Command.Prove.command, Command.Certificate.command, Command.Check.command
-    , Command.Locate.command, Command.Table.command, Command.Profile.command
+    , Command.Locate.command, Command.Rates.command, Command.Table.command, Command.Profile.command
     , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command
     , Command.Field.command, Command.Polynomials.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
