@@ -37,6 +37,7 @@ import qualified Test.Conformance
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
+import qualified Test.Rates
 import qualified Test.Recognise
 import qualified Test.Store
 import qualified Test.Touch.Image
@@ -92,6 +93,7 @@ main = hspec $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
   describe "Store" Test.Store.spec
+  describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec

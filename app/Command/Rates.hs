@@ -88,12 +88,16 @@ ways = ["hard", "exact", "soft_999", "soft_as_hard"]
 data Line = Line { lineSize :: Shape, lineErrors, lineErasures :: Double, lineRates :: [Maybe Rates] }
 
 line :: KnownField k => Options -> Book k -> Shape -> Mask -> Double -> Double -> Line
-line options shelf size mask p s = Line size p s [Just hard, exact, Just (softRates 0.001 counts), Just (softRatesAtMost (maybe (rateWrong hard) rateWrong exact) counts)]
+line options shelf size mask p s = Line size p s [Just hard, exact, Just (softRates 0.001 counts), asHard]
   where
     damage = Damage (p / 100) (s / 100)
     counts = merge (withStrategy (parBuffer 8 rseq) [ simulate shelf size damage n (seed options * 1000003 + i) | (i, n) <- zip [0 ..] (chunks (trials options)) ])
     chunks left = if left <= 0 then [] else min 1000 left : chunks (left - 1000)
     hard = hardRates counts
+    -- Where wrong answers are too rare to be counted, there is nothing to compare with.
+    asHard = case maybe (rateWrong hard) rateWrong exact of
+      0 -> Nothing
+      wrong -> Just (softRatesAtMost wrong counts)
     exact = exactRates shelf mask damage
 
 -- | The rates without chance, where there are few enough cells, or no erasures.
@@ -126,12 +130,12 @@ heading = unlines
   [ "right / wrong / refused in %. Hard: from symbols, to the radius that the observed cells guarantee; exact: the same without chance, where it can be"
   , "computed. Soft: from the same cells' probabilities, where 99.9 % certain; and as often as the wrong answers stay at most hard decoding's."
   , ""
-  , printf "%-6s %6s %8s  %-26s %-26s %-26s %-26s" ("patch" :: String) ("errors" :: String) ("erasures" :: String)
+  , printf "%-6s %6s %8s  %-30s %-30s %-30s %-30s" ("patch" :: String) ("errors" :: String) ("erasures" :: String)
       ("hard" :: String) ("exact" :: String) ("soft, 99.9 %" :: String) ("soft, as hard" :: String)
   ]
 
 lineText :: Line -> String
 lineText l = printf "%-6s %5.1f%% %7.1f%%  " (shapeText (lineSize l)) (lineErrors l) (lineErasures l)
-  ++ unwords [ printf "%-26s" (maybe "-" ratesText r) | r <- lineRates l ]
+  ++ unwords [ printf "%-30s" (maybe "-" ratesText r) | r <- lineRates l ]
   where
     ratesText (Rates a b c) = printf "%.3f / %.3g / %.3g" (100 * a) (100 * b) (100 * c) :: String

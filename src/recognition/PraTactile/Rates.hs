@@ -20,6 +20,7 @@ module PraTactile.Rates
   , hardRates
   , softRates
   , softRatesAtMost
+  , wrongAmong
   ) where
 
 import Data.List (foldl')
@@ -157,9 +158,7 @@ hardRates tally = ratesOf tally (tallyRight tally) (tallyWrong tally)
 
 -- | The rates of soft decoding where this probability of a wrong answer is tolerated, to a 50th of a power of ten.
 softRates :: Double -> Tally -> Rates
-softRates tolerated tally = answered tally (Map.elems (Map.filterWithKey (\bin _ -> bin >= least) (tallyDoubts tally)))
-  where
-    least = ceiling (-50 * logBase 10 tolerated - 1e-9) :: Int
+softRates tolerated tally = answered tally (Map.elems (tolerable tolerated tally))
 
 -- | The rates of soft decoding that answers where the doubt is least, as often as the wrong answers to be expected stay at most this share of
 -- all trials.
@@ -171,6 +170,18 @@ softRatesAtMost share tally = answered tally (go 0 (map snd (Map.toDescList (tal
     go spent (soft@(Soft _ _ doubts) : others)
       | spent + doubts > budget = []
       | otherwise = soft : go (spent + doubts) others
+
+-- | Among the answers of soft decoding where this probability of a wrong answer is tolerated: how many, how many wrong ones are to be expected, and how many
+-- there were.
+wrongAmong :: Double -> Tally -> (Int, Double, Int)
+wrongAmong tolerated tally = (count, doubts, count - right)
+  where
+    Soft count right doubts = foldl' plus (Soft 0 0 0) (Map.elems (tolerable tolerated tally))
+
+tolerable :: Double -> Tally -> Map Int Soft
+tolerable tolerated = Map.filterWithKey (\bin _ -> bin >= least) . tallyDoubts
+  where
+    least = ceiling (-50 * logBase 10 tolerated - 1e-9) :: Int
 
 answered :: Tally -> [Soft] -> Rates
 answered tally given = ratesOf tally right (count - right)
