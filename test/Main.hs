@@ -16,6 +16,7 @@ import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateNearest
+import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
 import qualified Test.Code.LocateSoft
@@ -77,6 +78,7 @@ main = hspec $ do
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
+    describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do

@@ -12,6 +12,7 @@ module PraTactile.Locate.Patch
   , patchShape
   , rectangular
   , LocateError (..)
+  , patchRows
   , observedCells
   , completeWindows
   ) where
@@ -63,6 +64,14 @@ rectangular cells
   height = fromIntegral (length cells)
   ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
   width = sum (map length (take 1 cells))
+
+-- | The rows, as 'patch' takes them.
+patchRows :: Patch k -> [[Maybe (GF k)]]
+patchRows observed = go (Boxed.toList (patchCells observed))
+ where
+  go cells = case splitAt (fromIntegral (columns (patchShape observed))) cells of
+    ([], _) -> []
+    (r, rest) -> r : go rest
 
 -- | The observed cells with their offsets, row by row.
 observedCells :: Patch k -> [(Position, GF k)]
