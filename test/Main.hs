@@ -20,6 +20,7 @@ import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
 import qualified Test.Code.LocateSoft
+import qualified Test.Code.LocateTogether
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -79,6 +80,7 @@ main = hspec $ do
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
+    describe "Several patches" Test.Code.LocateTogether.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do

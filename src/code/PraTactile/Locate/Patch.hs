@@ -36,6 +36,8 @@ data LocateError
   | -- | The array has this many cells, more than the second number: too many to compare a patch with
     -- each of them.
     TooManyPlaces Natural Natural
+  | -- | The rectangle around patches has this many cells, more than the second number.
+    PatchTooLarge Natural Natural
   deriving stock (Eq, Show)
 
 -- | A rectangle of observed and unobserved cells.
