@@ -6,8 +6,8 @@
 -- |
 -- Which power of alpha an element of GF(q^n) is: the step from the state of the shift
 -- register to the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby
--- steps and giant steps of Shanks). The cost goes with the square root of the largest prime that divides
--- q^n - 1, and where that is too large the answer is a refusal.
+-- steps and giant steps of Shanks). The cost goes with the square root of the largest prime that
+-- divides q^n - 1, and where that is too large the answer is a refusal.
 module PraTactile.DiscreteLog
   ( -- * Logarithms
     discreteLogarithm
@@ -26,7 +26,7 @@ module PraTactile.DiscreteLog
 import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (listToMaybe, mapMaybe)
+import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Extension
 import PraTactile.Factorisation.Divisor (squareRoot)
@@ -37,7 +37,8 @@ import PraTactile.Polynomial
 data LogarithmError
   = -- | Zero is no power of alpha.
     LogarithmOfZero
-  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime', the second.
+  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime', the
+    -- second.
     LogarithmInfeasible Natural Natural
   deriving stock (Eq, Show)
 
@@ -74,20 +75,24 @@ prepareLogarithms h
   | otherwise = Right (Logarithms h (map part (periodFactors h)))
  where
   largest = maximum (1 : map fst (periodFactors h))
-  part (r, e) = Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * (period h `div` r)))
+  part (r, e) = Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * cofactor))
    where
     m = min mostBabySteps (squareRoot (r - 1) + 1)
-    gamma = powerOfRoot h (period h `div` r)
+    cofactor = period h `div` r
+    gamma = powerOfRoot h cofactor
     babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
 -- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero
-  | otherwise = Right (fst (foldl' chineseRemainder (0, 1) [(partLogarithm h p a, partPrime p ^ partExponent p) | p <- parts]))
+  | otherwise = Right (fst (foldl' chineseRemainder (0, 1) (map modulo parts)))
+ where
+  modulo p = (partLogarithm h p a, partPrime p ^ partExponent p)
 
 -- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the digits
--- below r^i known to be x, the digit i is the logarithm to the base gamma of (b / alpha^(x N/r^e))^(r^(e-1-i)).
+-- below r^i known to be x, the digit i is the logarithm to the base gamma of
+-- (b / alpha^(x N/r^e))^(r^(e-1-i)).
 partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
 partLogarithm h p a = foldl' withDigit 0 [0 .. partExponent p - 1]
  where
@@ -101,7 +106,7 @@ partLogarithm h p a = foldl' withDigit 0 [0 .. partExponent p - 1]
 -- | The logarithm to the base gamma of one of its powers: some giant step i back from it ends on a
 -- baby step j, and it is i m + j.
 stepLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
-stepLogarithm h p d = maybe 0 id (listToMaybe (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
+stepLogarithm h p d = sum (take 1 (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
  where
   m = partSteps p
   giants = [0 .. partPrime p `div` m]
@@ -111,7 +116,8 @@ stepLogarithm h p d = maybe 0 id (listToMaybe (mapMaybe found (zip giants (itera
 chineseRemainder :: (Natural, Natural) -> (Natural, Natural) -> (Natural, Natural)
 chineseRemainder (x, m) (y, n) = (x + m * step, m * n)
  where
-  step = fromInteger ((toInteger y - toInteger x) * fst (euclid (toInteger m) (toInteger n)) `mod` toInteger n)
+  step = fromInteger ((toInteger y - toInteger x) * inverted `mod` toInteger n)
+  (inverted, _) = euclid (toInteger m) (toInteger n)
   -- u and v with u a + v b = gcd a b.
   euclid :: Integer -> Integer -> (Integer, Integer)
   euclid _ 0 = (1, 0)

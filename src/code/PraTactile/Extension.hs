@@ -69,7 +69,8 @@ addModulo h a b = Residue (Primitive.zipWith (+) (residueVector h a) (residueVec
 
 -- | The product of two residues modulo h.
 multiplyModulo :: KnownField k => Primitive k -> Residue k -> Residue k -> Residue k
-multiplyModulo h a b = Residue (multiplyResidues (primitiveModulus h) (residueVector h a) (residueVector h b))
+multiplyModulo h a b =
+  Residue (multiplyResidues (primitiveModulus h) (residueVector h a) (residueVector h b))
 
 -- | A power, with an exponent of any size; the power 0 is 1, of zero too.
 powerOfResidue :: KnownField k => Primitive k -> Residue k -> Natural -> Residue k
@@ -116,10 +117,11 @@ tracesOfPowers h = Primitive.fromListN n (fromIntegral n : reverse (go 1 (take (
   upper = drop 1 (reverse (coefficients (primitivePolynomial h)))
   -- The sums found so far, the last one first.
   go _ [] sums = sums
-  go k (c : rest) sums = go (k + 1 :: Integer) rest (negate (sum (zipWith (*) upper sums) + fromInteger k * c) : sums)
+  go k (c : rest) sums =
+    go (k + 1 :: Integer) rest (negate (sum (zipWith (*) upper sums) + fromInteger k * c) : sums)
 
 -- | The norm to GF(q), the product of the n conjugates, which is the power (q^n - 1)/(q - 1).
 normModulo :: forall k. KnownField k => Primitive k -> Residue k -> GF k
-normModulo h a = Primitive.sum (Primitive.take 1 (residueVector h (powerOfResidue h a (period h `div` (q - 1)))))
+normModulo h a = sum (take 1 (residueCoefficients h (powerOfResidue h a (period h `div` (q - 1)))))
  where
   q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural

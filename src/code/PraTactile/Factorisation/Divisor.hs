@@ -16,6 +16,7 @@ module PraTactile.Factorisation.Divisor
 
 import Data.Bits (shiftR, testBit)
 import Data.List (find, foldl')
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 
 -- | The primes below 1000.
@@ -81,7 +82,7 @@ rho n c = tortoise (1 :: Int) 2
               1 -> batch r x (foldl' (\_ z -> z) y points) (left - size)
               _ -> oneByOne x points
   -- Some difference of the batch has a factor in common with n: the first one tells.
-  oneByOne x points = maybe n id (find (/= 1) (map (gcd n . distance x) points))
+  oneByOne x points = fromMaybe n (find (/= 1) (map (gcd n . distance x) points))
   distance a b = if a > b then a - b else b - a
 
 {- Note [Elliptic curves]
@@ -96,14 +97,14 @@ rho n c = tortoise (1 :: Int) 2
 
 -- | What the curves give, one after the other: divisors of n, many of them 1 or n.
 curveDivisors :: Natural -> [Natural]
-curveDivisors n = [fromInteger d | (curve, limit, multiplier) <- attempts, d <- attempt curve limit multiplier]
+curveDivisors n = map fromInteger (concat (zipWith attempt [2 ..] levels))
  where
-  attempts = zipWith (\curve (limit, multiplier) -> (curve, limit, multiplier)) [2 ..] (concatMap level [(2000, 30), (11000, 75), (50000, 60)])
+  levels = concatMap level [(2000, 30), (11000, 75), (50000, 60)]
   level (limit, curves) = replicate (affordable curves) (limit, foldl' lcm 1 [2 .. limit])
   -- Beyond 200 binary digits fewer curves, for a product takes the longer.
   affordable curves = max 1 (curves * 200 * 200 `div` (size * size))
   size = max 200 (length (takeWhile (> 0) (iterate (`shiftR` 1) n)))
-  attempt curve limit multiplier =
+  attempt curve (limit, multiplier) =
     let point = multiple modulus curve multiplier (Point 2 1)
      in [common point, gcd modulus (secondStage modulus curve limit point)]
   common (Point _ z) = gcd modulus z

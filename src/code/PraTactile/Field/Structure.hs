@@ -45,7 +45,8 @@ import PraTactile.Polynomial
 data StructureError
   = -- | No power of zero is 1.
     ZeroHasNoOrder
-  | -- | There is no subfield of degree d, the first number, over GF(p), for it does not divide m, the second.
+  | -- | There is no subfield of degree d, the first number, over GF(p), for it does not divide m, the
+    -- second.
     NoSubfield Natural Natural
   | -- | GF(p^d), the first pair, is not in GF(r^m), the second: p and r differ, or d does not divide m.
     NotContained (Natural, Natural) (Natural, Natural)

@@ -48,7 +48,9 @@ innerProduct a b = go 0 zero
     | otherwise = go (i + 1) (acc + unsafeIndex a i * unsafeIndex b i)
 
 elementwise :: (GF k -> GF k -> GF k) -> Vector (GF k) -> Vector (GF k) -> Vector (GF k)
-elementwise f a b = generated (min (Primitive.length a) (Primitive.length b)) (\i -> f (unsafeIndex a i) (unsafeIndex b i))
+elementwise f a b = generated n (\i -> f (unsafeIndex a i) (unsafeIndex b i))
+ where
+  n = min (Primitive.length a) (Primitive.length b)
 {-# INLINE elementwise #-}
 
 -- | A vector by its entries: one counter, where a zip by the library's streams keeps several, which

@@ -20,7 +20,7 @@ module PraTactile.Polynomial.Bits
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
-import Data.Bits (countLeadingZeros, countTrailingZeros, shiftL, shiftR, testBit, unsafeShiftL, unsafeShiftR, xor, (.&.), (.|.))
+import Data.Bits hiding (Bits)
 import Data.Vector.Primitive (Vector, unsafeIndex)
 import qualified Data.Vector.Primitive as Primitive
 import Data.Vector.Primitive.Mutable (MVector)
@@ -38,11 +38,15 @@ packBits :: Vector Word8 -> Bits
 packBits bytes = Primitive.generate ((n + 63) `div` 64) word
  where
   n = Primitive.length bytes
-  word w = Primitive.ifoldl' (\acc i b -> acc .|. (fromIntegral b `unsafeShiftL` i)) 0 (Primitive.slice (64 * w) (min 64 (n - 64 * w)) bytes)
+  word w = Primitive.ifoldl' withBit 0 (Primitive.slice (64 * w) (min 64 (n - 64 * w)) bytes)
+  withBit acc i b = acc .|. (fromIntegral b `unsafeShiftL` i)
 
 -- | The first n bits, a byte each.
 unpackBits :: Int -> Bits -> Vector Word8
-unpackBits n bits = Primitive.generate n (\i -> fromIntegral (bits Primitive.! (i `div` 64) `shiftR` (i `mod` 64)) .&. 1)
+unpackBits n bits = Primitive.generate n (\i -> if bitAt bits i then 1 else 0)
+
+bitAt :: Bits -> Int -> Bool
+bitAt bits i = testBit (bits Primitive.! (i `div` 64)) (i `mod` 64)
 
 -- | A polynomial h of degree n >= 1 with what is computed from it once.
 data BitModulus = BitModulus
@@ -114,7 +118,9 @@ addFrom count vector from buffer = go 0
 squareInto :: BitModulus -> Buffer s -> Buffer s -> ST s ()
 squareInto modulus source target = Mutable.set target 0 >> eachWord 0
  where
-  eachWord !w = when (w < limbs modulus) $ Mutable.unsafeRead source w >>= eachBit (64 * w) >> eachWord (w + 1)
+  eachWord !w = when (w < limbs modulus) $ do
+    Mutable.unsafeRead source w >>= eachBit (64 * w)
+    eachWord (w + 1)
   eachBit !_ 0 = pure ()
   eachBit base word = do
     addFrom (limbs modulus) (squares modulus) ((base + countTrailingZeros word) * limbs modulus) target
@@ -134,7 +140,7 @@ multiplyBits modulus a b = Primitive.create $ do
   buffer <- Mutable.replicate (limbs modulus) 0
   forM_ [degree modulus - 1, degree modulus - 2 .. 0] $ \i -> do
     timesX modulus buffer
-    when (testBit (b Primitive.! (i `div` 64)) (i `mod` 64)) (addFrom (limbs modulus) a 0 buffer)
+    when (bitAt b i) (addFrom (limbs modulus) a 0 buffer)
   pure buffer
 
 -- | x^e modulo h for an exponent of any size: a square for each of its binary digits, from the

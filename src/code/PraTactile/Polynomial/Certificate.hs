@@ -79,8 +79,10 @@ certifyPrimitive h =
   PrimitiveCertificate
     { certifiedPrimitive = primitivePolynomial h
     , certifiedFactors = periodFactors h
-    , certifiedResidues = [(r, fromResidue (powerOfX (primitiveModulus h) (period h `div` r))) | (r, _) <- periodFactors h]
+    , certifiedResidues = [(r, fromResidue (powerOfX modulus (period h `div` r))) | (r, _) <- periodFactors h]
     }
+ where
+  modulus = primitiveModulus h
 
 -- | Check a certificate, and give what it shows. That the factors are prime is decided anew.
 verifyPrimitive :: forall k. KnownField k => PrimitiveCertificate k -> Either CertificateFault (Primitive k)

@@ -52,8 +52,9 @@ primeDivisors n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0)
 countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
 countIrreducible k n
   | n == 0 = 0
-  | otherwise = fromInteger (sum [moebius primes * q ^ (n `div` fromIntegral (product primes)) | primes <- subsets] `div` toInteger n)
+  | otherwise = fromInteger (sum (map term subsets) `div` toInteger n)
  where
+  term primes = moebius primes * q ^ (n `div` fromIntegral (product primes))
   q = toInteger (fieldOrder k)
   -- mu(d) is not 0 exactly for products d of different primes.
   subsets = foldr (\l rest -> rest ++ map (l :) rest) [[]] (primeDivisors (fromIntegral n))

@@ -124,7 +124,9 @@ primitiveAmong n candidates
 -- | Two quick conditions, see Note [Cheap refusals]; few polynomials of high degree fulfil them.
 mayBePrimitive :: KnownField k => Polynomial k -> Bool
 mayBePrimitive h = case polynomialDegree h of
-  Just n -> hasFullOrder (power (-1) (fromIntegral n) * valueAt h zero) && (n == 1 || all ((/= zero) . valueAt h) elements)
+  Just n ->
+    hasFullOrder (power (-1) (fromIntegral n) * valueAt h zero)
+      && (n == 1 || all ((/= zero) . valueAt h) elements)
   Nothing -> False
  where
   hasFullOrder a = maybe False ((== 1) . gcd (fieldOrder h - 1)) (logarithm a)

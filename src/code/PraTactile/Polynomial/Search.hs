@@ -49,18 +49,21 @@ monicByTerms n
   choose size terms
     | terms == 0 || terms > size = []
     | size == 1 = map (: []) units
-    | otherwise = map (zero :) (choose (size - 1) terms) ++ [c : rest | c <- units, rest <- choose (size - 1) (terms - 1)]
+    | otherwise =
+        map (zero :) (choose (size - 1) terms)
+          ++ [c : rest | c <- units, rest <- choose (size - 1) (terms - 1)]
   units = drop 1 elements
 
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
 -- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper 32
--- bits of each by the remainder modulo q, constant term first; of the 2^32 values those that would favour small codes
--- are passed over.
+-- bits of each by the remainder modulo q, constant term first; of the 2^32 values, those at the end
+-- that would favour small codes are passed over.
 randomMonics :: forall k. KnownField k => Word64 -> Natural -> [Polynomial k]
 randomMonics seed n = go coefficientsDrawn
  where
   go drawn = let (lower, rest) = genericSplitAt n drawn in polynomial (lower ++ [one]) : go rest
-  coefficientsDrawn = [either (const zero) id (fromCode (fromIntegral (w `mod` q))) | w <- map (`shiftR` 32) (splitMix seed), w < limit]
+  coefficientsDrawn = map (element . (`mod` q)) (filter (< limit) (map (`shiftR` 32) (splitMix seed)))
+  element = either (const zero) id . fromCode . fromIntegral
   q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Word64
   limit = 2 ^ (32 :: Int) `div` q * q
 
