@@ -32,6 +32,7 @@ import PraTactile.Array
 import PraTactile.Factorisation
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Polynomial
 
 -- | What is wanted.
 data Request = Request
@@ -107,9 +108,10 @@ obstacleDegree obstacle = case obstacle of
   NotFactored n _ -> n
 
 -- | What is possible and what is not, from the least degree n with enough terms up to the first that gives one
--- array on a plain torus, or beyond which the window has too few cells; at most 16 degrees. Polynomials are over
--- the field with the default modulus. Refuses a q that is no prime power up to 256, a window without
--- cells, and more than 2^128 cells.
+-- array on a plain torus, or beyond which the window has too few cells; at most 16 degrees. Several arrays
+-- are listed for a degree only if it gives no single one on a plain torus. Polynomials are over the field
+-- with the default modulus. Refuses a q that is no prime power up to 256, a window without cells, and more
+-- than 2^128 cells.
 advise :: Request -> Either AdviceError Advice
 advise request
   | fmap area (requestWindow request) == Just 0 = Left AdviceWindowEmpty
@@ -144,40 +146,46 @@ adviseDegree k request n
  where
   q = requestOrder request
   terms = q ^ n - 1
-  collect ds = Advice [option | Right option <- judged] (if null candidates then [NoSuchShape n terms] else shared ++ [o | Left o <- judged])
+  polynomials = candidates k n
+  collect ds = Advice [option | Right option <- judged] (if null shapes then [NoSuchShape n terms] else refused)
    where
-    candidates = shapesIn terms
+    refused = shared ++ [obstacle | Left obstacle <- judged]
+    shapes = shapesIn terms
     shapesIn cells =
       [ Shape n1 (cells `div` n1)
       | n1 <- ds, cells `mod` n1 == 0, n1 >= requestRows request, cells `div` n1 >= requestColumns request ]
     coprime (Shape n1 n2) = gcd n1 n2 == 1
-    singles = [(layout, shape) | shape <- candidates, layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor]]
-    joints = [(Joint g, shape) | g <- drop 1 ds, shape <- shapesIn (terms `div` g), coprime shape, whole shape]
-    -- Several arrays of one field each: the indices of an array must still generate all of GF(q^n).
+    singles =
+      [ judge request n polynomials layout shape
+      | shape <- shapes, layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor] ]
+    judged = singles ++ (if or [True | Right Option {optionLayout = Single Diagonal} <- singles] then [] else joints)
+    joints =
+      [ judge request n polynomials (Joint g) shape
+      | g <- drop 1 ds, shape <- shapesIn (terms `div` g), coprime shape, whole shape ]
+    -- The terms of one of several arrays must still generate all of GF(q^n).
     whole shape = degreeOfOrder q n (area shape) == n
-    judged = map (uncurry (judge k request n)) (singles ++ joints)
     shared =
-      [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs k request n ds shape)
-      | shape@(Shape n1 n2) <- candidates, not (coprime shape) ]
+      [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs request n polynomials ds shape)
+      | shape@(Shape n1 n2) <- shapes, not (coprime shape) ]
 
 -- | Whether the windows wanted tell the position in these arrays.
-judge :: KnownField k => Proxy k -> Request -> Natural -> Layout -> Shape -> Either Obstacle Option
-judge k request n layout shape = case requestWindow request of
-  Nothing -> Right (Option n layout shape (fitting k n layout shape))
+judge :: KnownField k => Request -> Natural -> [Primitive k] -> Layout -> Shape -> Either Obstacle Option
+judge request n polynomials layout shape = case requestWindow request of
+  Nothing -> Right (Option n layout shape (fitting n polynomials layout shape))
   Just w
     | not (w `within` shape) -> Left (WindowBeyondArray n layout shape)
-    | otherwise -> case fits k n layout shape w of
+    | otherwise -> case fits n polynomials layout shape w of
         Right fit -> Right (Option n layout shape [fit])
         Left tried -> Left (WindowFails n layout shape tried)
 
 -- | What to do about n1 x n2 whose sides have a common divisor: the most nearly square shape of as many cells
 -- on the torus, lying or standing alike; the same shape row by row on the twisted torus; and as few arrays as
 -- possible, of parts of the sides. With the window wanted, or where it does not work with others.
-repairs :: KnownField k => Proxy k -> Request -> Natural -> [Natural] -> Shape -> [Option]
-repairs k request n ds shape@(Shape n1 n2) =
+repairs :: KnownField k => Request -> Natural -> [Primitive k] -> [Natural] -> Shape -> [Option]
+repairs request n polynomials ds shape@(Shape n1 n2) =
   [ Option n layout other found
   | (layout, other) <- take 1 otherShapes ++ [(Single RowMajor, shape)] ++ take 1 several
-  , let found = if null (wanted layout other) then fitting k n layout other else wanted layout other
+  , let found = if null (wanted layout other) then fitting n polynomials layout other else wanted layout other
   , not (null found)
   ]
  where
@@ -191,17 +199,18 @@ repairs k request n ds shape@(Shape n1 n2) =
     sortOn
       (\(_, Shape a b) -> (area shape `div` (a * b), n1 `div` a))
       [ (Joint (area shape `div` (a * b)), Shape a b)
-      | a <- ds, a > 1, n1 `mod` a == 0, b <- ds, b > 1, n2 `mod` b == 0, gcd a b == 1, degreeOfOrder q n (a * b) == n ]
-  wanted layout other = [fit | Just w <- [requestWindow request], w `within` other, Right fit <- [fits k n layout other w]]
+      | a <- ds, a > 1, n1 `mod` a == 0, b <- ds, b > 1, n2 `mod` b == 0, gcd a b == 1, degreeOfOrder q n (a * b) == n
+      ]
+  wanted layout other =
+    [fit | Just w <- [requestWindow request], w `within` other, Right fit <- [fits n polynomials layout other w]]
 
 -- | The windows of n cells that tell the position in these arrays, the most nearly square ones first.
-fitting :: KnownField k => Proxy k -> Natural -> Layout -> Shape -> [Fit]
-fitting k n layout shape = [fit | w <- windowsOf n, w `within` shape, Right fit <- [fits k n layout shape w]]
+fitting :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> [Fit]
+fitting n polynomials layout shape =
+  [fit | w <- windowsOf n, w `within` shape, Right fit <- [fits n polynomials layout shape w]]
 
 -- | All rectangles of n cells, the most nearly square ones first.
 windowsOf :: Natural -> [Shape]
-windowsOf n = sortOn (\w -> (max (rows w) (columns w), columns w)) [Shape k1 (n `div` k1) | k1 <- [1 .. n], n `mod` k1 == 0]
-
--- | Whether a window is no larger than an array.
-within :: Shape -> Shape -> Bool
-within window shape = rows window <= rows shape && columns window <= columns shape
+windowsOf n = sortOn squareness [Shape k1 (n `div` k1) | k1 <- [1 .. n], n `mod` k1 == 0]
+ where
+  squareness w = (max (rows w) (columns w), columns w)

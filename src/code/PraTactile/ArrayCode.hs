@@ -125,4 +125,5 @@ codeGrid code j
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
 codeRank code mask = rankOf (map (vector . codeIndex code . Place 0) (maskOffsets mask))
  where
-  vector e = take (primitiveDegree (codePrimitive code)) (map (codeTerm code . (`mod` period (codePrimitive code))) [e ..])
+  vector e = map (codeTerm code . (`mod` period h)) (take (primitiveDegree h) [e ..])
+  h = codePrimitive code

@@ -4,9 +4,10 @@
 {-# LANGUAGE RoleAnnotations #-}
 
 -- |
--- Maximal-length sequences (m-sequences) from a shift register with feedback (section II
--- of the paper; MacWilliams and Sloane 1976), forwards, backwards, and by jumps of any length. With h(x) = x^n + c(n-1) x^(n-1) + ... + c0 the
--- characteristic polynomial, s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
+-- Maximal-length sequences (m-sequences) from a shift register with feedback (section II of the paper;
+-- MacWilliams and Sloane 1976): forwards, backwards, and by jumps of any length. With h(x) = x^n +
+-- c(n-1) x^(n-1) + ... + c0 the characteristic polynomial, s(i+n) = - (c0 s(i) + ... + c(n-1)
+-- s(i+n-1)).
 module PraTactile.Sequence
   ( -- * States
     State

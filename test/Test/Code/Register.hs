@@ -42,6 +42,13 @@ spec = do
           stateAt h s t `shouldBe` iterate (next h) s !! fromInteger t
           stateAt h s (-t) `shouldBe` iterate (previous h) s !! fromInteger t
           stateAt h s (t + 10 ^ (20 :: Int) * terms) `shouldBe` stateAt h s t
+    it "backward is the sequence of the reciprocal polynomial" $
+      forRegisters $ \h -> forM_ (take 5 (states h)) $ \s -> do
+        let backward = take 60 (concatMap (take 1 . reverse . stateElements) (iterate (previous h) s))
+            g = reciprocal h
+        start <- right (initialState g (take (primitiveDegree h) backward))
+        take 60 (mSequence g start) `shouldBe` backward
+        reciprocal g `shouldBe` h
   describe "the Galois register" $ do
     it "puts out what the Fibonacci register does, from every state that toGalois maps" $
       forRegisters $ \h -> forM_ (states h) $ \s ->

@@ -8,7 +8,9 @@
 -- degree, or for one of them at least.
 module PraTactile.Advise.Fit
   ( Fit (..)
+  , candidates
   , fits
+  , within
   ) where
 
 import Data.List (find)
@@ -34,21 +36,27 @@ data Fit = Fit
   }
   deriving stock (Eq, Show)
 
--- | Whether the windows are distinct with some of the first primitive polynomials of the degree; otherwise how
--- many were tried, which is 32 at most, and fewer for large degrees.
-fits :: forall k. KnownField k => Proxy k -> Natural -> Layout -> Shape -> Shape -> Either Int Fit
-fits k n layout shape window = case find works polynomials of
-  Just h -> Right (Fit window sure (map (fromIntegral . toCode) (coefficients (primitivePolynomial h))))
-  Nothing -> Left (length polynomials)
+-- | The first primitive polynomials of a degree, as many as are tried: 32, or 4 where each takes longer to find.
+candidates :: forall k. KnownField k => Proxy k -> Natural -> [Primitive k]
+candidates k n = either (const []) (take (if q ^ n <= 2 ^ (32 :: Int) then 32 else 4)) (primitivePolynomials n)
  where
   q = fromIntegral (fieldOrder k) :: Natural
-  polynomials = either (const []) (take limit) (primitivePolynomials n) :: [Primitive k]
-  limit
-    | sure = 1
-    | q ^ n <= 2 ^ (32 :: Int) = 32
-    | otherwise = 4
-  sure = or [rows w <= rows window && columns w <= columns window | w <- sureWindows q n layout shape]
+
+-- | Whether the windows are distinct in arrays of a layout and shape with one of the candidates, which are of
+-- degree n; otherwise how many were tried.
+fits :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> Shape -> Either Int Fit
+fits n polynomials layout shape window = case find works tried of
+  Just h -> Right (Fit window sure (codesOf h))
+  Nothing -> Left (length tried)
+ where
+  codesOf = map (fromIntegral . toCode) . coefficients . primitivePolynomial
+  tried = if sure then take 1 polynomials else polynomials
+  sure = or [w `within` window | h <- take 1 polynomials, w <- sureWindows (fromIntegral (fieldOrder h)) n layout shape]
   works h = either (const False) ((== n) . rankWith h) (rectangle window)
   rankWith h mask = case layout of
     Single folding -> either (const 0) (`windowRank` mask) (fold folding shape h (canonicalState h))
     Joint _ -> either (const 0) (`codeRank` mask) (foldCode shape h (canonicalState h))
+
+-- | Whether a window is no larger than another, or than an array.
+within :: Shape -> Shape -> Bool
+within window shape = rows window <= rows shape && columns window <= columns shape

@@ -92,7 +92,9 @@ jointly code mask
           collision = do
             (j, r, c) <- repeated
             later <- lookup j (zip numbers windows)
-            first <- listToMaybe [placeIn j0 at | (j0, w) <- zip numbers windows, at <- everywhere w, keyAt w at == visitKey later r c]
+            first <-
+              listToMaybe
+                [placeIn j0 at | (j0, w) <- zip numbers windows, at <- everywhere w, keyAt w at == visitKey later r c]
             pure (first, placeIn j (r, c))
       pure (different, collision)
  where

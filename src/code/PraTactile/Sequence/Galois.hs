@@ -56,7 +56,8 @@ galoisNext h state@(GaloisState g) =
 
 -- | One step back, of which 'galoisNext' makes this state.
 galoisPrevious :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
-galoisPrevious h (GaloisState g) = GaloisState (zipWith (\c above -> above + c * out) (drop 1 (lower h)) (drop 1 g) ++ [out])
+galoisPrevious h (GaloisState g) =
+  GaloisState (zipWith (\c above -> above + c * out) (drop 1 (lower h)) (drop 1 g) ++ [out])
  where
   -- g0 = - c0 out; c0 is not zero, and a^(q - 2) is the inverse of such an a.
   out = negate (sum (take 1 g) * power (sum (take 1 (lower h))) (fromIntegral (fieldOrder h - 2)))

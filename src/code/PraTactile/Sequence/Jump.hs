@@ -43,8 +43,8 @@ generalJump h s = \t -> sum (zipWith (*) (Primitive.toList (rootPower (t `mod` p
   q = fieldOrder (Proxy :: Proxy k)
   base = baseFor q n
   -- Row e holds the coefficients of alpha^e.
-  !table = Primitive.fromListN (base * n * n) (concat (take (base * n) (iterate timesRoot (one : replicate (n - 1) zero))))
-    :: Vector (GF k)
+  !table = Primitive.fromListN (base * n * n) (concat (take (base * n) rows)) :: Vector (GF k)
+  rows = iterate timesRoot (one : replicate (n - 1) zero)
   timesRoot g = case splitAt (n - 1) g of
     (lower, top) -> zipWith (\c a -> a - sum top * c) (coefficients (primitivePolynomial h)) (zero : lower)
   rootPower t = foldl' step (row 0) (digitsTo base t)

@@ -68,8 +68,8 @@ spread = until ready (frobenius 1)
   p = fieldCharacteristic (Proxy :: Proxy k)
 
 -- | @continue r from to v@ writes v(from), ..., v(to - 1): first by the recurrence as it is, then
--- by a power of it, if there are many. Does nothing unless the lags reach back to no further than v(0), and v(to - 1) is
--- within the vector.
+-- by a power of it, if there are many. Does nothing unless the lags reach back to no further than
+-- v(0), and v(to - 1) is within the vector.
 continue :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 continue r from to v
   | to - start < 16384 = stepwise r from to v

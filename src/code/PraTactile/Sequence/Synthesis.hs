@@ -60,7 +60,8 @@ data Progress (k :: Field) = Progress
 observe :: KnownField k => Progress k -> GF k -> Progress k
 observe p s
   | discrepancy == zero = moved
-  | 2 * stages p <= seen p = corrected {stages = seen p + 1 - stages p, shifted = zero : current p, discrepancyBefore = discrepancy}
+  | 2 * stages p <= seen p =
+      corrected {stages = seen p + 1 - stages p, shifted = zero : current p, discrepancyBefore = discrepancy}
   | otherwise = corrected
  where
   discrepancy = sum (zipWith (*) (take (stages p + 1) (current p)) (s : backwards p))
