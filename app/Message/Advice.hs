@@ -25,13 +25,19 @@ adviceLines request (Advice options obstacles) = possible ++ impossible ++ next
   where
     possible = case options of
       [] -> ["Nothing is possible."]
-      _ -> "Possible, the smallest first:" : map (("  " ++) . optionLine) options
-    impossible = if null obstacles then [] else "Not possible:" : concatMap obstacleLines obstacles
+      _ -> "Possible, the smallest first:" : map ("  " ++) (someOf 24 (map (pure . optionLine) options))
+    impossible = if null obstacles then [] else "Not possible:" : map ("  " ++) (someOf 12 (map obstacleLines obstacles))
     next = take 1 [ "For example: " ++ commandFor request option fit | option <- options, Single _ <- [optionLayout option], fit <- optionFits option ]
 
+-- | The first entries, and how many more there are.
+someOf :: Int -> [[String]] -> [String]
+someOf limit entries = concat (take limit entries) ++ [ "and " ++ show more ++ " more, which --json lists" | more > 0 ]
+  where
+    more = length entries - limit
+
 obstacleLines :: Obstacle -> [String]
-obstacleLines obstacle = ("  " ++ obstacleMessage obstacle) : case obstacle of
-  SidesShareDivisor _ _ _ _ repairs -> [ "    instead: " ++ optionLine option | option <- repairs ]
+obstacleLines obstacle = obstacleMessage obstacle : case obstacle of
+  SidesShareDivisor _ _ _ _ repairs -> [ "  instead: " ++ optionLine option | option <- repairs ]
   _ -> []
 
 optionLine :: Option -> String
