@@ -17,6 +17,7 @@ import System.IO
 import Bench.Clock
 import Bench.Compare
 import Bench.Ladder (ladder)
+import Bench.Machine
 import Bench.Ours
 import Bench.Report
 import Bench.Targets
@@ -57,9 +58,13 @@ hold options = do
   let unknown = filter (`notElem` map targetName targets) (names options)
   unless (null unknown) (refuse ("there is no target " ++ unwords unknown ++ "; there are " ++ unwords (map targetName targets)))
   unless (rounds options >= 1) (refuse "--rounds is a number from 1 up")
+  before <- load
+  machine >>= putStrLn . (++ "; load " ++ before ++ " at the beginning; " ++ show (rounds options) ++ " rounds\n")
   mapM_ putStrLn heading
   forM_ [t | t <- targets, null (names options) || targetName t `elem` names options] $ \target ->
     compareWith (peers options) (patience options) (rounds options) target >>= mapM_ (putStrLn . rowText)
+  after <- load
+  putStrLn ("\nload " ++ after ++ " at the end")
 
 -- | Measure once for each line on standard input.
 measure :: String -> IO ()
