@@ -42,7 +42,7 @@ data LogarithmError
     LogarithmInfeasible Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^18: baby steps kept for one prime. With their table they take about 40 MB.
+-- | 2^18: baby steps kept for one prime. With their table they take about 50 MB.
 mostBabySteps :: Natural
 mostBabySteps = 2 ^ (18 :: Int)
 
