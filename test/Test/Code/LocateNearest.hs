@@ -203,6 +203,14 @@ asDefined shelf e cells = case patch cells of
         ordered = sort (map fst counted)
         best = [place | (count, place) <- counted, [count] == take 1 ordered]
         within = take 1 ordered <= [e]
+        nearZero = fromIntegral (length [() | (_, _, a) <- observed, a /= 0]) <= e
+        -- Where nothing may be corrected, the reasons are the table's: zeros in every complete window are enough.
+        onlyZeroWindows = not (null windows) && all (all (== 0)) windows
+        windows =
+          [ window
+          | (above, below) <- zip cells (drop 1 cells)
+          , Just window <- [sequence [a, b, c, d] | ((a, b), (c, d)) <- zip (zip above (drop 1 above)) (zip below (drop 1 below))]
+          ]
      in counterexample (show decision) $
           conjoin
             [ decisionNearest decision === (case ordered of { a : _ -> Just a; [] -> Nothing })
@@ -212,7 +220,7 @@ asDefined shelf e cells = case patch cells of
                 Ambiguous places _ -> conjoin [property (within && length best > 1), places === best]
                 AmbiguousCoset _ _ -> property False
                 Refused TooFewCells -> property (null observed)
-                Refused ZeroWindow -> property (not (within && not (null ordered)) && fromIntegral (length [() | (_, _, a) <- observed, a /= 0]) <= e)
+                Refused ZeroWindow -> property (not (within && not (null ordered)) && (nearZero || (e == 0 && onlyZeroWindows)))
                 Refused BeyondRadius -> property (e > 0 && not (within && not (null ordered)))
                 Refused _ -> property (e == 0 && not (within && not (null ordered)))
             ]
