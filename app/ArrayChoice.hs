@@ -11,6 +11,7 @@ module ArrayChoice
     -- * Readers of option values
   , naturalReader
   , shapeReader
+  , foldingReader
   , positionReader
   , numbersReader
   , pairReader
@@ -57,13 +58,8 @@ arrayChoice = ArrayChoice
   <*> optional (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
   <*> optional (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"))
   <*> optional (option numbersReader (long "state" <> metavar "S0,S1,.." <> help "Initial state of the shift register as codes (default 0,..,0,1)"))
-  <*> optional (option (eitherReader foldingNamed) (long "folding" <> metavar "FOLDING" <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
+  <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
   <*> optional (strOption (long "profile" <> metavar "FILE" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
-
-  where
-    foldingNamed name = case [ f | f <- [minBound ..], foldingName f == name ] of
-      f : _ -> Right f
-      [] -> Left (show name ++ " is not a folding; choose diagonal or row-major")
 
 -- | @--q@.
 orderOption :: Parser Natural
@@ -124,6 +120,12 @@ shapeReader :: ReadM Shape
 shapeReader = eitherReader $ \text -> case splitOn 'x' text of
   high :| [wide] -> Shape <$> readNatural high <*> readNatural wide
   _ -> Left (show text ++ " is not a shape; write ROWSxCOLUMNS, as in 15x17")
+
+-- | A folding's name.
+foldingReader :: ReadM Folding
+foldingReader = eitherReader $ \name -> case [ f | f <- [minBound ..], foldingName f == name ] of
+  f : _ -> Right f
+  [] -> Left (show name ++ " is not a folding; choose diagonal or row-major")
 
 -- | Two numbers parted by a comma: row, then column.
 positionReader :: ReadM Position

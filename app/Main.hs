@@ -3,12 +3,14 @@ module Main (main) where
 
 import qualified Command.Advise
 import qualified Command.Array
+import qualified Command.Census
 import qualified Command.Certificate
 import qualified Command.Check
 import qualified Command.Decode
 import qualified Command.Evaluate
 import qualified Command.Field
 import qualified Command.Locate
+import qualified Command.Merge
 import qualified Command.Objects
 import qualified Command.Polynomials
 import qualified Command.Probe
@@ -58,7 +60,7 @@ commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
     [ Command.Array.command, Command.Prove.command, Command.Certificate.command, Command.Check.command
     , Command.Locate.command, Command.Rates.command, Command.Table.command, Command.Profile.command
     , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command
-    , Command.Field.command, Command.Polynomials.command ])
+    , Command.Field.command, Command.Polynomials.command, Command.Census.command, Command.Merge.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
     [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Evaluate.command ])
   <|> subparser (commandGroup "Objects and symbols:" <> hidden <> mconcat

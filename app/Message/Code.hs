@@ -8,6 +8,7 @@ module Message.Code
   , gridMessage
   , profileMessage
   , proofMessage
+  , censusMessage
   , locateMessage
   , algebraMessage
   , beliefMessage
@@ -19,6 +20,7 @@ import Numeric.Natural (Natural)
 
 import Json (shapeText, surfaceName)
 import PraTactile.Array
+import PraTactile.Census (CensusError (..))
 import PraTactile.Factorisation (FactorError (..))
 import PraTactile.Field (FieldError (..))
 import PraTactile.Grid (GridError (..), largestGrid)
@@ -113,6 +115,13 @@ proofMessage e = case e of
   WindowsTooMany contents places -> "visiting every window needs too much memory (" ++ show contents ++ " contents at " ++ show places
     ++ " positions), and the rank decides nothing here"
   RoadsDisagree verdict -> "enumeration and rank contradict each other on the " ++ surfaceName (surface verdict) ++ ": a defect of this program; please report it"
+
+censusMessage :: CensusError -> String
+censusMessage e = case e of
+  CensusField why -> fieldMessage why
+  CensusModulus given needs -> profileMessage (ModulusDegree given needs)
+  CensusPolynomial why -> polynomialMessage why
+  CensusWindow why -> windowMessage why
 
 locateMessage :: LocateError -> String
 locateMessage e = case e of

@@ -1,0 +1,202 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- All arrays of a size, one after another: for an alphabet and a degree n, every primitive polynomial, every
+-- shape that its sequence fills, and every window worth asking about; whether the windows are distinct, by
+-- both roads, and how many errors they forgive.
+module PraTactile.Census
+  ( -- * What is asked
+    Scope (..)
+  , standardScope
+  , scopeText
+  , scopeShapes
+  , scopeWindowsOf
+  , CensusError (..)
+
+    -- * What there is
+  , census
+  , censusSize
+  , Entry (..)
+  ) where
+
+import Control.Monad (when)
+import Data.Bifunctor (first)
+import Data.List (intercalate, nub, sort)
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Advise.Layout (divisors)
+import PraTactile.Array
+import PraTactile.Factorisation
+import PraTactile.Field
+import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Polynomial
+import PraTactile.Sequence
+import PraTactile.Window
+import PraTactile.Window.Distance
+import PraTactile.Window.Proof
+
+-- | What a census is of.
+data Scope = Scope
+  { scopeOrder :: Natural
+  -- ^ q, the number of symbols
+  , scopeModulus :: [Natural]
+  -- ^ the modulus of GF(q)
+  , scopeDegree :: Natural
+  -- ^ n: the sequences have q^n - 1 terms
+  , scopeFoldings :: [Folding]
+  -- ^ how they are folded; the windows are those of the folding's natural surface
+  , scopeWindows :: [Shape]
+  -- ^ the windows; none stands for those of 'scopeWindowsOf'
+  }
+  deriving stock (Eq, Show)
+
+-- | The census of q and n: the default modulus, both foldings, the standard windows. Refuses a q that is no
+-- prime power up to 256.
+standardScope :: Natural -> Natural -> Either CensusError Scope
+standardScope q n = do
+  (_, modulus) <- first CensusField (conwayModulus q)
+  pure (Scope q modulus n [minBound .. maxBound] [])
+
+-- | The scope in words, equal for equal scopes.
+--
+-- >>> scopeText <$> standardScope 4 4
+-- Right "q=4 modulus=1,1,1 degree=4 foldings=diagonal,row-major windows=standard"
+scopeText :: Scope -> String
+scopeText scope =
+  unwords
+    [ "q=" ++ show (scopeOrder scope)
+    , "modulus=" ++ commas (map show (scopeModulus scope))
+    , "degree=" ++ show (scopeDegree scope)
+    , "foldings=" ++ commas [if folding == Diagonal then "diagonal" else "row-major" | folding <- foldingsOf scope]
+    , "windows=" ++ if null (scopeWindows scope) then "standard" else commas (map byName (windowsOf scope))
+    ]
+ where
+  commas = intercalate ","
+  byName (Shape k1 k2) = show k1 ++ "x" ++ show k2
+
+foldingsOf :: Scope -> [Folding]
+foldingsOf = nub . sort . scopeFoldings
+
+windowsOf :: Scope -> [Shape]
+windowsOf = nub . sort . scopeWindows
+
+-- | Why there is no census.
+data CensusError
+  = -- | There is no such alphabet.
+    CensusField FieldError
+  | -- | The modulus has this degree, but q is p^m with the second number as m.
+    CensusModulus Natural Natural
+  | -- | There are no primitive polynomials of the degree, or they are not known.
+    CensusPolynomial PolynomialError
+  | -- | There is no such window.
+    CensusWindow WindowError
+  deriving stock (Eq, Show)
+
+-- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by increasing
+-- number of rows, all divisors; along the diagonal those whose sides are coprime.
+scopeShapes :: Folding -> [(Natural, Natural)] -> [Shape]
+scopeShapes folding factors =
+  [shape | n1 <- divisors factors, let shape = Shape n1 (terms `div` n1), folding == RowMajor || coprime shape]
+ where
+  terms = product [l ^ e | (l, e) <- factors]
+  coprime (Shape n1 n2) = gcd n1 n2 == 1
+
+-- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles of n
+-- cells, the fewest that can tell all positions, and those with one row or column more, which forgive
+-- something.
+--
+-- >>> let shown (Shape a b) = show a ++ "x" ++ show b
+-- >>> map shown . (`scopeWindowsOf` Shape 15 17) <$> standardScope 4 4
+-- Right ["1x4","1x5","2x2","2x3","2x4","3x2","4x1","4x2","5x1"]
+scopeWindowsOf :: Scope -> Shape -> [Shape]
+scopeWindowsOf scope (Shape n1 n2)
+  | null (scopeWindows scope) = filter fits (nub (sort (concat [[Shape a b, Shape (a + 1) b, Shape a (b + 1)] | (a, b) <- sides])))
+  | otherwise = filter fits (windowsOf scope)
+ where
+  n = scopeDegree scope
+  sides = [(a, n `div` a) | a <- takeWhile (<= n) [1 ..], n `mod` a == 0]
+  fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
+
+-- | An array and a window, and what was found of them.
+data Entry = Entry
+  { entryNumber :: Natural
+  -- ^ its place in the census, from 0
+  , entryPolynomial :: [Natural]
+  -- ^ the characteristic polynomial, as codes
+  , entryFolding :: Folding
+  , entryShape :: Shape
+  , entryWindow :: Shape
+  , entryVerdict :: Either ProofError Verdict
+  -- ^ whether the windows on the natural surface are distinct
+  , entryDistance :: Either DistanceError Distance
+  -- ^ the minimum distance between them
+  }
+  deriving stock (Eq, Show)
+
+-- | How many entries a census has. Refuses as 'census' does.
+censusSize :: Scope -> Either CensusError Natural
+censusSize scope = overField scope $ \k -> do
+  shapes <- shapesOf k scope
+  polynomials <- first CensusPolynomial (countPrimitive k (scopeDegree scope))
+  pure (polynomials * fromIntegral (sum [length (scopeWindowsOf scope shape) | (_, shape) <- shapes]))
+
+-- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by polynomial, by
+-- folding, by shape, by window. Refuses alphabets that there are not, degree 0, degrees for which q^n - 1 is not
+-- factored, and windows that are none.
+census :: (Natural -> Bool) -> Scope -> Either CensusError [Entry]
+census wanted scope = overField scope (\k -> entriesOver k wanted scope)
+
+entriesOver :: forall k. KnownField k => Proxy k -> (Natural -> Bool) -> Scope -> Either CensusError [Entry]
+entriesOver k wanted scope = do
+  shapes <- shapesOf k scope
+  masks <- traverse (\window -> (,) window <$> first CensusWindow (rectangle window)) (nub (concatMap (scopeWindowsOf scope . snd) shapes))
+  polynomials <- first CensusPolynomial (primitivePolynomials (scopeDegree scope)) :: Either CensusError [Primitive k]
+  pure
+    [ entry number h array mask
+    | (number, (h, array, mask)) <-
+        zip
+          [0 ..]
+          [ (h, array, (window, mask))
+          | h <- polynomials
+          , (folding, shape) <- shapes
+          , Right array <- [fold folding shape h (canonicalState h)]
+          , window <- scopeWindowsOf scope shape
+          , Just mask <- [lookup window masks]
+          ]
+    , wanted number
+    ]
+ where
+  entry number h array (window, mask) =
+    Entry
+      { entryNumber = number
+      , entryPolynomial = map (fromIntegral . toCode) (coefficients (primitivePolynomial h))
+      , entryFolding = arrayFolding array
+      , entryShape = arrayShape array
+      , entryWindow = window
+      , entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask
+      , entryDistance = minimumDistance array mask
+      }
+
+-- | The foldings with the shapes that they fill.
+shapesOf :: KnownField k => Proxy k -> Scope -> Either CensusError [(Folding, Shape)]
+shapesOf k scope = do
+  when (scopeDegree scope == 0) (Left (CensusPolynomial PolynomialConstant))
+  factors <- first (CensusPolynomial . OrderNotFactored) (factorisePowerMinusOne p (m * scopeDegree scope))
+  pure [(folding, shape) | folding <- foldingsOf scope, shape <- scopeShapes folding factors]
+ where
+  p = fromIntegral (fieldCharacteristic k)
+  m = fromIntegral (fieldDegree k)
+
+-- | Bring the alphabet into scope.
+overField :: Scope -> (forall k. KnownField k => Proxy k -> Either CensusError r) -> Either CensusError r
+overField scope use = do
+  (p, standard) <- first CensusField (conwayModulus (scopeOrder scope))
+  let degree modulus = max 1 (length (take 10 modulus)) - 1
+      (given, needs) = (degree (scopeModulus scope), degree standard)
+  when (given /= needs) (Left (CensusModulus (fromIntegral given) (fromIntegral needs)))
+  inField <- first CensusField (withField p (scopeModulus scope) use)
+  inField
