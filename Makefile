@@ -1,6 +1,6 @@
 # pra-tactile: everything a newcomer types. `make demo` and `make test` install what they need.
 CABAL = tools/cabal.sh
-.PHONY: all setup build demo test bench evaluate house shapes network check-network clean
+.PHONY: all setup build demo test prove bench evaluate house shapes network check-network clean
 
 all: build
 
@@ -20,6 +20,11 @@ demo: build
 test: setup build
 	@$(CABAL) doctests
 	@$(CABAL) test -v1 --test-show-details=streaming test:spec
+
+# Every array to 2^20 cells by both roads; to 2^16 cells with every primitive polynomial.
+prove: setup build
+	@PRA_TACTILE_EXHAUSTIVE=20 $(CABAL) test -v1 --test-show-details=streaming test:spec \
+	  --test-option=--match --test-option="/The code/Exhaustive proofs/"
 
 # The figure that matters: 1000 simulated presses, with and without stitching.
 evaluate: build

@@ -6,8 +6,10 @@ import Test.Hspec (describe, hspec)
 import qualified Test.Code.Advise
 import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
+import qualified Test.Code.Census
 import qualified Test.Code.Certificate
 import qualified Test.Code.Distance
+import qualified Test.Code.Exhaustive
 import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
@@ -32,6 +34,7 @@ import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Locate
+import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
@@ -75,6 +78,8 @@ main = hspec $ do
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
     describe "Certificates" Test.Code.Certificate.spec
+    describe "Census" Test.Code.Census.spec
+    describe "Exhaustive proofs" Test.Code.Exhaustive.spec
     describe "Locating" Test.Code.Locate.spec
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
@@ -105,3 +110,4 @@ main = hspec $ do
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
+  describe "The command line: census" Test.CommandLine.Census.spec
