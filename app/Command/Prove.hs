@@ -18,10 +18,11 @@ import Json
 import Json.Profile
 import MaskChoice
 import Message (profileMessage, proofMessage, windowMessage)
-import PraTactile.Array (Position (..), Shape (..), Surface (..))
+import PraTactile.Array (Position (..), Shape (..), Surface (..), arrayFolding, naturalSurface)
 import PraTactile.Grid (gridAlphabet, gridShape)
 import PraTactile.Profile
 import PraTactile.Window
+import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 
 command :: Mod CommandFields (IO Ending)
@@ -39,15 +40,21 @@ run choice drawn on asJson source = do
   if asJson then printJson (verdictJson subject mask verdict) else putStr (verdictText subject mask verdict)
   pure (if proved verdict then Answered else NotAnswered)
 
--- | Of what the windows are: its shape, and how JSON tells it.
-data Subject = Subject Shape Series
+-- | Of what the windows are: its shape, how JSON tells it, and how far its windows lie apart, if that is known.
+data Subject = Subject Shape Series (Maybe Distance)
 
 ofProfile :: ArrayChoice -> Maybe Mask -> Maybe Surface -> IO (Subject, Mask, Verdict)
 ofProfile choice drawn on = do
   (profile, mask) <- chosenMask choice drawn on
-  outcome <- orUnusable profileMessage (withProfile profile (\array _ -> fst <$> prove (profileSurface profile) array mask))
+  let on' = profileSurface profile
+  (outcome, apart) <- orUnusable profileMessage (withProfile profile (\array _ -> (fst <$> prove on' array mask, apartOn on' array mask)))
   verdict <- orUnusable proofMessage outcome
-  pure (Subject (profileShape profile) ("profile" .= profileValue profile), mask, verdict)
+  pure (Subject (profileShape profile) ("profile" .= profileValue profile) apart, mask, verdict)
+  where
+    -- The distance is that of the windows on the array's own surface, and is told if it takes no long search.
+    apartOn surface' array mask
+      | surface' == naturalSurface (arrayFolding array) = either (const Nothing) Just (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
+      | otherwise = Nothing
 
 ofFile :: ArrayChoice -> Maybe Mask -> Maybe Surface -> FilePath -> IO (Subject, Mask, Verdict)
 ofFile choice drawn on file = do
@@ -61,10 +68,10 @@ ofFile choice drawn on file = do
   verdict <- orUnusable proofMessage (proveGrid (fromMaybe Torus on) grid mask)
   let Shape high wide = gridShape grid
       told = "profile" .= Null <> "file" .= file <> "q" .= gridAlphabet grid <> "shape" .= [naturalValue high, naturalValue wide]
-  pure (Subject (gridShape grid) told, mask, verdict)
+  pure (Subject (gridShape grid) told Nothing, mask, verdict)
 
 verdictText :: Subject -> Mask -> Verdict -> String
-verdictText (Subject shape _) mask verdict = unlines $
+verdictText (Subject shape _ apart) mask verdict = unlines $
   [ if proved verdict
       then "proved: every " ++ window ++ " window on the " ++ place ++ " has a content of its own"
       else "refuted: some " ++ window ++ " windows on the " ++ place ++ " have the same content"
@@ -72,6 +79,7 @@ verdictText (Subject shape _) mask verdict = unlines $
   , "  by rank:                  " ++ road (rankRoad verdict) ++ maybe "" ofNeeded (rank verdict)
   ]
   ++ [ "  different windows:        " ++ show n | Just n <- [distinctWindows verdict] ]
+  ++ [ "  minimum distance:         " ++ show d ++ forgiven d cells | Just (Distance d cells) <- [apart], d > 0 ]
   ++ [ "  the same window is at row " ++ at a ++ " and at row " ++ at b | Just (a, b) <- [collision verdict] ]
   where
     window = maskText mask
@@ -79,9 +87,11 @@ verdictText (Subject shape _) mask verdict = unlines $
     road = maybe "not decided" (\yes -> if yes then "yes" else "no")
     ofNeeded r = " (rank " ++ show r ++ maybe "" (\n -> ", needed " ++ show n) (needed verdict) ++ ")"
     at (Position r c) = show r ++ ", column " ++ show c
+    forgiven d cells = ": forgives up to " ++ show (d - 1) ++ " missing cells, or up to " ++ show ((d - 1) `div` 2) ++ " wrong ones"
+      ++ if length cells > 8 then "" else ", but not the loss of " ++ unwords [ show r ++ "," ++ show c | Position r c <- cells ]
 
 verdictJson :: Subject -> Mask -> Verdict -> Series
-verdictJson (Subject _ subject) mask verdict =
+verdictJson (Subject _ subject apart) mask verdict =
   "schema" .= ("pra-tactile/prove/1" :: String)
     <> subject
     <> "mask" .= maskDrawing mask
@@ -92,4 +102,6 @@ verdictJson (Subject _ subject) mask verdict =
     <> "needed" .= fmap naturalValue (needed verdict)
     <> "windows" .= fmap naturalValue (distinctWindows verdict)
     <> "surface" .= surfaceName (surface verdict)
+    <> "distance" .= fmap (naturalValue . distance) apart
+    <> "failing_erasure" .= fmap (map positionListValue . failingErasure) apart
     <> "collision" .= fmap (\(a, b) -> [positionListValue a, positionListValue b]) (collision verdict)

@@ -6,7 +6,7 @@ module Test.Code.Proof (spec) where
 
 import Control.Monad (forM_)
 import qualified Data.IntSet as IntSet
-import Data.List (elemIndex, nub, tails, transpose)
+import Data.List (elemIndex, foldl', nub, tails)
 import Data.Maybe (isJust, listToMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
@@ -121,9 +121,14 @@ spec = do
     it "any rectangle on any small matrix, however it lies to the edges" $
       forAllShrink genRectangle shrinkMatrix $ \(codes, offsets) ->
         conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
+    it "long windows, whose contents fit no machine integer, of sparse matrices" $
+      -- 3^39 < 2^62 < 3^40: the first 39 cells may tell all windows apart, or not.
+      forAll ((,) <$> choose (40, 46) <*> choose (40, 42)) $ \(w, cells) ->
+        forAllShrink (vectorOf w (frequency [(12, pure 0), (1, pure 1), (1, pure 2)])) (const []) $ \codes ->
+          conjoin [visits [codes] [(0, fromInteger j) | j <- [0 .. cells - 1]] on | on <- [minBound .. maxBound]]
     it "a matrix so wide that it is swept in strips, and so large that processors share it" $
-      -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18 windows.
-      forM_ [(3, 9000, 2, 3), (3, 9000, 3, 1), (31, 8500, 2, 5), (8500, 31, 3, 3)] $ \(h, w, k1, k2) -> do
+      -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18 windows; 4 x 4 ones are sorted.
+      forM_ [(3, 9000, 2, 3), (3, 9000, 3, 1), (31, 8500, 2, 5), (8500, 31, 3, 3), (31, 8500, 4, 4)] $ \(h, w, k1, k2) -> do
         let codes = take h (chunksOf w (pseudorandom 3))
         grid <- right (gridFromRows 3 codes)
         m <- right (rectangle (Shape (fromIntegral k1) (fromIntegral k2)))
@@ -231,8 +236,10 @@ contentsOf on k1 k2 codes = IntSet.fromList (concatMap rowOfWindows (take visite
     Torus -> map (\r -> r ++ take k2 r) below
     TwistedTorus -> zipWith (\r next -> r ++ take k2 next) below (drop 1 (cycle codes))
     Sheet -> codes
-  rowOfWindows rows' = take visitedColumns (map packed (tails (transpose (take k1 rows'))))
-  packed columns' = foldl (\n c -> 3 * n + c) 0 (concat (take k2 columns'))
+  -- Each column as a number, then each window as that of its columns.
+  rowOfWindows rows' = take visitedColumns (map packed (tails (asNumbers (take k1 rows'))))
+  packed columns' = foldl' (\n c -> 3 ^ k1 * n + c) 0 (take k2 columns')
+  asNumbers rows' = foldl' (zipWith (\a b -> 3 * a + b)) (repeat 0) rows'
 
 shrinkMatrix :: ([[Int]], [(Natural, Natural)]) -> [([[Int]], [(Natural, Natural)])]
 shrinkMatrix (codes, offsets) =

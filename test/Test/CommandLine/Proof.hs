@@ -8,7 +8,7 @@ import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (toList)
-import Data.List (intercalate, isPrefixOf, sort, sortOn)
+import Data.List (intercalate, isInfixOf, isPrefixOf, sort, sortOn)
 import qualified Data.Vector as Vector
 import PraTactile.Certificate.Digest (sha256OfText)
 import System.Directory (findExecutable)
@@ -34,6 +34,13 @@ proveSpec = describe "prove" $ do
     (refuted, _, _) <- pra awkward
     (proved, out', _) <- pra (awkward ++ ["--surface", "sheet"])
     (refuted, proved, key ["windows"] out', key ["rank_road"] out') `shouldBe` (1, 0, Just (Number 32), Just Null)
+  it "tells how far the windows lie apart, and a smallest set of cells without which it fails" $ do
+    (_, out, _) <- pra ["prove", "--json", "--mask", "###/###"]
+    (key ["distance"] out, fmap cells (key ["failing_erasure"] out)) `shouldBe` (Just (Number 2), Just (Just 2))
+    (_, out', _) <- pra ["prove", "--json", "--surface", "sheet"]
+    (key ["distance"] out', key ["failing_erasure"] out') `shouldBe` (Just Null, Just Null)
+    (_, text, _) <- pra ["prove", "--mask", "###/###/###"]
+    text `shouldSatisfy` ("minimum distance:         4: forgives up to 3 missing cells, or up to 1 wrong ones" `isInfixOf`)
   it "FILE: the array itself, and what it says of one that somebody else made" $ inFolder $ \folder -> do
     (_, csv, _) <- pra ["array", "--format", "csv"]
     let file = folder </> "array.csv"
@@ -69,6 +76,11 @@ proveSpec = describe "prove" $ do
     forM_ ["", "..", "##/#", "#?"] $ \drawing -> void (pra ["prove", "--mask", drawing] >>= \(status, out, _) -> (status, out) `shouldBe` (2, ""))
     complains ["prove", "--mask", "##", "--window", "1x2", "--q", "2", "--polynomial", "1,1,0,0,1", "--shape", "3x5"] "--window"
 
+cells :: Value -> Maybe Int
+cells value = case value of
+  Array listed -> Just (length listed)
+  _ -> Nothing
+
 certificateSpec :: Spec
 certificateSpec = describe "certificate and check" $ do
   it "what is certified is found good, by this program and in Python" $ inFolder $ \folder ->
@@ -90,6 +102,10 @@ certificateSpec = describe "certificate and check" $ do
       (refuted, nothing, err) <- pra ("certificate" : options)
       (refuted, nothing, length (lines err)) `shouldBe` (1, "", 1)
     complains ["certificate", "--q", "4", "--polynomial", "1,0,0,0,1", "--shape", "15x17"] "not primitive"
+  it "every command of proofs shows an example with --help" $
+    forM_ ["prove", "certificate", "check", "census", "merge"] $ \name -> do
+      (status, out, _) <- pra [name, "--help"]
+      (status, "Example" `isInfixOf` out) `shouldBe` (0, True)
   it "what is no certificate is status 2 for check" $ inFolder $ \folder -> do
     complains ["check", folder </> "none.json"] "none.json"
     forM_ ["", "{}", "[1]", "{\"schema\": \"pra-tactile/certificate/2\"}"] $ \text -> do

@@ -11,19 +11,23 @@ module PraTactile.Window.Enumeration
   , EnumerationError (..)
   , largestSpan
   , largestSort
+  , largestMap
   ) where
 
 import Control.Monad.ST (ST, runST)
 import Data.Bits (setBit, shiftR, testBit, (.&.))
+import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
 import Data.Vector.Primitive (MVector)
+import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
 import PraTactile.Window.Contents
+import PraTactile.Window.Sorting
 import PraTactile.Window.Visit
 
 -- | What was seen on visiting every window of a surface.
@@ -48,32 +52,51 @@ allDistinct seen = differentWindows seen == visitedWindows seen
 data EnumerationError
   = -- | No window of this shape lies on the sheet.
     NoWindow
-  | -- | There are this many possible contents, more than 'largestSpan', and this many positions,
-    -- more than 'largestSort'.
+  | -- | There are this many possible contents, too many for a bit each, and this many positions, too many
+    -- to be sorted ('largestSort'; 'largestMap' where a content fits no machine integer).
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^30: up to so many possible contents, what was seen is kept as one bit a content.
+-- | 2^30: up to so many possible contents, what was seen is kept as one bit a content, if that is not many times
+-- more than there are positions.
 largestSpan :: Natural
 largestSpan = 2 ^ (30 :: Int)
 
--- | 2^20: up to so many positions, what was seen is kept in an ordered map instead, whatever the
--- number of contents.
+-- | 2^26: up to so many positions, the contents are sorted instead if they fit a machine integer.
 largestSort :: Natural
-largestSort = 2 ^ (20 :: Int)
+largestSort = 2 ^ (26 :: Int)
+
+-- | 2^20: up to so many positions, what was seen is kept in an ordered map otherwise, whatever the number of
+-- contents.
+largestMap :: Natural
+largestMap = 2 ^ (20 :: Int)
 
 -- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
 -- find the partner. Refuses when there is no window, or no memory for what was seen.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | count == 0 = Left NoWindow
-  | spanned <= largestSpan, Just windows <- visit packing surface grid mask = Right (byBits surface grid mask windows)
-  | count <= largestSort = Right (byOrder (packedWindows packing surface grid mask))
+  | Just windows <- visited, spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count)) = Right (byBits surface grid mask windows)
+  | Just windows <- visited, count <= largestSort = Right (bySorting windows)
+  | Just seen <- byFewerCells = Right seen
+  | count <= largestMap = Right (byOrder (packedWindows packing surface grid mask))
   | otherwise = Left (TooManyWindows spanned count)
  where
   spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
   count = area (visitedShape surface (gridShape grid) mask)
   packing = MostSignificantFirst
+  visited = visit packing surface grid mask
+  -- If the cells that fit a machine integer tell all windows apart, so do all cells. On the sheet fewer cells may
+  -- have more positions, where the others stick out: all of them are asked for, which is more than need be.
+  byFewerCells = do
+    fewer <- either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
+    windows <- if area (visitedShape surface (gridShape grid) fewer) <= largestSort then visit packing surface grid fewer else Nothing
+    let seen = bySorting windows
+        isZero p = packedAt packing surface grid mask p == Just 0
+    if allDistinct seen
+      then Just seen {visitedWindows = count, differentWindows = count, zeroPosition = find isZero (zeroPosition seen)}
+      else Nothing
+  fitting = length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral (gridAlphabet grid)) (1 :: Natural))) - 1
 
 -- | One bit a content. Where the content that was seen before and the zero window stand is looked
 -- for afterwards, if there are any.
@@ -82,7 +105,7 @@ byBits surface grid mask windows =
   Enumeration
     { visitedWindows = visited
     , differentWindows = different
-    , repeatedWindow = if different < visited then firstRepeated windows else Nothing
+    , repeatedWindow = if different < visited then firstRepeated windows (visitSpan windows) Just else Nothing
     , zeroPosition = if zeroOccurs seen then firstWith windows 0 else Nothing
     }
  where
@@ -94,20 +117,21 @@ byBits surface grid mask windows =
 firstWith :: Visit -> Int -> Maybe Position
 firstWith windows key = uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
 
--- | The first position whose content was seen before, preceded by where it was first seen.
-firstRepeated :: Visit -> Maybe (Position, Position)
-firstRepeated windows = do
+-- | The first position whose content was seen before, preceded by where it was first seen. Contents that may
+-- repeat have a number of their own below the given one; others have none.
+firstRepeated :: Visit -> Int -> (Int -> Maybe Int) -> Maybe (Position, Position)
+firstRepeated windows size numbered = do
   (r, c) <- repeated
   earlier <- firstWith windows (visitKey windows r c)
   pure (earlier, visitPosition r c)
  where
   repeated = runST $ do
-    seen <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
+    seen <- Mutable.replicate (size `shiftR` 6 + 1) 0
     let go !r !c
           | r == visitRows windows = pure Nothing
           | c == visitColumns windows = go (r + 1) 0
           | otherwise = do
-              new <- insert seen (visitKey windows r c)
+              new <- maybe (pure True) (insert seen) (numbered (visitKey windows r c))
               if new then go r (c + 1) else pure (Just (r, c))
     go 0 0
 
@@ -129,6 +153,26 @@ insert seen key = do
   if testBit word bit
     then pure False
     else True <$ Mutable.write seen (key `shiftR` 6) (setBit word bit)
+
+-- | All contents in order, so that the same ones come together.
+bySorting :: Visit -> Enumeration
+bySorting windows =
+  Enumeration
+    { visitedWindows = fromIntegral count
+    , differentWindows = fromIntegral (count - Primitive.length repeated)
+    , repeatedWindow = firstRepeated windows (Primitive.length slots) (indexSorted slots . fromIntegral)
+    , zeroPosition = indexSorted sorted 0 >> firstWith windows 0
+    }
+ where
+  count = visitRows windows * visitColumns windows
+  bits = length (takeWhile (< visitSpan windows) (iterate (* 2) 1))
+  sorted = Primitive.create $ do
+    keys <- Mutable.new count
+    forWindows windows $ \r c key -> Mutable.write keys (r * visitColumns windows + c) (fromIntegral key)
+    sortWords bits keys
+    pure keys
+  repeated = repetitions sorted
+  slots = Primitive.uniq repeated
 
 -- | An ordered map from contents to the position where each was first seen.
 byOrder :: [(Position, Natural)] -> Enumeration

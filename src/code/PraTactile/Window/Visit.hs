@@ -6,6 +6,7 @@ module PraTactile.Window.Visit
   , visit
   , forWindows
   , packedWindows
+  , packedAt
   , visitedShape
   , visitPosition
   ) where
@@ -76,15 +77,17 @@ forWindows windows act = go 0 0
 -- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
 packedWindows packing surface grid mask =
-  [ (Position r c, pack packing (gridAlphabet grid) content)
-  | r <- counted height
-  , c <- counted width
-  , Just content <- [traverse (cell r c) (maskOffsets mask)]
-  ]
+  [(p, content) | r <- counted height, c <- counted width, let p = Position r c, Just content <- [packedAt packing surface grid mask p]]
  where
   Shape height width = visitedShape surface (gridShape grid) mask
   counted n = takeWhile (< n) [0 ..]
-  cell r c (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
+
+-- | The packed content of one window; 'Nothing' where it sticks out of the sheet.
+packedAt :: Packing -> Surface -> Grid -> Mask -> Position -> Maybe Natural
+packedAt packing surface grid mask (Position r c) =
+  pack packing (gridAlphabet grid) <$> traverse cell (maskOffsets mask)
+ where
+  cell (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
   at = canonicalPosition surface (gridShape grid)
 
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
