@@ -28,8 +28,8 @@ import PraTactile.Polynomial
    And s(t) = g0 s(0) + ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
 
 -- | @jump h s@ takes t to s(t), given s(0), ..., s(n-1). Apply it to h and s once, and to t often:
--- the table of Note [Powers by Horner's rule], at most n^2 max(q, n) bytes, is made when first used.
--- A term takes time n^2 log t, little for GF(2).
+-- the table of Note [Powers by Horner's rule], a MiB at most or q n^2 bytes, is made when first used. A
+-- term takes time n^2 log t, less for GF(2).
 jump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 jump h s
   | fieldOrder (Proxy :: Proxy k) == 2 && primitiveDegree h <= 64 = packedJump h s
@@ -41,7 +41,7 @@ generalJump h s = \t -> sum (zipWith (*) (Primitive.toList (rootPower (t `mod` p
  where
   n = primitiveDegree h
   q = fieldOrder (Proxy :: Proxy k)
-  base = baseFor q n
+  base = baseFor q (min n (2 ^ (20 :: Int) `div` (n * n)))
   -- Row e holds the coefficients of alpha^e.
   !table = Primitive.fromListN (base * n * n) (concat (take (base * n) rows)) :: Vector (GF k)
   rows = iterate timesRoot (one : replicate (n - 1) zero)
