@@ -17,6 +17,7 @@ import qualified Test.Code.Folding
 import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
+import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
@@ -81,6 +82,7 @@ main = hspec $ do
     describe "Census" Test.Code.Census.spec
     describe "Exhaustive proofs" Test.Code.Exhaustive.spec
     describe "Locating" Test.Code.Locate.spec
+    describe "Locating in bulk" Test.Code.LocateBulk.spec
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec

@@ -12,11 +12,13 @@ module PraTactile.Locate
     Table
   , buildTable
   , tableSurface
+  , tableShape
   , tableMask
   , tablePacking
   , tableSize
   , tableLookup
   , tableEntries
+  , tableUnique
   , largestTable
   , LocateError (..)
 
@@ -33,10 +35,12 @@ module PraTactile.Locate
   , reasons
   ) where
 
+import Data.Int (Int32)
 import Data.List (foldl', sort)
 import Data.Maybe (isJust)
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
+import Data.Vector.Primitive (Vector)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -87,6 +91,15 @@ tableLookup = codeTableLookup . tableCodes
 tableEntries :: Table k -> [(Natural, [Position])]
 tableEntries table =
   [(packed, positions) | packed <- [0 .. tableSize table - 1], positions@(_ : _) <- [tableLookup table packed]]
+
+-- | The shape of the array.
+tableShape :: Table k -> Shape
+tableShape = gridShape . tableGrid
+
+-- | Of each packed window, in order, the position row * columns + column where it is; the first number if it does not occur,
+-- the second if it is at several positions.
+tableUnique :: Int32 -> Int32 -> Table k -> Vector Int32
+tableUnique none several = codeTableUnique none several . tableCodes
 
 -- | The place of a patch: all its complete windows and all its other observed cells must agree. On
 -- the sheet, every observed cell and the patch's upper left must lie on it.

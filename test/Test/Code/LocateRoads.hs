@@ -2,7 +2,11 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 
 -- | The roads from observed cells to position agree.
-module Test.Code.LocateRoads (spec) where
+module Test.Code.LocateRoads
+  ( spec
+  , smallArrays
+  , toPatch
+  ) where
 
 import Control.Monad (forM_)
 import Data.Proxy (Proxy (..))
@@ -98,6 +102,7 @@ smallArrays =
   , (16, 1, Shape 3 5, Shape 1 2)
   ]
 
+-- | The patch that a window with these codes is, in reading order.
 toPatch :: KnownField k => Shape -> [Int] -> [[[Maybe (GF k)]]]
 toPatch window codes = [rowsOf (map Just cells) | Right cells <- [traverse fromCode codes]]
  where

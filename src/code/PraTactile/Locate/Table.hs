@@ -6,6 +6,7 @@ module PraTactile.Locate.Table
   , buildCodeTable
   , codeTableSize
   , codeTableLookup
+  , codeTableUnique
   , largestTable
   ) where
 
@@ -82,3 +83,15 @@ codeTableLookup table packed
   from = fromIntegral (tableStarts table Primitive.! window)
   to = fromIntegral (tableStarts table Primitive.! (window + 1))
   position i = let (r, c) = fromIntegral i `divMod` tableColumns table in visitPosition r c
+
+-- | The position, row * width + column, of each packed window that has exactly one; the first number where there is none, the
+-- second where there are several.
+codeTableUnique :: Int32 -> Int32 -> CodeTable -> Vector Int32
+codeTableUnique none several table = Primitive.zipWith unique starts (Primitive.drop 1 starts)
+ where
+  starts = tableStarts table
+  unique from to
+    | from == to = none
+    -- A window that occurs starts at an entry of the positions.
+    | from + 1 == to = tablePositions table Primitive.! fromIntegral from
+    | otherwise = several
