@@ -86,6 +86,7 @@ standing goal us ratios peak = case goal of
   TimesAsFast 0 _ -> NoVerdict
   TimesAsFast wanted _ -> maybe NoVerdict (met . (>= wanted) . median) ratios
   WithinSeconds limit -> maybe NoVerdict (met . (<= limit) . median) us
+  AtLeast wanted -> maybe NoVerdict (met . (>= wanted) . median) us
   WithinMebibytes limit -> met (peak <= limit)
   Recorded -> NoVerdict
  where

@@ -22,7 +22,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Proof
 
-import Bench.Ours (scrambled, sure)
+import Bench.Input
 
 -- | Takes criterion's own command line.
 ladder :: IO ()

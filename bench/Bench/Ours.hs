@@ -8,18 +8,14 @@
 -- the same work is done by a program of the same name in @bench/peers@.
 module Bench.Ours
   ( ours
-  , scrambled
-  , sure
   ) where
 
 import Control.Exception (evaluate)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
-import Data.Bits (shiftR)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import Data.Maybe (catMaybes)
 import Data.Proxy (Proxy (..))
-import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -43,6 +39,8 @@ import PraTactile.Window
 import PraTactile.Window.Proof
 
 import Bench.Clock
+import Bench.Input
+import Bench.Locating (locating)
 
 -- | The measurements by name: the outer action prepares.
 ours :: [(String, IO (IO Measurement))]
@@ -65,15 +63,7 @@ ours =
   , ("decode", decode)
   , ("evaluate-100", evaluate100)
   ]
-
--- | A result that the benchmark's own input cannot fail to have; a benchmark, unlike the library, may stop otherwise.
-sure :: Show e => Either e a -> a
-sure = either (errorWithoutStackTrace . ("bench: " ++) . show) id
-
--- | 10^7 codes below q without a pattern that a cache could profit from; the peers make the same.
-scrambled :: forall k. KnownField k => Proxy k -> Int -> Vector (GF k)
-scrambled k multiplier =
-  Primitive.generate 10000000 (\i -> sure (fromCode (((i * multiplier) `shiftR` 16) `mod` fieldOrder k)))
+    ++ locating
 
 products :: forall k. KnownField k => Proxy k -> IO (IO Measurement)
 products k = do

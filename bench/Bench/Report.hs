@@ -50,6 +50,7 @@ rowText row =
     TimesAsFast 0 _ -> ""
     TimesAsFast wanted _ -> significant wanted ++ " times"
     WithinSeconds limit -> quantity "s" limit
+    AtLeast wanted -> quantity unit wanted
     WithinMebibytes limit -> printf "%.0f MiB" limit
     Recorded -> ""
   verdict = case rowStanding row of

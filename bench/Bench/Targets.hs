@@ -18,6 +18,8 @@ data Goal
     TimesAsFast Double Peer
   | -- | At most this many seconds, by the median.
     WithinSeconds Double
+  | -- | At least so many a second, by the median.
+    AtLeast Double
   | -- | At most this many MiB of memory at any time, the whole process.
     WithinMebibytes Double
   | -- | Nothing is asked; the figure is recorded.
@@ -80,6 +82,15 @@ targets =
       [TimesAsFast 1 (Script "galois" "primitive.py" ["first", "3", "20"])]
   , Target "quartics" "all 32 primitive quartics, GF(4)" "quartics-gf4" one
       [WithinSeconds 50e-3, TimesAsFast 1 (Script "galois" "primitive.py" ["all", "4", "4"])]
+  , Target "bulk-15x17" "10^7 windows by the table, 15 x 17, 2 x 2" "bulk-15x17" one
+      [AtLeast 20e6, TimesAsFast 0 (numpyTable "15 17 2 2 3 2 1 0")]
+  , Target "bulk-63x65" "the same, 63 x 65, 3 x 2" "bulk-63x65" one [AtLeast 20e6, TimesAsFast 0 (numpyTable "63 65 3 2 2 1 1 0 0 0")]
+  , Target "bulk-63x266305" "the same, 63 x 266305, 3 x 4, beyond the cache" "bulk-63x266305" one
+      [AtLeast 20e6, TimesAsFast 0 (numpyTable "63 266305 3 4 2 0 1 1 1 0 0 0 0 0 0 0")]
+  , Target "algebra" "a 15 x 2 window by algebra, GF(4), 2^60 - 1 cells" "algebra-gf4-30" one [WithinSeconds 5e-3]
+  , Target "algebra-once" "what that computes once an array, and one window" "algebra-gf4-30-once" one [Recorded]
+  , Target "nearest" "a 4 x 4 patch, 0 to 4 cells wrong, on 15 x 17" "nearest-4x4" one [WithinSeconds 50e-6, TimesAsFast 0 (numpyNearest "hard")]
+  , Target "soft" "the same from probabilities" "soft-4x4" one [WithinSeconds 100e-6, TimesAsFast 0 (numpyNearest "soft")]
   , Target "decode" "decode the worked example's composite" "decode" asShipped [Recorded]
   , Target "evaluate" "100 simulated presses, decoded twice each" "evaluate-100" asShipped [Recorded]
   , Target "evaluate-all-cores" "the same on all cores" "evaluate-100" ["-N", "-A16m"] [Recorded]
@@ -88,4 +99,6 @@ targets =
   one = ["-N1"]
   -- The nursery that the command line has.
   asShipped = ["-N1", "-A16m"]
+  numpyTable = Script "numpy" "table.py" . words
+  numpyNearest kind = Script "numpy" "nearest.py" [kind]
   galoisProducts q = Script "galois" "products.py" [show (q :: Int)]

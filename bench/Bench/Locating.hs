@@ -1,0 +1,142 @@
+{-# LANGUAGE DataKinds #-}
+
+-- |
+-- This library's side of the comparisons of locating, as "Bench.Ours" has the others.
+module Bench.Locating
+  ( locating
+  ) where
+
+import Control.Exception (evaluate)
+import qualified Data.Vector.Primitive as Primitive
+import Data.Word (Word32)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Algebra
+import PraTactile.Locate.Book
+import PraTactile.Locate.Bulk
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Soft
+import PraTactile.Polynomial
+import PraTactile.Sequence
+import PraTactile.Window
+
+import Bench.Clock
+import Bench.Input
+
+-- | The measurements by name: the outer action prepares.
+locating :: [(String, IO (IO Measurement))]
+locating =
+  [ ("bulk-15x17", bulk 4 (Shape 15 17) (Shape 2 2))
+  , ("bulk-63x65", bulk 6 (Shape 63 65) (Shape 3 2))
+  , ("bulk-63x266305", bulk 12 (Shape 63 266305) (Shape 3 4))
+  , ("algebra-gf4-30", algebraEach)
+  , ("algebra-gf4-30-once", algebraOnce)
+  , ("nearest-4x4", nearestEach)
+  , ("soft-4x4", softEach)
+  ]
+
+-- | The array of the first primitive polynomial.
+arrayOf :: Natural -> Shape -> PseudorandomArray GF4
+arrayOf n shape = sure (fold Diagonal shape h (canonicalState h))
+ where
+  h = sure (firstPrimitive n)
+
+-- | Positions of 10^7 windows on the torus, by the table; what is made once is not measured.
+bulk :: Natural -> Shape -> Shape -> IO (IO Measurement)
+bulk n shape window = do
+  memory <- evaluate (memoryOf (sure (buildTable MostSignificantFirst Torus (arrayOf n shape) (sure (rectangle window)))))
+  let size = fromIntegral (memorySize memory)
+  windows <- evaluate (Primitive.generate 10000000 (\i -> fromIntegral (mixed i `mod` size) :: Word32))
+  pure $ do
+    (seconds, places) <- timed (locateWindows memory) windows
+    let weighted = Primitive.ifoldl' (\total i place -> total + i `mod` 257 * fromIntegral place) 0 places
+    pure (Measurement (fromIntegral (Primitive.length windows) / seconds) (PerSecond "windows") (show weighted))
+
+-- | 2^60 - 1 cells, a window of 15 x 2.
+vast :: PseudorandomArray GF4
+vast = arrayOf 30 (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
+
+-- | The mean over 64 windows all over the array.
+algebraEach :: IO (IO Measurement)
+algebraEach = do
+  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  let places = [Position (part (2 * i) rows) (part (2 * i + 1) columns) | i <- [1 .. 64]]
+      part i side = fromIntegral (mixed i) * 0x9e3779b9 `mod` side (arrayShape vast)
+      at (Position r c) = sure (patch [[Just (cellAt vast (Position (r + i) (c + j))) | j <- [0, 1]] | i <- [0 .. 14]])
+  patches <- mapM (evaluate . at) places
+  pure $ do
+    (seconds, _) <- timedEach (located . sure . algebraPatch algebra) 0 patches
+    let wrong = length [() | (place, p) <- zip places patches, algebraPatch algebra p /= Right (Located place [Position 0 0])]
+    pure (Measurement seconds Seconds (show wrong ++ " wrong"))
+
+-- | What the algebra computes once an array, and the first window with it.
+algebraOnce :: IO (IO Measurement)
+algebraOnce = do
+  array <- evaluate vast
+  window <- evaluate (sure (patch [[Just (cellAt array (Position (123456789 + i) (987654321 + j))) | j <- [0, 1]] | i <- [0 .. 14]]))
+  pure $ do
+    (seconds, place) <- timed (\mask -> located (sure (prepareAlgebra Torus array mask >>= (`algebraPatch` window)))) (sure (rectangle (Shape 15 2)))
+    pure (Measurement seconds Seconds (show place))
+
+-- | The row plus the column, all evaluated; a refusal is a number of its own.
+located :: Outcome -> Natural
+located outcome = case outcome of
+  Located (Position r c) _ -> r + c
+  _ -> 1000
+
+-- | The paper's array with all that is known of it before the first patch.
+shelf :: Book GF4
+shelf = sure (book Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
+
+-- | 1000 patches of 4 x 4 cells of the paper's array, by their codes, with 0 ... 4 wrong cells; then a number for each cell.
+damaged :: [[(Int, Double)]]
+damaged = map one' [0 .. 999]
+ where
+  one' i =
+    [ ((toCode (cellAt (bookArray shelf) (Position (fromIntegral (r + a)) (fromIntegral (c + b)))) + wrong (4 * a + b)) `mod` 4, unit (4 * a + b))
+    | a <- [0 .. 3]
+    , b <- [0 .. 3]
+    ]
+   where
+    at j = fromIntegral (mixed (32 * i + j)) :: Int
+    (r, c) = (at 0 `mod` 255) `divMod` 17
+    -- Up to four cells, some perhaps the same.
+    wrong cell = sum [1 | j <- [1 .. i `mod` 5], at j `mod` 16 == cell]
+    unit cell = fromIntegral (at (16 + cell)) / 4294967296
+
+nearestEach :: IO (IO Measurement)
+nearestEach = do
+  patches <- mapM (evaluate . sure . patch . square . map (Just . sure . fromCode . fst)) damaged
+  pure $ do
+    (seconds, _) <- timedEach (answer . nearest shelf Guaranteed) 0 patches
+    pure (Measurement seconds Seconds (weightedSum (map (answer . nearest shelf Guaranteed) patches)))
+ where
+  answer found = packed (decisionOutcome found) + 1000 * length (decisionWrong found)
+
+softEach :: IO (IO Measurement)
+softEach = do
+  patches <- mapM (evaluate . sure . softPatch . square . map (Just . doubtful)) damaged
+  pure $ do
+    (seconds, _) <- timedEach (answer . posterior shelf) 0 patches
+    pure (Measurement seconds Seconds (weightedSum (map (answer . posterior shelf) patches)))
+ where
+  -- How likely the symbol is that was read: 0.5 ... 0.95.
+  doubtful (code, x) = sure (belief [if a == code then 0.5 + 0.45 * x else (0.5 - 0.45 * x) / 3 | a <- [0 .. 3]])
+  -- The position, and whether the doubt is above 0.001.
+  answer found = packed (decide 1 found) + 1000 * (if posteriorDoubt found > 0.001 then 1 else 0)
+
+square :: [a] -> [[a]]
+square cells = case splitAt 4 cells of
+  (_, []) -> [cells]
+  (line, others) -> line : square others
+
+packed :: Outcome -> Int
+packed outcome = case outcome of
+  Located (Position r c) _ -> fromIntegral (17 * r + c)
+  _ -> -1
+
+weightedSum :: [Int] -> String
+weightedSum = show . sum . zipWith (*) [1 ..]
