@@ -1,67 +1,344 @@
 {-# LANGUAGE DataKinds #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | What the code tells of turned and mirrored patches.
 module Test.Code.LocateOrientation (spec) where
 
 import Control.Monad (forM_)
+import Data.List (nub, sort, sortOn)
+import Data.Ord (Down (..))
+import Data.Proxy (Proxy (..))
+import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
+import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
+import PraTactile.Locate.Oriented
+import PraTactile.Locate.Search
+import PraTactile.Locate.Soft
 import PraTactile.Polynomial
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.QuickCheck hiding (elements, total)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "an orientation and the one that undoes it lead back" $
-    forM_ orientations $ \o -> seenAs (undone o) (seenAs o ["abc", "def"]) `shouldBe` ["abc", "def"]
-  it "every rotation of a 2 x 2 window is again a window: the code alone tells no orientation" $ do
-    shelf <- paperBook
-    forM_ everywhere $ \p -> do
-      seen <- look shelf 2 2 p
-      map fst (nearestOriented shelf rotations Guaranteed seen) `shouldBe` rotations
-  it "with unknown rotation the distance is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, for the paper's polynomial" $ do
-    shelf <- paperBook
-    [orientedDistance shelf rotations side | side <- [2 .. 5]] `shouldBe` [0, 0, 4, 8]
-  it "a 4 x 4 patch with one error is located in whatever rotation it is seen" $ do
-    shelf <- paperBook
-    forM_ [Position 0 0, Position 7 9, Position 14 16] $ \p -> forM_ rotations $ \o -> do
-      cells <- lookRows shelf 4 4 p
-      seen <- right (patch (seenAs o (oneWrong cells)))
-      [(o', decisionOutcome d) | (o', d) <- nearestOriented shelf rotations (UpTo 1) seen] `shouldSatisfy` \found -> case found of
-        [(o', Located place _)] -> (o', place) == (o, p)
-        _ -> False
-  it "an array whose windows have two columns is its own mirror image: a patch as wide as all of it, mirrored, stands somewhere" $ do
-    polynomials <- right (primitivePolynomials 4)
-    length polynomials `shouldBe` 32
-    forM_ polynomials $ \h -> do
-      array <- right (folded Diagonal (Shape 15 17) h)
-      m <- right (rectangle (Shape 2 2))
-      shelf <- right (book Torus array m)
-      -- A patch as wide as the whole array, so that the mirror image of all of it is found.
-      seen <- lookRows shelf 4 17 (Position 0 0)
-      image <- right (patch (seenAs (Orientation True 0) seen))
-      decisionNearest (nearest shelf (UpTo 0) image) `shouldBe` Just 0
+  describe "orientations" $ do
+    it "one and the one that undoes it lead back" $
+      forM_ orientations $ \o -> seenAs (undone o) (seenAs o ["abc", "def"]) `shouldBe` ["abc", "def"]
+    it "are the eight symmetries of the square: all different, and turning a mirrored one on turns it the other way" $ do
+      length (nub [seenAs o ["ab", "cd"] | o <- orientations]) `shouldBe` 8
+      seenAs (Orientation True 1) ["ab", "cd"] `shouldBe` seenAs (Orientation False 3) (reverse ["ab", "cd"])
+    it "a cell is seen where the rows have it" $
+      forM_ [(h, w) | h <- [1 .. 3], w <- [1 .. 4]] $ \(h, w) -> forM_ orientations $ \o -> do
+        let shape = Shape h w
+            cells = [[Position i j | j <- below w] | i <- below h]
+            turned = [(cell, Position i j) | (i, line) <- zip [0 ..] (seenAs o cells), (j, cell) <- zip [0 ..] line]
+        [(cell, seenAt o shape cell) | (cell, _) <- turned] `shouldBe` turned
+        seenShape o shape `shouldBe` Shape (1 + maximum (map (row . snd) turned)) (1 + maximum (map (column . snd) turned))
+  describe "the distance between candidates" $ do
+    it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, for the paper's polynomial" $ do
+      shelf <- paperBook Torus
+      [orientedDistance shelf rotations side | side <- [2 .. 5]] `shouldBe` [0, 0, 4, 8]
+    it "is, for cells of any shape, the least number in which two candidates differ, all compared with all" $
+      forM_ small $ \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
+        h <- firstOver k n
+        array <- right (folded Diagonal shape h)
+        holds 60 $ forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
+          candidateDistance Torus array possible size offsets === byDefinition array possible size offsets
+    it "is promised on no surface but the array's own and the sheet" $ do
+      shelf <- paperBook Torus
+      let distanceOn surface = candidateDistance surface (bookArray shelf) rotations (Shape 4 4) [Position i j | i <- [0 .. 3], j <- [0 .. 3]]
+      map distanceOn [Torus, Sheet, TwistedTorus] `shouldBe` [4, 4, 0]
+  describe "the nearest candidate" $ do
+    it "every rotation of a 2 x 2 window is again a window: the code alone tells no orientation" $ do
+      shelf <- paperBook Torus
+      forM_ everywhere $ \p -> do
+        seen <- right (patch (look shelf (Shape 2 2) p))
+        case orientedOutcome (nearestOriented shelf rotations Guaranteed seen) of
+          OrientedAmong found -> do
+            map candidateOrientation found `shouldBe` rotations
+            take 1 found `shouldBe` [Candidate upright p]
+          other -> expectationFailure (show other)
+    it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
+      shelf <- paperBook Torus
+      forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
+        let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
+            shape = Shape 4 4
+            at = seenAt o shape place
+        seen <- right (patch (seenAs o (changed place (look shelf shape p))))
+        let decision = nearestOriented shelf rotations (UpTo 1) seen
+        (orientedOutcome decision, orientedWrong decision) `shouldSatisfy` \found -> case found of
+          (OrientedAt candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
+          _ -> False
+    it "of a patch with as many errors as are promised to be corrected is where and as it was seen" $
+      forM_ [Torus, Sheet] $ \surface -> do
+        shelf <- paperBook surface
+        holds 150 $ forAll (genWithin shelf) $ \(candidate, wrong, cells) -> case patch cells of
+          Left e -> counterexample (show e) False
+          Right p ->
+            let decision = nearestOriented shelf rotations Guaranteed p
+             in counterexample (show decision) $ case orientedOutcome decision of
+                  OrientedAt found _ -> conjoin [found === candidate, orientedWrong decision === sort wrong]
+                  OrientedAmong found -> conjoin [orientedMinimum decision === 0, property (candidate `elem` found)]
+                  _ -> property False
+    it "is as defined, for any patch, radius and orientations" $
+      forM_ [Torus, Sheet] $ \surface -> do
+        shelf <- paperBook surface
+        holds 120 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> choose (0, 3 :: Int)) $ \(cells, possible, e) ->
+          asDefined shelf possible (fromIntegral e) cells
+    it "windows that say so are named by where their upper left cells are seen" $ do
+      shelf <- paperBook Torus
+      seen <- right (patch (seenAs (Orientation False 1) (look shelf (Shape 2 5) (Position 6 5))))
+      case orientedOutcome (nearestOriented shelf [Orientation False 1] Guaranteed seen) of
+        OrientedAt candidate support -> (candidate, support) `shouldBe` (Candidate (Orientation False 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
+        other -> expectationFailure (show other)
+    it "by another road is the same where all cells agree" $ do
+      shelf <- paperBook Torus
+      holds 100 $ forAll ((,) <$> genDamaged shelf <*> genOrientations) $ \(cells, possible) -> case patch cells of
+        Left e -> counterexample (show e) False
+        Right p -> eachOriented possible (searchPatch Torus (bookArray shelf) (bookMask shelf)) p === Right (orientedOutcome (nearestOriented shelf possible (UpTo 0) p))
+  describe "the likeliest candidate" $ do
+    it "is Bayes' theorem over all positions in all orientations" $
+      forM_ [Torus, Sheet] $ \surface -> do
+        shelf <- paperBook surface
+        holds 60 $ forAll ((,) <$> genChances <*> genOrientations) $ uncurry (asBayes shelf)
+    it "of symbols beyond doubt is the nearest" $ do
+      shelf <- paperBook Torus
+      forM_ [(shape, o) | shape <- [Shape 2 2, Shape 3 4, Shape 4 4], o <- rotations] $ \(shape, o) -> do
+        let cells = seenAs o (look shelf shape (Position 11 3))
+        hard <- right (patch cells)
+        soft <- right (softPatch (map (map (fmap certainly)) cells))
+        let answered outcome = case outcome of
+              OrientedAt candidate _ -> OrientedAt candidate []
+              other -> other
+        decideOriented 0 (posteriorOriented shelf rotations soft) `shouldBe` answered (orientedOutcome (nearestOriented shelf rotations Guaranteed hard))
+  describe "arrays whose windows have two columns" $ do
+    it "are their own mirror image, left and right exchanged, up to a shift of the columns; the axis is the column of zeros" $
+      forM_ [(2, k1) | k1 <- [1 .. 6]] $ \(q, k1) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> mirrorImages (Proxy :: Proxy k) k1
+    it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
+      forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] $ \(q, k1) ->
+        forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> mirrorImages (Proxy :: Proxy k) k1
+    it "while one of windows with three columns is not" $ do
+      h <- firstOver (Proxy :: Proxy GF2) 9
+      array <- right (folded Diagonal (Shape 7 73) h)
+      cells <- right (toRows array)
+      [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells] `shouldBe` []
+    it "so that neither the plain one nor the mirror image is preferred, however large the patch is" $ do
+      shelf <- paperBook Torus
+      seen <- right (patch (look shelf (Shape 6 6) (Position 6 5)))
+      case orientedOutcome (nearestOriented shelf [upright, Orientation True 0] Guaranteed seen) of
+        OrientedAmong [a, b] -> (a, candidateOrientation b) `shouldBe` (Candidate upright (Position 6 5), Orientation True 0)
+        other -> expectationFailure (show other)
  where
-  everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
-  oneWrong cells = case cells of
-    (Just a : others) : rest -> (Just (a + 1) : others) : rest
-    _ -> cells
+  -- Every primitive polynomial.
+  mirrorImages :: forall k. KnownField k => Proxy k -> Natural -> Expectation
+  mirrorImages k k1 = do
+    let q = fromIntegral (fieldOrder k) ^ k1
+    polynomials <- right (primitivePolynomials (2 * k1)) :: IO [Primitive k]
+    polynomials `shouldNotBe` []
+    forM_ polynomials $ \h -> do
+      array <- right (folded Diagonal (Shape (q - 1) (q + 1)) h)
+      cells <- right (toRows array)
+      let zeros = [j | (j, line) <- zip [0 ..] (columnsOf cells), all (== zero) line]
+      -- Where the columns begin from in the mirror image, if they begin from anywhere.
+      [c | c <- [0 .. fromIntegral q], shiftedBy 0 c cells == map reverse cells] `shouldBe` [(2 * j + 1) `mod` (fromIntegral q + 1) | j <- zeros]
+      length zeros `shouldBe` 1
+  columnsOf cells = foldr (zipWith (:)) (map (const []) (concat (take 1 cells))) cells
 
-look :: Book GF4 -> Natural -> Natural -> Position -> IO (Patch GF4)
-look shelf h w p = lookRows shelf h w p >>= right . patch
+-- | The rows from that row and that column on, cyclically.
+shiftedBy :: Int -> Int -> [[a]] -> [[a]]
+shiftedBy r c cells = turn r (map (turn c) cells)
+ where
+  turn k xs = drop k xs ++ take k xs
 
-lookRows :: Book GF4 -> Natural -> Natural -> Position -> IO [[Maybe (GF GF4)]]
-lookRows shelf h w (Position r c) = pure [[Just (cellAt (bookArray shelf) (Position (r + i) (c + j))) | j <- takeWhile (< w) [0 ..]] | i <- takeWhile (< h) [0 ..]]
+-- | The field's order, the degree and the shape of arrays small enough to compare all candidates with all.
+small :: [(Int, Natural, Shape)]
+small = [(2, 4, Shape 3 5), (2, 6, Shape 7 9), (3, 3, Shape 2 13), (4, 2, Shape 3 5), (9, 2, Shape 5 16)]
 
-paperBook :: IO (Book GF4)
-paperBook = do
+byDefinition :: KnownField k => PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Natural
+byDefinition array possible size offsets =
+  minimum [fromIntegral (length (filter id (zipWith (/=) a b))) | (k, a) <- zip [1 ..] contents, b <- drop k contents]
+ where
+  contents =
+    [ [cellAt array (Position (r + i) (c + j)) | cell <- offsets, let Position i j = uprightOf o size cell]
+    | o <- nub possible
+    , r <- below (rows (arrayShape array))
+    , c <- below (columns (arrayShape array))
+    ]
+
+-- | Which cell of the upright patch one is that is seen in a patch of this shape, by turning the names of the cells.
+uprightOf :: Orientation -> Shape -> Position -> Position
+uprightOf o (Shape h w) cell =
+  case [Position i j | (i, line) <- zip [0 ..] (seenAs (undone o) names), (j, name) <- zip [0 ..] line, name == cell] of
+    found : _ -> found
+    [] -> cell
+ where
+  names = [[Position i j | j <- below w] | i <- below h]
+
+below :: Natural -> [Natural]
+below n = takeWhile (< n) [0 ..]
+
+-- | One or more orientations.
+genOrientations :: Gen [Orientation]
+genOrientations = QuickCheck.elements [rotations, orientations, [upright], [Orientation False 1, Orientation False 2], [Orientation True 0, Orientation True 3, upright]]
+
+-- | The shape of a patch of at most so many rows and columns, and the cells of it that are observed.
+genObserved :: Natural -> Gen (Shape, [Position])
+genObserved most = do
+  h <- choose (1, toInteger most)
+  w <- choose (1, toInteger most)
+  kept <- vectorOf (fromInteger (h * w)) (choose (0, 99 :: Int))
+  let offsets = [Position i j | (k, (i, j)) <- zip kept [(i, j) | i <- below (fromInteger h), j <- below (fromInteger w)], k < 80]
+  if null offsets then genObserved most else pure (Shape (fromInteger h) (fromInteger w), offsets)
+
+type Cells = [[Maybe (GF GF4)]]
+
+look :: Book GF4 -> Shape -> Position -> Cells
+look shelf (Shape h w) (Position r c) = [[Just (cellAt (bookArray shelf) (Position (r + i) (c + j))) | j <- below w] | i <- below h]
+
+-- | Another symbol in that cell.
+changed :: Position -> Cells -> Cells
+changed place cells = [[if Position i j == place then (+ 1) <$> a else a | (j, a) <- zip [0 ..] line] | (i, line) <- zip [0 ..] cells]
+
+everywhere :: [Position]
+everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
+
+genDamaged :: Book GF4 -> Gen Cells
+genDamaged shelf = do
+  h <- choose (1, 4)
+  w <- choose (1, 4)
+  p <- QuickCheck.elements everywhere
+  o <- QuickCheck.elements orientations
+  mapM (mapM damage) (seenAs o (look shelf (Shape (fromInteger h) (fromInteger w)) p))
+ where
+  damage a = do
+    fate <- choose (0, 99 :: Int)
+    b <- genElement
+    pure (if fate < 15 then Nothing else if fate < 25 then Just b else a)
+
+-- | A patch on the surface with holes and as many errors as are promised to be corrected in any of the four rotations: where and how it is
+-- seen, the wrong cells, the patch.
+genWithin :: Book GF4 -> Gen (Candidate, [Position], Cells)
+genWithin shelf = do
+  side <- QuickCheck.elements [4, 5]
+  o <- QuickCheck.elements rotations
+  r <- choose (0, if bookSurface shelf == Sheet then 15 - side else 14)
+  c <- choose (0, if bookSurface shelf == Sheet then 17 - side else 16)
+  gone <- vectorOf 25 ((< 8) <$> choose (0, 99 :: Int))
+  let size = Shape (fromInteger side) (fromInteger side)
+      place = Position (fromInteger r) (fromInteger c)
+      observed = [cell | (cell, False) <- zip [Position i j | i <- below (fromInteger side), j <- below (fromInteger side)] gone]
+      t = fromIntegral (guaranteedRadius (candidateDistance (bookSurface shelf) (bookArray shelf) rotations size observed)) :: Int
+  count <- choose (0, t)
+  wrong <- take count <$> shuffle observed
+  let cells = seenAs o (look shelf size place)
+      damaged = [[if cell `notElem` observed then Nothing else if cell `elem` wrong then (+ 1) <$> a else a | (j, a) <- zip [0 ..] line, let cell = Position i j] | (i, line) <- zip [0 ..] cells]
+  pure (Candidate o place, wrong, damaged)
+
+-- | Count, of every candidate, the observed cells that differ.
+asDefined :: Book GF4 -> [Orientation] -> Natural -> Cells -> Property
+asDefined shelf possible e cells = case patch cells of
+  Left complaint -> counterexample (show complaint) False
+  Right p ->
+    let decision = nearestOriented shelf possible (UpTo e) p
+        observed = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
+        counted = [(fromIntegral (length differing), Candidate o place) | (o, place, differing) <- everyCandidate shelf possible size observed]
+        size = Shape (fromIntegral (length cells)) (fromIntegral (length (concat (take 1 cells))))
+        least = minimum (map fst counted)
+        best = [candidate | (count, candidate) <- counted, count == least]
+     in counterexample (show decision) $
+          if null observed || null counted
+            then case orientedOutcome decision of
+              OrientedNowhere _ -> property True
+              _ -> property False
+            else
+              conjoin
+                [ orientedNearest decision === Just least
+                , orientedRunnerUp decision === (case sort (map fst counted) of { _ : b : _ -> Just b; _ -> Nothing })
+                , case orientedOutcome decision of
+                    OrientedAt candidate _ ->
+                      conjoin
+                        [ property (least <= e)
+                        , [candidate] === best
+                        , [orientedWrong decision] === [sort differing | (o, place, differing) <- everyCandidate shelf possible size observed, Candidate o place == candidate]
+                        ]
+                    OrientedAmong several -> conjoin [property (least <= e && length best > 1), several === best]
+                    OrientedMany _ -> property False
+                    OrientedNowhere _ -> property (least > e)
+                ]
+
+-- | Every candidate with the observed cells that differ there.
+everyCandidate :: Book GF4 -> [Orientation] -> Shape -> [(Position, GF GF4)] -> [(Orientation, Position, [Position])]
+everyCandidate shelf possible size observed =
+  [ (o, Position r c, [cell | (cell, a, Just at) <- placed, cellAt (bookArray shelf) at /= a])
+  | o <- nub possible
+  , Position r c <- everywhere
+  , let placed = [(cell, a, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, a) <- observed, let Position i j = uprightOf o size cell]
+  , null [() | (_, _, Nothing) <- placed]
+  ]
+
+-- | Of each cell the four probabilities in 64ths, or nothing.
+genChances :: Gen [[Maybe [Integer]]]
+genChances = do
+  h <- choose (1, 3)
+  w <- choose (1, 3)
+  vectorOf h (vectorOf w cell)
+ where
+  cell = do
+    gone <- choose (0, 4 :: Int)
+    if gone == 0 then pure Nothing else Just <$> chances
+  chances = do
+    a <- choose (0, 64)
+    b <- choose (0, 64 - a)
+    c <- choose (0, 64 - a - b)
+    pure [a, b, c, 64 - a - b - c]
+
+-- | The same in exact fractions.
+asBayes :: Book GF4 -> [[Maybe [Integer]]] -> [Orientation] -> Property
+asBayes shelf chances possible = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
+  Left e -> counterexample (show e) False
+  Right beliefs -> case softPatch beliefs of
+    Left e -> counterexample (show e) False
+    Right p ->
+      let found = posteriorOriented shelf possible p
+          near a b = abs (a - fromRational b) < 1e-12 :: Bool
+       in case sortOn Down (map snd exact) of
+            ranking@(best : _)
+              | total > 0 ->
+                  conjoin
+                    [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
+                    , counterexample (show found) (and (zipWith (\(_, a) b -> near a (b / total)) (posteriorRanking found) ranking))
+                    , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
+                    , length (posteriorRanking found) === length exact
+                    ]
+            _ -> posteriorBest found === Nothing
+ where
+  size = Shape (fromIntegral (length chances)) (fromIntegral (length (concat (take 1 chances))))
+  observed = [(Position i j, ks) | (i, line) <- zip [0 ..] chances, (j, Just ks) <- zip [0 ..] line]
+  exact =
+    [ (Candidate o (Position r c), product [(ks !! toCode (cellAt (bookArray shelf) at)) % 64 | (ks, Just at) <- placed])
+    | o <- nub possible
+    , Position r c <- everywhere
+    , let placed = [(ks, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, ks) <- observed, let Position i j = uprightOf o size cell]
+    , null [() | (_, Nothing) <- placed]
+    ]
+  total = sum (map snd exact)
+
+paperBook :: Surface -> IO (Book GF4)
+paperBook surface = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
-  right (book Torus array m)
+  right (book surface array m)
+
+holds :: Int -> Property -> Expectation
+holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
+  Success {} -> pure ()
+  _ -> expectationFailure (output r)

@@ -95,11 +95,11 @@ asBayes shelf chances = case traverse (traverse (traverse (belief . map (\k -> f
       let found = posterior shelf p
           near a b = abs (a - fromRational b) < 1e-12 :: Bool
        in case sortOn (Down . snd) exact of
-            ranked@((_, best) : _)
+            ranking@((_, best) : _)
               | total > 0 ->
                   conjoin
                     [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
-                    , counterexample (show found) (and (zipWith (\(_, a) (_, b) -> near a (b / total)) (posteriorRanking found) ranked))
+                    , counterexample (show found) (and (zipWith (\(_, a) (_, b) -> near a (b / total)) (posteriorRanking found) ranking))
                     , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
                     , length (posteriorRanking found) === length exact
                     ]

@@ -3,31 +3,34 @@
 -- |
 -- Patches that are seen turned or mirrored, and what the code alone can tell of it. Often nothing: every
 -- quarter turn of a 2 x 2 window of the paper's array is another of its windows, and an array of windows with two
--- columns is its own mirror image; then only the symbols' own axes tell.
+-- columns is its own mirror image (Note [Two columns]); then only the symbols' own axes tell.
 module PraTactile.Locate.Orientation
   ( -- * Orientations
     Orientation (..)
-  , orientations
+  , upright
   , rotations
+  , orientations
   , seenAs
+  , seenAt
+  , seenShape
   , undone
 
-    -- * Locating in an unknown orientation
-  , nearestOriented
-
     -- * What the code can tell
+  , candidateDistance
   , orientedDistance
+  , largestOrientedSearch
   ) where
 
-import Data.List (transpose)
-import Data.Maybe (mapMaybe)
+import Data.List (nub, transpose)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate.Book
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Patch
+import PraTactile.Polynomial (primitiveDegree)
+import PraTactile.Window
+import PraTactile.Window.Elimination (rowFromList)
+import PraTactile.Window.LinearCode
+import PraTactile.Window.Rank (windowVectors)
 
 -- | How a patch is seen: mirrored or not, left and right exchanged; and then turned.
 data Orientation = Orientation
@@ -36,6 +39,10 @@ data Orientation = Orientation
   -- ^ Clockwise; all that is the same modulo 4 is the same.
   }
   deriving stock (Eq, Ord, Show)
+
+-- | Neither mirrored nor turned.
+upright :: Orientation
+upright = Orientation False 0
 
 -- | The four quarter turns of an object seen from outside, the first of them none.
 rotations :: [Orientation]
@@ -54,49 +61,77 @@ seenAs (Orientation flipped turns) cells = iterate clockwise (if flipped then ma
  where
   clockwise = map reverse . transpose
 
+-- | Where in the patch as it is seen a cell is, given the shape of the patch when upright; for cells within it.
+--
+-- >>> seenAt (Orientation False 1) (Shape 2 3) (Position 0 2)
+-- Position {row = 2, column = 1}
+seenAt :: Orientation -> Shape -> Position -> Position
+seenAt (Orientation flipped turns) shape@(Shape _ w) (Position i j) =
+  snd (iterate clockwise (shape, Position i (if flipped then from w j else j)) !! (turns `mod` 4))
+ where
+  clockwise (Shape h w', Position r c) = (Shape w' h, Position c (from h r))
+  -- As far from the last of so many as the index is from the first.
+  from n k = if k < n then n - 1 - k else 0
+
+-- | The shape of a patch as it is seen, given that when upright.
+seenShape :: Orientation -> Shape -> Shape
+seenShape (Orientation _ turns) (Shape h w) = if odd turns then Shape w h else Shape h w
+
 -- | The orientation that undoes another: the mirrored ones undo themselves.
 undone :: Orientation -> Orientation
 undone (Orientation flipped turns)
   | flipped = Orientation True turns
   | otherwise = Orientation False (negate turns `mod` 4)
 
--- | Of these orientations those in which the patch, seen so, is nearest to a position, each with its decision; the
--- position is that of the upper left cell once the orientation is undone. More than one is ambiguous. The guaranteed radius is that of
--- an orientation which is known; with several in question it promises nothing, but half of 'orientedDistance' does.
-nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k -> [(Orientation, Decision)]
-nearestOriented shelf possible radius observed = filter ((== least) . decisionNearest . snd) decided
- where
-  decided =
-    [ (orientation, decision)
-    | orientation <- possible
-    , -- A patch has rows of one length, in any orientation.
-    Right upright <- [patch (seenAs (undone orientation) (patchRows observed))]
-    , let decision = nearest shelf radius upright
-    ]
-  least = case mapMaybe (decisionNearest . snd) decided of
-    [] -> Nothing
-    distances -> Just (minimum distances)
+{- Note [Two columns]
+   Let an array be folded along the diagonal for windows of k1 rows and two columns: n1 = Q - 1 and n2 = Q + 1 with
+   Q = q^k1, and alpha in GF(Q^2). Q is even, for else both sides were. Its terms are s(t) = Tr(b alpha^t), with the trace from GF(Q^2) to GF(q)
+   and some b that is not zero. A trace is the same for conjugates, so that Tr(x^Q) = Tr(x), and
+     s(t) = Tr(b^Q alpha^(Q t)) = s(Q t + u), where alpha^u = b^(Q - 1).
+   Now Q = 1 modulo n1, and Q = -1 modulo n2; and u is a multiple of Q - 1 = n1. So the term s(Q t + u) stands in the row of s(t), and in the
+   column u - j where s(t) stands in column j: a[i][j] = a[i][u - j]. Every row reads the same in both directions from an
+   axis that is the same for all. The axis goes through one column, because n2 is odd: that with 2 j = u, where
+   (b alpha^t)^(Q - 1) = 1, so that b alpha^t is in GF(Q), whose elements have the trace 2 x = 0 already in GF(Q). It is the
+   column of zeros. In general exchanging left and right is the map t -> m t with m = 1 modulo n1 and m = -1 modulo n2, and the same proof holds
+   wherever m is a power of q modulo n1 n2. -}
 
--- | The least number of cells in which a square patch of so many rows and columns, at one position and in one of
--- these orientations, differs from one at another position or in another orientation: so many errors and more can make one look like the
--- other. Compares every position with every position. 0 for no rows.
-orientedDistance :: KnownField k => Book k -> [Orientation] -> Natural -> Natural
-orientedDistance shelf possible side = minimum (same : across)
+{- Note [Distance between orientations]
+   What cells of a patch hold at the position of the term s(t), the patch being seen in an orientation o, is a
+   linear function L_o of alpha^t (see "PraTactile.Window.Rank"). Two positions b and b' in orientations o and o' differ in the
+   cells where L_o(b) - L_o'(b') is not zero: a codeword of the sum of both codes. Zero is no position, but
+   a codeword L_o(b) - L_o'(0) is the difference of two positions in the one orientation o, which has to be counted anyway. So the least
+   distance of all in o or o' is the least weight of all L_o(b) - L_o'(b') with b and b' not both zero: the
+   minimum distance of the sum of the codes if it has dimension 2 n, and 0 if it has less. -}
+
+-- | The number of cells in which, at least, any two of these differ: one position in one of the orientations, and another position or
+-- the same in another one. Given the shape of the patch as it is seen, and the offsets in it of the observed cells. Half of
+-- it bounds the wrong cells that are always corrected. 0 where two are not told apart, and on a
+-- surface that is neither the array's 'naturalSurface' nor the sheet, where no distance is promised. Exact up to
+-- 'largestOrientedSearch' codewords for every two orientations and 4096 cells; beyond, it is a lower bound. See
+-- Note [Distance between orientations].
+candidateDistance :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Natural
+candidateDistance surface array possible shape offsets
+  | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] || null offsets = 0
+  | any ((< full) . dimension) codes = 0
+  | otherwise = minimumOr0 (map (fromIntegral . leastWeight largestOrientedSearch) codes)
  where
-  array = bookArray shelf
-  shape = arrayShape array
-  offsets = [Position i j | i <- below side, j <- below side]
-  same = observedDistance shelf offsets
-  -- To compare in two orientations is to compare in one and in what leads from it to the other.
-  across =
-    [ e
-    | (k, from) <- zip [1 ..] possible
-    , to <- drop k possible
-    , r <- below (rows shape)
-    , c <- below (columns shape)
-    , Just content <- [traverse (traverse (cellOn r c)) [[(i, j) | j <- below side] | i <- below side]]
-    , Right turned <- [patch (seenAs (undone to) (seenAs from (map (map Just) content)))]
-    , Just e <- [decisionNearest (nearest shelf (UpTo 0) turned)]
-    ]
-  cellOn r c (i, j) = cellAt array <$> canonicalPosition (bookSurface shelf) shape (toInteger (r + i)) (toInteger (c + j))
-  below n = takeWhile (< n) [0 ..]
+  asked = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
+  used = take 4096 offsets
+  n = primitiveDegree (arrayPrimitive array)
+  (full, codes) = case map words' asked of
+    [only] -> (n, [spannedBy (length used) only])
+    several -> (2 * n, [spannedBy (length used) (a ++ b) | (k, a) <- zip [1 ..] several, b <- drop k several])
+  -- Codewords that span the code of an orientation.
+  words' o = either (const []) (map rowFromList . transpose . windowVectors array) (maskFrom (map (seenAt (undone o) shape) used))
+  minimumOr0 distances = if null distances then 0 else minimum distances
+
+-- | 2^18: the most codewords that are looked at for two orientations.
+largestOrientedSearch :: Natural
+largestOrientedSearch = 2 ^ (18 :: Int)
+
+-- | The same of all cells of a square patch of so many rows and columns. 0 for no rows.
+orientedDistance :: KnownField k => Book k -> [Orientation] -> Natural -> Natural
+orientedDistance shelf possible side =
+  candidateDistance (bookSurface shelf) (bookArray shelf) possible (Shape side side) [Position i j | i <- below, j <- below]
+ where
+  below = takeWhile (< side) [0 ..]

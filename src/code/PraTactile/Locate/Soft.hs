@@ -17,22 +17,31 @@ module PraTactile.Locate.Soft
     Belief
   , belief
   , certainly
+  , combined
+  , likeliest
+  , possibleIn
   , BeliefError (..)
 
     -- * What is known of a patch
   , SoftPatch
   , softPatch
+  , softRows
+  , softCells
   , hardened
 
     -- * Positions
   , posterior
-  , Posterior (..)
+  , Posterior
+  , PosteriorOver (..)
+  , likelihoods
+  , ranked
 
     -- * Deciding
   , decide
+  , decideAmong
   ) where
 
-import Data.List (sortOn)
+import Data.List (foldl', sortOn)
 import Data.Ord (Down (..))
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
@@ -76,6 +85,29 @@ belief numbers
 certainly :: forall k. KnownField k => GF k -> Belief k
 certainly a = Belief (Primitive.generate (fieldOrder (Proxy :: Proxy k)) (\code -> if code == toCode a then 1 else 0))
 
+-- | What several independent looks at one cell say together: the product of their probabilities, made to add up to 1. 'Nothing' if
+-- that is zero for every symbol, so that the looks contradict each other, and of no looks.
+combined :: [Belief k] -> Maybe (Belief k)
+combined looks = case looks of
+  [] -> Nothing
+  [only] -> Just only
+  Belief first' : others
+    | Primitive.null logs || isInfinite best -> Nothing
+    | otherwise -> Just (Belief (Primitive.map (/ Primitive.sum relative) relative))
+   where
+    -- By logarithms, so that products of small numbers do not vanish.
+    logs = foldl' (Primitive.zipWith (+)) (Primitive.map log first') [Primitive.map log b | Belief b <- others]
+    best = Primitive.maximum logs
+    relative = Primitive.map (\x -> exp (x - best)) logs
+
+-- | The likeliest symbol, the one of the lowest code if several are.
+likeliest :: KnownField k => Belief k -> GF k
+likeliest (Belief probabilities) = either (const zero) id (fromCode (Primitive.maxIndex probabilities))
+
+-- | Whether a symbol has a probability above 0.
+possibleIn :: GF k -> Belief k -> Bool
+possibleIn a (Belief probabilities) = maybe False (> 0) (probabilities Primitive.!? toCode a)
+
 -- | A rectangle of cells of which something is known, and of such of which nothing is.
 data SoftPatch (k :: Field) = SoftPatch [[Maybe (Belief k)]] [(Position, Belief k)]
 
@@ -88,64 +120,89 @@ softPatch cells = SoftPatch cells known <$ rectangular cells
  where
   known = [(Position i j, b) | (i, line) <- zip [0 ..] cells, (j, Just b) <- zip [0 ..] line]
 
--- | The patch with the likeliest symbol of each observed cell, the one of the lowest code if several are.
+-- | The rows, as 'softPatch' takes them.
+softRows :: SoftPatch k -> [[Maybe (Belief k)]]
+softRows (SoftPatch cells _) = cells
+
+-- | What is known of the cells, by their offsets, row by row.
+softCells :: SoftPatch k -> [(Position, Belief k)]
+softCells (SoftPatch _ known) = known
+
+-- | The patch with the 'likeliest' symbol of each observed cell.
 hardened :: KnownField k => SoftPatch k -> Either LocateError (Patch k)
 hardened (SoftPatch cells _) = patch (map (map (fmap likeliest)) cells)
- where
-  likeliest (Belief probabilities) = either (const zero) id (fromCode (Primitive.maxIndex probabilities))
 
 -- | How likely positions are.
-data Posterior = Posterior
-  { posteriorBest :: Maybe Position
+type Posterior = PosteriorOver Position
+
+-- | How likely places are: positions, or positions with an orientation.
+data PosteriorOver place = Posterior
+  { posteriorBest :: Maybe place
   -- ^ The likeliest position, the first of them if several are; 'Nothing' if none is possible.
   , posteriorDoubt :: Double
   -- ^ The probability that it is another one: 1 less the best's, without the rounding of that difference.
-  , posteriorEqual :: [Position]
+  , posteriorEqual :: [place]
   -- ^ The positions that are exactly as likely as the best, itself among them.
   , posteriorEqualDoubt :: Double
   -- ^ The probability that it is none of those.
   , posteriorMargin :: Maybe Double
   -- ^ The logarithm of how many times as likely the best is as the next one; infinite if no other one is
   -- possible, 'Nothing' if there is no other one.
-  , posteriorRanking :: [(Position, Double)]
+  , posteriorRanking :: [(place, Double)]
   -- ^ All positions with their probabilities, the likeliest first; made when asked for.
   }
   deriving stock (Eq, Show)
 
 -- | How likely each position of the book is; on the sheet those at which all observed cells lie on it.
 posterior :: Book k -> SoftPatch k -> Posterior
-posterior shelf (SoftPatch _ known)
+posterior shelf observed = ranked (comparedPosition comparison) (comparedTotals comparison)
+ where
+  comparison = likelihoods shelf (softCells observed)
+
+-- | The logarithms of what the probabilities of positions are proportional to, given what is known of cells by their offsets.
+likelihoods :: Book k -> [(Position, Belief k)] -> Comparison Double
+likelihoods shelf known =
+  compareWith shelf [(offset, Primitive.map log probabilities) | (offset, Belief probabilities) <- known]
+
+-- | How likely places are, given by their indices, from the logarithms of what their probabilities are proportional to.
+ranked :: (Int -> place) -> Primitive.Vector Double -> PosteriorOver place
+ranked placeAt logs
   | count == 0 || isInfinite best = Posterior Nothing 1 [] 1 Nothing []
   | otherwise =
       Posterior
-        { posteriorBest = Just (comparedPosition comparison bestIndex)
+        { posteriorBest = Just (placeAt bestIndex)
         , posteriorDoubt = others / (1 + others)
-        , posteriorEqual = map (comparedPosition comparison) equal
+        , posteriorEqual = map placeAt equal
         , posteriorEqualDoubt = less / (fromIntegral (length equal) + less)
         , posteriorMargin = if count == 1 then Nothing else Just (best - next)
-        , posteriorRanking = sortOn (Down . snd) (zipWith (\i x -> (comparedPosition comparison i, x / (1 + others))) [0 ..] (Primitive.toList relative))
+        , posteriorRanking = sortOn (Down . snd) (zipWith (\i x -> (placeAt i, x / (1 + others))) [0 ..] (Primitive.toList relative))
         }
  where
-  comparison = compareWith shelf [(offset, Primitive.map log probabilities) | (offset, Belief probabilities) <- known]
-  likelihoods = comparedTotals comparison
-  count = Primitive.length likelihoods
-  bestIndex = Primitive.maxIndex likelihoods
-  best = likelihoods Primitive.! bestIndex
+  count = Primitive.length logs
+  bestIndex = Primitive.maxIndex logs
+  best = logs Primitive.! bestIndex
   -- Relative to the best one, so that products of many small numbers do not vanish.
-  relative = Primitive.map (\x -> exp (x - best)) likelihoods
+  relative = Primitive.map (\x -> exp (x - best)) logs
   others = Primitive.sum (Primitive.imap (\i x -> if i == bestIndex then 0 else x) relative)
-  less = Primitive.sum (Primitive.zipWith (\x y -> if x == best then 0 else y) likelihoods relative)
-  equal = [i | (i, x) <- zip [0 ..] (Primitive.toList likelihoods), x == best]
-  next = Primitive.maximum (Primitive.imap (\i x -> if i == bestIndex then -1 / 0 else x) likelihoods)
+  less = Primitive.sum (Primitive.zipWith (\x y -> if x == best then 0 else y) logs relative)
+  equal = [i | (i, x) <- zip [0 ..] (Primitive.toList logs), x == best]
+  next = Primitive.maximum (Primitive.imap (\i x -> if i == bestIndex then -1 / 0 else x) logs)
 
 -- | @decide tolerated@: the likeliest position, if the probability that it is another one is at most
 -- as large as tolerated; then of many answers at most that share is wrong, if the probabilities are honest. Several positions
 -- equally likely, of which the same holds together, are 'Ambiguous'. Else 'BelowThreshold'; 'Contradiction' where
 -- no position is possible.
 decide :: Double -> Posterior -> Outcome
-decide tolerated found = case posteriorBest found of
-  Nothing -> Refused Contradiction
+decide tolerated found = case decideAmong tolerated found of
+  Right [place] -> Located place []
+  Right places -> Ambiguous places []
+  Left reason -> Refused reason
+
+-- | The same of any places: the one or the several that are told, or the reason to refuse.
+decideAmong :: Double -> PosteriorOver place -> Either Reason [place]
+decideAmong tolerated found = case posteriorBest found of
+  Nothing -> Left Contradiction
   Just place
-    | posteriorDoubt found <= tolerated -> Located place []
-    | _ : _ : _ <- posteriorEqual found, posteriorEqualDoubt found <= tolerated -> Ambiguous (posteriorEqual found) []
-    | otherwise -> Refused BelowThreshold
+    | posteriorDoubt found <= tolerated -> Right [place]
+    | _ : _ : _ <- posteriorEqual found, posteriorEqualDoubt found <= tolerated -> Right (posteriorEqual found)
+    | otherwise -> Left BelowThreshold

@@ -18,6 +18,7 @@ module PraTactile.Window.LinearCode
     -- * Lightest codewords
   , Lightest (..)
   , lightest
+  , leastWeight
 
     -- * Weights
   , weights
@@ -110,6 +111,20 @@ lightest effort code@(LinearCode size basis)
   lighter best x = case best of
     Just y | weight y <= weight x -> best
     _ -> Just x
+
+-- | The least weight of a codeword that is not zero, by 'lightest', or by visiting all codewords where that is shorter. Beyond so many
+-- codewords a lower bound. 0 if zero is the only one.
+leastWeight :: KnownField k => Natural -> LinearCode k -> Int
+leastWeight effort code = case lightest (min effort all') code of
+  Lightest x -> weight x
+  NoCodeword -> 0
+  Between low _
+    | all' <= effort -> maybe low fst (Map.lookupMin (Map.delete 0 (weights code)))
+    | otherwise -> low
+ where
+  q = fromIntegral (fieldOrder code) :: Natural
+  -- Up to a factor.
+  all' = (q ^ dimension code - 1) `div` (q - 1)
 
 -- | Bases of the code that are unit matrices at disjoint places, as many as there are places for,
 -- each with the number of its rows that have no place.

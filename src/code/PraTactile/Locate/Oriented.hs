@@ -1,0 +1,169 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- |
+-- Locating patches that may be turned or mirrored: the nearest, or the likeliest, of all positions in all orientations
+-- in question, as one answer. A patch is seen in one orientation; a position is that of its upper left cell once the orientation is
+-- undone; offsets are those in the patch as it is seen.
+module PraTactile.Locate.Oriented
+  ( -- * Candidates
+    Candidate (..)
+  , OrientedOutcome (..)
+
+    -- * The nearest
+  , nearestOriented
+  , OrientedDecision (..)
+
+    -- * Other roads
+  , eachOriented
+
+    -- * The likeliest
+  , posteriorOriented
+  , decideOriented
+  ) where
+
+import Data.List (nub, sort)
+import Data.Maybe (mapMaybe)
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Orientation
+import PraTactile.Locate.Outcome
+import PraTactile.Locate.Patch
+import PraTactile.Locate.Soft
+
+-- | Where a patch may be, and how it is then seen.
+data Candidate = Candidate
+  { candidateOrientation :: Orientation
+  , candidatePosition :: Position
+  }
+  deriving stock (Eq, Ord, Show)
+
+-- | What is known of a patch's place and orientation.
+data OrientedOutcome
+  = -- | The only candidate; and the offsets of the complete windows that say so, each by the cell that is its upper left one.
+    OrientedAt Candidate [Position]
+  | -- | All candidates, two or more, by the orientations in the order in which they were asked for.
+    OrientedAmong [Candidate]
+  | -- | So many candidates, too many to list.
+    OrientedMany Natural
+  | -- | No candidate, and why.
+    OrientedNowhere Reason
+  deriving stock (Eq, Show)
+
+-- | An outcome, and what it is worth.
+data OrientedDecision = OrientedDecision
+  { orientedOutcome :: OrientedOutcome
+  , orientedWrong :: [Position]
+  -- ^ The observed cells that are wrong if the patch is where and as it was located.
+  , orientedNearest :: Maybe Natural
+  -- ^ In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the patch fits nowhere on the sheet.
+  , orientedRunnerUp :: Maybe Natural
+  -- ^ In how many the next one differs.
+  , orientedMinimum :: Natural
+  -- ^ The least number of observed cells in which two candidates differ: 'candidateDistance'.
+  , orientedRadius :: Natural
+  -- ^ The radius that was used.
+  }
+  deriving stock (Eq, Show)
+
+-- | The candidate, of these orientations and all positions, that differs from the patch in the fewest cells. 'Guaranteed' is half of the least
+-- distance between any two candidates, which several orientations make smaller, often 0: then only exact agreement is answered.
+-- Several candidates equally near within the radius are ambiguous. The reasons to refuse are those of 'nearest'; where those of
+-- the orientations differ, that of the orientation that came farthest: off the sheet, contradiction, no such window, zeros.
+nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k -> OrientedDecision
+nearestOriented shelf possible stated observed =
+  OrientedDecision
+    { orientedOutcome = outcome
+    , orientedWrong = wrong
+    , orientedNearest = least
+    , orientedRunnerUp = case sort (concat [mapMaybe ($ decision) [decisionNearest, decisionRunnerUp] | (_, _, decision) <- decided]) of
+        _ : next : _ -> Just next
+        _ -> Nothing
+    , orientedMinimum = d
+    , orientedRadius = radius
+    }
+ where
+  d = candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) (map fst (observedCells observed))
+  radius = case stated of
+    Guaranteed -> guaranteedRadius d
+    UpTo e -> e
+  decided = [(o, patchShape laid, nearest shelf (UpTo radius) laid) | (o, laid) <- eachLaid possible observed]
+  least = case mapMaybe (\(_, _, decision) -> decisionNearest decision) decided of
+    [] -> Nothing
+    distances -> Just (minimum distances)
+  nearestOnes = [found | found@(_, _, decision) <- decided, decisionNearest decision == least]
+  outcome = together [(o, shape, decisionOutcome decision) | (o, shape, decision) <- candidatesOr decided]
+  -- Those farther away may be within the radius, too, but are no candidates.
+  candidatesOr others = if any (\(_, _, decision) -> answered (decisionOutcome decision)) nearestOnes then nearestOnes else others
+  wrong = case (outcome, nearestOnes) of
+    (OrientedAt _ _, [(o, shape, decision)]) -> sort (map (seenAt o shape) (decisionWrong decision))
+    _ -> []
+  answered found = case found of
+    Refused _ -> False
+    _ -> True
+
+-- | The outcome of another road, which answers exact agreement only, in all these orientations. Refuses where the road
+-- refuses one of them.
+eachOriented :: [Orientation] -> (Patch k -> Either e Outcome) -> Patch k -> Either e OrientedOutcome
+eachOriented possible road observed = together <$> traverse answer (eachLaid possible observed)
+ where
+  answer (o, laid) = (,,) o (patchShape laid) <$> road laid
+
+-- | The patch upright again, by each orientation in which it may be seen.
+eachLaid :: [Orientation] -> Patch k -> [(Orientation, Patch k)]
+eachLaid possible observed =
+  -- A patch has rows of one length, in any orientation.
+  [(o, laid) | o <- asked possible, Right laid <- [patch (seenAs (undone o) (patchRows observed))]]
+
+-- | Each orientation once.
+asked :: [Orientation] -> [Orientation]
+asked possible = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
+
+-- | The outcomes in several orientations, with the upright patch's shape, as one.
+together :: [(Orientation, Shape, Outcome)] -> OrientedOutcome
+together outcomes = case (concatMap listed outcomes, sum (map unlisted outcomes)) of
+  ([], 0) -> OrientedNowhere (farthest [reason | (_, _, Refused reason) <- outcomes])
+  ([(found, support)], 0) -> OrientedAt found support
+  (several, 0) -> OrientedAmong (map fst several)
+  (several, more) -> OrientedMany (fromIntegral (length several) + more)
+ where
+  listed (o, shape, outcome) = case outcome of
+    Located place support -> [(Candidate o place, sort (map (seenAt o shape) support))]
+    Ambiguous places _ -> [(Candidate o place, []) | place <- places]
+    _ -> []
+  unlisted (_, _, outcome) = case outcome of
+    AmbiguousCoset count _ -> count
+    _ -> 0
+  farthest given = case filter (`elem` given) [OffSheet, Contradiction, NotInArray, NoCompleteWindow, BeyondRadius, ZeroWindow] of
+    reason : _ -> reason
+    [] -> TooFewCells
+
+-- | How likely each of these orientations is with each position of the book, all of them being equally likely beforehand; on the sheet those with
+-- which all observed cells lie on it.
+posteriorOriented :: Book k -> [Orientation] -> SoftPatch k -> PosteriorOver Candidate
+posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat [comparedTotals compared | (_, compared) <- comparisons])
+ where
+  -- In every orientation the cells are added up in the same order, so that what is equally likely is found equal.
+  comparisons = [(o, likelihoods shelf [(seenAt (undone o) shape offset, b) | (offset, b) <- softCells observed]) | o <- asked possible]
+  shape = case softRows observed of
+    cells@(first' : _) -> Shape (fromIntegral (length cells)) (fromIntegral (length first'))
+    [] -> Shape 0 0
+  candidateAt i = go i comparisons
+  go i given = case given of
+    (o, compared) : others
+      | i < size || null others -> Candidate o (comparedPosition compared i)
+      | otherwise -> go (i - size) others
+     where
+      size = Primitive.length (comparedTotals compared)
+    -- Without orientations there are no indices.
+    [] -> Candidate upright (Position 0 0)
+
+-- | @decideOriented tolerated@: the likeliest candidate, as 'decide' does.
+decideOriented :: Double -> PosteriorOver Candidate -> OrientedOutcome
+decideOriented tolerated found = case decideAmong tolerated found of
+  Right [only] -> OrientedAt only []
+  Right several -> OrientedAmong several
+  Left reason -> OrientedNowhere reason
