@@ -26,7 +26,6 @@ module PraTactile.Window.LinearCode
   ) where
 
 import Control.Monad (forM_)
-import qualified Data.IntSet as IntSet
 import Data.List (foldl', tails, uncons)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
@@ -36,6 +35,7 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Window.Elimination
+import PraTactile.Window.InformationSet
 
 -- | The space that some vectors of one length span: that length and a basis.
 data LinearCode (k :: Field) = LinearCode !Int !(Basis k)
@@ -44,7 +44,7 @@ type role LinearCode nominal
 
 -- | The code of this length that the vectors span.
 spannedBy :: KnownField k => Int -> [Row k] -> LinearCode k
-spannedBy size = LinearCode size . foldl' (include (const True)) emptyBasis
+spannedBy size = LinearCode size . foldl' (\basis x -> fromMaybe basis (extend (const True) basis x)) emptyBasis
 
 -- | The dimension: the number of independent codewords.
 dimension :: LinearCode k -> Int
@@ -80,13 +80,10 @@ data Lightest k
     NoCodeword
 
 {- Note [Brouwer and Zimmermann]
-   Let a basis of the code be the unit matrix at the places I, one place a row. A codeword that is a
-   combination of more than w rows is not zero at more than w places of I. With several bases whose
-   places are disjoint, once all combinations of at most w rows of each have been seen, a codeword not
-   seen has more than w such places for every basis, and so at least the sum of the w + 1 in all. Where
-   only k - d places are left for the k rows of a basis, the d rows without a place can hide as many:
-   such a basis counts w + 1 - d, and is used once that is more than 1. The search ends when the
-   lightest codeword seen is no heavier than the sum. (K.-H. Zimmermann 1996; M. Grassl in "Discovering
+   The search for a lightest codeword is Note [Disjoint information sets] in
+   "PraTactile.Window.InformationSet" with zero as the word: the codewords seen are the combinations of
+   few rows of one set, those not seen are not lighter than the sum there. The search ends when the
+   lightest codeword seen is no heavier than that. (K.-H. Zimmermann 1996; M. Grassl in "Discovering
    Mathematics with Magma", 2006.) -}
 
 -- | A lightest codeword that is not zero, by the method of Note [Brouwer and Zimmermann]. The search
@@ -94,23 +91,26 @@ data Lightest k
 lightest :: KnownField k => Natural -> LinearCode k -> Lightest k
 lightest effort code@(LinearCode size basis)
   | k == 0 = NoCodeword
-  | otherwise = search 1 effort Nothing
+  | otherwise = search effort 0 Nothing (schedule count (informationSets size (map snd (basisRows basis))))
  where
   k = dimension code
-  bases = informationSets size (map snd (basisRows basis))
-  -- Before it looks at w rows: what is left of the effort, and the lightest codeword seen.
-  search w left best
-    | Just x <- best, w > k || weight x <= bound (w - 1) = Lightest x
-    | cost > left = Between (max 1 (bound (w - 1))) (maybe size weight best)
-    | otherwise = search (w + 1) (left - cost) (foldl' lighter best (concatMap (uncurry combinations) looks))
+  q = fieldOrder code
+  -- Up to a factor, and without zero.
+  count w = if w == 0 then 0 else changes q k w `div` fromIntegral (q - 1)
+  -- All codewords lighter than the bound have been seen.
+  search left bound best steps = case steps of
+    _ | Just x <- best, weight x <= bound -> Lightest x
+    [] -> maybe NoCodeword Lightest best
+    step : later
+      | stepWords step > left -> Between (max 1 bound) (maybe size weight best)
+      | otherwise ->
+          search (left - stepWords step) (maybe size (+ 1) (stepSeen step)) (foldl' (lighter (stepSet step)) best (stepLevels step)) later
+  lighter set best w = case nearFound (nearAt OneLightest set zeros w (below - 1 - w)) of
+    (_, terms) : _ -> Just (combination set terms)
+    [] -> best
    where
-    looks = [(v, x) | (deficit, x) <- bases, deficit < w, v <- [if deficit == w - 1 then 1 else w .. w]]
-    cost = sum [combinationCount (fieldOrder code) k v | (v, _) <- looks]
-  -- What a codeword weighs at least that is no combination of at most w rows.
-  bound w = sum [w + 1 - deficit | (deficit, _) <- bases, deficit < w]
-  lighter best x = case best of
-    Just y | weight y <= weight x -> best
-    _ -> Just x
+    zeros = Primitive.map (const zero) (setRest set)
+    below = maybe (size + 1) weight best
 
 -- | The least weight of a codeword that is not zero, by 'lightest', or by visiting all codewords where that is shorter. Beyond so many
 -- codewords a lower bound. 0 if zero is the only one.
@@ -125,33 +125,6 @@ leastWeight effort code = case lightest (min effort all') code of
   q = fromIntegral (fieldOrder code) :: Natural
   -- Up to a factor.
   all' = (q ^ dimension code - 1) `div` (q - 1)
-
--- | Bases of the code that are unit matrices at disjoint places, as many as there are places for,
--- each with the number of its rows that have no place.
-informationSets :: KnownField k => Int -> [Row k] -> [(Int, [Row k])]
-informationSets size rows = go (IntSet.fromDistinctAscList [0 .. size - 1])
- where
-  go places
-    | IntSet.null taken = []
-    | otherwise = (length rows - IntSet.size taken, map snd (basisRows basis)) : go (places IntSet.\\ taken)
-   where
-    basis = foldl' (include (`IntSet.member` places)) emptyBasis rows
-    taken = IntSet.fromList (map fst (basisRows basis)) `IntSet.intersection` places
-
--- | Include a row, whether or not it is spanned already.
-include :: KnownField k => (Int -> Bool) -> Basis k -> Row k -> Basis k
-include preferred basis = fromMaybe basis . extend preferred basis
-
--- | The combinations of exactly w rows, up to a factor: the first coefficient is 1.
-combinations :: KnownField k => Int -> [Row k] -> [Row k]
-combinations w rows = concat [go (w - 1) x others | x : others <- tails rows]
- where
-  go 0 x _ = [x]
-  go left x others = concat [go (left - 1) (addScaled a y x) rest | y : rest <- tails others, a <- drop 1 elements]
-
--- | How many 'combinations' of w out of k rows there are over GF(q).
-combinationCount :: Int -> Int -> Int -> Natural
-combinationCount q k w = binomial k w * fromIntegral (q - 1) ^ (w - 1)
 
 binomial :: Int -> Int -> Natural
 binomial n k
