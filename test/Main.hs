@@ -18,6 +18,7 @@ import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateBulk
+import qualified Test.Code.LocateBounded
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
@@ -85,6 +86,7 @@ main = hspec $ do
     describe "Locating in bulk" Test.Code.LocateBulk.spec
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
+    describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Several patches" Test.Code.LocateTogether.spec

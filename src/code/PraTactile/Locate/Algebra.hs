@@ -11,8 +11,15 @@ module PraTactile.Locate.Algebra
   ( -- * The road
     Algebra
   , prepareAlgebra
+  , algebraSurface
+  , algebraArray
+  , algebraMask
   , algebraPatch
   , largestListing
+
+    -- * Its parts
+  , algebraPlaces
+  , algebraNowhere
 
     -- * Refusals
   , AlgebraError (..)
@@ -46,8 +53,11 @@ data AlgebraError
 -- | An array on a surface, with what is computed once for all patches.
 data Algebra (k :: Field) = Algebra
   { algebraSurface :: !Surface
+  -- ^ What lies beyond the edges.
   , algebraArray :: !(PseudorandomArray k)
+  -- ^ The array.
   , algebraMask :: !Mask
+  -- ^ The array's window.
   , algebraLogarithms :: !(Logarithms k)
   }
 
@@ -75,20 +85,25 @@ algebraPatch algebra observed
       solutions <- solved algebra cells
       if solutionCount solutions > largestListing
         then Right (AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions))
-        else pure $ case placesOf algebra (map fst cells) solutions of
-          [] -> Refused (nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring observed)
+        else pure $ case algebraPlaces algebra (map fst cells) solutions of
+          [] -> Refused (algebraNowhere algebra observed)
           [place] -> Located place support
           places -> Ambiguous (sort places) support
  where
   cells = observedCells observed
   support = map fst (completeWindows (algebraMask algebra) observed)
+
+-- | Why a patch that agrees with the array nowhere does so.
+algebraNowhere :: KnownField k => Algebra k -> Patch k -> Reason
+algebraNowhere algebra = nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
+ where
   -- A window has as few cells as any mask.
-  occurring content = either (const []) (placesOf algebra (map fst content)) (solved algebra content)
+  occurring content = either (const []) (algebraPlaces algebra (map fst content)) (solved algebra content)
 
 -- | The positions that solutions are, made as they are asked for: on the sheet those at which all cells,
 -- by their offsets, lie on it.
-placesOf :: KnownField k => Algebra k -> [Position] -> Solutions k -> [Position]
-placesOf algebra offsets solutions =
+algebraPlaces :: KnownField k => Algebra k -> [Position] -> Solutions k -> [Position]
+algebraPlaces algebra offsets solutions =
   [ place
   | x <- solutionResidues (arrayPrimitive array) solutions
   , -- Only zero has no logarithm, and it is no solution.

@@ -21,6 +21,7 @@ module PraTactile.Window.InformationSet
     -- * Words
   , agreeingAt
   , combination
+  , combinationFrom
 
     -- * What to look at
   , Step (..)
@@ -106,6 +107,10 @@ combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ 
   atPlaces = [(unsafeIndex (setPlaces set) i, a) | (i, a) <- terms]
   atRest = zip (Primitive.toList (setRest set)) (Primitive.toList sums)
   sums = foldl' (\x (i, a) -> addScaled a (parityRow set i) x) (Primitive.replicate width zero) terms
+
+-- | The codeword that agrees with a word at the places of the set, with this combination of rows added.
+combinationFrom :: KnownField k => InformationSet k -> Row k -> [(Int, GF k)] -> Row k
+combinationFrom set y terms = combination set [(i, unsafeIndex y place + sum [a | (j, a) <- terms, j == i]) | (i, place) <- zip [0 ..] (Primitive.toList (setPlaces set))]
 
 {- Note [Disjoint information sets]
    Fix a word y, and say that a codeword is seen at level w of a set when it differs from y in at most

@@ -1,0 +1,217 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+
+-- |
+-- Locating with wrong and missing cells on arrays of any size: what "PraTactile.Locate.Nearest" finds by comparing
+-- with every position, found among the words that agree with what was observed at all but few cells
+-- of an information set. Several disjoint sets share the wrong cells among them, so that one of them has few
+-- (E. Prange 1962; see Note [Disjoint information sets] in "PraTactile.Window.InformationSet", which shows that no
+-- nearer word is missed). The position of a word is a discrete logarithm.
+module PraTactile.Locate.BoundedDistance
+  ( -- * Decoding
+    decodePatch
+  , Decoding (..)
+  , Known (..)
+  , atLeast
+
+    -- * Many patches of the same cells
+  , Decoder
+  , decoder
+  , decoderOffsets
+  , decoderDistance
+  , decodeWith
+
+    -- * Limits
+  , Effort (..)
+  , standardEffort
+  , DecodingError (..)
+  ) where
+
+import Data.List (foldl', sort)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate.Algebra
+import PraTactile.Locate.Equations
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.ObservedCode
+import PraTactile.Locate.Outcome
+import PraTactile.Locate.Patch
+import PraTactile.Window
+import PraTactile.Window.Distance
+import PraTactile.Window.Elimination
+import PraTactile.Window.InformationSet
+
+-- | A number, or as much of it as is proved.
+data Known = Exactly Natural | AtLeast Natural
+  deriving stock (Eq, Show)
+
+-- | What the number is at least.
+atLeast :: Known -> Natural
+atLeast known = case known of
+  Exactly n -> n
+  AtLeast n -> n
+
+-- | An outcome, and what it is worth.
+data Decoding = Decoding
+  { decodingOutcome :: Outcome
+  -- ^ The position, or the several nearest ones, as in 'Decision'.
+  , decodingWrong :: [Position]
+  -- ^ The offsets of the observed cells that are wrong if the patch is where it was located.
+  , decodingNearest :: Known
+  -- ^ In how many cells the nearest position differs; one beyond the radius at least where none is within it.
+  , decodingRunnerUp :: Maybe Known
+  -- ^ In how many any other one differs, if there is any; 'Nothing' where no nearest one was found.
+  , decodingDistance :: Known
+  -- ^ The minimum distance of the observed cells.
+  , decodingRadius :: Natural
+  -- ^ The radius that was used. The guaranteed one is that of what the distance is at least.
+  }
+  deriving stock (Eq, Show)
+
+-- | Why there is no outcome.
+data DecodingError
+  = -- | The algebra of the cells leads to none.
+    DecodingAlgebra AlgebraError
+  | -- | No position differs in fewer cells than the first number; to look further takes at least this many
+    -- words more, the second, and in all no more than the third are allowed.
+    DecodingTooLong Natural Natural Natural
+  | -- | More positions than 'largestListing', in more than one coset, may be the nearest, which differ in so many cells.
+    DecodingTooMany Natural
+  | -- | The patch has other cells observed than those that were prepared for.
+    DecodingOtherCells
+  deriving stock (Eq, Show)
+
+-- | How many words are looked at before giving up.
+data Effort = Effort
+  { effortDistance :: Natural
+  -- ^ for the minimum distance, once for a set of cells
+  , effortDecoding :: Natural
+  -- ^ for each patch
+  }
+  deriving stock (Eq, Show)
+
+-- | 2^24 words each: some tenths of a second.
+standardEffort :: Effort
+standardEffort = Effort largestSearch largestSearch
+
+-- | The code of some cells with its distance and its information sets.
+data Decoder (k :: Field) = Decoder
+  { decoderEffort :: !Effort
+  , decoderCode :: !(ObservedCode k)
+  , decoderDistance :: Known
+  -- ^ The minimum distance: exact, or where the search was given up, as much of it as is proved.
+  , decoderSets :: [InformationSet k]
+  }
+
+type role Decoder nominal
+
+-- | The offsets of the cells, in the order of the letters of their words.
+decoderOffsets :: Decoder k -> [Position]
+decoderOffsets = codeOffsets . decoderCode
+
+-- | Prepare for patches in which the cells with these offsets are observed, row by row. The distance is computed when first asked for.
+decoder :: KnownField k => Effort -> Algebra k -> [Position] -> Either AlgebraError (Decoder k)
+decoder effort algebra offsets = do
+  code <- observedCode algebra offsets
+  mask <- either (Left . AlgebraCells) Right (maskFrom offsets)
+  let d = case minimumDistanceWithin (effortDistance effort) (algebraArray algebra) mask of
+        Right found -> Exactly (distance found)
+        Left (DistanceBetween low _) -> AtLeast low
+        Left (TooManyCodewords _) -> AtLeast 0
+  pure (Decoder effort code d (informationSets (length offsets) (codeRows code)))
+
+-- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of 'nearest'; where more than 'largestListing' positions are equally near,
+-- because the cells do not tell them apart, 'AmbiguousCoset'.
+decodePatch :: KnownField k => Algebra k -> Radius -> Patch k -> Either DecodingError Decoding
+decodePatch algebra radius observed
+  | null cells = Right (Decoding (Refused TooFewCells) [] (AtLeast 0) Nothing (Exactly 0) (case radius of { Guaranteed -> 0; UpTo e -> e }))
+  | otherwise = do
+      prepared <- either (Left . DecodingAlgebra) Right (decoder standardEffort algebra (map fst cells))
+      decodeWith prepared radius observed
+ where
+  cells = observedCells observed
+
+-- | The same for a patch of the cells that were prepared for.
+decodeWith :: KnownField k => Decoder k -> Radius -> Patch k -> Either DecodingError Decoding
+decodeWith prepared stated observed
+  | map fst cells /= codeOffsets code = Left DecodingOtherCells
+  | otherwise = within
+ where
+  code = decoderCode prepared
+  algebra = codeAlgebra code
+  cells = observedCells observed
+  word = rowFromList (map snd cells)
+  radius = case stated of
+    Guaranteed -> guaranteedRadius (atLeast (decoderDistance prepared))
+    UpTo e -> e
+  within = do
+    found <- nearestWords prepared word radius
+    pure $ case found of
+      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (Just (runnerUp e (outcome []))) (decoderDistance prepared) radius
+      Nothing -> Decoding (Refused reason) [] (AtLeast (radius + 1)) Nothing (decoderDistance prepared) radius
+  -- Another position is beyond what was searched, and at least the distance away from this one.
+  runnerUp e outcome = case outcome of
+    Located _ _ -> AtLeast (max (e + 1) (atLeast (decoderDistance prepared) `without` e))
+    _ -> Exactly e
+  without a b = if a < b then 0 else a - b
+  reason
+    | radius == 0 = algebraNowhere algebra observed
+    | fromIntegral (length (filter ((/= zero) . snd) cells)) <= radius = ZeroWindow
+    | otherwise = BeyondRadius
+  supportWithout wrong =
+    [ offset
+    | (offset@(Position i j), _) <- completeWindows (algebraMask algebra) observed
+    , and [Position (i + i') (j + j') `notElem` wrong | Position i' j' <- maskOffsets (algebraMask algebra)]
+    ]
+
+-- | What is known of the words near one: all that were looked at and differ in at most the limit are there, with
+-- that number.
+data Seen k = Seen {seenLimit :: !Int, seenWords :: !(Map (Row k) Int)}
+
+-- | In how many cells the nearest positions within the radius differ, the outcome that they are, by the support, and the wrong cells.
+nearestWords
+  :: KnownField k => Decoder k -> Row k -> Natural -> Either DecodingError (Maybe (Natural, [Position] -> Outcome, [Position]))
+nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Seen most Map.empty) (schedule (changes q (codeRank code)) (decoderSets prepared))
+ where
+  effort = decoderEffort prepared
+  code = decoderCode prepared
+  q = fieldOrder code
+  size = Primitive.length word
+  most = fromIntegral (min (fromIntegral size) radius) :: Int
+  -- All positions that differ in fewer than e cells have been ruled out; all words that differ in at most
+  -- so many have been seen, or simply all.
+  go e left complete seen steps
+    | e > most = Right Nothing
+    | maybe True (>= e) complete =
+        if e > seenLimit seen
+          then Left (DecodingTooMany (fromIntegral e))
+          else decided e [x | (x, n) <- Map.toList (seenWords seen), n == e] >>= maybe (go (e + 1) left complete seen steps) (Right . Just)
+    | otherwise = case steps of
+        [] -> go e left Nothing seen []
+        step : later
+          | stepWords step > left -> Left (DecodingTooLong (fromIntegral e) (stepWords step) (effortDecoding effort))
+          | otherwise -> go e (left - stepWords step) (stepSeen step) (foldl' (look (stepSet step)) seen (stepLevels step)) later
+  look set (Seen limit found) w = Seen (min limit (nearLimit near + w)) (Map.union found new)
+   where
+    near = nearAt (AllUpTo (fromIntegral largestListing)) set (agreeingAt set word) w (limit - w)
+    new = Map.fromList [(combinationFrom set word terms, w + n) | (n, terms) <- nearFound near]
+  decided e words'
+    | total == 0 = Right Nothing
+    | total > largestListing = case solved of
+        [(_, one')] -> found (AmbiguousCoset total (solutionFreedom one')) []
+        _ -> Left (DecodingTooMany (fromIntegral e))
+    | otherwise = case [(x, place) | (x, solutions) <- solved, place <- wordPlaces code solutions] of
+        [] -> Right Nothing
+        [(x, place)] -> Right (Just (fromIntegral e, Located place, differing x))
+        several -> Right (Just (fromIntegral e, Ambiguous (sort (map snd several)), []))
+   where
+    solved = [(x, solutions) | x <- words', let solutions = wordSolutions code x, solutionCount solutions > 0]
+    total = sum (map (solutionCount . snd) solved)
+    found outcome wrong = Right (Just (fromIntegral e, const outcome, wrong))
+  differing x = [offset | (offset, a, b) <- zip3 (codeOffsets code) (Primitive.toList x) (Primitive.toList word), a /= b]
