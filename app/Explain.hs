@@ -2,6 +2,7 @@
 module Explain
   ( explainCells
   , explainDecision
+  , explainOriented
   , explainPosterior
   , explainOutcome
   ) where
@@ -14,6 +15,7 @@ import PraTactile.Field
 import PraTactile.Locate
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Nearest
+import PraTactile.Locate.Oriented
 import PraTactile.Locate.Soft
 import PraTactile.Polynomial (primitiveDegree)
 import PraTactile.Window
@@ -54,6 +56,17 @@ explainDecision decision =
        | Just e <- [decisionNearest decision]
        ]
     ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "." | wrong@(_ : _) <- [decisionWrong decision] ]
+
+-- | The same where several orientations are in question, or only upright.
+explainOriented :: Bool -> OrientedDecision -> [String]
+explainOriented known decision =
+  [ (if known then "Positions" else "Candidates, positions in the orientations in question,") ++ " differ in at least " ++ show (orientedMinimum decision) ++ " of these cells, so that up to "
+      ++ show (guaranteedRadius (orientedMinimum decision)) ++ " wrong ones are always corrected; up to " ++ show (orientedRadius decision) ++ " are."
+  ]
+    ++ [ "The nearest one differs in " ++ show e ++ " cells" ++ maybe "" (\f -> ", the next one in " ++ show f) (orientedRunnerUp decision) ++ "."
+       | Just e <- [orientedNearest decision]
+       ]
+    ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "." | wrong@(_ : _) <- [orientedWrong decision] ]
 
 -- | How likely the likeliest positions are.
 explainPosterior :: Double -> Posterior -> [String]

@@ -12,6 +12,10 @@ module Locating
   , Locator
   , locator
   , Answer (..)
+    -- * Parts of them
+  , exactRoad
+  , counted
+  , maybeNumber
   ) where
 
 import Data.Aeson (Value (Null), object, toJSON, (.=))
@@ -109,6 +113,18 @@ locator choice surface array mask = case chosenRoad choice of
           outcome = decide (chosenDoubt choice) found
       in Right (Answer outcome SoftRoad [] (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
 
+-- | The road on which nothing is corrected: the one chosen, or else algebra, or where that cannot be the table. 'Left' where it is impossible for the array.
+exactRoad :: KnownField k => Choice -> Surface -> PseudorandomArray k -> Mask -> Either String (Road, Patch k -> Either String Outcome)
+exactRoad choice surface array mask = case chosenRoad choice of
+  Nothing -> either (\infeasible -> first (\why -> infeasible ++ "; and " ++ why) table) Right algebra
+  Just TableRoad -> table
+  Just AlgebraRoad -> algebra
+  Just _ -> Right (SearchRoad, first locateMessage . searchPatch surface array mask)
+  where
+    table = (\made -> (TableRoad, Right . locatePatch made)) <$> first locateMessage (buildTable (chosenPacking choice) surface array mask)
+    algebra = (\made -> (AlgebraRoad, first algebraMessage . algebraPatch made)) <$> first algebraMessage (prepareAlgebra surface array mask)
+
+-- | How many positions.
 counted :: Outcome -> [(Key, Value)]
 counted outcome = case outcome of
   Located _ _ -> [("count", toJSON (1 :: Int))]

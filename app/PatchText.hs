@@ -2,14 +2,17 @@
 {-# LANGUAGE DataKinds #-}
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
--- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities.
+-- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities; and several of them, each with its displacement.
 module PatchText
   ( Observed (..)
-  , readPatch
+  , Written (..)
+  , Displaced
+  , readPatches
   ) where
 
 import Data.Aeson (Value (..), eitherDecodeStrict')
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Bifunctor (first)
 import Data.Char (isSpace)
 import Data.Foldable (toList)
@@ -17,6 +20,7 @@ import Data.Maybe (catMaybes)
 import qualified Data.Scientific as Scientific
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
+import Text.Read (readMaybe)
 
 import Message
 import PraTactile.Field
@@ -28,22 +32,78 @@ data Observed (k :: Field) = Symbols (Patch k) | Chances (SoftPatch k)
 
 type role Observed nominal
 
--- | A patch as it is written; 'Left' says what is wrong with the writing. Text that begins with a bracket is JSON: a list of rows, each a list of
--- cells; a cell is a code, an element as text, null or \"?\" for one not observed, or the list of the probabilities of all symbols.
-readPatch :: KnownField k => String -> Either String (Observed k)
-readPatch text
-  | '[' : _ <- dropWhile isSpace text = do
-      value <- first (const "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not observed") (eitherDecodeStrict' (Text.encodeUtf8 (Text.pack text)))
-      rows <- list "the patch is a list of rows" value
-      cells <- traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell) rows
-      observed cells
-  | otherwise = traverse (traverse textCell . words) (rowsOf text) >>= observed
+-- | Something with its displacement, rows down and columns to the right, from a common point.
+type Displaced a = ((Integer, Integer), a)
+
+-- | What was written: a patch alone, or patches with displacements; if one of them has probabilities, all have.
+data Written (k :: Field)
+  = Alone (Observed k)
+  | DisplacedSymbols [Displaced (Patch k)]
+  | DisplacedChances [Displaced (SoftPatch k)]
+
+type role Written nominal
+
+-- | A cell as it is written, if it was observed.
+type Cell k = Maybe (Either (GF k) (Belief k))
+
+-- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with a bracket is JSON: a list of rows, each a list of
+-- cells; a cell is a code, an element as text, null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that begins with a
+-- brace is a JSON object with a list of patches. In other text patches are parted by semicolons, and a displacement stands before a colon.
+readPatches :: KnownField k => String -> Either String (Written k)
+readPatches text = case dropWhile isSpace text of
+  '[' : _ -> do
+    value <- json "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not observed" text
+    jsonRows value >>= fmap Alone . observed
+  '{' : _ -> do
+    value <- json "the patches are no JSON; write them as {\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}]}" text
+    given <- only ["patches"] "the object has the key \"patches\" alone" value >>= maybe (Left "the object has the key \"patches\"") Right . lookup "patches" >>= list "\"patches\" is a list"
+    numbered (map jsonPatch given) >>= displaced
+  _ | any (`elem` text) [';', ':'] -> numbered (map textPatch (partedBy ';' text)) >>= displaced
+    | otherwise -> textRows text >>= fmap Alone . observed
+
+-- | The complaints about patches tell which one it is, from 1.
+numbered :: [Either String a] -> Either String [a]
+numbered given = sequence [first (\complaint -> "patch " ++ show i ++ ": " ++ complaint) given' | (i, given') <- zip [1 :: Int ..] given]
+
+textRows :: KnownField k => String -> Either String [[Cell k]]
+textRows = traverse (traverse textCell . words) . rowsOf
   where
     textCell "?" = Right Nothing
     textCell word = Just . Left <$> element word
     element = first fieldMessage . parseElement
 
-jsonCell :: KnownField k => Value -> Either String (Maybe (Either (GF k) (Belief k)))
+textPatch :: KnownField k => String -> Either String (Displaced [[Cell k]])
+textPatch text = case break (== ':') text of
+  (before, _ : cells)
+    | [r, c] <- partedBy ',' before, Just at <- (,) <$> readMaybe r <*> readMaybe c -> (,) at <$> textRows cells
+    | otherwise -> Left ("before the colon stands a displacement, ROW,COLUMN; " ++ show before ++ " is none")
+  (cells, []) -> (,) (0, 0) <$> textRows cells
+
+jsonPatch :: KnownField k => Value -> Either String (Displaced [[Cell k]])
+jsonPatch value = do
+  fields <- only ["at", "cells"] "a patch has the keys \"at\" and \"cells\" alone" value
+  cells <- maybe (Left "a patch has the key \"cells\"") jsonRows (lookup "cells" fields)
+  at <- case lookup "at" fields of
+    Nothing -> Right (0, 0)
+    Just (Array numbers) | [Number r, Number c] <- toList numbers, Just down <- whole r, Just along <- whole c -> Right (down, along)
+    Just _ -> Left "\"at\" is a displacement, two whole numbers: [row, column]"
+  pure (at, cells)
+  where
+    whole n = toInteger <$> (Scientific.toBoundedInteger n :: Maybe Int)
+
+-- | The fields of an object that has no others than these.
+only :: [Text.Text] -> String -> Value -> Either String [(Text.Text, Value)]
+only keys complaint value = case value of
+  Object fields | all ((`elem` keys) . Key.toText . fst) (KeyMap.toList fields) -> Right [(Key.toText name, field) | (name, field) <- KeyMap.toList fields]
+  _ -> Left complaint
+
+json :: String -> String -> Either String Value
+json complaint text = first (const complaint) (eitherDecodeStrict' (Text.encodeUtf8 (Text.pack text)))
+
+jsonRows :: KnownField k => Value -> Either String [[Cell k]]
+jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)
+
+jsonCell :: KnownField k => Value -> Either String (Cell k)
 jsonCell value = case value of
   Null -> Right Nothing
   String "?" -> Right Nothing
@@ -64,17 +124,35 @@ list _ (Array values) = Right (toList values)
 list complaint _ = Left complaint
 
 -- | Probabilities if any cell has them.
-observed :: forall k. KnownField k => [[Maybe (Either (GF k) (Belief k))]] -> Either String (Observed k)
+observed :: KnownField k => [[Cell k]] -> Either String (Observed k)
 observed cells
-  | or [True | Right _ <- catMaybes (concat cells)] = first locateMessage (Chances <$> softPatch (map (map (fmap (either certainly id))) cells))
-  | otherwise = first locateMessage (Symbols <$> patch (map (map (>>= either Just (const Nothing))) cells))
+  | unsure cells = Chances <$> soft cells
+  | otherwise = Symbols <$> hard cells
+
+displaced :: KnownField k => [Displaced [[Cell k]]] -> Either String (Written k)
+displaced given
+  | any (unsure . snd) given = DisplacedChances <$> each soft
+  | otherwise = DisplacedSymbols <$> each hard
+  where
+    each make = numbered [(,) at <$> make cells | (at, cells) <- given]
+
+unsure :: [[Cell k]] -> Bool
+unsure cells = or [True | Right _ <- catMaybes (concat cells)]
+
+soft :: KnownField k => [[Cell k]] -> Either String (SoftPatch k)
+soft = first locateMessage . softPatch . map (map (fmap (either certainly id)))
+
+hard :: [[Cell k]] -> Either String (Patch k)
+hard = first locateMessage . patch . map (map (>>= either Just (const Nothing)))
 
 -- | The rows, parted by @/@; none in an empty line.
 rowsOf :: String -> [String]
 rowsOf text
   | all isSpace text = []
-  | otherwise = parted text
-  where
-    parted rest = case break (== '/') rest of
-      (line, _ : more) -> line : parted more
-      (line, []) -> [line]
+  | otherwise = partedBy '/' text
+
+-- | The parts between the separators, one more than there are of these.
+partedBy :: Char -> String -> [String]
+partedBy separator text = case break (== separator) text of
+  (part, _ : more) -> part : partedBy separator more
+  (part, []) -> [part]

@@ -7,6 +7,7 @@ module Command.Locate
 import Data.Aeson (toJSON, (.=))
 import Data.Aeson.Encoding (Series)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Options.Applicative hiding (command)
 import System.IO (hFlush, isEOF, stdout)
@@ -18,29 +19,35 @@ import Ending
 import Json
 import Json.Profile
 import Locating
+import Locating.Seen
 import Message
 import PatchText
 import PraTactile.Array (Position (..), Surface (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Locate
 import PraTactile.Locate.Nearest (Radius (..))
+import PraTactile.Locate.Oriented (Candidate (..))
 import PraTactile.Profile
 
 data Options = Options
   { road :: Maybe Road
   , radius :: Radius
   , doubt :: Double
+  , turning :: Turning
   , explain :: Bool
   , asJson :: Bool
   , source :: Maybe String
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may be the list of the probabilities of all symbols."
+command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may be the list of the probabilities of all symbols. Several patches of one face are parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the position is then that of the upper left cell of the rectangle around all, from which offsets count."
   [ "pra-tactile locate '3 2 / 3 1'"
   , "pra-tactile locate 'A^2 A / A^2 1' --json"
   , "pra-tactile locate '3 2 1 / 3 ? 1 / 0 1 2' --explain"
   , "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2"
+  , "pra-tactile locate '3 2 / 3 1 ; 0,3: 1 1 / 1 1'"
+  , "pra-tactile locate '{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": [0, 3], \"cells\": [[1, 1], [1, 1]]}]}' --json"
+  , "pra-tactile locate --orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'"
   , "pra-tactile locate --batch < patches.txt" ]
   (run <$> arrayChoice <*> surfaceOption <*> options)
   where
@@ -48,10 +55,14 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
       <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> help "How to find positions at which all observed cells agree (default: compare with every position and correct errors; by algebra beyond 2^20 cells)"))
       <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)")))
       <*> option auto (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
+      <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
       <*> switch (long "explain" <> help "Say what the answer rests on: the cells, their equations, the distance to the next candidate")
       <*> switch (long "json" <> help "Print the answer as JSON")
-      <*> (flag' Nothing (long "batch" <> help "Read one patch a line from the standard input; print one JSON answer a line")
+      <*> (flag' Nothing (long "batch" <> help "Read one patch, or several parted by ';', a line from the standard input; print one JSON answer a line")
         <|> (Just <$> strArgument (metavar "PATCH")))
+    turningReader = eitherReader $ \name -> case lookup name [ (turningName t, t) | t <- [minBound ..] ] of
+      Just found -> Right found
+      Nothing -> Left (show name ++ " is no choice of orientation; write upright, turned or any")
     roadReader = eitherReader $ \name -> case lookup name [ (roadName r, r) | r <- [TableRoad, AlgebraRoad, SearchRoad] ] of
       Just found -> Right found
       Nothing -> Left (show name ++ " is no road; write table, algebra or search")
@@ -64,36 +75,43 @@ run choice chosen options
       profile <- chosenProfile choice
       let on = fromMaybe (profileSurface profile) chosen
           how = Choice (road options) (radius options) (doubt options) (profilePacking profile)
-      answered <- orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> locator how on array mask))
+      answered <- orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> reporter how (turning options) on array mask))
       either unusable id answered
 
-answering :: KnownField k => Profile -> Options -> Locator k -> IO Ending
+answering :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
 answering profile options locate = case source options of
   Nothing -> batch profile options locate Answered
-  Just text -> case readPatch text >>= locate of
+  Just text -> case readPatches text >>= locate of
     Left complaint -> unusable complaint
-    Right answer -> do
+    Right report -> do
       if asJson options
-        then printJson (outcomeJson profile options answer)
-        else putStr (unlines (answerText answer : (if explain options then answerExplained answer else [])))
-      pure (endingOf (answerOutcome answer))
+        then printJson (outcomeJson profile options report)
+        else putStr (unlines (answerText report : (if explain options then answerExplained (reportAnswer report) else [])))
+      pure (endingOf (answerOutcome (reportAnswer report)))
 
 -- | One line after another, each answered at once; the worst ending of all.
-batch :: KnownField k => Profile -> Options -> Locator k -> Ending -> IO Ending
+batch :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> Ending -> IO Ending
 batch profile options locate worst = do
   done <- isEOF
   if done then pure worst else do
     line <- getLine
-    let answer = readPatch line >>= locate
+    let answer = readPatches line >>= locate
     Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
     hFlush stdout
-    let ending = either (const Unusable) (endingOf . answerOutcome) answer
+    let ending = either (const Unusable) (endingOf . answerOutcome . reportAnswer) answer
     ending `seq` batch profile options locate $! max worst ending
 
--- | The outcome, and how many cells were taken to be wrong.
-answerText :: Answer -> String
-answerText answer = outcomeText (answerOutcome answer) ++ corrections (answerCorrected answer)
+-- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
+answerText :: Report -> String
+answerText report = intercalate "; " ((told ++ corrections (answerCorrected answer)) : reportTogether report)
   where
+    answer = reportAnswer report
+    told = case (answerOutcome answer, reportCandidates report) of
+      (located@(Located _ _), Just [Candidate o _]) -> outcomeText located ++ ", " ++ orientationText o
+      (Ambiguous _ _, Just candidates) -> "ambiguous: " ++ show (length candidates) ++ " positions and orientations fit: "
+        ++ intercalate "; " [ pairText (candidatePosition c) ++ " " ++ orientationText (candidateOrientation c) | c <- candidates ]
+      (AmbiguousCoset count _, Just _) -> "ambiguous: " ++ show count ++ " positions and orientations fit"
+      (outcome, _) -> outcomeText outcome
     corrections cells = case length cells of
       0 -> ""
       1 -> " (1 cell corrected)"
@@ -109,20 +127,19 @@ endingOf outcome = case outcome of
 outcomeText :: Outcome -> String
 outcomeText outcome = case outcome of
   Located (Position r c) _ -> "row " ++ show r ++ ", column " ++ show c
-  Ambiguous places _ -> "ambiguous: " ++ show (length places) ++ " positions fit: " ++ unwords (map pair places)
+  Ambiguous places _ -> "ambiguous: " ++ show (length places) ++ " positions fit: " ++ unwords (map pairText places)
   AmbiguousCoset count _ -> "ambiguous: " ++ show count ++ " positions fit"
   Refused reason -> "refused (" ++ reasonName reason ++ "): " ++ reasonMessage reason
-  where
-    pair (Position r c) = show r ++ "," ++ show c
 
-outcomeJson :: Profile -> Options -> Answer -> Series
-outcomeJson profile options answer = base <> "road" .= roadName (answerRoad answer) <> mconcat [ key .= detail | (key, detail) <- answerDetails answer ]
+outcomeJson :: Profile -> Options -> Report -> Series
+outcomeJson profile options report = base <> "road" .= roadName (answerRoad answer) <> mconcat [ key .= detail | (key, detail) <- answerDetails answer ]
     <> (if explain options then "explanation" .= answerExplained answer else mempty)
   where
+    answer = reportAnswer report
     base = case answerOutcome answer of
-      Located place support -> form "located" (Just place) [] Nothing ("located: " ++ answerText answer) support
-      Ambiguous places support -> form "ambiguous" Nothing places Nothing (answerText answer) support
-      AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (answerText answer) []
+      Located place support -> form "located" (Just place) [] Nothing ("located: " ++ answerText report) support
+      Ambiguous places support -> form "ambiguous" Nothing places Nothing (answerText report) support
+      AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (answerText report) []
       Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
     form = answerJson profile
 

@@ -80,6 +80,14 @@ spec = do
       given <- mapM (\(at, from) -> (,) at <$> seen shelf (Position 6 5) from 0) [((0, 0), (0, 0)), ((3, 0), (4, 0))]
       found <- right (nearestTogether shelf Guaranteed given)
       (place found, togetherInconsistent found) `shouldBe` ([], [0, 1])
+    it "of five patches two are named where the other three agree, and of four all where they agree two by two" $ do
+      shelf <- paperBook
+      five <- forM (zip fivePlaces [(0, 0), (0, 5), (4, 0), (4, 4), (7, 2)]) $ \(at, from) -> (,) at <$> seen shelf (Position 6 5) from 0
+      found <- right (nearestTogether shelf (UpTo 0) five)
+      (place found, togetherInconsistent found) `shouldBe` ([], [1, 4])
+      four <- forM (zip fivePlaces [(0, 0), (0, 4), (5, 0), (5, 4)]) $ \(at, from) -> (,) at <$> seen shelf (Position 6 5) from 0
+      torn <- right (nearestTogether shelf Guaranteed four)
+      (place torn, togetherInconsistent torn) `shouldBe` ([], [0, 1, 2, 3])
     it "while none is named where all belong, with as many errors as each can bear alone" $ do
       shelf <- paperBook
       patches <- forM [(0, 0), (4, 3), (2, 7)] $ \at -> (,) at <$> large shelf (Position 6 5) at
@@ -102,8 +110,8 @@ spec = do
           other -> expectationFailure (show other)
         -- Where nothing may be corrected, the algebra names the same one.
         algebra <- right (prepareAlgebra Torus (bookArray shelf) (bookMask shelf))
-        exact <- right (exactTogether Torus (bookArray shelf) (either (const (OrientedMany 0)) id . eachOriented rotations (algebraPatch algebra)) given)
-        (togetherDecision exact, togetherInconsistent exact) `shouldBe` (OrientedNowhere Contradiction, [4])
+        exact <- right (togetherBy Torus (bookArray shelf) (eachOriented rotations (algebraPatch algebra)) onlyOne given)
+        (togetherDecision exact, togetherInconsistent exact) `shouldBe` (Right (OrientedNowhere Contradiction), [4])
   describe "probabilities" $ do
     it "of the same cell are multiplied and made to add up to 1, which is Bayes' theorem for all looks at once" $ do
       shelf <- paperBook
@@ -139,6 +147,9 @@ spec = do
     nearestTogether shelf Guaranteed [((0, 0), a), ((10 ^ (9 :: Int), 10 ^ (9 :: Int)), a)] `shouldBe` Left (PatchTooLarge ((10 ^ (9 :: Int) + 2) ^ (2 :: Int)) (2 ^ (20 :: Int)))
     nearestTogether shelf Guaranteed [] `shouldBe` Left PatchEmpty
  where
+  onlyOne outcome = case outcome of
+    Right (OrientedAt candidate _) -> Just candidate
+    _ -> Nothing
   place found = case decisionOutcome (togetherDecision found) of
     Located p _ -> [p]
     _ -> []

@@ -1,3 +1,4 @@
+{-# LANGUAGE DeriveTraversable #-}
 {-# LANGUAGE DerivingStrategies #-}
 
 -- |
@@ -12,13 +13,15 @@ module PraTactile.Locate.Together
     -- * Symbols
   , nearestTogether
   , nearestTogetherOriented
-  , exactTogether
+  , togetherBy
+  , joinPatches
 
     -- * Probabilities
   , posteriorTogether
   , posteriorTogetherOriented
   ) where
 
+import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
@@ -49,10 +52,10 @@ data TogetherAs decision = Together
   , togetherInconsistent :: [Int]
   -- ^ The patches, by their indices from 0, that do not belong where all are located: of each more cells are wrong there, disputed
   -- ones among them, than it could have wrong for certain if it were alone ('guaranteedRadius'), so that alone it would be located elsewhere
-  -- or nowhere. If all together are not located: those without which the others are, and that do not belong where these
-  -- are; of two patches alone, which cannot tell which of them it is, perhaps both.
+  -- or nowhere. If all together are not located, the place is that to which most patches belong, of all places of single patches and of
+  -- all patches but one; if those are several, as with two patches, it cannot be told which is right, and whatever does not belong to all of them is named.
   }
-  deriving stock (Eq, Show)
+  deriving stock (Eq, Show, Functor, Foldable, Traversable)
 
 -- | Upright patches of symbols.
 type Together = TogetherAs Decision
@@ -60,28 +63,50 @@ type Together = TogetherAs Decision
 -- | Locate patches together, each given with its displacement. Refuses no patches
 -- ('PatchEmpty'), and a rectangle around them of more cells than a book has ('PatchTooLarge').
 nearestTogether :: KnownField k => Book k -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError Together
-nearestTogether shelf radius =
-  symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearest shelf radius) $ \decision ->
-    case decisionOutcome decision of
-      Located place _ -> Just (Candidate upright place)
-      _ -> Nothing
+nearestTogether shelf radius = symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearest shelf radius) located (promised located decisionNearest decisionDistance)
+ where
+  located decision = case decisionOutcome decision of
+    Located place _ -> Just (Candidate upright place)
+    _ -> Nothing
 
 -- | The same, in any one of these orientations.
 nearestTogetherOriented
   :: KnownField k
   => Book k -> [Orientation] -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError (TogetherAs OrientedDecision)
 nearestTogetherOriented shelf possible radius =
-  symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearestOriented shelf possible radius) (onlyCandidate . orientedOutcome)
+  symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearestOriented shelf possible radius) located (promised located orientedNearest orientedMinimum)
+ where
+  located = onlyCandidate . orientedOutcome
+
+-- | Only what is within the guaranteed radius.
+promised :: (decision -> Maybe Candidate) -> (decision -> Maybe Natural) -> (decision -> Natural) -> decision -> Maybe Candidate
+promised located nearestOf distanceOf decision
+  | maybe False (<= guaranteedRadius (distanceOf decision)) (nearestOf decision) = located decision
+  | otherwise = Nothing
 
 -- | Half of the distance of cells, by their offsets.
 ownRadius :: Book k -> [Position] -> Natural
 ownRadius shelf = guaranteedRadius . observedDistance shelf
 
--- | The same by another road, which answers exact agreement only, and so at once whether a patch belongs: if none of its cells is wrong.
-exactTogether
+-- | The same by another road, on an array of any size. Whether a patch belongs is told by half of its 'candidateDistance'.
+togetherBy
   :: KnownField k
-  => Surface -> PseudorandomArray k -> (Patch k -> OrientedOutcome) -> [((Integer, Integer), Patch k)] -> Either LocateError (TogetherAs OrientedOutcome)
-exactTogether surface array road = symbolsTogether surface array (const 0) road onlyCandidate
+  => Surface
+  -> PseudorandomArray k
+  -> (Patch k -> decision)
+  -> (decision -> Maybe Candidate)
+  -> [((Integer, Integer), Patch k)]
+  -> Either LocateError (TogetherAs decision)
+togetherBy surface array road located =
+  symbolsTogether surface array (guaranteedRadius . candidateDistance surface array [upright] (Shape 1 1)) road located located
+
+-- | All patches in one, without the cells in dispute. Refuses as 'nearestTogether' does.
+joinPatches :: [((Integer, Integer), Patch k)] -> Either LocateError (Patch k)
+joinPatches given = do
+  frame <- frameAround displaced
+  patch (rowsIn frame (knownIn sameSymbol frame displaced))
+ where
+  displaced = [(at, patchRows p) | (at, p) <- given]
 
 onlyCandidate :: OrientedOutcome -> Maybe Candidate
 onlyCandidate outcome = case outcome of
@@ -95,14 +120,13 @@ symbolsTogether
   -> ([Position] -> Natural)
   -> (Patch k -> decision)
   -> (decision -> Maybe Candidate)
+  -> (decision -> Maybe Candidate)
   -> [((Integer, Integer), Patch k)]
   -> Either LocateError (TogetherAs decision)
-symbolsTogether surface array ownRadiusOf locate located given =
+symbolsTogether surface array ownRadiusOf locate located credible given =
   joined
     Joining
-      { agreed = \looks -> case looks of
-          a : others | all (== a) others -> Just a
-          _ -> Nothing
+      { agreed = sameSymbol
       , whole = patch
       , wrongAt = \candidate shape cells -> map fst (filter (differs candidate shape) cells)
       , belongs = \candidate shape cells ->
@@ -111,6 +135,7 @@ symbolsTogether surface array ownRadiusOf locate located given =
       }
     locate
     located
+    credible
     [(at, patchRows p) | (at, p) <- given]
  where
   differs candidate shape (offset, a) = symbolAt surface array candidate shape offset /= Just a
@@ -152,6 +177,7 @@ chancesTogether shelf tolerated locate located given =
       }
     locate
     located
+    located
     [(at, softRows p) | (at, p) <- given]
  where
   symbolOf = symbolAt (bookSurface shelf) (bookArray shelf)
@@ -182,42 +208,82 @@ joined
   :: Joining cell patch
   -> (patch -> decision)
   -> (decision -> Maybe Candidate)
+  -> (decision -> Maybe Candidate)
   -> [((Integer, Integer), [[Maybe cell]])]
   -> Either LocateError (TogetherAs decision)
-joined joining locate located given
-  | spanned > largestSearchedArray = Left (PatchTooLarge spanned largestSearchedArray)
-  | otherwise = do
-      decision <- locate <$> whole joining (rowsWith given)
-      let place = located decision
-          wrong = maybe Set.empty (\candidate -> Set.fromList (wrongAt joining candidate shape (Map.toList (known given)))) place
-      pure
-        Together
-          { togetherDecision = decision
-          , togetherOffsets = [placed at | (at, _) <- given]
-          , togetherDisputed = [at | (at, Nothing) <- Map.toList (looks given)]
-          , togetherWrong = [length (filter ((`Set.member` wrong) . fst) (cellsOf g)) | g <- given]
-          , togetherInconsistent = case place of
-              Just candidate -> [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
-              Nothing ->
-                [ i
-                | (i, g) <- indexed
-                , Right others <- [whole joining (rowsWith [other | (j, other) <- indexed, j /= i])]
-                , Just candidate <- [located (locate others)]
-                , not (belongs joining candidate shape (cellsOf g))
-                ]
-          }
+joined joining locate located credible given = do
+  frame <- frameAround given
+  let shape = frameShape frame
+      rowsWith = rowsIn frame . knownIn (agreed joining) frame
+      cellsOf = cellsIn frame
+  decision <- locate <$> whole joining (rowsWith given)
+  let place = located decision
+      known = Map.toList (knownIn (agreed joining) frame given)
+      wrong = maybe Set.empty (\candidate -> Set.fromList (wrongAt joining candidate shape known)) place
+  pure
+    Together
+      { togetherDecision = decision
+      , togetherOffsets = [framed frame at | (at, _) <- given]
+      , togetherDisputed = [at | (at, Nothing) <- Map.toList (looksIn (agreed joining) frame given)]
+      , togetherWrong = [length (filter ((`Set.member` wrong) . fst) (cellsOf g)) | g <- given]
+      , togetherInconsistent = case place of
+          Just candidate -> [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
+          Nothing ->
+            let subsets = [[g] | g <- given] ++ [[other | (j, other) <- indexed, j /= i] | (i, _) <- indexed]
+                places = Set.fromList [candidate | some <- subsets, Right p <- [whole joining (rowsWith some)], Just candidate <- [credible (locate p)]]
+                strays candidate = Set.fromList [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
+             in case Set.toList (Set.map (\strayed -> (Set.size strayed, strayed)) (Set.map strays places)) of
+                  fewest@((count, _) : _) -> Set.toAscList (Set.unions (map snd (takeWhile ((== count) . fst) fewest)))
+                  [] -> []
+      }
  where
   indexed = zip [0 ..] given
-  spanned = fromInteger ((bottom - top + 1) * (right - left + 1)) :: Natural
-  shape = Shape (fromInteger (bottom - top + 1)) (fromInteger (right - left + 1))
-  rowsWith some = let cells = known some in [[Map.lookup (placed (i, j)) cells | j <- [left .. right]] | i <- [top .. bottom]]
-  known = Map.mapMaybe id . looks
-  looks some = agreed joining <$> Map.fromListWith (flip (++)) [(at, [a]) | g <- some, (at, a) <- cellsOf g]
-  cellsOf ((r, c), cells) = [(placed (r + i, c + j), a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
-  placed (r, c) = Position (fromInteger (r - top)) (fromInteger (c - left))
-  top = minimum' [r | ((r, _), _) <- given]
-  left = minimum' [c | ((_, c), _) <- given]
-  bottom = maximum' [r + toInteger (length cells) - 1 | ((r, _), cells) <- given]
-  right = maximum' [c + toInteger (length (concat (take 1 cells))) - 1 | ((_, c), cells) <- given]
-  minimum' xs = if null xs then 0 else minimum xs
-  maximum' xs = if null xs then -1 else maximum xs
+
+-- | The rectangle around patches: its first row and column, counted from the common point, and its shape.
+data Frame = Frame (Integer, Integer) Shape
+
+frameShape :: Frame -> Shape
+frameShape (Frame _ shape) = shape
+
+-- | Refuses no cells ('PatchEmpty'), and more of them than a book has ('PatchTooLarge').
+frameAround :: [((Integer, Integer), [[cell]])] -> Either LocateError Frame
+frameAround given
+  | null given = Left PatchEmpty
+  | area shape > largestSearchedArray = Left (PatchTooLarge (area shape) largestSearchedArray)
+  | otherwise = Right (Frame (top, left) shape)
+ where
+  shape = Shape (side top [r + toInteger (length cells) | ((r, _), cells) <- given]) (side left [c + toInteger (length (concat (take 1 cells))) | ((_, c), cells) <- given])
+  top = foldr1' min [r | ((r, _), _) <- given]
+  left = foldr1' min [c | ((_, c), _) <- given]
+  side from ends = fromInteger (foldr1' max ends - from)
+  foldr1' f xs = case xs of
+    [] -> 0
+    x : others -> foldr f x others
+
+-- | Where in the frame a cell is, given from the common point.
+framed :: Frame -> (Integer, Integer) -> Position
+framed (Frame (top, left) _) (r, c) = Position (fromInteger (r - top)) (fromInteger (c - left))
+
+-- | The observed cells of a patch.
+cellsIn :: Frame -> ((Integer, Integer), [[Maybe cell]]) -> [(Position, cell)]
+cellsIn frame ((r, c), cells) = [(framed frame (r + i, c + j), a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
+
+-- | What all looks at each cell say together.
+looksIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position (Maybe cell)
+looksIn agreeing frame given = agreeing <$> Map.fromListWith (flip (++)) [(at, [a]) | g <- given, (at, a) <- cellsIn frame g]
+
+-- | The same without the cells in dispute.
+knownIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position cell
+knownIn agreeing frame = Map.mapMaybe id . looksIn agreeing frame
+
+-- | The rows of the frame with these cells.
+rowsIn :: Frame -> Map Position cell -> [[Maybe cell]]
+rowsIn frame known = [[Map.lookup (Position i j) known | j <- below (columns (frameShape frame))] | i <- below (rows (frameShape frame))]
+ where
+  below n = takeWhile (< n) [0 ..]
+
+-- | The symbol, if all looks saw the same one.
+sameSymbol :: Eq a => [a] -> Maybe a
+sameSymbol looks = case looks of
+  a : others | all (== a) others -> Just a
+  _ -> Nothing
