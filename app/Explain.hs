@@ -3,6 +3,7 @@ module Explain
   ( explainCells
   , explainDecision
   , explainOriented
+  , explainDecoding
   , explainPosterior
   , explainOutcome
   ) where
@@ -13,6 +14,7 @@ import Text.Printf (printf)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
+import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Oriented
@@ -67,6 +69,25 @@ explainOriented known decision =
        | Just e <- [orientedNearest decision]
        ]
     ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "." | wrong@(_ : _) <- [orientedWrong decision] ]
+
+-- | How near the nearest positions are, as far as they were searched.
+explainDecoding :: Decoding -> [String]
+explainDecoding decoded =
+  [ "Windows of these cells differ in at least " ++ show d ++ " cells" ++ searched ++ ", so that up to " ++ show (guaranteedRadius d)
+      ++ " wrong ones are always corrected; up to " ++ show (decodingRadius decoded) ++ " are."
+  , case decodingNearest decoded of
+      Exactly e -> "The nearest position differs in " ++ show e ++ " cells" ++ maybe "" next (decodingRunnerUp decoded) ++ "."
+      AtLeast e -> "Every position differs in at least " ++ show e ++ " cells."
+  ]
+    ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "." | wrong@(_ : _) <- [decodingWrong decoded] ]
+  where
+    d = atLeast (decodingDistance decoded)
+    searched = case decodingDistance decoded of
+      Exactly _ -> ""
+      AtLeast _ -> ", perhaps in more, for which the search would have been too long"
+    next known = case known of
+      Exactly e -> ", the next one in " ++ show e
+      AtLeast e -> ", any other one in at least " ++ show e
 
 -- | How likely the likeliest positions are.
 explainPosterior :: Double -> Posterior -> [String]

@@ -21,6 +21,7 @@ module Locating
 import Data.Aeson (Value (Null), object, toJSON, (.=))
 import Data.Aeson.Key (Key)
 import Data.Bifunctor (first)
+import qualified Data.Map.Lazy as Map
 import Numeric.Natural (Natural)
 
 import Explain
@@ -32,6 +33,7 @@ import PraTactile.Field (KnownField)
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
+import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Patch (observedCells)
 import PraTactile.Locate.Search
@@ -45,6 +47,7 @@ data Road
   | SearchRoad
   | NearestRoad   -- ^ compare with every position and correct errors
   | SoftRoad      -- ^ the probability of every position
+  | InformationSetsRoad   -- ^ correct errors without visiting every position
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As the command line and JSON have it.
@@ -55,6 +58,7 @@ roadName road = case road of
   SearchRoad -> "search"
   NearestRoad -> "nearest"
   SoftRoad -> "soft"
+  InformationSetsRoad -> "information-sets"
 
 -- | What the command line chooses.
 data Choice = Choice
@@ -87,10 +91,10 @@ locator choice surface array mask = case chosenRoad choice of
     shelved = first locateMessage (book surface array mask)
     tabled = first locateMessage (buildTable (chosenPacking choice) surface array mask)
     prepared = first algebraMessage (prepareAlgebra surface array mask)
-    -- Large arrays are not compared with the patch: algebra, or where that cannot be, the table.
+    -- Large arrays are not compared with the patch: information sets, or where there are no logarithms the table.
     bySize (Right shelf) = Right (either' (viaNearest shelf) (viaSoft shelf))
     bySize (Left tooLarge) = case prepared of
-      Right algebra -> Right (either' (viaAlgebra algebra) (const (Left tooLarge)))
+      Right algebra -> Right (either' (viaInformationSets algebra (decoders algebra)) (const (Left tooLarge)))
       Left infeasible -> either (\why -> Left (infeasible ++ "; and " ++ why)) (\table -> Right (either' (viaTable table) (const (Left tooLarge)))) tabled
     either' hard soft observed = case observed of
       Symbols p -> hard p
@@ -108,6 +112,15 @@ locator choice surface array mask = case chosenRoad choice of
                (explainCells array mask (observedCells p) ++ explainDecision decision ++ explainOutcome (decisionOutcome decision)))
     -- Fewer cells than a window has never tell a position on the array's own surface.
     fewer p = length (observedCells p) < maskSize mask
+    -- What is computed once for patches without holes of one shape, as it is first asked for.
+    decoders algebra = Map.fromList [((h, w), decoder standardEffort algebra [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]) | h <- [1 .. 32], w <- [1 .. 32]]
+    viaInformationSets algebra shapes p = do
+      decoded <- first decodingMessage $ case Map.lookup (rows (patchShape p), columns (patchShape p)) shapes of
+        Just (Right ready) | decoderOffsets ready == map fst (observedCells p) -> decodeWith ready (chosenRadius choice) p
+        _ -> decodePatch algebra (chosenRadius choice) p
+      let outcome = decodingOutcome decoded
+      pure (Answer outcome InformationSetsRoad (decodingWrong decoded) (counted outcome ++ ofDecoding decoded)
+        (explainCells array mask (observedCells p) ++ explainDecoding decoded ++ explainOutcome outcome))
     viaSoft shelf p =
       let found = posterior shelf p
           outcome = decide (chosenDoubt choice) found
@@ -140,6 +153,19 @@ ofDecision decision =
   , ("minimum_distance", naturalValue (decisionDistance decision))
   , ("radius", naturalValue (decisionRadius decision))
   ]
+
+ofDecoding :: Decoding -> [(Key, Value)]
+ofDecoding decoded =
+  [ ("corrected", toJSON (map positionListValue (decodingWrong decoded)))
+  , ("nearest", exactly (decodingNearest decoded))
+  , ("runner_up", maybe Null exactly (decodingRunnerUp decoded))
+  , ("runner_up_at_least", maybeNumber (atLeast <$> decodingRunnerUp decoded))
+  , ("minimum_distance", naturalValue (atLeast (decodingDistance decoded)))
+  , ("minimum_distance_is", case decodingDistance decoded of { Exactly _ -> "exact"; AtLeast _ -> "at-least" })
+  , ("radius", naturalValue (decodingRadius decoded))
+  ]
+  where
+    exactly known = case known of { Exactly n -> naturalValue n; AtLeast _ -> Null }
 
 maybeNumber :: Maybe Natural -> Value
 maybeNumber = maybe Null naturalValue

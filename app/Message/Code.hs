@@ -11,6 +11,7 @@ module Message.Code
   , censusMessage
   , locateMessage
   , algebraMessage
+  , decodingMessage
   , beliefMessage
   , reasonMessage
   ) where
@@ -27,6 +28,7 @@ import PraTactile.Grid (GridError (..), largestGrid)
 import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Locate
 import PraTactile.Locate.Algebra (AlgebraError (..))
+import PraTactile.Locate.BoundedDistance (DecodingError (..))
 import PraTactile.Locate.Soft (BeliefError (..))
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
@@ -139,6 +141,14 @@ algebraMessage e = case e of
   AlgebraLogarithm (LogarithmInfeasible prime limit) -> "the position needs a discrete logarithm in a group whose order the prime " ++ show prime
     ++ " divides, which is infeasible beyond " ++ show limit
   AlgebraCells why -> windowMessage why
+
+decodingMessage :: DecodingError -> String
+decodingMessage e = case e of
+  DecodingAlgebra why -> algebraMessage why
+  DecodingTooLong cleared more limit -> "no position differs in fewer than " ++ show cleared ++ " cells; to look further, " ++ show more
+    ++ " more words would have to be looked at, and at most " ++ show limit ++ " are; give a smaller --radius"
+  DecodingTooMany e' -> "very many positions differ in " ++ show e' ++ " cells; give a smaller --radius, or more cells"
+  DecodingOtherCells -> "other cells were prepared for"
 
 beliefMessage :: BeliefError -> String
 beliefMessage e = case e of

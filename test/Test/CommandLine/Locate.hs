@@ -6,12 +6,13 @@ import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
-import Data.List (intercalate, isInfixOf, transpose)
+import Data.List (intercalate, isInfixOf, isPrefixOf, transpose)
 import Data.Proxy (Proxy (..))
 import qualified Data.Text as Text
 import PraTactile.Array (Folding (..), Position (Position), Shape (Shape), cellAt)
 import PraTactile.Field (toCode)
 import PraTactile.Field.Named (GF4)
+import PraTactile.Polynomial
 import Test.Code.Generators (firstOver, folded, right)
 import Test.CommandLine.Run
 import Test.Hspec
@@ -35,6 +36,29 @@ spec = do
       (located, key ["road"] exact, key ["position", "row"] exact) `shouldBe` (0, Just (String (Text.pack road)), Just (Number 4))
       (contradicted, no, _) <- pra ["locate", "--json", "--road", road, written damaged]
       (contradicted, key ["reason"] no) `shouldBe` (1, Just "contradiction")
+  it "locate corrects errors on arrays of 2^60 cells, and tells what of the distance is proved" $ do
+    h <- firstOver (Proxy :: Proxy GF4) 30
+    array <- right (folded Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) h)
+    let codes = map (show . toCode)
+        chosen = ["--q", "4", "--polynomial", intercalate "," (codes (coefficients (primitivePolynomial h))), "--shape", "1073741823x1073741825", "--window", "15x2"]
+        seen height width = [[cellAt array (Position (987654321 + i) (123456789 + j)) | j <- take width [0 ..]] | i <- take height [0 ..]]
+        wrong places cells = [[if (i, j) `elem` places then a + 1 else a | (j, a) <- zip [0 :: Int ..] line] | (i, line) <- zip [0 :: Int ..] cells]
+        written = intercalate " / " . map (unwords . codes)
+        some = [(0, 0), (3, 4), (7, 7)]
+        locating options cells = pra (["locate", "--json"] ++ chosen ++ options ++ [written cells])
+    (status, out, _) <- locating [] (wrong some (seen 8 8))
+    (status, key ["road"] out, key ["position"] out, key ["corrected"] out, key ["minimum_distance_is"] out)
+      `shouldBe` (0, Just "information-sets", Just (object ["row" .= (987654321 :: Int), "column" .= (123456789 :: Int)]), Just (toJSON [[0, 0], [3, 4], [7, 7 :: Int]]), Just "at-least")
+    (key ["nearest"] out, key ["runner_up"] out) `shouldBe` (Just (Number 3), Just Null)
+    key ["radius"] out `shouldSatisfy` \radius -> radius `elem` [Just (toJSON e) | e <- [3 .. 8 :: Int]]
+    (refused, no, _) <- locating ["--radius", "2"] (wrong some (seen 8 8))
+    (refused, key ["reason"] no, key ["nearest"] no) `shouldBe` (1, Just "beyond-radius", Just Null)
+    (coset, many, _) <- locating [] (seen 1 10)
+    (coset, key ["count"] many, key ["dimension"] many) `shouldBe` (1, Just (toJSON (4 ^ (20 :: Int) :: Integer)), Just (Number 20))
+    (explained, words', _) <- pra (["locate", "--explain"] ++ chosen ++ [written (wrong some (seen 8 8))])
+    (explained, take 1 (lines words')) `shouldBe` (0, ["row 987654321, column 123456789 (3 cells corrected)"])
+    lines words' `shouldSatisfy` any ("The nearest position differs in 3 cells, any other one in at least " `isPrefixOf`)
+    complains (["locate"] ++ chosen ++ ["--radius", "30", written (wrong [(i, j) | i <- [0 .. 7], j <- [0 .. 7], (i + j) `mod` 3 == 0] (seen 8 8))]) "give a smaller --radius"
   it "locate takes probabilities as JSON" $ do
     prints ["locate", "--doubt", "0.2", "[[[0,0,0.1,0.9],2],[\"A^2\",1]]"] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", "[[[0,0,0.1,0.9],2],[3,1]]"]
