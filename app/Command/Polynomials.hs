@@ -64,9 +64,9 @@ run choice n kind wanted asJson
     search :: KnownField k => Proxy k -> Either PolynomialError (Either Natural [[Int]])
     search k = case wanted of
       Count -> Left <$> (if kind == PrimitiveOnes then countPrimitive k n else Right (countIrreducible k n))
-      All -> Right <$> among k (monicPolynomials n)
-      First -> Right . take 1 <$> among k (monicPolynomials n)
-      FewestTerms -> Right . take 1 <$> among k (monicByTerms n)
+      All -> Right <$> among k (ascendingCandidates n)
+      First -> Right . take 1 <$> among k (ascendingCandidates n)
+      FewestTerms -> Right . take 1 <$> among k (fewestTermsCandidates n)
       Random seed -> Right . take 1 <$> among k (randomMonics seed n)
     among :: KnownField k => Proxy k -> [Polynomial k] -> Either PolynomialError [[Int]]
     among _ candidates = map (map toCode . coefficients) <$> case kind of

@@ -51,8 +51,7 @@ ladder =
         , cell "GF(2), n = 128" (canonical (Proxy @GF2) 128)
         , cell "GF(4), n = 32" (canonical (Proxy @GF4) 32)
         , cell "GF(4), n = 64" (canonical (Proxy @GF4) 64)
-        , -- Not the first: of x^8 + c2 x^2 + c1 x + c0, none of which is irreducible, there are 2^24.
-          cell "GF(256), n = 8" (sure (checkPrimitive (sure (polynomialFromCodes [232, 32, 17, 159, 27, 1, 174, 189, 1]))) :: Primitive GF256)
+        , cell "GF(256), n = 8" (sure (checkPrimitive (sure (polynomialFromCodes [232, 32, 17, 159, 27, 1, 174, 189, 1]))) :: Primitive GF256)
         ]
     , bgroup "proof by enumeration"
         [ enumerated (show on) on folding shape window
@@ -77,8 +76,11 @@ ladder =
         , first "GF(3), n = 10" (Proxy @GF3) 10
         , first "GF(4), n = 12" (Proxy @GF4) 12
         , first "GF(9), n = 8" (Proxy @GF9) 8
-        , first "GF(64), n = 8, the worst" (Proxy @GF64) 8
+        , first "GF(64), n = 8" (Proxy @GF64) 8
         , first "GF(256), n = 4" (Proxy @GF256) 4
+        , first "GF(256), n = 8" (Proxy @GF256) 8
+        , first "GF(256), n = 12" (Proxy @GF256) 12
+        , first "GF(243), n = 10, the worst" (Proxy @GF243) 10
         ]
     , bgroup "factors of 2^n - 1"
         [bench (show n) (whnf (either (const 0) length . factorisePowerMinusOne 2) n) | n <- [32, 61, 64, 67, 96, 127, 128]]

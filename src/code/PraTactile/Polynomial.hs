@@ -48,8 +48,12 @@ module PraTactile.Polynomial
   , monicPolynomials
   , monicByTerms
   , randomMonics
+  , ascendingCandidates
+  , fewestTermsCandidates
+  , barrenRun
   ) where
 
+import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
 import PraTactile.Polynomial.Ring

@@ -54,6 +54,43 @@ spec = do
       let draw seed = randomPrimitive seed 40 :: Either PolynomialError (Primitive GF2)
       draw 7 `shouldBe` draw 7
       length (nub (map draw [1 .. 10])) `shouldBe` 10
+  describe "beginnings without an irreducible polynomial" $ do
+    it "none of those that the search leaves out is irreducible: every one tested, degrees to 33" $
+      [ (q, n, h :: String)
+      | (q, SomeField k) <- everyField
+      , n <- [1 .. 33]
+      , let run = barrenRun k n
+      , run > 0
+      , (fromIntegral q :: Natural) ^ run <= 5000
+      , h <- map show (filter isIrreducible (take (q ^ run) (monicIn k (fromIntegral n))))
+      ]
+        `shouldBe` []
+    it "affine polynomials x^(p^k) + sum c_i x^(p^i) + c are irreducible for k <= 1 and for p = k = 2 only" $
+      forM_ [(2, 1), (2, 2), (2, 3), (2, 4), (2, 5), (4, 1), (4, 2), (4, 3), (4, 4), (8, 2), (8, 3), (16, 2), (3, 1), (3, 2), (3, 3), (9, 1), (9, 2), (27, 2), (5, 1), (5, 2), (7, 1), (7, 2)] $
+        \(q, height) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+          let p = fieldCharacteristic k
+          (q, height, any isIrreducible (affine k p height)) `shouldBe` (q, height, height <= 1 || p == 2 && height == 2)
+    it "what is left out: three coefficients over GF(2^m) in degrees 8, 16, 24, and in 12, 20 if m is even; two in others" $
+      [(q, [barrenRun k n | n <- [1 .. 28]]) | (q, SomeField k) <- everyField, q `elem` [2, 256, 3, 5, 243]]
+        `shouldBe` [ (2, [0, 0, 0, 0, 0, 0, 0, 3, 0, 2, 0, 0, 0, 0, 0, 3, 0, 2, 0, 0, 0, 0, 0, 3, 0, 2, 0, 0])
+                   , (3, [0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0])
+                   , (5, [0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0])
+                   , (243, [0, 0, 0, 0, 0, 0, 2, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 2, 0])
+                   , (256, [0, 0, 0, 0, 0, 2, 0, 3, 0, 2, 0, 3, 0, 2, 0, 3, 0, 2, 0, 3, 0, 2, 0, 3, 0, 2, 0, 3])
+                   ]
+    it "so every search finds the same without them: GF(4), degree 6 and 8, GF(3), degree 7 and 9, GF(2), degree 16" $ do
+      let same :: forall k. KnownField k => Proxy k -> Natural -> Expectation
+          same k n = do
+            (n, take 100 (irreducibles k n)) `shouldBe` (n, take 100 (filter isIrreducible (monicIn k n)))
+            (n, fmap (take 20) (primitives k n)) `shouldBe` (n, take 20 <$> primitiveAmong n (monicIn k n))
+            (n, fmap (: []) (fewestTermsPrimitive n :: Either PolynomialError (Primitive k))) `shouldBe` (n, take 1 <$> primitiveAmong n (monicByTerms n))
+      mapM_ (same (Proxy :: Proxy GF4)) [6, 8]
+      mapM_ (same (Proxy :: Proxy GF3)) [7, 9]
+      same (Proxy :: Proxy GF2) 16
+    it "the first primitive polynomials of degrees 8 and 12 over GF(256) come at once" $ do
+      codesOf (firstPrimitive 8 :: Either PolynomialError (Primitive GF256)) `shouldBe` Right [9, 1, 0, 1, 0, 0, 0, 0, 1]
+      h <- right (firstPrimitive 12 :: Either PolynomialError (Primitive GF256))
+      drop 3 (coefficients (primitivePolynomial h)) `shouldBe` [1, 0, 0, 0, 0, 0, 0, 0, 0, 1]
   describe "known polynomials" $ do
     it "x^128 + x^7 + x^2 + x + 1 is the first primitive one of degree 128 over GF(2), and of fewest terms" $ do
       h <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
@@ -64,6 +101,16 @@ spec = do
         \(n, middle) -> fmap exponents (fewestTermsPrimitive (fromIntegral n) :: Either PolynomialError (Primitive GF2)) `shouldBe` Right ([0] ++ middle ++ [n])
   describe "certificates" certificateSpec
  where
+  codesOf = fmap (map toCode . coefficients . primitivePolynomial)
+  -- Every one of degree p^height.
+  affine :: forall k. KnownField k => Proxy k -> Int -> Int -> [Polynomial k]
+  affine _ p height = [polynomial (place 0 (c : lower ++ [one])) | c <- elements, lower <- mapM (const elements) [1 .. height]]
+   where
+    -- The coefficients at the exponents 0, 1, p, p^2, ...
+    place _ [] = []
+    place at (c : others) = c : replicate (gap at others) zero ++ place (next at) others
+    gap at others = if null others then 0 else next at - at - 1
+    next at = if at == 0 then 1 else at * p
   exponents h = [i | (i, c) <- zip [0 :: Int ..] (coefficients (primitivePolynomial h)), c /= 0]
 
 -- | Each field and degree with q^n at most 4096.

@@ -8,6 +8,8 @@ module PraTactile.Polynomial.Search
     monicPolynomials
   , monicByTerms
   , randomMonics
+  , ascendingCandidates
+  , fewestTermsCandidates
 
     -- * Irreducible and primitive ones
   , irreduciblePolynomials
@@ -23,35 +25,55 @@ import Data.Proxy (Proxy (..))
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Field
+import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
 import PraTactile.Polynomial.Ring
 
 -- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
 -- down): q^n of them, made as they are asked for.
-monicPolynomials :: forall k. KnownField k => Natural -> [Polynomial k]
-monicPolynomials n = map monicOf [0 .. q ^ n - 1]
+monicPolynomials :: KnownField k => Natural -> [Polynomial k]
+monicPolynomials = monicFrom 0
+
+-- | 'monicPolynomials' without those at the beginning that are known not to be irreducible ('barrenRun').
+ascendingCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
+ascendingCandidates n = monicFrom (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+
+-- | The monic polynomials of a degree, ascending, from x^n + x^i on; all of them for i = 0.
+monicFrom :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
+monicFrom i n = map monicOf [if i == 0 then 0 else q ^ i .. q ^ n - 1]
  where
   q = toInteger (fieldOrder (Proxy :: Proxy k))
   monicOf index = polynomial (genericTake n (unfoldr digit index ++ repeat zero) ++ [one])
   digit 0 = Nothing
-  digit i = Just (either (const zero) id (fromCode (fromInteger (i `mod` q))), i `div` q)
+  digit j = Just (either (const zero) id (fromCode (fromInteger (j `mod` q))), j `div` q)
 
 -- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first, and
 -- those of equally many ascending. For degree 1, x comes before them.
 monicByTerms :: KnownField k => Natural -> [Polynomial k]
-monicByTerms n
+monicByTerms = byTerms 0
+
+-- | 'monicByTerms' without those that 'ascendingCandidates' leaves out.
+fewestTermsCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
+fewestTermsCandidates n = byTerms (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+
+-- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them for i = 0.
+byTerms :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
+byTerms i n
   | n == 0 = []
-  | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. n]
+  | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. fromIntegral n]
  where
-  withTerms terms = [polynomial (reverse (one : lower)) | lower <- choose n terms]
-  -- So many coefficients, highest first, of which so many, the last among them, are not 0.
-  choose size terms
+  withTerms terms = [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
+  -- So many coefficients, highest first, of which so many, the last among them, are not 0; and whether those before
+  -- them are 0.
+  choose :: Bool -> Int -> Int -> [[GF k]]
+  choose alone size terms
     | terms == 0 || terms > size = []
+    | alone && size <= i = []
     | size == 1 = map (: []) units
     | otherwise =
-        map (zero :) (choose (size - 1) terms)
-          ++ [c : rest | c <- units, rest <- choose (size - 1) (terms - 1)]
+        map (zero :) (choose alone (size - 1) terms)
+          ++ [c : rest | c <- units, rest <- choose False (size - 1) (terms - 1)]
   units = drop 1 elements
 
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
@@ -78,21 +100,21 @@ splitMix seed = map mix (drop 1 (iterate (+ 0x9e3779b97f4a7c15) seed))
 
 -- | The monic irreducible polynomials of a degree, ascending, made as they are asked for.
 irreduciblePolynomials :: KnownField k => Natural -> [Polynomial k]
-irreduciblePolynomials = filter isIrreducible . monicPolynomials
+irreduciblePolynomials = filter isIrreducible . ascendingCandidates
 
 -- | The primitive polynomials of a degree n >= 1, ascending, made as they are asked for. Refuses as
 -- 'primitiveAmong' does.
 primitivePolynomials :: KnownField k => Natural -> Either PolynomialError [Primitive k]
-primitivePolynomials n = primitiveAmong n (monicPolynomials n)
+primitivePolynomials n = primitiveAmong n (ascendingCandidates n)
 
 -- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x + A^2.
 firstPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
-firstPrimitive n = firstOf n monicPolynomials
+firstPrimitive n = firstOf n ascendingCandidates
 
 -- | Of the primitive polynomials with the fewest terms, the first: the shift register with the fewest
 -- taps.
 fewestTermsPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
-fewestTermsPrimitive n = firstOf n monicByTerms
+fewestTermsPrimitive n = firstOf n fewestTermsCandidates
 
 -- | A primitive polynomial drawn uniformly from a seed.
 randomPrimitive :: KnownField k => Word64 -> Natural -> Either PolynomialError (Primitive k)
