@@ -11,12 +11,16 @@ module PraTactile.Conformance
     -- * Laws
   , Law (..)
   , laws
+  , damageLaws
+  , chanceLaws
   , openingLaws
   ) where
 
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
 import PraTactile.Conformance.Laws.Array (arrayLaws)
+import PraTactile.Conformance.Laws.Chances (chanceLaws)
+import PraTactile.Conformance.Laws.Damage (damageLaws)
 import PraTactile.Conformance.Laws.Field (fieldLaws)
 import PraTactile.Conformance.Laws.Locate (locateLaws)
 import PraTactile.Conformance.Laws.Opening (openingLaws)
@@ -25,4 +29,4 @@ import PraTactile.Conformance.Library (library)
 
 -- | All laws of a session.
 laws :: [Law Session]
-laws = concat [fieldLaws, sequenceLaws, arrayLaws, locateLaws]
+laws = concat [fieldLaws, sequenceLaws, arrayLaws, locateLaws, damageLaws, chanceLaws]

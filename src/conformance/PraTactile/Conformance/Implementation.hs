@@ -43,6 +43,7 @@ data Implementation = Implementation
 data Place
   = At Position           -- ^ the only position of its upper left cell
   | OneOf [Position]      -- ^ several positions fit, ascending
+  | Coset Natural Natural -- ^ so many positions fit that only their number is told, and the dimension of the coset that they are
   deriving stock (Eq, Show)
 
 -- | What an implementation can do under one profile.
@@ -68,4 +69,13 @@ data Session = Session
   , locate :: [[Maybe Code]] -> Wire Place
     -- ^ where a patch is, row by row, 'Nothing' for a cell that was not observed; refuses with the reasons of
     -- "PraTactile.Locate", and what is no patch as @invalid@
+  , nearest :: Maybe Natural -> [[Maybe Code]] -> Wire Place
+    -- ^ the position, or the several equally near, that differ from a patch in the fewest cells, if these are within a radius: the one that is
+    -- stated, or else the largest e with 2 e < d, d being the least number in which two contents of the observed cells differ on the
+    -- array's own surface (0 where two are the same, and on a surface that is neither that nor the sheet); whether or not a window is complete. Refuses as
+    -- @locate@ does, and where no position is within a radius of more than 0: with @zero-window@ if all zeros are, otherwise @beyond-radius@
+  , posterior :: [[Maybe [Double]]] -> Wire [(Position, Double)]
+    -- ^ the probability of every position, those of probability 0 perhaps left out, given in each cell the probabilities of all symbols by
+    -- their codes, cells being independent and positions equally likely beforehand; refuses what fits no position as @contradiction@, and
+    -- numbers that are no probabilities as @invalid@
   }

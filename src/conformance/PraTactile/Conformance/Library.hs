@@ -12,6 +12,11 @@ import PraTactile.Conformance.Implementation
 import qualified PraTactile.Field as Field
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import PraTactile.Locate
+import PraTactile.Locate.Book (book)
+import PraTactile.Locate.Nearest (Decision (..), Radius (..))
+import qualified PraTactile.Locate.Nearest as Nearest
+import PraTactile.Locate.Soft (PosteriorOver (..), belief, softPatch)
+import qualified PraTactile.Locate.Soft as Soft
 import PraTactile.Profile
 import PraTactile.Sequence (termAt)
 import PraTactile.Window (Mask, maskSize)
@@ -40,13 +45,27 @@ session p array mask = do
     , locate = \rows -> do
         cells <- traverse (traverse (traverse element)) rows
         observed <- either (const (refuse "invalid")) pure (patch cells)
-        case locatePatch table observed of
-          Located place _ -> pure (At place)
-          Ambiguous places _ -> pure (OneOf places)
-          AmbiguousCoset _ _ -> pure (OneOf [])
-          Refused reason -> refuse (reasonName reason)
+        place (locatePatch table observed)
+    , nearest = \radius rows -> do
+        cells <- traverse (traverse (traverse element)) rows
+        observed <- either (const (refuse "invalid")) pure (patch cells)
+        shelf <- shelved
+        place (decisionOutcome (Nearest.nearest shelf (maybe Guaranteed UpTo radius) observed))
+    , posterior = \rows -> do
+        beliefs <- either (const (refuse "invalid")) pure (traverse (traverse (traverse belief)) rows)
+        observed <- either (const (refuse "invalid")) pure (softPatch beliefs)
+        shelf <- shelved
+        case posteriorRanking (Soft.posterior shelf observed) of
+          [] -> refuse (reasonName Contradiction)
+          ranking -> pure ranking
     }
   where
+    shelved = either (const (refuse "table-too-large")) pure (book (profileSurface p) array mask)
+    place outcome = case outcome of
+      Located position _ -> pure (At position)
+      Ambiguous positions _ -> pure (OneOf positions)
+      AmbiguousCoset count dimension -> pure (Coset count dimension)
+      Refused reason -> refuse (reasonName reason)
     q = fieldOrder (Proxy :: Proxy k)
     -- Prepared once for all terms.
     termOf = termAt (arrayPrimitive array) (arrayState array)
