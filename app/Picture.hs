@@ -4,7 +4,6 @@ module Picture
   , arraySvg
   ) where
 
-import Data.List (intercalate)
 import Text.Printf (printf)
 
 import PraTactile.Array (Position (..))
@@ -13,42 +12,48 @@ import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet, bitmapRows, shapeOf, symbolHeight, symbolWidth)
 import PraTactile.Stitch (Composite (..))
-import Recognised (recognitionMessage)
+import Recognised (orientationText, recognitionMessage, windowText)
 
 -- | A composite, 12 units a taxel, dark where it is pressed; over it the shape of each recognised symbol with its element
--- (blue) and the box of each that was not (red); the first window's outline, and the answer below.
+-- (blue; orange where it contradicts the place) and the box of each that was not (red); the first window's outline, and the answer below.
 recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
 recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
   taxelRects (compositeImage composite)
     ++ concatMap symbolBox (recognisedSymbols recognition)
-    ++ concat [ windowBox window | Right (Found _ window _) <- [recognisedAnswer recognition] ]
+    ++ concat [ windowBox (foundWindow found) | Right (Found found) <- [recognisedAnswer recognition] ]
     ++ [ text 12 (high + 22) "start" 16 "#222" (recognitionMessage recognition) ]
-    ++ concat [ [ text 12 (high + 43) "start" 14 "#555" (windowWords window)
-                , text 12 (high + 63) "start" 14 "#555" ("the composite is " ++ if orientation == Upright then "upright" else "turned by 180 degrees") ]
-              | Right (Found orientation window _) <- [recognisedAnswer recognition] ]
+    ++ concat [ [ text 12 (high + 43) "start" 14 "#555" (windowWords (foundWindow found))
+                , text 12 (high + 63) "start" 14 "#555" ("the composite is " ++ orientationText (foundOrientation found)) ]
+              | Right (Found found) <- [recognisedAnswer recognition] ]
   where
     wide = scale * fromIntegral (rasterWidth (compositeImage composite)) :: Double
     high = scale * fromIntegral (rasterHeight (compositeImage composite)) :: Double
     symbolBox symbol =
       let (x, y) = pixelCentre (symbolCentre (readImage symbol))
-          colour = maybe "#c0392b" (const "#1f6feb") (readClass symbol)
+          colour
+            | readNumber symbol `elem` wrong = "#d97706"
+            | otherwise = maybe "#c0392b" (const "#1f6feb") (readClass symbol)
           label = maybe "?" (nameOf . snd) (readClass symbol)
-      in maybe [] (shapeRects (x, y)) (readClass symbol)
-         ++ [ box x y (scale * fromIntegral symbolWidth) (scale * fromIntegral symbolHeight) colour 3
-            , text x (y + scale * fromIntegral symbolHeight / 2 + 24) "middle" 24 colour label ]
-    shapeRects (x, y) (orientation, c) =
-      [ printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"#1f6feb\" fill-opacity=\"0.35\"/>" (x + sign * (u - 4) * scale - half) (y + sign * (v - 6) * scale - half) scale scale
-      | Right shape <- [shapeOf alphabet c], (v, line) <- zip [0.5 ..] (bitmapRows shape), (u, True) <- zip [0.5 ..] line ]
+          (w, h) = across symbol (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
+      in maybe [] (shapeRects colour (x, y)) (readClass symbol)
+         ++ [ box x y w h colour 3
+            , text x (y + h / 2 + 24) "middle" 24 colour label ]
+    wrong = maybe [] evidenceWrong (recognisedEvidence recognition)
+    across symbol (u, v) = if isSideways (fst (readLikeliest symbol)) then (v, u) else (u, v)
+    shapeRects colour (x, y) (orientation, c) =
+      [ printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"%s\" fill-opacity=\"0.35\"/>" (x + du * scale - half) (y + dv * scale - half) scale scale (colour :: String)
+      | Right shape <- [shapeOf alphabet c], (v, line) <- zip [0.5 ..] (bitmapRows shape), (u, True) <- zip [0.5 ..] line
+      , let (du, dv) = onComposite orientation (u - 4, v - 6) ]
       where
         half = scale / 2
-        sign = if orientation == Upright then 1 else -1
     -- The outermost symbols' boxes and a little more.
     windowBox window =
       let (x, y) = pixelCentre (windowSeenAt window)
           reach along size = 2 * maximum (0 : [ abs (along (pixelCentre (symbolCentre (readImage s))) - along (x, y)) | s <- recognisedSymbols recognition ]) + scale * (fromIntegral size + 3)
-      in [ box x y (reach fst symbolWidth) (reach snd symbolHeight) "#f0a020" 3 | length (recognisedSymbols recognition) == sum (map length (windowClasses window)) ]
+          (w, h) = maximum ((symbolWidth, symbolHeight) : [ (symbolHeight, symbolWidth) | s <- take 1 (recognisedSymbols recognition), isSideways (fst (readLikeliest s)) ])
+      in [ box x y (reach fst w) (reach snd h) "#f0a020" 3 | length (recognisedSymbols recognition) == sum (map length (windowClasses window)) ]
     windowWords window =
-      "window " ++ intercalate " / " (map (unwords . map nameOf) (windowClasses window))
+      "window " ++ windowText nameOf window
         ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window))
 
 -- | Picture units a taxel.

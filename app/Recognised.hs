@@ -4,6 +4,8 @@ module Recognised
   , recognitionEnding
   , recognitionMessage
   , elementNames
+  , orientationText
+  , windowText
   , whereText
   , fromDatabase
   ) where
@@ -31,7 +33,7 @@ elementNames reader = either (const "?") showElement . elementIn reader
 -- | The exit status: 0 where a position was found.
 recognitionEnding :: Recognition -> Ending
 recognitionEnding recognition = case recognisedAnswer recognition of
-  Right (Found _ _ _) -> Answered
+  Right (Found _) -> Answered
   _ -> NotAnswered
 
 -- | The answer in a sentence.
@@ -40,7 +42,17 @@ recognitionMessage recognition = case recognisedAnswer recognition of
   Left refusal -> refusalMessage refusal
   Right (Several _ places) -> show (length places) ++ " positions fit what was recognised: "
     ++ unwords [ show r ++ "," ++ show c | Position r c <- places ]
-  Right (Found _ window _) -> whereText (windowWhereabouts window)
+  Right (Found found) -> whereText (windowWhereabouts (foundWindow found))
+
+-- | How the face lies in the composite, in words.
+orientationText :: Orientation -> String
+orientationText orientation = case orientation of
+  Upright -> "upright"
+  _ -> "turned by " ++ show (orientationDegrees orientation) ++ " degrees"
+
+-- | The elements of a window, row by row.
+windowText :: (Int -> String) -> ReadWindow -> String
+windowText nameOf = intercalate " / " . map (unwords . map (maybe "?" nameOf)) . windowClasses
 
 -- | What lies at a position, in words.
 whereText :: Whereabouts -> String
@@ -59,30 +71,37 @@ recognitionText :: (Int -> String) -> Recognition -> [String]
 recognitionText nameOf recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
   Right (Several _ _) -> ("ambiguous: " ++ recognitionMessage recognition) : symbolLines
-  Right (Found orientation window others) ->
-    recognitionMessage recognition
+  Right (Found found) ->
+    let window = foundWindow found
+    in recognitionMessage recognition
       : symbolLines
       ++ windowLine window
       : [ printf "centre    %.2f mm to the right of and %.2f mm below %s" x y corner0
         | OnFace on <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre on)
         , let corner0 = concatMap vertexText (take 1 (faceVertices (faceName (placeFace on)))) ]
-      ++ [ "composite " ++ (if orientation == Upright then "upright" else "turned by 180 degrees") ++ " on the face" ]
-      ++ [ "also      " ++ drop 10 (windowLine other) | other <- others ]
+      ++ [ "composite " ++ orientationText (foundOrientation found) ++ " on the face" ]
+      ++ [ "also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found) ]
   where
     symbols = recognisedSymbols recognition
     known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
-    symbolLines = [ "symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised" ]
-    windowLine window = "window    " ++ intercalate " / " (map (unwords . map nameOf) (windowClasses window))
+    symbolLines = ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised")
+      : [ "support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition] ]
+    windowLine window = "window    " ++ windowText nameOf window
       ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window)) ++ " of the array"
+
+-- | What the likeliest position rests on.
+supportText :: Evidence -> String
+supportText evidence =
+  show (evidenceAgreeing evidence) ++ " of the recognised agree, " ++ show (length (evidenceWrong evidence)) ++ " contradict (" ++ show (evidenceRadius evidence)
+    ++ " may); doubt " ++ printf "%.2g" (evidenceDoubt evidence)
 
 -- | The recognition with its windows looked up in a database that was made for the profile.
 fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition
 fromDatabase file profile window recognition = case recognisedAnswer recognition of
-  Right (Found orientation one others) -> do
-    looked <- withStore file (Just profile) (\store -> traverse (lookUp store) (one : others)) >>= orUnusable storeMessage
-    pure $ case looked of
-      w : ws -> recognition { recognisedAnswer = Right (Found orientation w ws) }
-      [] -> recognition
+  Right (Found found) -> do
+    (first', all') <- withStore file (Just profile) (\store -> (,) <$> lookUp store (foundWindow found) <*> traverse (lookUp store) (foundWindows found))
+      >>= orUnusable storeMessage
+    pure recognition { recognisedAnswer = Right (Found found { foundWindow = first', foundWindows = all' }) }
   _ -> pure recognition
   where
     lookUp store found = do

@@ -4,11 +4,14 @@ module Command.Decode
   ( command
   ) where
 
-import Control.Monad (forM, forM_)
+import Control.Monad (forM, forM_, unless)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative hiding (command)
+import Text.Read (readMaybe)
 
 import ArrayChoice
+import Command.Prove (surfaceOption)
 import Command.Stitch (Assembly, assemble, assemblyOptions)
 import Described
 import Ending
@@ -19,64 +22,101 @@ import Json.Profile (profileText)
 import Json.Recognition
 import Message
 import Picture (recognitionSvg)
+import PraTactile.Array (Surface)
 import PraTactile.Field (KnownField)
+import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite)
+import PraTactile.Stitch (Composite (..))
 import Recognised
 import Setup
 
 data Options = Options
-  { assembly :: Assembly
+  { surface :: Maybe Surface
+  , assembly :: Assembly
   , network :: Maybe FilePath
   , database :: Maybe FilePath
   , picture :: Maybe FilePath
+  , doubt :: Double
+  , radius :: Radius
+  , together :: Bool
+  , places :: [(Double, Double)]
   , asJson :: Bool
   , paths :: [FilePath]
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "decode" "Recognise object, face and place from tactile images: PGM files that are whole composites, folders of frames with their manifest, or frames of such a folder."
+command = described "decode" "Recognise object, face and place from tactile images: PGM files that are whole composites, folders of frames with their manifest, or frames of such a folder. What was not recognised is made up for, and what was recognised wrongly is corrected, as far as the array vouches for it."
   [ "pra-tactile decode data/worked-example/composite.pgm"
   , "pra-tactile decode --json frames"
-  , "pra-tactile decode frames --picture recognised.svg" ]
+  , "pra-tactile decode frames --picture recognised.svg"
+  , "pra-tactile decode --together left.pgm right.pgm --at 0,0 --at 76.2,0" ]
   (run <$> arrayChoice <*> options)
   where
     options = Options
-      <$> assemblyOptions
+      <$> surfaceOption
+      <*> assemblyOptions
       <*> networkOption
       <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
       <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw the composite with the recovered symbols over it (one source only)"))
+      <*> option auto (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
+      <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)")))
+      <*> switch (long "together" <> help "All sources show one face, in the robot's coordinates: give one answer from all of them")
+      <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
       <*> switch (long "json" <> help "Print one JSON answer a line")
       <*> some (strArgument (metavar "PATH..."))
+    millimetres = eitherReader $ \text -> case break (== ',') text of
+      (x, ',' : y) | Just u <- readMaybe x, Just v <- readMaybe y, all finite [u, v] -> Right (u, v)
+      _ -> Left (show text ++ " is no place; write it as 76.2,0")
+    finite v = not (isNaN v || isInfinite (v :: Double))
 
 run :: ArrayChoice -> Options -> IO Ending
-run choice options = do
-  profile <- chosenProfile choice
-  layout <- placementFor profile
-  alphabet <- shippedAlphabet
-  net <- chosenNetwork (network options)
-  readAs <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile (\array mask ->
-    decodeWith alphabet profile options <$> recogniser array mask layout net))
-  found <- sources (paths options)
-  case (found, picture options) of
-    (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
-    _ -> pure ()
-  composites <- forM found (loadSource (assemble (assembly options)))
-  maximum . (Answered :) <$> forM (zip (map sourcePath found) composites) (\(path, composite) -> do
-    case found of
-      _ : _ : _ | not (asJson options) -> putStrLn (path ++ ":")
-      _ -> pure ()
-    readAs path composite)
+run choice options
+  | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
+  | otherwise = do
+      profile <- chosenProfile choice
+      layout <- placementFor profile
+      alphabet <- shippedAlphabet
+      net <- chosenNetwork (network options)
+      let on = fromMaybe (profileSurface profile) (surface options)
+      readAs <- orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile (\array mask ->
+        decodeWith alphabet profile options <$> recogniser on array mask layout alphabet net))
+      found <- sources (paths options)
+      case (found, picture options) of
+        (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
+        _ -> pure ()
+      composites <- forM found (loadSource (assemble (assembly options)))
+      if together options
+        then placed (places options) (zip found composites) >>= readAs (map sourcePath found)
+        else do
+          unless (null (places options)) (unusable "--at is for whole images that are decoded --together")
+          maximum . (Answered :) <$> forM (zip (map sourcePath found) composites) (\(path, composite) -> do
+            case found of
+              _ : _ : _ | not (asJson options) -> putStrLn (path ++ ":")
+              _ -> pure ()
+            readAs [path] [composite])
 
--- | Decode one composite: draw the picture, print the answer.
-decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> FilePath -> Composite -> IO Ending
-decodeWith alphabet profile options reader path composite = do
-  recognition <- orUnusable networkMessage (recognise reader composite) >>= maybe pure lookedUp (database options)
-  forM_ (picture options) $ \file -> writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
+-- | The composites, whole images at the places given for them; frames know their own.
+placed :: [(Double, Double)] -> [(Source, Composite)] -> IO [Composite]
+placed given found
+  | wholeImages == length given = pure (go given found)
+  | otherwise = unusable (show wholeImages ++ " whole images are decoded together, and --at is given " ++ show (length given) ++ " times; give it once for each, in order")
+  where
+    wholeImages = length [ () | (CompositeFile _, _) <- found ]
+    go (at : others) ((CompositeFile _, composite) : rest) = composite { compositeOrigin = at } : go others rest
+    go ats ((_, composite) : rest) = composite : go ats rest
+    go _ [] = []
+
+-- | Decode composites of one face: draw the picture, print the answer.
+decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> [FilePath] -> [Composite] -> IO Ending
+decodeWith alphabet profile options reader from composites = do
+  recognition <- orUnusable networkMessage (recogniseWith (Tolerance (doubt options) (radius options)) reader composites)
+    >>= maybe pure lookedUp (database options)
+  forM_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
+    writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
   if asJson options
-    then printJson (recognitionJson profile path nameOf recognition)
+    then printJson (recognitionJson profile from nameOf recognition)
     else putStr (unlines (recognitionText nameOf recognition))
   pure (recognitionEnding recognition)
   where

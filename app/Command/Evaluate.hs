@@ -63,7 +63,7 @@ run choice options
       alphabet <- shippedAlphabet
       net <- chosenNetwork (network options)
       let prepared array mask = do
-            reader <- either (Left . locateMessage) Right (recogniser array mask layout net)
+            reader <- either (Left . recogniserMessage) Right (recogniser (profileSurface profile) array mask layout alphabet net)
             faces <- either (Left . reliefMessage) Right
               (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))
             pure (measure profile options reader faces)

@@ -6,6 +6,8 @@ module Json.Recognition
   ) where
 
 import Data.Aeson
+import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe)
 
 import Json
 import Json.Profile
@@ -18,11 +20,12 @@ import PraTactile.Segment (SymbolImage (..))
 import Recognised
 
 -- | One answer: all keys always, null where there is nothing to say.
-recognitionJson :: Profile -> FilePath -> (Int -> String) -> Recognition -> Series
-recognitionJson profile path nameOf recognition =
+recognitionJson :: Profile -> [FilePath] -> (Int -> String) -> Recognition -> Series
+recognitionJson profile paths nameOf recognition =
   "schema" .= ("pra-tactile/decode/1" :: String)
     <> "profile" .= profileValue profile
-    <> "source" .= path
+    <> "source" .= listToMaybe paths
+    <> "sources" .= paths
     <> "outcome" .= outcome
     <> "reason" .= either (Just . refusalName) (const Nothing) answer
     <> "message" .= recognitionMessage recognition
@@ -30,25 +33,37 @@ recognitionJson profile path nameOf recognition =
     <> "positions" .= map positionValue places
     <> mconcat [ key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window) ]
     <> "orientation_deg" .= fmap orientationDegrees orientation
+    <> "doubt" .= fmap evidenceDoubt evidence
+    <> "agreeing" .= fmap evidenceAgreeing evidence
+    <> "wrong" .= fmap (length . evidenceWrong) evidence
+    <> "radius" .= fmap (naturalValue . evidenceRadius) evidence
+    <> "minimum_distance" .= fmap (naturalValue . evidenceDistance) evidence
     <> "symbols" .= map symbolValue (recognisedSymbols recognition)
     <> "windows" .= map windowValue windows
   where
     answer = recognisedAnswer recognition
-    (outcome, orientation, window, windows, places) = case answer of
-      Left _ -> ("refused" :: String, Nothing, Nothing, [], [] :: [Position])
-      Right (Several o ps) -> ("ambiguous", Just o, Nothing, [], ps)
-      Right (Found o w ws) -> ("located", Just o, Just w, w : ws, [])
+    evidence = recognisedEvidence recognition
+    (outcome, orientation, window, windows, places, cells) = case answer of
+      Left _ -> ("refused" :: String, Nothing, Nothing, [], [] :: [Position], mempty)
+      Right (Several o ps) -> ("ambiguous", Just o, Nothing, [], ps, mempty)
+      Right (Found found) -> ("located", Just (foundOrientation found), Just (foundWindow found), foundWindows found, [], foundPlaces found)
     symbolValue symbol = object
-      [ "x" .= fst (symbolCentre (readImage symbol))
+      [ "source" .= readSource symbol
+      , "x" .= fst (symbolCentre (readImage symbol))
       , "y" .= snd (symbolCentre (readImage symbol))
       , "code" .= fmap snd (readClass symbol)
       , "element" .= fmap (nameOf . snd) (readClass symbol)
       , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
+      , "likeliest" .= object
+          [ "code" .= snd (readLikeliest symbol), "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol)), "doubt" .= readDoubt symbol ]
+      , "position" .= fmap (positionValue . symbolCell) (Map.lookup (readNumber symbol) cells)
+      , "expected" .= fmap symbolExpected (Map.lookup (readNumber symbol) cells)
+      , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) evidence
       ]
     windowValue w = object $
       [ "position" .= positionValue (windowPosition w)
       , "cells" .= windowClasses w
-      , "elements" .= map (map nameOf) (windowClasses w)
+      , "elements" .= map (map (fmap nameOf)) (windowClasses w)
       , "x" .= fst (windowSeenAt w)
       , "y" .= snd (windowSeenAt w)
       ] ++ [ key .= item | (key, item) <- whereaboutsPairs (Just (windowWhereabouts w)) ]

@@ -3,18 +3,19 @@ module Message.Objects
   ( placementMessage
   , reliefMessage
   , storeMessage
+  , recogniserMessage
   , refusalMessage
   ) where
 
 
 import Json (shapeText)
-import Message.Code (reasonMessage)
+import Message.Code (locateMessage, reasonMessage)
 import Message.Touch (shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (RelationError (..))
 import PraTactile.Object.WingedEdge
-import PraTactile.Recognise (Refusal (..))
+import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
 import PraTactile.Store (StoreError (..))
 
@@ -87,10 +88,16 @@ relationMessage e = case e of
   NotPlaced why -> placementMessage why
   RowsDisagree table -> "the rows of " ++ show table ++ " are not those that the others imply"
 
+recogniserMessage :: RecogniserError -> String
+recogniserMessage e = case e of
+  RecogniserArray why -> locateMessage why
+  ClassesDiffer given shaped q -> "the network knows " ++ show given ++ " classes and the alphabet has " ++ show shaped ++ " shapes; the array has " ++ show q ++ " symbols"
+
 refusalMessage :: Refusal -> String
 refusalMessage refusal = case refusal of
   NoSymbols -> "no complete symbol was found in the composite; probe a larger region, at least 40 x 52 taxels to hold a window at every phase"
   SymbolsUnclear -> "the network recognised none of the symbols"
+  Mirrored -> "the symbols are recognised in the mirror image only: the composite is mirrored; give the face as it is seen from outside"
   OrientationContradicts -> "the symbols disagree about which way up the grid is"
   GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
   WindowsContradict -> "separate groups of symbols lead to different places: at least one symbol is wrong"

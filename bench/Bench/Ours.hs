@@ -133,7 +133,7 @@ quartics = pure $ do
 withPaper :: (forall k. KnownField k => PseudorandomArray k -> Placement -> Recogniser k -> r) -> r
 withPaper use = sure (withProfile canonicalProfile prepared)
  where
-  prepared array mask = use array layout (sure (recogniser array mask layout (sure shippedNetwork)))
+  prepared array mask = use array layout (sure (recogniser Torus array mask layout (sure paperAlphabet) (sure shippedNetwork)))
   layout = sure canonicalPlacement
 
 -- | Recognise the composite of the worked example.
@@ -146,7 +146,7 @@ decode = do
     pure (Measurement seconds Seconds answer)
  where
   answerText recognition = case recognisedAnswer recognition of
-    Right (Found orientation window _) -> text (show (orientation, windowPosition window))
+    Right (Found found) -> text (show (foundOrientation found, windowPosition (foundWindow found)))
     Right (Several _ positions) -> text (show positions)
     Left refusal -> text (refusalName refusal)
   text t = length t `seq` t

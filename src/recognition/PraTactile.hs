@@ -2,7 +2,7 @@
 -- Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
 --
 -- This module is the short way through it, in reading order; the modules that it takes from have the rest. From images to a
--- place: 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of frames,
+-- place: 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of frames,
 -- and 'recognise' says what it shows.
 module PraTactile
   ( -- * The array: "PraTactile.Profile", "PraTactile.Array"
@@ -43,12 +43,17 @@ module PraTactile
   , Whereabouts (..)
   , Place (..)
     -- * Recognition: "PraTactile.Recognise"
+  , paperAlphabet
   , shippedNetwork
   , Recogniser
   , recogniser
   , recognise
+  , recogniseWith
+  , Tolerance (..)
+  , standardTolerance
   , Recognition (..)
   , Answer (..)
+  , Finding (..)
   , Refusal (..)
   ) where
 
@@ -61,6 +66,7 @@ import PraTactile.Object.Placement
 import PraTactile.Probe
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Shape (paperAlphabet)
 import PraTactile.Stitch
 import PraTactile.Window
 import PraTactile.Window.Proof

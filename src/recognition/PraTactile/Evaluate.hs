@@ -74,8 +74,8 @@ result reader t composite = case recognise reader composite of
   Right recognition -> case recognisedAnswer recognition of
     Left refusal -> NoAnswer (refusalName refusal)
     Right (Several _ _) -> NoAnswer "ambiguous"
-    Right (Found orientation window _)
-      | isTrue orientation window -> Correct
+    Right (Found found)
+      | isTrue (foundOrientation found) (foundWindow found) -> Correct
       | otherwise -> Mistaken
   where
     trueOrientation = if regionTurned (trialRegion t) then HalfTurned else Upright

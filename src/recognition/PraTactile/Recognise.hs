@@ -1,110 +1,137 @@
 {-# LANGUAGE DerivingStrategies #-}
--- | The whole way from a composite tactile image to the object's face: symbols, their orientation, complete windows,
--- the position in the array, and what lies there (the paper's sections II and IV).
+-- | The whole way from composite tactile images to the object's face: symbols, their orientation, the position in the
+-- array, and what lies there (the paper's sections II and IV).
 --
--- Nothing is guessed: each symbol must be recognised in exactly one orientation, all symbols must agree on it, all
--- windows must agree on the position, and every other case is a typed refusal.
+-- Nothing is guessed: an answer is likely beyond the doubt that the caller tolerates, and contradicted by no more symbols than
+-- the minimum distance of the recognised ones lets be wrong; every other case is a typed refusal.
 module PraTactile.Recognise
   ( -- * The recogniser
     Recogniser
   , recogniser
   , recogniserPlacement
+  , RecogniserError (..)
+  , Tolerance (..)
+  , standardTolerance
     -- * Recognition
   , Recognition (..)
   , recognise
+  , recogniseWith
     -- * Symbols
   , ReadSymbol (..)
   , Orientation (..)
   , orientationDegrees
+  , isSideways
+  , onComposite
     -- * Windows
   , ReadWindow (..)
     -- * The answer
   , Answer (..)
+  , Finding (..)
+  , SymbolPlace (..)
+  , Evidence (..)
   , Refusal (..)
   , refusals
   , refusalName
   ) where
 
-import Data.Bifunctor (first)
-import Data.List (nub)
+import Data.List (sortOn)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (mapMaybe)
+import Data.Maybe (isJust, isNothing, listToMaybe)
+import Data.Ord (Down (..))
 
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface (..))
-import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), classify, standardThresholds)
-import PraTactile.Field (KnownField)
-import PraTactile.Image (halfTurn)
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, arrayShape, cellAt)
+import PraTactile.Classify.Estimate (templates)
+import PraTactile.Classify.Network (Network, NetworkError, outputCount)
+import PraTactile.Field (KnownField, fieldOrder, toCode)
+import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
-import PraTactile.Object.Placement
-  (Pitch (..), Placement, Whereabouts, placementPitch, placementShape, whereabouts)
-import PraTactile.Probe (taxelPitch)
-import PraTactile.Segment (SymbolImage (..), segment, segmentedSymbols)
-import PraTactile.Segment.Lattice (Cell, Cluster, arrange, halfTurned)
-import qualified PraTactile.Segment.Lattice as Lattice
+import PraTactile.Locate.Book
+import PraTactile.Object.Placement (Placement, Whereabouts (..), whereabouts)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Judgement
+import PraTactile.Recognise.Reading
+import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
+import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Stitch (Composite)
-import PraTactile.Symbol (elementOfClass)
-import PraTactile.Window (Mask, Packing (..), maskExtent)
+import PraTactile.Window (Mask, maskExtent)
 
--- | All that recognition needs: the memory table of the array's windows, the placement of the faces, and the trained
+-- | All that recognition needs: the array with all its positions, the placement of the faces, the shapes and the trained
 -- network.
 data Recogniser k = Recogniser
-  { recogniserTable :: Table k
+  { recogniserBook :: Book k
   , recogniserWindow :: Shape
   , recogniserPlacement :: Placement   -- ^ the placement that positions are looked up in
-  , recogniserNetwork :: Network
+  , recogniserReader :: Reader
   }
 
--- | A recogniser for rectangular windows on an array, which is a torus to it; refuses what 'buildTable' refuses.
-recogniser :: KnownField k => PseudorandomArray k -> Mask -> Placement -> Network -> Either LocateError (Recogniser k)
-recogniser array window layout network = do
-  table <- buildTable MostSignificantFirst Torus array window
-  pure (Recogniser table (maskExtent window) layout network)
+-- | Why there is no recogniser.
+data RecogniserError
+  = -- | The array cannot be compared with.
+    RecogniserArray LocateError
+  | -- | The network has this many outputs, the alphabet this many shapes, and the field this many elements, which must be as many.
+    ClassesDiffer Int Int Int
+  deriving stock (Eq, Show)
 
--- | How the composite lies on the face.
-data Orientation
-  = Upright      -- ^ the composite's rows run as the face's do
-  | HalfTurned   -- ^ the composite shows the face turned by 180 degrees
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
+-- | A recogniser for rectangular windows on an array and its surface; refuses what 'book' refuses, and classes that are not one an
+-- element.
+recogniser
+  :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Placement -> Alphabet -> Network -> Either RecogniserError (Recogniser k)
+recogniser surface array window layout alphabetOfAll network
+  | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
+  | otherwise = do
+      shelf <- either (Left . RecogniserArray) Right (book surface array window)
+      pure (Recogniser shelf (maskExtent window) layout (Reader (templates alphabetOfAll) network))
+  where
+    q = fieldOrder array
+    given = outputCount network
+    shaped = alphabetSize alphabetOfAll
 
--- | Clockwise, in degrees: how the face appears turned in the composite.
-orientationDegrees :: Orientation -> Int
-orientationDegrees Upright = 0
-orientationDegrees HalfTurned = 180
-
--- | A symbol that was cut out of the composite and what the network said of it.
-data ReadSymbol = ReadSymbol
-  { readImage :: SymbolImage            -- ^ where it lies in the composite, and its 8-by-12 image
-  , readClass :: Maybe (Orientation, Int) -- ^ orientation and class, if the network knows it in exactly one orientation
-  }
-
--- | A complete window that was found.
+-- | A window of the array that was found.
 data ReadWindow = ReadWindow
   { windowPosition :: Position          -- ^ in the array
-  , windowClasses :: [[Int]]            -- ^ row by row, as seen on the face
-  , windowSeenAt :: (Double, Double)    -- ^ in the composite: pixels to the right and down
+  , windowClasses :: [[Maybe Int]]      -- ^ row by row, as seen on the face; 'Nothing' where no symbol was recognised as the array's
+  , windowSeenAt :: (Double, Double)    -- ^ its centre, by those of its symbols that were seen, as 'readAt' has it
   , windowWhereabouts :: Whereabouts    -- ^ what lies there
   }
 
+-- | Where a symbol is in the array.
+data SymbolPlace = SymbolPlace
+  { symbolCell :: Position   -- ^ its cell
+  , symbolExpected :: Int    -- ^ the class that the array has there
+  }
+  deriving stock (Eq, Show)
+
 -- | What was recognised, whether or not it led to an answer.
 data Recognition = Recognition
-  { recognisedSymbols :: [ReadSymbol]   -- ^ every complete symbol of the composite
+  { recognisedSymbols :: [ReadSymbol]        -- ^ every complete symbol of the composites
+  , recognisedEvidence :: Maybe Evidence     -- ^ for the likeliest position, where there is one
   , recognisedAnswer :: Either Refusal Answer
   }
 
 -- | The answer.
 data Answer
-  = -- | The orientation of the composite and all complete windows in reading order, which agree with each other; at
-    -- least one.
-    Found Orientation ReadWindow [ReadWindow]
+  = Found Finding
   | -- | The orientation, and the several positions of the patch's upper left cell that fit what was recognised (only
     -- where the array lacks the window property).
     Several Orientation [Position]
+
+-- | Where the composites are.
+data Finding = Finding
+  { foundOrientation :: Orientation
+  , foundWindow :: ReadWindow
+    -- ^ the first complete window in reading order; if there is none, the first of those with the most recognised symbols
+  , foundWindows :: [ReadWindow]
+    -- ^ all complete windows, in reading order
+  , foundPlaces :: Map Int SymbolPlace
+    -- ^ by the symbols' numbers
+  }
 
 -- | Why there is no answer; each has a stable name, 'refusalName'.
 data Refusal
   = NoSymbols              -- ^ the composite shows no complete symbol
   | SymbolsUnclear         -- ^ there are symbols, but the network recognised none
+  | Mirrored               -- ^ the network recognises most symbols in the composite's mirror image, and none as it is
   | OrientationContradicts -- ^ symbols disagree about the orientation of the grid
   | GridContradicts        -- ^ the symbols do not lie on one grid of the array's pitch
   | WindowsContradict      -- ^ separate groups of symbols lead to different places
@@ -114,125 +141,105 @@ data Refusal
 -- | All refusals.
 refusals :: [Refusal]
 refusals =
-  [NoSymbols, SymbolsUnclear, OrientationContradicts, GridContradicts, WindowsContradict] ++ map NotLocated reasons
+  [NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts, GridContradicts, WindowsContradict] ++ map NotLocated reasons
 
 -- | The stable name of a refusal, as JSON has it.
 refusalName :: Refusal -> String
 refusalName refusal = case refusal of
   NoSymbols -> "no-symbols"
   SymbolsUnclear -> "symbols-unclear"
+  Mirrored -> "mirrored"
   OrientationContradicts -> "orientation-contradiction"
   GridContradicts -> "grid-contradiction"
   WindowsContradict -> "windows-contradiction"
   NotLocated reason -> reasonName reason
 
--- | Recognise what a composite image shows. Refuses, through 'Either', only a network that does not fit the symbols.
+-- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either', only what the network refuses.
 recognise :: KnownField k => Recogniser k -> Composite -> Either NetworkError Recognition
-recognise reader composite = do
-  groups <- traverse (readCluster (recogniserNetwork reader)) (arrange (segmentedSymbols (segment composite)))
-  pure Recognition
-    { recognisedSymbols = concatMap snd groups
-    , recognisedAnswer = answerFrom reader groups
+recognise reader composite = recogniseWith standardTolerance reader [composite]
+
+-- | Recognise what composites of one face show together, whose origins tell how they lie to each other, to less than a quarter of
+-- the symbols' pitch.
+recogniseWith :: KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError Recognition
+recogniseWith tolerance reader composites = do
+  (upright, sideways) <- readSymbols (recogniserReader reader) composites
+  let known = length . filter (isJust . readClass)
+      (symbols, others) = if known sideways > known upright then (sideways, upright) else (upright, sideways)
+      dissenters = filter (isJust . readClass) others
+  mirrored <- if known symbols == 0 then readMirrored (recogniserReader reader) composites else pure False
+  pure (answered tolerance reader mirrored symbols dissenters)
+
+-- | The answer from the symbols of one axis, and what the network knows of the other.
+answered :: KnownField k => Tolerance -> Recogniser k -> Bool -> [ReadSymbol] -> [ReadSymbol] -> Recognition
+answered tolerance reader mirrored symbols dissenters
+  | mirrored = refused Mirrored
+  | null symbols = refused NoSymbols
+  | all (isNothing . readClass) symbols = refused SymbolsUnclear
+  | otherwise = case faceGrid (groups symbols) of
+      Nothing -> refused GridContradicts
+      Just grid ->
+        let judgement = judge (recogniserBook reader) tolerance dissenters grid
+        in Recognition (symbols ++ dissenters) (judgedEvidence judgement) (fromJudgement reader judgement)
+  where
+    refused = Recognition (symbols ++ dissenters) Nothing . Left
+
+fromJudgement :: KnownField k => Recogniser k -> Judgement -> Either Refusal Answer
+fromJudgement reader judgement = case judgedRuling judgement of
+  Placed position -> maybe (Left (NotLocated NoCompleteWindow)) (Right . Found) (foundAt reader judgement position)
+  Undecided positions -> Right (Several (judgedOrientation judgement) positions)
+  WrongWayUp -> Left OrientationContradicts
+  OffTheGrid -> Left GridContradicts
+  GroupsApart -> Left WindowsContradict
+  Unplaced reason -> Left (NotLocated reason)
+
+-- | The answer when the grid's upper left cell is at this position.
+foundAt :: KnownField k => Recogniser k -> Judgement -> Position -> Maybe Finding
+foundAt reader judgement position = do
+  window <- listToMaybe (if null complete then sortOn (Down . felt) windows else complete)
+  pure Finding
+    { foundOrientation = judgedOrientation judgement
+    , foundWindow = window
+    , foundWindows = complete
+    , foundPlaces = Map.fromList [ (readNumber s, place) | (cell, here) <- Map.toList cells, Just place <- [placeOf cell], s <- here ]
     }
-
--- | A group of neighbouring symbols: their cells on a grid, if they lie on one, and the symbols themselves.
-type Group = (Maybe (Map Cell ReadSymbol), [ReadSymbol])
-
-readCluster :: Network -> Cluster -> Either NetworkError Group
-readCluster network cluster = case cluster of
-  Lattice.Cluster cells -> do
-    grid <- traverse (readSymbol network) cells
-    pure (Just grid, Map.elems grid)
-  Lattice.Contradiction _ images -> (,) Nothing <$> traverse (readSymbol network) images
-
--- | Ask the network about a symbol's image in both orientations; it must know it in exactly one of them.
-readSymbol :: Network -> SymbolImage -> Either NetworkError ReadSymbol
-readSymbol network image = do
-  upright <- classify standardThresholds network (symbolPixels image)
-  turned <- classify standardThresholds network (halfTurn (symbolPixels image))
-  pure (ReadSymbol image (inOneOrientation upright turned))
   where
-    inOneOrientation (Recognised _ _) (Recognised _ _) = Nothing
-    inOneOrientation (Recognised c _) _ = Just (Upright, c)
-    inOneOrientation _ (Recognised c _) = Just (HalfTurned, c)
-    inOneOrientation _ _ = Nothing
+    cells = judgedCells judgement
+    array = bookArray (recogniserBook reader)
+    place0 (i, j) = canonicalPosition (bookSurface (recogniserBook reader)) (arrayShape array) (toInteger (row position) + toInteger i) (toInteger (column position) + toInteger j)
+    placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
+    -- Cells with a symbol that the network knows as what the array has there.
+    right = Map.mapMaybeWithKey agreeing cells
+    agreeing cell here = do
+      expected <- symbolExpected <$> placeOf cell
+      if any ((== Just (judgedOrientation judgement, expected)) . readClass) here then Just expected else Nothing
+    windows = [ window | i <- [0 .. fst end], j <- [0 .. snd end], Just window <- [windowIn reader judgement right place0 (i, j)] ]
+    end = (maximum (0 : map fst (Map.keys cells)), maximum (0 : map snd (Map.keys cells)))
+    complete = filter (all (all isJust) . windowClasses) windows
+    felt window = (length (filter isJust (concat (windowClasses window))), onFace (windowWhereabouts window))
+    onFace w = case w of
+      OnFace _ -> True
+      _ -> False
 
-answerFrom :: KnownField k => Recogniser k -> [Group] -> Either Refusal Answer
-answerFrom reader groups = do
-  orientation <- case nub [o | Just (o, _) <- map readClass symbols] of
-    _ | null symbols -> Left NoSymbols
-    [] -> Left SymbolsUnclear
-    [o] -> Right o
-    _ -> Left OrientationContradicts
-  grids <- maybe (Left GridContradicts) Right (traverse fst groups)
-  combine reader orientation [ (grid, locateGrid reader grid) | grid <- map (seenOnFace orientation) grids ]
-  where
-    symbols = concatMap snd groups
-
--- | A group of symbols as seen on the face, row by row, with gaps.
-seenOnFace :: Orientation -> Map Cell ReadSymbol -> [[Maybe ReadSymbol]]
-seenOnFace orientation symbols = [ [ Map.lookup (i, j) cells | j <- extent snd ] | i <- extent fst ]
-  where
-    cells = case orientation of
-      Upright -> symbols
-      HalfTurned -> halfTurned symbols
-    extent part = [0 .. maximum (-1 : map part (Map.keys cells))]
-
--- | Where a group's recognised cells lie in the array.
-locateGrid :: KnownField k => Recogniser k -> [[Maybe ReadSymbol]] -> Outcome
-locateGrid reader grid = either (const (Refused NoCompleteWindow)) (locatePatch (recogniserTable reader)) cells
-  where
-    cells = first (const ()) (traverse (traverse element) grid) >>= first (const ()) . patch
-    element symbol = traverse (elementOfClass . snd) (symbol >>= readClass)
-
--- | One answer from the groups': those without a complete window do not count, the others must agree.
-combine :: Recogniser k -> Orientation -> [([[Maybe ReadSymbol]], Outcome)] -> Either Refusal Answer
-combine reader orientation groups
-  | contradiction : _ <- [ r | (_, Refused r) <- groups, r `notElem` incomplete ] = Left (NotLocated contradiction)
-  | window : windows <- found =
-      if all (agrees reader orientation window) windows then Right (Found orientation window windows) else Left WindowsContradict
-  | positions : _ <- [ ps | (_, Ambiguous ps _) <- groups ] = Right (Several orientation positions)
-  | otherwise = Left (NotLocated NoCompleteWindow)
-  where
-    incomplete = [TooFewCells, NoCompleteWindow]
-    found = concat [ mapMaybe (windowIn reader grid position) offsets | (grid, Located position offsets) <- groups ]
-
--- | The complete window at an offset of a located group.
-windowIn :: Recogniser k -> [[Maybe ReadSymbol]] -> Position -> Position -> Maybe ReadWindow
-windowIn reader grid (Position i j) (Position di dj) = do
-  cells <- traverse (traverse known) (block di dj grid)
-  let centres = map fst (concat cells)
-      position = Position ((i + di) `mod` rows shape) ((j + dj) `mod` columns shape)
+-- | The window whose upper left cell is this one of the grid.
+windowIn :: Recogniser k -> Judgement -> Map Cell Int -> (Cell -> Maybe Position) -> Cell -> Maybe ReadWindow
+windowIn reader judgement right place0 (i, j) = do
+  position <- place0 (i, j)
   pure ReadWindow
     { windowPosition = position
-    , windowClasses = map (map snd) cells
+    , windowClasses = [ [ Map.lookup cell right | cell <- line ] | line <- block ]
     , windowSeenAt = (average (map fst centres), average (map snd centres))
-    , windowWhereabouts = whereabouts layout window position
+    , windowWhereabouts = whereabouts (recogniserPlacement reader) window position
     }
   where
-    layout = recogniserPlacement reader
-    shape = placementShape layout
     window = recogniserWindow reader
-    block top left = map (part left (columns window)) . part top (rows window)
-    part from count = take (fromIntegral count) . drop (fromIntegral from)
-    known symbol = do
-      s <- symbol
-      (_, c) <- readClass s
-      pure (symbolCentre (readImage s), c)
-    average xs = sum xs / fromIntegral (length xs)
-
--- | Do two windows lie in the composite as their positions lie in the array? To half a cell's pitch.
-agrees :: Recogniser k -> Orientation -> ReadWindow -> ReadWindow -> Bool
-agrees reader orientation a b = near columns column fst pitchRight && near rows row snd pitchDown
-  where
-    layout = recogniserPlacement reader
-    near size index along size1 =
-      let cells = fromIntegral (index (windowPosition b)) - fromIntegral (index (windowPosition a)) :: Double
-          taxels = sign * (along (windowSeenAt b) - along (windowSeenAt a))
-          apart = taxels / (fromRational (size1 (placementPitch layout)) / taxelPitch) - cells
-          wrapped = apart - whole * fromIntegral (round (apart / whole) :: Integer)
-          whole = fromIntegral (size (placementShape layout))
-      in abs wrapped < 0.5
-    sign = case orientation of
-      Upright -> 1
-      HalfTurned -> -1
+    below n = takeWhile (< fromIntegral n) [0 ..]
+    block = [ [ (i + di, j + dj) | dj <- below (columns window) ] | di <- below (rows window) ]
+    centres = [ centreFrom s cell | line <- block, cell <- line, Just here <- [Map.lookup cell (judgedCells judgement)], s <- here ]
+    -- Where the window's centre is, by the symbol in this cell.
+    centreFrom s (i', j') =
+      let (x, y) = readAt s
+          across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)
+          down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
+          (dx, dy) = onComposite (judgedOrientation judgement) (across, down)
+      in (x - dx, y - dy)
+    average xs = sum xs / fromIntegral (max 1 (length xs))

@@ -8,6 +8,7 @@ module PraTactile.Segment
 
     -- * Segmentation
   , segment
+  , segmentSideways
   , Segmentation (..)
   , Reject (..)
   , Cause (..)
@@ -21,7 +22,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 
-import PraTactile.Image (Raster, generate, index, rasterHeight, rasterWidth, zipRaster)
+import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
@@ -37,7 +38,7 @@ data SymbolImage = SymbolImage
   -- ^ 8 x 12 taxels, resampled along the symbol's axis from its box: background 0, embossing about 1, not clipped.
   , symbolAxis :: !Double
   -- ^ The direction of its x axis, degrees clockwise from the composite's, up to a half turn, which only
-  -- recognising the symbol decides. Upright boxes: 0.
+  -- recognising the symbol decides. Upright boxes: 0; boxes on their side: 90.
   , symbolSize :: !(Double, Double)
   -- ^ The width and height that were measured, in pixels.
   }
@@ -85,6 +86,19 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
     , Just a <- [Map.lookup (x - 1, y) touched]
     , Just c <- [Map.lookup (x + 1, y) touched]
     ]
+
+-- | The symbols of a composite that lie on their side: turned by 90 degrees or by 270. Their centres are in the composite's pixels all the
+-- same, their axis is 90, and their images and sizes are as seen along that axis.
+segmentSideways :: Composite -> Segmentation
+segmentSideways composite = (segment turned) {segmentedSymbols = map turnedBack symbols, segmentedRejects = map boxBack rejects}
+ where
+  -- Counterclockwise: what points down then points right.
+  counterclockwise = quarterTurn . halfTurn
+  turned = composite {compositeImage = counterclockwise (compositeImage composite), compositeCoverage = counterclockwise (compositeCoverage composite)}
+  Segmentation symbols rejects _ = segment turned
+  right = fromIntegral (rasterWidth (compositeImage composite)) - 1
+  turnedBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
+  boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double

@@ -1,0 +1,74 @@
+-- | One grid for all the symbols of a face: groups of symbols that no neighbours connect are joined by their distances, as far as these
+-- are whole numbers of cells.
+module PraTactile.Recognise.FaceGrid
+  ( FaceGrid (..)
+  , faceGrid
+  , Cells
+  , seenOnFace
+  , gridRows
+  ) where
+
+import Data.List (partition, sortOn)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import Data.Set (Set)
+import qualified Data.Set as Set
+
+import PraTactile.Recognise.Reading
+import PraTactile.Segment.Lattice (Cell, columnPitch, halfTurned, pitchTolerance, rowPitch)
+
+-- | By cell, the symbols that were read there; several where several composites show it.
+type Cells = Map Cell [ReadSymbol]
+
+-- | Symbols of one axis on a common grid.
+data FaceGrid = FaceGrid
+  { gridCells :: Cells
+    -- ^ rows and columns counted from 0 along the symbols' axes
+  , gridGroups :: [Set Int]
+    -- ^ the numbers of the symbols of each group
+  , gridStrays :: [ReadSymbol]
+    -- ^ symbols of groups whose distance from the others is no whole number of cells
+  }
+
+-- | Join groups to the one with the most symbols that the network knows. 'Nothing' if the distances within a group contradict each
+-- other.
+faceGrid :: [Group] -> Maybe FaceGrid
+faceGrid found = do
+  gridded <- traverse (\g -> (,) g <$> groupCells g) found
+  pure $ case sortOn (negate . known . fst) gridded of
+    [] -> FaceGrid Map.empty [] []
+    (base, cells) : others ->
+      let (joined, strays) = partition (isJust . fst) [ (displacement base g, (g, own)) | (g, own) <- others ]
+          placed = once cells : [ Map.mapKeys (\(i, j) -> (i + di, j + dj)) (once own) | (Just (di, dj), (_, own)) <- joined ]
+          members = base : [ g | (Just _, (g, _)) <- joined ]
+          top = minimum (0 : map fst (concatMap Map.keys placed))
+          left = minimum (0 : map snd (concatMap Map.keys placed))
+          moved = map (Map.mapKeys (\(i, j) -> (i - top, j - left))) placed
+      in FaceGrid (Map.unionsWith (++) moved) (map (Set.fromList . map readNumber . groupSymbols) members) (concatMap (groupSymbols . fst . snd) strays)
+  where
+    known g = length (filter (isJust . readClass) (groupSymbols g))
+    once = Map.map pure
+
+-- | By how many rows and columns of cells the second group's cell (0, 0) lies from the first's, to the tolerance of neighbours.
+displacement :: Group -> Group -> Maybe Cell
+displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
+  where
+    whole part pitch
+      | abs (apart - pitch * fromIntegral cells) <= pitchTolerance = Just cells
+      | otherwise = Nothing
+      where
+        apart = part (groupAnchor b) - part (groupAnchor a)
+        cells = round (apart / pitch) :: Int
+
+-- | The cells as they lie on the face, if it lies so.
+seenOnFace :: Orientation -> Map Cell a -> Map Cell a
+seenOnFace orientation
+  | orientation `elem` [HalfTurned, TurnedLeft] = halfTurned
+  | otherwise = id
+
+-- | The cells row by row, with gaps; no rows where there are no cells.
+gridRows :: Map Cell a -> [[Maybe a]]
+gridRows cells = [ [ Map.lookup (i, j) cells | j <- extent snd ] | i <- extent fst ]
+  where
+    extent part = [0 .. maximum (-1 : map part (Map.keys cells))]

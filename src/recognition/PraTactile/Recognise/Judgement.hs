@@ -1,0 +1,187 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+-- | From the symbols on a grid to the place of the grid's upper left cell in the array: two judgements that must agree.
+--
+-- The probabilities of all symbols, known to the network or not, say how likely every position is; the likeliest must be likely
+-- enough. And of the symbols that the network knows, no more may contradict it than the known ones' minimum distance lets be wrong:
+-- probabilities rest on a model of the sensor, the distance does not.
+module PraTactile.Recognise.Judgement
+  ( -- * Judging
+    Tolerance (..)
+  , standardTolerance
+  , judge
+  , Judgement (..)
+  , Ruling (..)
+    -- * What is behind it
+  , Evidence (..)
+  , knownPatch
+  ) where
+
+import Control.Monad (join)
+import Data.List (foldl')
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, mapMaybe)
+import Data.Proxy (Proxy (..))
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Grid (canonicalPosition)
+import PraTactile.Locate
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest
+import PraTactile.Locate.Soft
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Reading
+import PraTactile.Symbol (elementOfClass)
+
+-- | What a caller lets pass.
+data Tolerance = Tolerance
+  { toleratedDoubt :: Double
+    -- ^ the probability of a wrong answer, below 1
+  , toleratedErrors :: Radius
+    -- ^ how many known symbols may be wrong
+  }
+  deriving stock (Eq, Show)
+
+-- | A hundredth, and as many wrong symbols as the known ones' minimum distance lets be corrected for certain.
+standardTolerance :: Tolerance
+standardTolerance = Tolerance 0.01 Guaranteed
+
+-- | What a position rests on.
+data Evidence = Evidence
+  { evidenceDoubt :: Double
+    -- ^ the probability, by the symbols' own, that orientation or position are others
+  , evidenceAgreeing :: Int
+    -- ^ how many known symbols are what the array has in their place
+  , evidenceWrong :: [Int]
+    -- ^ the numbers of those that are not, or that lie another way up, or off the grid
+  , evidenceDistance :: Natural
+    -- ^ the minimum distance of the cells with a known symbol
+  , evidenceRadius :: Natural
+    -- ^ how many of them may be wrong
+  }
+  deriving stock (Eq, Show)
+
+-- | What was made of a grid.
+data Judgement = Judgement
+  { judgedOrientation :: Orientation
+  , judgedCells :: Cells
+    -- ^ the grid as it lies on the face
+  , judgedEvidence :: Maybe Evidence
+    -- ^ for the likeliest position, accepted or not
+  , judgedRuling :: Ruling
+  }
+
+-- | Where the grid's upper left cell is, or what stands against an answer.
+data Ruling
+  = Placed Position
+  | Undecided [Position]      -- ^ several positions agree with all that is known
+  | WrongWayUp                -- ^ too many symbols lie another way up than the rest
+  | OffTheGrid                -- ^ too many symbols lie off the grid of the rest
+  | GroupsApart               -- ^ groups of symbols lead to different places
+  | Unplaced Reason
+  deriving stock (Eq, Show)
+
+-- | Judge a grid of symbols of one axis. The dissenters are symbols of the other axis that the network knows all the same.
+judge :: forall k. KnownField k => Book k -> Tolerance -> [ReadSymbol] -> FaceGrid -> Judgement
+judge shelf tolerance dissenters grid = Judgement orientation cells evidence ruling
+  where
+    q = fieldOrder (Proxy :: Proxy k)
+    (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
+    cells = seenOnFace orientation (gridCells grid)
+    known = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, Just (o, _) <- [readClass s], o == orientation ]
+    otherWayUp = [ s | here <- Map.elems cells, s <- here, Just (o, _) <- [readClass s], o /= orientation ] ++ dissenters
+    strays = filter (isJust . readClass) (gridStrays grid)
+    distance = observedDistance shelf (map offset (Set.toAscList (Set.fromList (map fst known))))
+    radius = case toleratedErrors tolerance of
+      Guaranteed -> guaranteedRadius distance
+      UpTo e -> e
+
+    likely = softPatch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells)))
+    found = posterior shelf <$> either (const Nothing) Just likely
+    evidence = do
+      soft <- found
+      place <- posteriorBest soft
+      let right (cell, s) = codeAt place cell == fmap snd (readClass s)
+          misfits = [ s | here@(_, s) <- known, not (right here) ]
+      pure Evidence
+        { evidenceDoubt = 1 - (1 - orientationDoubt) * (1 - posteriorDoubt soft)
+        , evidenceAgreeing = length (filter right known)
+        , evidenceWrong = map readNumber (misfits ++ otherWayUp ++ strays)
+        , evidenceDistance = distance
+        , evidenceRadius = radius
+        }
+    exact = either (const (Refused TooFewCells)) (decisionOutcome . nearest shelf (toleratedErrors tolerance)) (knownPatch cells orientation)
+
+    ruling = case (found >>= posteriorBest, evidence) of
+      (Just place, Just e)
+        | evidenceDoubt e <= toleratedDoubt tolerance ->
+            if counted (evidenceWrong e) <= radius then Placed place else against (counted (evidenceWrong e))
+      _ | counted otherWayUp > radius -> WrongWayUp
+        | otherwise -> unclear
+    counted :: [a] -> Natural
+    counted = fromIntegral . length
+    -- The position is likely, but too much contradicts it.
+    against wrong
+      | not (null otherWayUp) && wrong <= radius + counted otherWayUp = WrongWayUp
+      | not (null strays) && wrong <= radius + counted strays = OffTheGrid
+      | groupsApart = GroupsApart
+      | Refused reason <- exact = Unplaced reason
+      | otherwise = Unplaced Contradiction
+    -- No position is likely enough.
+    unclear = case exact of
+      Located _ _ -> Unplaced BelowThreshold
+      Ambiguous places (_ : _) -> Undecided places
+      Refused reason | reason `notElem` [TooFewCells, NoCompleteWindow] -> if groupsApart then GroupsApart else Unplaced reason
+      _ -> Unplaced NoCompleteWindow
+
+    groupsApart = case mapMaybe alone (gridGroups grid) of
+      place : places -> any (/= place) places
+      [] -> False
+    alone numbers = case decisionOutcome . nearest shelf (toleratedErrors tolerance) <$> knownPatch (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) orientation of
+      Right (Located place _) -> Just place
+      _ -> Nothing
+    codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellOf place cell
+    cellOf (Position r c) (i, j) =
+      canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)
+    offset (i, j) = Position (fromIntegral i) (fromIntegral j)
+
+-- | The orientation of the symbols' axis that fits them best, and the probability that it is the other one, by what the symbols
+-- themselves show. Upright symbols decide for themselves; the code is not asked.
+likeliestOrientation :: Int -> Cells -> (Orientation, Double)
+likeliestOrientation q cells
+  | difference >= 0 = (one', doubt difference)
+  | otherwise = (other, doubt (negate difference))
+  where
+    sideways = or [ isSideways (fst (readLikeliest s)) | here <- Map.elems cells, s <- here ]
+    (one', other) = if sideways then (TurnedRight, TurnedLeft) else (Upright, HalfTurned)
+    difference = sum [ log (sum (chances q one' here)) - log (sum (chances q other here)) | here <- Map.elems cells ]
+    doubt d = 1 / (1 + exp d)
+
+-- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the product over the symbols, which were seen
+-- independently.
+chances :: Int -> Orientation -> [ReadSymbol] -> [Double]
+chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map chance here)
+  where
+    chance s =
+      let others = readDoubt s / fromIntegral (2 * q - 1)
+      in [ if (orientation, c) == readLikeliest s then 1 - readDoubt s else others | c <- [0 .. q - 1] ]
+
+-- | The probabilities of the classes in a cell.
+beliefIn :: KnownField k => Int -> Orientation -> [ReadSymbol] -> Maybe (Belief k)
+beliefIn q orientation here
+  | null here || total <= 0 = Nothing
+  | otherwise = either (const Nothing) Just (belief (map (/ total) weights))
+  where
+    weights = chances q orientation here
+    total = sum weights
+
+-- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no cells.
+knownPatch :: KnownField k => Cells -> Orientation -> Either LocateError (Patch k)
+knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
+  where
+    agreed here = case [ c | s <- here, Just (o, c) <- [readClass s], o == orientation ] of
+      c : others | all (== c) others -> either (const Nothing) Just (elementOfClass c)
+      _ -> Nothing

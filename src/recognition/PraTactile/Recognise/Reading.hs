@@ -1,0 +1,152 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | Reading the symbols of composites: what each most likely is and which way up, and how they lie beside each other.
+module PraTactile.Recognise.Reading
+  ( -- * Orientations
+    Orientation (..)
+  , orientationDegrees
+  , isSideways
+  , onComposite
+    -- * Symbols
+  , ReadSymbol (..)
+  , Reader (..)
+  , readSymbols
+  , readMirrored
+    -- * Groups
+  , Group (..)
+  , groups
+  ) where
+
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, mapMaybe)
+
+import PraTactile.Classify.Estimate
+import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), classify, standardThresholds)
+import PraTactile.Image (halfTurn, mirrorColumns)
+import PraTactile.Probe (taxelPitch)
+import PraTactile.Segment
+import PraTactile.Segment.Lattice (Cell, arrange)
+import qualified PraTactile.Segment.Lattice as Lattice
+import PraTactile.Stitch (Composite (..))
+
+-- | How the face lies in the composite.
+data Orientation
+  = Upright       -- ^ the composite's rows run as the face's do
+  | TurnedRight   -- ^ the composite shows the face turned clockwise by 90 degrees
+  | HalfTurned    -- ^ by 180 degrees
+  | TurnedLeft    -- ^ clockwise by 270 degrees
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | Clockwise, in degrees: how the face appears turned in the composite.
+orientationDegrees :: Orientation -> Int
+orientationDegrees orientation = 90 * fromEnum orientation
+
+-- | Do the face's rows run down or up the composite?
+isSideways :: Orientation -> Bool
+isSideways orientation = orientation `elem` [TurnedRight, TurnedLeft]
+
+-- | A displacement on the face, to the right and down, as it is seen in the composite.
+onComposite :: Orientation -> (Double, Double) -> (Double, Double)
+onComposite orientation (across, down) = case orientation of
+  Upright -> (across, down)
+  TurnedRight -> (negate down, across)
+  HalfTurned -> (negate across, negate down)
+  TurnedLeft -> (down, negate across)
+
+-- | A symbol that was cut out of a composite, and what the network says of it.
+data ReadSymbol = ReadSymbol
+  { readNumber :: Int
+    -- ^ counts the symbols read together, from 0
+  , readSource :: Int
+    -- ^ the composite, counted from 0, that it was cut out of
+  , readImage :: SymbolImage
+    -- ^ where it lies in that composite, and its 8-by-12 image
+  , readAt :: (Double, Double)
+    -- ^ its centre on the first composite's grid of pixels, which goes on beyond that composite: to the right and down
+  , readClass :: Maybe (Orientation, Int)
+    -- ^ orientation and class, if the network knows it in exactly one orientation
+  , readLikeliest :: (Orientation, Int)
+    -- ^ the likeliest orientation and class, known or not
+  , readDoubt :: Double
+    -- ^ the probability that it is another orientation or class, of the same axis
+  }
+
+-- | What symbols are read with.
+data Reader = Reader Templates Network
+
+-- | The symbols of composites of one face, whose origins tell how they lie to each other. First those that stand upright or upside
+-- down, then those that lie on their side; blobs of one sort are seldom of the other's size.
+readSymbols :: Reader -> [Composite] -> Either NetworkError ([ReadSymbol], [ReadSymbol])
+readSymbols reader composites = do
+  upright <- alike False segment
+  sideways <- alike True segmentSideways
+  let numbered from = zipWith (\n symbol -> symbol {readNumber = n}) [from ..]
+  pure (numbered 0 upright, numbered (length upright) sideways)
+  where
+    alike lying cut = concat <$> traverse (\(i, c) -> traverse (readSymbol reader lying i (shift c)) (segmentedSymbols (cut c))) (zip [0 ..] composites)
+    shift c = case composites of
+      first : _ -> (apart fst first c, apart snd first c)
+      [] -> (0, 0)
+    apart part first c = (part (compositeOrigin c) - part (compositeOrigin first)) / taxelPitch
+
+-- | Ask the network about a symbol's image in both orientations that its axis has; it knows the symbol if it does so in exactly one of
+-- them.
+readSymbol :: Reader -> Bool -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
+readSymbol (Reader shapesSeen network) lying source (dx, dy) image = do
+  upright <- classify standardThresholds network (symbolPixels image)
+  turned <- classify standardThresholds network (halfTurn (symbolPixels image))
+  likeliest <- estimate shapesSeen network (symbolPixels image)
+  pure ReadSymbol
+    { readNumber = 0
+    , readSource = source
+    , readImage = image
+    , readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy)
+    , readClass = inOneOrientation upright turned
+    , readLikeliest = (oriented (estimateHalfTurned likeliest), estimateClass likeliest)
+    , readDoubt = estimateDoubt likeliest
+    }
+  where
+    oriented isTurned
+      | lying = if isTurned then TurnedLeft else TurnedRight
+      | otherwise = if isTurned then HalfTurned else Upright
+    inOneOrientation (Recognised _ _) (Recognised _ _) = Nothing
+    inOneOrientation (Recognised c _) _ = Just (oriented False, c)
+    inOneOrientation _ (Recognised c _) = Just (oriented True, c)
+    inOneOrientation _ _ = Nothing
+
+-- | Does the network know most of the symbols in the composites' mirror images, and at least three? Then the images are mirrored.
+readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
+readMirrored reader composites = do
+  (upright, sideways) <- readSymbols reader (map mirror composites)
+  pure (any mostKnown [upright, sideways])
+  where
+    mirror c = c {compositeImage = mirrorColumns (compositeImage c), compositeCoverage = mirrorColumns (compositeCoverage c)}
+    mostKnown symbols = let known = length (filter (isJust . readClass) symbols) in known >= 3 && 2 * known > length symbols
+
+-- | Symbols that neighbourhood ties together.
+data Group = Group
+  { groupCells :: Maybe (Map Cell ReadSymbol)
+    -- ^ each in its cell, rows and columns counted along the symbols' axes; 'Nothing' if their distances contradict each other
+  , groupAnchor :: (Double, Double)
+    -- ^ where the group's cell (0, 0) has its centre, along the symbols' axes: pixels across and down
+  , groupSymbols :: [ReadSymbol]
+  }
+
+-- | The groups of symbols of one axis, by neighbourhood within each composite.
+groups :: [ReadSymbol] -> [Group]
+groups symbols = concat [ map (grouped (byPlace here)) (arrange (map placed here)) | here <- Map.elems bySource ]
+  where
+    bySource = Map.fromListWith (flip (++)) [ (readSource s, [s]) | s <- symbols ]
+    placed s = (readImage s) {symbolCentre = readAt s}
+    byPlace here = Map.fromList [ (readAt s, s) | s <- here ]
+    grouped here cluster = case cluster of
+      Lattice.Cluster cells ->
+        let found = Map.mapMaybe (named here) cells
+        in Group (Just found) (anchor (Map.toList found)) (Map.elems found)
+      Lattice.Contradiction _ images -> Group Nothing (0, 0) (mapMaybe (named here) images)
+    named here image = Map.lookup (symbolCentre image) here
+    anchor found = (mean [ across s - Lattice.columnPitch * fromIntegral j | ((_, j), s) <- found ], mean [ down s - Lattice.rowPitch * fromIntegral i | ((i, _), s) <- found ])
+    across s = let (x, y) = readAt s in if lies s then y else x
+    down s = let (x, y) = readAt s in if lies s then negate x else y
+    lies = isSideways . fst . readLikeliest
+    mean xs = sum xs / fromIntegral (max 1 (length xs))
