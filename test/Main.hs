@@ -46,6 +46,7 @@ import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Rates
 import qualified Test.Recognise
+import qualified Test.RecogniseDamage
 import qualified Test.Store
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
@@ -108,6 +109,7 @@ main = hspec $ do
   describe "Store" Test.Store.spec
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
+  describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec

@@ -17,7 +17,7 @@ import Message
 import PraTactile.Explore
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (taxelPitch)
+import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Relief
@@ -32,6 +32,7 @@ data Options = Options
   , positionError :: Double
   , noise :: Double
   , seed :: Int
+  , origin :: (Double, Double)
   , tell :: Bool
   , output :: FilePath
   }
@@ -51,6 +52,7 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
       <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> option auto (long "seed" <> metavar "N" <> help "Seed of every random draw")
+      <*> option (pairReader ',' "12.7,60") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
       <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")
 
@@ -58,6 +60,7 @@ run :: ArrayChoice -> Options -> IO Ending
 run choice options
   | not (positionError options >= 0 && positionError options < 1000) = unusable "--position-error is a number of taxels from 0 up"
   | not (noise options >= 0 && noise options < 1000) = unusable "--noise is a share of full scale from 0 up"
+  | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] = unusable "--origin is a place in millimetres"
   | otherwise = do
       profile <- chosenProfile choice
       layout <- placementFor profile
@@ -70,13 +73,14 @@ run choice options
           sensor = standardSensor { sensorPositionError = positionError options, sensorNoise = noise options }
       if fits pressed region then pure () else unusable (tooLarge pressed)
       (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
-      writeFolder (output options) =<< orUnusable imageMessage (frameFiles frames)
+      writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
       putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ output options)
       if tell options then putStrLn (truth pressed region) else pure ()
       pure Answered
   where
     placed drawn = case (at options, turned options) of
       (place, turn) -> (maybe id atPlace place . maybe id (\t r -> r { regionTurned = t }) turn) drawn
+    moved frame = let pose = framePose frame in frame { framePose = pose { poseX = poseX pose + fst (origin options), poseY = poseY pose + snd (origin options) } }
     atPlace (x, y) r = r { regionRight = x / taxelPitch, regionDown = y / taxelPitch }
     fits pressed region = regionRight region >= 0 && regionDown region >= 0
       && taxelPitch * (regionRight region + fromIntegral (regionWidth region)) <= fromRational (spotRight (laidExtent pressed)) + 1e-9

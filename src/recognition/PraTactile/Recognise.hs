@@ -94,6 +94,7 @@ data ReadWindow = ReadWindow
   , windowSeenAt :: (Double, Double)    -- ^ its centre, by those of its symbols that were seen, as 'readAt' has it
   , windowWhereabouts :: Whereabouts    -- ^ what lies there
   }
+  deriving stock (Eq, Show)
 
 -- | Where a symbol is in the array.
 data SymbolPlace = SymbolPlace
@@ -108,6 +109,7 @@ data Recognition = Recognition
   , recognisedEvidence :: Maybe Evidence     -- ^ for the likeliest position, where there is one
   , recognisedAnswer :: Either Refusal Answer
   }
+  deriving stock (Eq, Show)
 
 -- | The answer.
 data Answer
@@ -115,6 +117,7 @@ data Answer
   | -- | The orientation, and the several positions of the patch's upper left cell that fit what was recognised (only
     -- where the array lacks the window property).
     Several Orientation [Position]
+  deriving stock (Eq, Show)
 
 -- | Where the composites are.
 data Finding = Finding
@@ -126,6 +129,7 @@ data Finding = Finding
   , foundPlaces :: Map Int SymbolPlace
     -- ^ by the symbols' numbers
   }
+  deriving stock (Eq, Show)
 
 -- | Why there is no answer; each has a stable name, 'refusalName'.
 data Refusal

@@ -70,6 +70,7 @@ data ReadSymbol = ReadSymbol
   , readDoubt :: Double
     -- ^ the probability that it is another orientation or class, of the same axis
   }
+  deriving stock (Eq, Show)
 
 -- | What symbols are read with.
 data Reader = Reader Templates Network
