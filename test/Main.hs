@@ -35,6 +35,7 @@ import qualified Test.Code.Sequence
 import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Proof
@@ -112,6 +113,7 @@ main = hspec $ do
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
+  describe "The command line: decoding" Test.CommandLine.Decode.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
