@@ -6,6 +6,7 @@ module Files
   , readBytesUpTo
     -- * Writing
   , writeWhole
+  , orUnwritable
   , writeFolder
   ) where
 
@@ -56,6 +57,14 @@ writeWhole file bytes = do
       hClose handle
       renameFile temporary file
     discard (temporary, handle) = hClose handle >> removeFile temporary
+
+-- | Leave with status 2 if a file cannot be written there, before the work that would be lost; nothing stays behind.
+orUnwritable :: FilePath -> IO ()
+orUnwritable file = do
+  isFolder <- doesDirectoryExist file
+  when isFolder (unusable (file ++ " is a folder; a file is needed here"))
+  outcome <- try (openBinaryTempFileWithDefaultPermissions (takeDirectory file) (takeFileName file) >>= \(temporary, handle) -> hClose handle >> removeFile temporary)
+  either (unusable . writeMessage file) pure outcome
 
 -- | Write a new folder with these files, whole or not at all. Refuses a folder that is there and not empty.
 writeFolder :: FilePath -> [(FilePath, ByteString)] -> IO ()

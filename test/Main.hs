@@ -39,6 +39,7 @@ import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Proof
+import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
@@ -117,5 +118,6 @@ main = hspec $ do
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
+  describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec

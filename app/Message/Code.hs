@@ -10,6 +10,7 @@ module Message.Code
   , proofMessage
   , censusMessage
   , locateMessage
+  , groundMessage
   , algebraMessage
   , decodingMessage
   , beliefMessage
@@ -32,6 +33,7 @@ import PraTactile.Locate.BoundedDistance (DecodingError (..))
 import PraTactile.Locate.Soft (BeliefError (..))
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
+import PraTactile.Rates (GroundError (..))
 import PraTactile.Sequence (SequenceError (..))
 import PraTactile.Window (WindowError (..))
 import PraTactile.Window.Proof
@@ -133,6 +135,12 @@ locateMessage e = case e of
   PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
   PatchTooLarge cells limit -> "the rectangle around the patches has " ++ show cells ++ " cells, more than " ++ show limit
   TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
+
+groundMessage :: GroundError -> String
+groundMessage e = case e of
+  GroundSheet -> "patches are read on the array's own surface, not on the sheet"
+  GroundEmpty -> "the patch has no cells"
+  GroundTooLarge cells limit -> "patches at all positions have " ++ show cells ++ " cells together; at most " ++ show limit ++ " are simulated"
 
 algebraMessage :: AlgebraError -> String
 algebraMessage e = case e of

@@ -2,16 +2,22 @@
 -- | Simulated rates, beside the exact ones.
 module Test.Rates (spec) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, void)
+import Data.List (nub, sort, unfoldr)
+import System.Random (mkStdGen)
 import Test.Hspec
 
 import PraTactile.Array
+import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate.Book
 import PraTactile.Locate.Rates
+import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
+import PraTactile.Rates.Ground
+import PraTactile.Rates.Trial
+import PraTactile.Rates.Verdict
 import PraTactile.Window
-import PraTactile.Window.Distance
 import Test.Code.Generators
 
 spec :: Spec
@@ -21,41 +27,94 @@ spec = do
       abs (errorRate 2 sigma - figure) `shouldSatisfy` (< 1e-9)
   it "the noise for an error rate has that error rate" $
     forM_ [(q, p) | q <- [2, 4, 9], p <- [0.001, 0.02, 0.3]] $ \(q, p) -> abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
+  it "the noise for no errors makes none" $
+    forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
+  it "the fast verdict of a trial is that of the decoders" $ do
+    paper <- paperBook
+    let judged name shelf size damage = do
+          place <- right (ground shelf size)
+          let verdicts = take 150 (trialsOf place damage 5)
+          forM_ verdicts $ \trial -> case (judge place trial, judgeByDecoders place trial) of
+            (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
+              (name, size, a, b) `shouldBe` (name :: String, size, a', b')
+              -- Below 1e-20 doubts are not told apart.
+              abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
+            (_, Nothing) -> expectationFailure "no verdict"
+          -- The answers are not all alike.
+          pure [verdictAnswer (judge place trial) | trial <- verdicts]
+    answers <- concat <$> sequence
+      [ judged "paper" paper size damage
+      | size <- [Shape 1 1, Shape 2 2, Shape 3 3, Shape 2 5, Shape 4 4, Shape 9 9, Shape 17 16]
+      , damage <- [Damage 0.1 0, Damage 0.05 0.3, Damage 0.4 0.5] ]
+    sort (nub answers) `shouldBe` [Correct, Mistaken, NoAnswer]
+    binary <- right (firstPrimitive 4) >>= right . folded Diagonal (Shape 3 5) >>= bookOn Torus :: IO (Book GF2)
+    ternary <- right (firstPrimitive 4) >>= right . folded RowMajor (Shape 8 10) >>= bookOn TwistedTorus :: IO (Book GF3)
+    forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size -> void (judged "binary" binary size (Damage 0.1 0.2))
+    forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
   it "hard decoding is right, wrong and refused as often as the weights say, within 4 standard errors" $ do
     shelf <- paperBook
-    forM_ [(Shape 2 2, 0, 0.02), (Shape 3 3, 1, 0.1), (Shape 3 4, 2, 0.1)] $ \(size, t, p) -> do
+    let cases = [(Shape 2 2, Damage 0.02 0), (Shape 3 3, Damage 0.1 0), (Shape 3 4, Damage 0.1 0), (Shape 3 3, Damage 0.05 0.2)]
+    forM_ cases $ \(size, damage) -> do
       m <- right (rectangle size)
-      weights <- right (weightEnumerator (bookArray shelf) m)
-      let exact = decodingRates 4 (maskSize m) weights t p
-          found = hardRates (simulate shelf size (Damage p 0) trials 1)
+      place <- right (ground shelf size)
+      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates shelf m damage)
+      let found = hardRates (simulate place damage trials 1)
       forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
         abs (rate found - rate exact) `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
   it "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every threshold" $ do
     shelf <- paperBook
     forM_ [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)] $ \(size, damage) -> do
-      let tally = simulate shelf size damage trials 2
+      place <- right (ground shelf size)
+      let tally = simulate place damage trials 2
       forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
-        let (count, expected, wrong) = wrongAmong tolerated tally
+        let Calibration answers expected wrong = calibration tolerated tally
         abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
-        fromIntegral wrong `shouldSatisfy` (<= tolerated * fromIntegral count + 4 * sqrt (tolerated * fromIntegral count + 0.25))
+        expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
+      calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
     shelf <- paperBook
+    place <- right (ground shelf (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
-      let tally = simulate shelf (Shape 3 3) damage trials 3
+      let tally = simulate place damage trials 3
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
-  it "one seed, one result; chunks merge" $ do
+  it "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are gives all" $ do
     shelf <- paperBook
-    let part = simulate shelf (Shape 3 3) (Damage 0.05 0.1) 50
+    place <- right (ground shelf (Shape 2 2))
+    let tally = simulate place (Damage 0.1 0) 1000 4
+        Rates none none' all' = softRatesAtMost 0 tally
+        Rates a b c = softRatesAtMost 1 tally
+    (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
+    (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it "one seed, one result; every seed, damage and size its own; parts merge" $ do
+    shelf <- paperBook
+    place <- right (ground shelf (Shape 3 3))
+    other <- right (ground shelf (Shape 3 4))
+    let part = simulate place (Damage 0.05 0.1) 50
+        whole on damage seed = merge (simulations on damage 2500 seed)
     part 7 `shouldBe` part 7
-    part 7 `shouldNotBe` part 8
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
+    map tallyTrials (simulations place (Damage 0.05 0.1) 2500 7) `shouldBe` [1000, 1000, 500]
+    whole place (Damage 0.05 0.1) 7 `shouldBe` whole place (Damage 0.05 0.1) 7
+    let results =
+          [whole place (Damage p s) seed | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]]
+            ++ [whole other (Damage 0.05 0.1) 7]
+    length (nub (map show results)) `shouldBe` 5
+  it "the sheet, no cells and too many cells are refused" $ do
+    shelf <- paperBook
+    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    sheet <- bookOn Sheet array
+    either Left (const (Right ())) (ground sheet (Shape 2 2)) `shouldBe` Left GroundSheet
+    either Left (const (Right ())) (ground shelf (Shape 0 2)) `shouldBe` Left GroundEmpty
+    either Left (const (Right ())) (ground shelf (Shape 1000 1000)) `shouldBe` Left (GroundTooLarge 255000000 largestGround)
  where
   trials = 5000 :: Int
+  trialsOf place damage seed = unfoldr (Just . drawTrial place (noiseOf place damage) (damageErasures damage)) (mkStdGen seed)
+  noiseOf place damage = noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
 
 paperBook :: IO (Book GF4)
-paperBook = do
-  array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-  m <- right (rectangle (Shape 2 2))
-  right (book Torus array m)
+paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus
+
+bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Book k)
+bookOn surface array = right (rectangle (Shape 2 2)) >>= right . book surface array

@@ -15,17 +15,17 @@ module PraTactile.Locate.Rates
     Rates (..)
   , decodingRates
   , reachProbability
+  , mostCells
 
     -- * With erasures
   , erasedRates
   , ErasureRule (..)
-  , mostErasedCells
   ) where
 
-import Data.Bits (popCount, (.&.))
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
+import PraTactile.Locate.Punctured
 
 -- | Probabilities that add up to 1.
 data Rates = Rates
@@ -35,32 +35,49 @@ data Rates = Rates
   }
   deriving stock (Eq, Show)
 
+-- | 1000: the most cells of a word for which all numbers here stay within a double's range.
+mostCells :: Natural
+mostCells = 1000
+
 -- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, with so many words of each weight, zero among
 -- them; decoded to the radius t, which must be a guaranteed one (2 t less than the least weight, or 0); each cell wrong with
--- probability p. Every word but zero must be one position, as where the cells have rank n.
+-- probability p. Every word but zero must be one position, as where the cells have rank n. At most 'mostCells'.
 decodingRates :: Int -> Int -> Map Natural Natural -> Int -> Double -> Rates
-decodingRates q n weights t p = Rates right wrong (max 0 (1 - right - wrong))
+decodingRates q n weights t p =
+  radiusRates n t p (misled (windows - 1) [reachProbability q n t p w * fromIntegral k | (w, k) <- others])
  where
-  right = sum [fromInteger (binomial n e) * p ^ e * (1 - p) ^ (n - e) | e <- [0 .. t]]
-  reached = sum [fromIntegral count * reachProbability q n t p (fromIntegral w) | (w, count) <- Map.toList weights, w > 0]
-  windows = fromIntegral (sum (Map.elems weights)) - 1
-  wrong = reached * (1 - 1 / windows)
+  others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
+  windows = fromIntegral (sum (Map.elems weights))
 
--- | @reachProbability q n t p w@: that an error on n cells ends within t of one given word that differs in w of them: a of these w cells become
--- other wrong symbols, b stay right, and c of the other n - w become wrong, a + b + c <= t.
+-- | Of all that an error can lead to, the part that is a position: of so many words but zero.
+misled :: Double -> [Double] -> Double
+misled positions reached = sum reached * (1 - 1 / positions)
+
+-- | The rates of decoding n cells to the radius t, when so often an answer is wrong. What is refused is added up by itself, as the
+-- difference of 1 and the others would lose it where it is small.
+radiusRates :: Int -> Int -> Double -> Double -> Rates
+radiusRates n t p wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
+ where
+  upTo k = sum [binomialProbability n p e | e <- [0 .. k]]
+  beyond = sum [binomialProbability n p e | e <- [t + 1 .. n]]
+
+-- | @reachProbability q n t p w@: that an error on n cells ends within t of one given word that differs in w of them. It stays
+-- away from it by those of these w cells that do not turn into just this word's symbols, and by those of the others that are wrong.
 reachProbability :: Int -> Int -> Int -> Double -> Int -> Double
 reachProbability q n t p w =
   sum
-    [ fromInteger (binomial w a * binomial (w - a) b * binomial (n - w) c * toInteger (q - 2) ^ a * toInteger (q - 1) ^ c)
-        * (p / fromIntegral (q - 1)) ^ (w - b + c)
-        * (1 - p) ^ (n - w + b - c)
-    | a <- [0 .. min t w]
-    , b <- [0 .. min (t - a) (w - a)]
-    , c <- [0 .. min (t - a - b) (n - w)]
+    [ binomialProbability w hit (w - apart) * binomialProbability (n - w) p wrong
+    | apart <- [0 .. min t w]
+    , wrong <- [0 .. min (t - apart) (n - w)]
     ]
+ where
+  hit = p / fromIntegral (q - 1)
 
-binomial :: Int -> Int -> Integer
-binomial n k = product [toInteger (n - k + 1) .. toInteger n] `div` product [1 .. toInteger k]
+-- | That of n independent events of probability p, k happen.
+binomialProbability :: Int -> Double -> Int -> Double
+binomialProbability n p k = fromInteger (choices `div` product [1 .. toInteger k]) * p ^ k * (1 - p) ^ (n - k)
+ where
+  choices = product [toInteger (n - k + 1) .. toInteger n]
 
 -- | How far words with erasures are decoded.
 data ErasureRule
@@ -70,32 +87,31 @@ data ErasureRule
     ByWindow
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | 16: the most cells for which all sets of erasures are visited.
-mostErasedCells :: Int
-mostErasedCells = 16
-
--- | @erasedRates rule q supports n p s@: as 'decodingRates' when each of the n cells is also missing with probability s, independently; by
--- visiting all 2^n sets of missing cells. The supports are those of all words but zero: bit i for the cell i, if it is not zero. Patches that
--- do not tell all positions apart are refused. 'Nothing' beyond 'mostErasedCells'.
-erasedRates :: ErasureRule -> Int -> [Int] -> Int -> Double -> Double -> Maybe Rates
-erasedRates rule q supports n p s
-  | n > mostErasedCells = Nothing
-  | otherwise = Just (Map.foldrWithKey add (Rates 0 0 0) patterns)
+-- | @erasedRates rule q code p s@: as 'decodingRates' when each of the cells is also missing with probability s, independently. Observed
+-- cells that do not tell all positions apart are refused, but for zeros that occur at one position only.
+erasedRates :: ErasureRule -> Int -> Punctured -> Double -> Double -> Rates
+erasedRates rule q code p s = Rates (total rateRight) (total rateWrong) (total rateRefused)
  where
-  whole = minimum (maxBound : map popCount supports)
-  -- How probable each number of observed cells with each distribution of weights is.
-  patterns = Map.fromListWith (+) [(classOf observed, chance (popCount observed)) | observed <- [0 .. 2 ^ n - 1 :: Int]]
-  chance m = (1 - s) ^ m * s ^ (n - m)
-  classOf observed = (popCount observed, Map.toList (Map.fromListWith (+) [(fromIntegral (popCount (x .&. observed)), 1) | x <- supports]))
-  add (m, counted) weight (Rates a b c) = Rates (a + weight * a') (b + weight * b') (c + weight * c')
+  total rate = sum [chance (classCells c) * fromIntegral (classSets c) * rate (classRates c) | c <- puncturedClasses code]
+  chance m = (1 - s) ^ m * s ^ (puncturedCells code - m)
+  positions = fromIntegral (puncturedWords code)
+  classRates c = case radiusOf c of
+    Just t -> radiusRates m t p (misled positions (reached t))
+    -- Only zeros are an answer, in which a word of weight w ends with the probability of reaching a word as far away.
+    Nothing | classLoneZero c && m > 0 -> case splitAt 1 (reached 0) of
+      (lone, others) -> certain (sum lone / positions) (sum others / positions)
+    Nothing -> Rates 0 0 1
    where
-    Rates a' b' c' = case radius of
-      Nothing -> Rates 0 0 1
-      Just t -> decodingRates q m (Map.insertWith (+) 0 1 (Map.fromList counted)) t p
-    d = minimum (maxBound : map (fromIntegral . fst) counted) :: Int
-    radius
-      | d == 0 || null counted = Nothing
-      | otherwise = case rule of
-          ByObserved -> Just ((d - 1) `div` 2)
-          ByWindow | n - m < whole -> Just ((whole - (n - m) - 1) `div` 2)
-          ByWindow -> Nothing
+    m = classCells c
+    -- Of one set, on the average over those of the class.
+    reached t = [reachProbability q m t p w * fromIntegral k / fromIntegral (classSets c) | (w, k) <- classWeights c]
+    certain right wrong = Rates right wrong (1 - right - wrong)
+  radiusOf c
+    | classDistance c == 0 = Nothing
+    | otherwise = case rule of
+        ByObserved -> Just ((classDistance c - 1) `div` 2)
+        ByWindow | missing < whole -> Just ((whole - missing - 1) `div` 2)
+        ByWindow -> Nothing
+   where
+    whole = puncturedDistance code
+    missing = puncturedCells code - classCells c

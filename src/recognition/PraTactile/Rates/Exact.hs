@@ -1,0 +1,43 @@
+-- | The rates of hard decoding without chance, from the array itself.
+module PraTactile.Rates.Exact
+  ( exactRates
+  ) where
+
+import Control.Monad (guard)
+import Data.Bits (bit, (.|.))
+import Data.List (foldl')
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate.Book
+import PraTactile.Locate.Nearest (guaranteedRadius)
+import PraTactile.Locate.Punctured
+import PraTactile.Locate.Rates
+import PraTactile.Rates.Damage
+import PraTactile.Window
+import PraTactile.Window.Distance
+
+-- | The rates of decoding the cells of this mask to the radius of those observed. Applied to a book and a mask, it can be kept for many kinds
+-- of damage, as what takes time, seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
+-- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes.
+exactRates :: KnownField k => Book k -> Mask -> Damage -> Maybe Rates
+exactRates shelf mask = \damage -> do
+  guard (fromIntegral n <= mostCells)
+  if damageErasures damage > 0 || windowDistance == 0
+    then (\code -> erasedRates ByObserved q code (damageErrors damage) (damageErasures damage)) <$> holed
+    else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
+ where
+  array = bookArray shelf
+  q = fieldOrder array
+  n = maskSize mask
+  windowDistance = observedDistance shelf (maskOffsets mask)
+  radius = fromIntegral (guaranteedRadius windowDistance)
+  whole = either (const Nothing) Just (weightEnumerator array mask)
+  holed = guard (n <= mostErasedCells) >> punctured n (map support positions)
+  support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
+  positions =
+    [ content
+    | r <- below (rows (arrayShape array))
+    , c <- below (columns (arrayShape array))
+    , Just content <- [windowAt (bookSurface shelf) array mask (Position r c)]
+    ]
+  below side = takeWhile (< side) [0 ..]
