@@ -92,8 +92,11 @@ recognitionText nameOf recognition = case recognisedAnswer recognition of
 -- | What the likeliest position rests on.
 supportText :: Evidence -> String
 supportText evidence =
-  show (evidenceAgreeing evidence) ++ " of the recognised agree, " ++ show (length (evidenceWrong evidence)) ++ " contradict (" ++ show (evidenceRadius evidence)
-    ++ " may); doubt " ++ printf "%.2g" (evidenceDoubt evidence)
+  counted (evidenceAgreeing evidence) "recognised symbol agrees" "recognised symbols agree" ++ ", "
+    ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict" ++ " (" ++ (if evidenceRadius evidence == 0 then "none may" else "up to " ++ show (evidenceRadius evidence) ++ " may")
+    ++ "); doubt " ++ printf "%.1e" (evidenceDoubt evidence)
+  where
+    counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 
 -- | The recognition with its windows looked up in a database that was made for the profile.
 fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition

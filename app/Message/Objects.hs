@@ -12,6 +12,7 @@ import Json (shapeText)
 import Message.Code (locateMessage, reasonMessage)
 import Message.Touch (shapeMessage)
 import PraTactile.Array (Position (..))
+import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (RelationError (..))
 import PraTactile.Object.WingedEdge
@@ -101,4 +102,6 @@ refusalMessage refusal = case refusal of
   OrientationContradicts -> "the symbols disagree about which way up the grid is"
   GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
   WindowsContradict -> "separate groups of symbols lead to different places: at least one symbol is wrong"
+  NotLocated NoCompleteWindow -> "the recognised symbols fit more than one position, and no window of them is complete; probe a larger region"
+  NotLocated BelowThreshold -> "the likeliest position is not likely enough; probe a larger region, or tolerate more with --doubt"
   NotLocated reason -> reasonMessage reason

@@ -107,7 +107,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       let right (cell, s) = codeAt place cell == fmap snd (readClass s)
           misfits = [ s | here@(_, s) <- known, not (right here) ]
       pure Evidence
-        { evidenceDoubt = 1 - (1 - orientationDoubt) * (1 - posteriorDoubt soft)
+        { evidenceDoubt = orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft
         , evidenceAgreeing = length (filter right known)
         , evidenceWrong = map readNumber (misfits ++ otherWayUp ++ strays)
         , evidenceDistance = distance
