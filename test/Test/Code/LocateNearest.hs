@@ -5,7 +5,7 @@ module Test.Code.LocateNearest (spec) where
 
 import Control.Monad (forM_)
 import Data.Bits (popCount, shiftL, shiftR, xor, (.&.), (.|.))
-import Data.List (foldl', sort)
+import Data.List (foldl', nub, sort)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -18,7 +18,7 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
 import Test.Hspec
-import Test.QuickCheck (Gen, Property, Result (..), choose, conjoin, counterexample, forAll, property, maxSuccess, chatty, quickCheckWithResult, stdArgs, vectorOf, (===))
+import Test.QuickCheck (Gen, Property, Result (..), choose, conjoin, counterexample, forAll, property, maxSuccess, chatty, quickCheckWithResult, stdArgs, vectorOf, (===), (==>))
 
 spec :: Spec
 spec = do
@@ -31,8 +31,31 @@ spec = do
       it (show h ++ "x" ++ show w ++ ": " ++ show t ++ " errors are corrected, and more are refused or decoded as comparing with all positions says, at " ++ show places ++ " positions") $ do
         shelf <- paperBook Torus
         guaranteedRadius . distance <$> minimumDistance' shelf (Shape h w) `shouldReturn` fromIntegral t
-        sums <- mapM (patterns shelf (Shape h w) t (places == 1)) (take places (everyPosition 7))
+        sums <- mapM (patterns shelf (Shape h w) t (t + 1) (places == 1)) (take places (everyPosition 7))
         [bad | bad : _ <- sums] `shouldBe` []
+    it "3x4: every pattern of at most 2 errors is corrected at all 255 positions" $ do
+      shelf <- paperBook Torus
+      sums <- mapM (patterns shelf (Shape 3 4) 2 2 False) (everyPosition 0)
+      [bad | bad : _ <- sums] `shouldBe` []
+    it "4x4: every pattern of at most 2 errors is corrected at 30 positions" $ do
+      shelf <- paperBook Torus
+      sums <- mapM (patterns shelf (Shape 4 4) 4 2 False) (take 30 (everyPosition 3))
+      [bad | bad : _ <- sums] `shouldBe` []
+  describe "the linearity that lets one position stand for all" $ do
+    it "decoding commutes with adding a codeword: around every position an error leads to the same neighbours" $ do
+      shelf <- paperBook Torus
+      holds 2000 $ forAll ((,,) <$> genOffsets <*> genPlaces <*> vectorOf 16 (genElement :: Gen (GF GF4))) $ \(offsets, (p, p'), noise) ->
+        let led = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p))
+            led' = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p'))
+            relative place (e, found) = (e, sort (map (map toCode . (`minus` contentAt shelf offsets place)) found))
+         in relative p led === relative p' led'
+    it "decoding commutes with scaling: the multiple of a patch leads to the multiples of its neighbours" $ do
+      shelf <- paperBook Torus
+      holds 2000 $ forAll ((,,) <$> genOffsets <*> vectorOf 16 (genElement :: Gen (GF GF4)) <*> genElement) $ \(offsets, drawn, a) ->
+        let received = zipWith const drawn offsets
+            scaled (e, found) = (e, sort (map (map (toCode . (a *))) found))
+            plain (e, found) = (e, sort (map (map toCode) found))
+         in a /= 0 ==> plain (neighbours shelf offsets (map (a *) received)) === scaled (neighbours shelf offsets received)
   describe "any patch with holes and errors" $ do
     it "is decoded as its definition says, on torus and sheet, by any radius" $ do
       forM_ [Torus, Sheet] $ \surface -> do
@@ -82,10 +105,10 @@ minimumDistance' shelf size = right (rectangle size) >>= right . minimumDistance
 everyPosition :: Int -> [Position]
 everyPosition start = [Position (fromIntegral (i `mod` 15)) (fromIntegral (i `mod` 17)) | k <- [0 .. 254], let i = start + 37 * k]
 
--- | The patterns of at most t + 1 errors around a window: those whose decision is not what it should be. What it should be is found by other means: two
+-- | The patterns of at most so many errors, the second number, around a window whose radius is the first: those whose decision is not what it should be. What it should be is found by other means: two
 -- bits a cell, and counting the cells in which two windows differ by bit operations.
-patterns :: Book GF4 -> Shape -> Int -> Bool -> Position -> IO [([Position], Decision)]
-patterns shelf size t upToFactor place = do
+patterns :: Book GF4 -> Shape -> Int -> Int -> Bool -> Position -> IO [([Position], Decision)]
+patterns shelf size t most upToFactor place = do
   m <- right (rectangle size)
   let offsets = maskOffsets m
       count = length offsets
@@ -120,7 +143,7 @@ patterns shelf size t upToFactor place = do
                         || decisionNearest decision /= Just (fromIntegral least)
                         || (length wrong <= t && decisionWrong decision /= map (offsets !!) wrong)
                     ]
-  pure (concatMap check (concat [errors k | k <- [0 .. min count (t + 1)]]))
+  pure (concatMap check (concat [errors k | k <- [0 .. min count most]]))
  where
   positionsInOrder = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
   -- Every way to have exactly k wrong symbols: their indices, and the word.
@@ -130,6 +153,41 @@ patterns shelf size t upToFactor place = do
   choices first k ((i, a) : rest) =
     [(wrong, a : word) | (wrong, word) <- choices first k rest]
       ++ [(i : wrong, b : word) | b <- if first then [a + 1] else elements, b /= a, (wrong, word) <- choices False (k - 1) rest]
+
+-- | The least distance of a word from the contents of these cells, and the contents that have it, each once: zero, which stands nowhere, among
+-- them, so that they are a linear code.
+neighbours :: Book GF4 -> [Position] -> [GF GF4] -> (Natural, [[GF GF4]])
+neighbours shelf offsets received = case patch [[lookup (Position i j) cells | j <- [0 .. 3]] | i <- [0 .. 3]] of
+  Left _ -> (0, [])
+  Right p ->
+    let decision = nearest shelf (UpTo 16) p
+        places = case decisionOutcome decision of
+          Located place _ -> [place]
+          Ambiguous several _ -> several
+          _ -> []
+        found = nub (map (contentAt shelf offsets) places)
+        weight = fromIntegral (length (filter (/= 0) received)) :: Natural
+        zeros = map (const 0) offsets
+     in case decisionNearest decision of
+          Just e
+            | weight < e -> (weight, [zeros])
+            | weight == e -> (e, nub (zeros : found))
+            | otherwise -> (e, found)
+          Nothing -> (weight, [zeros])
+ where
+  cells = zip offsets received
+
+contentAt :: Book GF4 -> [Position] -> Position -> [GF GF4]
+contentAt shelf offsets (Position r c) = [cellAt (bookArray shelf) (Position (r + i) (c + j)) | Position i j <- offsets]
+
+minus :: [GF GF4] -> [GF GF4] -> [GF GF4]
+minus = zipWith (-)
+
+-- | Two positions of the paper's array.
+genPlaces :: Gen (Position, Position)
+genPlaces = (,) <$> place <*> place
+ where
+  place = (\r c -> Position (fromInteger r) (fromInteger c)) <$> choose (0, 14) <*> choose (0, 16)
 
 rowsOf :: Int -> [a] -> [[a]]
 rowsOf w cells = case splitAt w cells of

@@ -9,6 +9,8 @@ module Test.Code.LocateRoads
   ) where
 
 import Control.Monad (forM_)
+import Data.List (nub)
+import qualified Data.Map.Strict as Map
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -19,6 +21,7 @@ import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Search
+import PraTactile.Polynomial
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
@@ -38,6 +41,26 @@ spec = do
           algebra <- right (prepareAlgebra surface array m)
           let contents = [grid | packed <- [0 .. tableSize table - 1], Right codes <- [unpack MostSignificantFirst q (maskSize m) packed], grid <- toPatch window codes]
           [cells | cells <- contents, not (agree surface array m table shelf algebra cells)] `shouldBe` []
+  it "every window and every other content, of masks of any shape, on every surface, of arrays of every size up to some hundred cells, has the same outcome by all roads" $
+    forM_ everyArray $ \(q, n, polynomials) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+      found <- take polynomials <$> right (primitivePolynomials n) :: IO [Primitive k]
+      forM_ (zip [0 :: Int ..] found) $ \(number, h) ->
+        forM_ (shapesOf (fromIntegral q ^ n - 1)) $ \shape ->
+          forM_ [(Diagonal, Torus), (Diagonal, Sheet), (RowMajor, TwistedTorus), (RowMajor, Sheet)] $ \(folding, surface) ->
+            forM_ (either (const []) pure (folded folding shape h)) $ \array ->
+              forM_ (masksFor (fromIntegral n) shape) $ \offsets -> do
+                m <- right (maskFrom offsets)
+                table <- right (buildTable MostSignificantFirst surface array m)
+                shelf <- right (book surface array m)
+                algebra <- right (prepareAlgebra surface array m)
+                -- Every content for the first polynomial, and for the others all that occur and as many that may not.
+                let contents
+                      | number == 0 && tableSize table <= 512 = [0 .. tableSize table - 1]
+                      | otherwise = let windows = map fst (tableEntries table) in windows ++ map (\packed -> (packed + 1) `mod` tableSize table) windows
+                    patches = [(cells, codes) | packed <- contents, Right codes <- [unpack MostSignificantFirst q (maskSize m) packed], Right content <- [traverse fromCode codes], let cells = drawn offsets content]
+                    -- Where each content stands, by looking at all windows.
+                    standing = Map.fromListWith (flip (++)) [(map toCode content, [p]) | r <- below (rows shape), c <- below (columns shape), let p = Position r c, Just content <- [windowAt surface array m p]]
+                [(cells, array') | (cells, codes) <- patches, not (alike surface array m table shelf algebra cells (Map.findWithDefault [] codes standing)), let array' = (q, n, number, shape, folding, surface, offsets)] `shouldBe` []
   it "patches of the paper's array with holes and errors have the same outcome where a window is complete" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
@@ -103,6 +126,53 @@ smallArrays =
   ]
 
 -- | The patch that a window with these codes is, in reading order.
+-- | The field's order, the degree, and how many of the primitive polynomials are taken, in order.
+everyArray :: [(Int, Natural, Int)]
+everyArray =
+  [(2, n, 8) | n <- [1 .. 5]] ++ [(2, 6, 2), (2, 7, 1)]
+    ++ [(3, n, 8) | n <- [1 .. 3]] ++ [(3, 4, 1)]
+    ++ [(4, 1, 2), (4, 2, 4), (4, 3, 1), (5, 1, 2), (5, 2, 4), (5, 3, 1), (7, 1, 2), (7, 2, 1), (8, 1, 6), (8, 2, 1), (9, 1, 4), (9, 2, 1), (16, 1, 2)]
+
+-- | Of so many cells in all.
+shapesOf :: Natural -> [Shape]
+shapesOf cells = [Shape r (cells `div` r) | r <- takeWhile (<= cells) [1 ..], cells `mod` r == 0]
+
+-- | Masks for degree n: a rectangle, a crooked line, a rectangle with a hole and without its own upper left cell, one cell less than tells a position, one more.
+masksFor :: Int -> Shape -> [[Position]]
+masksFor n (Shape high wide) =
+  filter (not . null) . nub $
+    [ take n [Position i j | i <- below high, j <- below (if wide >= 2 && high >= 2 then 2 else wide)]
+    , take n (nub [Position (i `div` 2 `mod` high) ((i + 1) `div` 2 `mod` wide) | i <- [0 .. high + wide]])
+    , take n (drop 1 [Position i j | i <- below (min 3 high), j <- below (max 3 wide), (i, j) /= (1, 1)])
+    , take (max 1 (n - 1)) [Position i j | j <- below wide, i <- below high]
+    , take (n + 1) [Position i j | i <- below high, j <- below wide]
+    ]
+
+-- | The patch of these cells, unobserved elsewhere.
+drawn :: [Position] -> [a] -> [[Maybe a]]
+drawn offsets content = [[lookup (Position i j) observed | j <- [0 .. maximum (map column offsets)]] | i <- [0 .. maximum (map row offsets)]]
+ where
+  observed = zip offsets content
+
+below :: Natural -> [Natural]
+below k = takeWhile (< k) [0 ..]
+
+-- | All roads have the same outcome, and it has these positions.
+alike :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Table k -> Book k -> Algebra k -> [[Maybe (GF k)]] -> [Position] -> Bool
+alike surface array m table shelf algebra cells places = case patch cells of
+  Left _ -> False
+  Right p ->
+    let byTable = locatePatch table p
+     in searchPatch surface array m p == Right byTable
+          && algebraPatch algebra p == Right byTable
+          && decisionOutcome (nearest shelf (UpTo 0) p) == byTable
+          && positions byTable == places
+ where
+  positions outcome = case outcome of
+    Located place _ -> [place]
+    Ambiguous several _ -> several
+    _ -> []
+
 toPatch :: KnownField k => Shape -> [Int] -> [[[Maybe (GF k)]]]
 toPatch window codes = [rowsOf (map Just cells) | Right cells <- [traverse fromCode codes]]
  where

@@ -28,13 +28,13 @@ spec = do
         cells r c h w = [take w (drop c (words row)) | row <- take h (drop r rows)]
         wrongAt (i, j) patch = [[if (i, j) == (a, b) then (if cell == "0" then "1" else "0") else cell | (b, cell) <- zip [0 ..] row] | (a, row) <- zip [0 :: Int ..] patch] :: [[String]]
         damaged = foldr wrongAt (cells 4 3 4 4) [(0, 0), (1, 2), (2, 1), (3, 3 :: Int)]
-    prints ["locate", written damaged] ["row 4, column 3 (4 cells corrected)"]
-    (refused, strict, _) <- pra ["locate", "--json", "--radius", "3", written damaged]
+    prints ["locate", spelled damaged] ["row 4, column 3 (4 cells corrected)"]
+    (refused, strict, _) <- pra ["locate", "--json", "--radius", "3", spelled damaged]
     (refused, key ["reason"] strict) `shouldBe` (1, Just "beyond-radius")
     for_ ["table", "search", "algebra"] $ \road -> do
-      (located, exact, _) <- pra ["locate", "--json", "--road", road, written (cells 4 3 4 4)]
+      (located, exact, _) <- pra ["locate", "--json", "--road", road, spelled (cells 4 3 4 4)]
       (located, key ["road"] exact, key ["position", "row"] exact) `shouldBe` (0, Just (String (Text.pack road)), Just (Number 4))
-      (contradicted, no, _) <- pra ["locate", "--json", "--road", road, written damaged]
+      (contradicted, no, _) <- pra ["locate", "--json", "--road", road, spelled damaged]
       (contradicted, key ["reason"] no) `shouldBe` (1, Just "contradiction")
   it "locate corrects errors on arrays of 2^60 cells, and tells what of the distance is proved" $ do
     h <- firstOver (Proxy :: Proxy GF4) 30
@@ -69,22 +69,22 @@ spec = do
     let upright = cut array (6, 5) (4, 4)
         turned n = iterate (map reverse . transpose) upright !! n
     for_ [0 .. 3] $ \n -> do
-      (status, out, _) <- pra ["locate", "--json", "--orientation", "turned", written (turned n)]
+      (status, out, _) <- pra ["locate", "--json", "--orientation", "turned", spelled (turned n)]
       (status, key ["position"] out, key ["orientation_deg"] out, key ["mirrored"] out, key ["candidates"] out)
         `shouldBe` (0, Just (object ["row" .= (6 :: Int), "column" .= (5 :: Int)]), Just (toJSON (90 * n)), Just (Bool False), Just (toJSON ([] :: [Value])))
       -- Every array of windows with two columns is its own mirror image, so that never only one of both is left.
-      (ambiguous, any', _) <- pra ["locate", "--json", "--orientation", "any", written (map reverse (turned n))]
+      (ambiguous, any', _) <- pra ["locate", "--json", "--orientation", "any", spelled (map reverse (turned n))]
       (ambiguous, key ["orientation_deg"] any', fmap candidates (key ["candidates"] any')) `shouldBe` (1, Just Null, Just [((360 - 90 * n) `mod` 360, False), ((360 - 90 * n) `mod` 360, True)])
-    prints ["locate", "--orientation", "turned", written (turned 1)] ["row 6, column 5, turned by 90 degrees"]
-    prints ["locate", "--orientation", "turned", written (turned 0)] ["row 6, column 5, upright"]
-    prints ["locate", "--orientation", "upright", written (turned 0)] ["row 6, column 5"]
-    for_ ["table", "search", "algebra"] $ \road -> prints ["locate", "--orientation", "turned", "--road", road, written (turned 3)] ["row 6, column 5, turned by 270 degrees"]
-    (told, sentences, _) <- pra ["locate", "--orientation", "turned", "--explain", written (turned 2)]
+    prints ["locate", "--orientation", "turned", spelled (turned 1)] ["row 6, column 5, turned by 90 degrees"]
+    prints ["locate", "--orientation", "turned", spelled (turned 0)] ["row 6, column 5, upright"]
+    prints ["locate", "--orientation", "upright", spelled (turned 0)] ["row 6, column 5"]
+    for_ ["table", "search", "algebra"] $ \road -> prints ["locate", "--orientation", "turned", "--road", road, spelled (turned 3)] ["row 6, column 5, turned by 270 degrees"]
+    (told, sentences, _) <- pra ["locate", "--orientation", "turned", "--explain", spelled (turned 2)]
     (told, filter ("turned by 180" `isInfixOf`) (lines sentences)) `shouldSatisfy` \(status, found) -> status == 0 && length found == 2
-    complains ["locate", "--orientation", "turned", "--road", "table", "--radius", "1", written upright] "--radius"
+    complains ["locate", "--orientation", "turned", "--road", "table", "--radius", "1", spelled upright] "--radius"
   it "locate takes several patches with their displacements, as text and as JSON, and names those that do not belong" $ do
     (_, array, _) <- pra ["array", "--format", "csv"]
-    let at (r, c) = written (cut array (6 + r, 5 + c) (2, 2))
+    let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
         text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
         astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
     prints ["locate", text] ["row 6, column 4"]
@@ -94,10 +94,10 @@ spec = do
     (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
     (_, explained, _) <- pra ["locate", "--explain", astray]
     filter ("does not belong" `isInfixOf`) (lines explained) `shouldSatisfy` ((== 1) . length)
-    let patches = object ["patches" .= [object ["cells" .= codes (cut array (6, 5) (2, 2))], object ["at" .= [1, 1 :: Int], "cells" .= codes (disturbed (cut array (7, 6) (2, 2)))], object ["at" .= [0, 4 :: Int], "cells" .= codes (cut array (6, 9) (2, 3))]]]
+    let patches = object ["patches" .= [object ["cells" .= codesOf (cut array (6, 5) (2, 2))], object ["at" .= [1, 1 :: Int], "cells" .= codesOf (disturbed (cut array (7, 6) (2, 2)))], object ["at" .= [0, 4 :: Int], "cells" .= codesOf (cut array (6, 9) (2, 3))]]]
     (located, found, _) <- pra ["locate", "--json", encoded patches]
     (located, key ["position", "row"] found, key ["disputed"] found, fmap inconsistent (key ["patches"] found)) `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
-    let chances = object ["patches" .= [object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]], object ["at" .= [0, 0 :: Int], "cells" .= codes (cut array (6, 5) (2, 2))]]]
+    let chances = object ["patches" .= [object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]], object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]]]
     prints ["locate", encoded chances] ["row 6, column 5"]
     (batched, lines', _) <- praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
     (batched, map (key ["outcome"]) (lines lines')) `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
@@ -107,17 +107,17 @@ spec = do
       \(patch, about) -> complains ["locate", patch] about
   it "locate knows orientations and several patches beyond 2^20 cells, where all cells agree" $ do
     array <- firstOver (Proxy :: Proxy GF4) 12 >>= right . folded Diagonal (Shape 4095 4097)
-    polynomial <- (\(_, out, _) -> concat (take 1 (lines out))) <$> pra ["polynomials", "--q", "4", "--degree", "12", "--first"]
-    let chosen = ["--q", "4", "--polynomial", polynomial, "--shape", "4095x4097"]
+    chosenPolynomial <- (\(_, out, _) -> concat (take 1 (lines out))) <$> pra ["polynomials", "--q", "4", "--degree", "12", "--first"]
+    let chosen = ["--q", "4", "--polynomial", chosenPolynomial, "--shape", "4095x4097"]
         cells (r, c) (h, w) = [[show (toCode (cellAt array (Position (r + i) (c + j)))) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
-    prints (["locate", "--orientation", "turned"] ++ chosen ++ [written (transpose (reverse (cells (4000, 4096) (6, 4))))]) ["row 4000, column 4096, turned by 90 degrees"]
-    prints (["locate"] ++ chosen ++ [written (cells (4000, 4096) (4, 4)) ++ "; 7,0: " ++ written (cells (4007, 4096) (3, 3))]) ["row 4000, column 4096"]
+    prints (["locate", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (cells (4000, 4096) (6, 4))))]) ["row 4000, column 4096, turned by 90 degrees"]
+    prints (["locate"] ++ chosen ++ [spelled (cells (4000, 4096) (4, 4)) ++ "; 7,0: " ++ spelled (cells (4007, 4096) (3, 3))]) ["row 4000, column 4096"]
     complains (["locate", "--orientation", "turned", "--radius", "1"] ++ chosen ++ ["3"]) "--radius"
     complains (["locate", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"]) "16777215 cells"
  where
-  written = intercalate " / " . map unwords
+  spelled = intercalate " / " . map unwords
   cut array (r, c) (h, w) = [take w (drop c (words row)) | row <- take h (drop r (map (map (\x -> if x == ',' then ' ' else x)) (lines array)))]
-  codes rows = map (map read) rows :: [[Int]]
+  codesOf rows = map (map read) rows :: [[Int]]
   disturbed rows = case rows of
     (a : line) : others -> ((if a == "0" then "1" else "0") : line) : others
     _ -> rows
