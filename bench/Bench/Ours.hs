@@ -50,7 +50,8 @@ ours =
   , ("products-run-time", sure (withField 2 [1, 1, 1] products))
   , ("sequence-gf4-12", sequenceOf [2, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1])
   , ("sequence-gf4-12-dense", sequenceOf [2, 1, 3, 3, 3, 1, 2, 3, 1, 3, 1, 3, 1])
-  , ("proof-gf4", wholeProof)
+  , ("proof-gf4", wholeProof (rectangle (Shape 3 4)))
+  , ("proof-gf4-mask", wholeProof (maskFromDrawing "####./.####/####."))
   , ("rank-gf2-8x8", rankProof (Shape 255 ((2 ^ (64 :: Int) - 1) `div` 255)) (Shape 8 8))
   , ("rank-gf2-32x2", rankProof (Shape (2 ^ (32 :: Int) - 1) (2 ^ (32 :: Int) + 1)) (Shape 32 2))
   , ("cell-gf2-64", cells (firstPrimitive 64 :: Either PolynomialError (Primitive GF2)))
@@ -85,10 +86,10 @@ sequenceOf codes = do
     let weighted = Primitive.ifoldl' (\acc i a -> acc + i `mod` 257 * toCode a) 0 s
     pure (Measurement (fromIntegral (Primitive.length s) / seconds) (PerSecond "symbols") (show weighted))
 
-wholeProof :: IO (IO Measurement)
-wholeProof = do
+wholeProof :: Either WindowError Mask -> IO (IO Measurement)
+wholeProof window = do
   h <- evaluate (primitiveOf [2, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1] :: Primitive GF4)
-  mask <- evaluate (sure (rectangle (Shape 3 4)))
+  mask <- evaluate (sure window)
   let foldAndProve g = distinct (prove Torus (sure (fold Diagonal (Shape 63 266305) g (canonicalState g))) mask)
   pure $ do
     (seconds, found) <- timed foldAndProve h

@@ -70,6 +70,7 @@ targets =
       , TimesAsFast 1 (Program "C" "enumerate" [])
       , WithinMebibytes 64
       ]
+  , Target "proof-mask" "the same, 12 cells that are no rectangle" "proof-gf4-mask" one [Recorded, WithinMebibytes 64]
   , Target "rank" "proof by rank, GF(2), 2^64 - 1 cells, 8 x 8 window" "rank-gf2-8x8" one [WithinSeconds 10e-3]
   , Target "rank-tall" "the same, 32 x 2 window" "rank-gf2-32x2" one [WithinSeconds 10e-3]
   , Target "cell-gf2" "one cell of 2^64 - 1, GF(2)" "cell-gf2-64" one [WithinSeconds 10e-6]

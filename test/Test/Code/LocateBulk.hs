@@ -6,6 +6,8 @@ module Test.Code.LocateBulk (spec) where
 
 import Control.Monad (forM_)
 import Data.Int (Int32)
+import Data.List (nub)
+import qualified Data.Map.Strict as Map
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word32)
@@ -20,7 +22,7 @@ import PraTactile.Window
 import Test.Code.Generators
 import Test.Code.LocateRoads (smallArrays, toPatch)
 import Test.Hspec
-import Test.QuickCheck (forAll, (===))
+import Test.QuickCheck (forAll, forAllShrink, ioProperty, (===))
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
@@ -55,6 +57,15 @@ spec = do
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
     foundWhereItStands (Proxy :: Proxy GF4) 6 (Shape 63 65) (Shape 3 2)
     foundWhereItStands (Proxy :: Proxy GF2) 12 (Shape 63 65) (Shape 6 2)
+  it "every window of 3 x 5461 cells over GF(4), for any mask and surface, is where its cells are read one by one" $ do
+    h <- firstOver (Proxy :: Proxy GF4) 7
+    holds 20 $ forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets -> forAll (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)]) $ \(folding, surface) ->
+      ioProperty $ do
+        m <- right (mask offsets)
+        array <- right (folded folding (Shape 3 5461) h)
+        table <- right (buildTable LeastSignificantFirst surface array m)
+        let standing = [(pack LeastSignificantFirst 4 (map toCode content), p) | p <- places (Shape 3 5461), Just content <- [windowAt surface array m p]]
+        pure (Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing] === Map.fromList (tableEntries table))
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
     memory <- paperMemory Torus
     let beyond = [256, 257, 511, 512, 65535, 65536, 2 ^ (26 :: Int), 2 ^ (31 :: Int) - 1, 2 ^ (31 :: Int), 2 ^ (31 :: Int) + 78, maxBound - 1, maxBound]
@@ -62,14 +73,9 @@ spec = do
   it "whatever the numbers and how many: one answer each, in their order" $ do
     memory <- paperMemory Sheet
     table <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= \array -> right (rectangle (Shape 2 2)) >>= right . buildTable MostSignificantFirst Sheet array
-    QuickCheck.quickCheckWithResult QuickCheck.stdArgs {QuickCheck.chatty = False, QuickCheck.maxSuccess = 300}
-      ( forAll (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary])) $ \numbers ->
-          Primitive.toList (locateWindows memory (Primitive.fromList numbers))
-            === [case tableLookup table (fromIntegral w) of [place] -> linear (Shape 15 17) place; _ -> notOccurring | w <- numbers]
-      )
-      >>= \r -> case r of
-        QuickCheck.Success {} -> pure ()
-        _ -> expectationFailure (QuickCheck.output r)
+    holds 300 $ forAll (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary])) $ \numbers ->
+        Primitive.toList (locateWindows memory (Primitive.fromList numbers))
+          === [case tableLookup table (fromIntegral w) of [place] -> linear (Shape 15 17) place; _ -> notOccurring | w <- numbers]
   it "the worked example: 3 2 / 3 1 is 237, and its position (6, 5) is 107" $ do
     memory <- paperMemory Torus
     a <- right (traverse fromCode [3, 2, 3, 1])
@@ -90,6 +96,17 @@ paperMemory surface = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
   memoryOf <$> right (buildTable MostSignificantFirst surface array m)
+
+holds :: QuickCheck.Testable p => Int -> p -> Expectation
+holds count p = QuickCheck.quickCheckWithResult QuickCheck.stdArgs {QuickCheck.chatty = False, QuickCheck.maxSuccess = count} p >>= \r -> case r of
+  QuickCheck.Success {} -> pure ()
+  _ -> expectationFailure (QuickCheck.output r)
+
+-- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column 4096.
+genMask :: QuickCheck.Gen [(Natural, Natural)]
+genMask = nub <$> QuickCheck.resize 10 (QuickCheck.listOf1 ((,) <$> below 9 <*> QuickCheck.oneof [below 4, below 5000, (1363 +) <$> below 4]))
+ where
+  below n = fromInteger <$> QuickCheck.choose (0, n - 1)
 
 everyWindow :: Natural -> Primitive.Vector Word32
 everyWindow size = Primitive.enumFromN 0 (fromIntegral size)
@@ -119,6 +136,8 @@ foundWhereItStands k n shape window = do
   array <- right (folded Diagonal shape h)
   m <- right (rectangle window)
   memory <- memoryOf <$> right (buildTable MostSignificantFirst Torus array m)
-  let places = [Position r c | r <- [0 .. rows shape - 1], c <- [0 .. columns shape - 1]]
-      packed = [w | p <- places, Just content <- [windowAt Torus array m p], Just w <- [packWindow memory content]]
-  map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed))) `shouldBe` map Just places
+  let packed = [w | p <- places shape, Just content <- [windowAt Torus array m p], Just w <- [packWindow memory content]]
+  map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed))) `shouldBe` map Just (places shape)
+
+places :: Shape -> [Position]
+places shape = [Position r c | r <- [0 .. rows shape - 1], c <- [0 .. columns shape - 1]]

@@ -38,7 +38,7 @@ contents surface grid mask windows = united (map seen (tiles windows))
       Just (Shape k1 k2)
         | k1 <= rows (gridShape grid) && k2 <= columns (gridShape grid) ->
             sweep surface grid (fromIntegral k1) (fromIntegral k2) tile set
-      _ -> everyKey windows tile set
+      _ -> let Tile r0 r1 c0 c1 = tile in forWindowsWithin windows r0 r1 c0 c1 (\_ _ key -> include set key)
     pure set
 
 -- | How many contents are in the set.
@@ -85,15 +85,6 @@ include set key = do
   word <- Mutable.unsafeRead set (key `shiftR` 6)
   Mutable.unsafeWrite set (key `shiftR` 6) (word .|. (1 `shiftL` (key .&. 63)))
 {-# INLINE include #-}
-
--- | Any mask: each window is read cell by cell.
-everyKey :: Visit -> Tile -> MVector s Word64 -> ST s ()
-everyKey windows (Tile r0 r1 c0 c1) set = go r0 c0
- where
-  go !r !c
-    | r == r1 = pure ()
-    | c == c1 = go (r + 1) c0
-    | otherwise = include set (visitKey windows r c) >> go r (c + 1)
 
 {- Note [Rolling contents]
    The windows of k1 x k2 cells are swept row by row, in strips of a few thousand columns. For each
