@@ -2,6 +2,8 @@
 -- | @pra-tactile decode@: tactile images in, object, face and place out.
 module Command.Decode
   ( command
+  , toleranceOptions
+  , toleranceComplaint
   ) where
 
 import Control.Monad (forM, forM_, unless)
@@ -38,8 +40,7 @@ data Options = Options
   , network :: Maybe FilePath
   , database :: Maybe FilePath
   , picture :: Maybe FilePath
-  , doubt :: Double
-  , radius :: Radius
+  , tolerance :: Tolerance
   , together :: Bool
   , places :: [(Double, Double)]
   , asJson :: Bool
@@ -60,8 +61,7 @@ command = described "decode" "Recognise object, face and place from tactile imag
       <*> networkOption
       <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
       <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw the composite with the recovered symbols over it (one source only)"))
-      <*> option auto (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
-      <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)")))
+      <*> toleranceOptions
       <*> switch (long "together" <> help "All sources show one face, in the robot's coordinates: give one answer from all of them")
       <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
       <*> switch (long "json" <> help "Print one JSON answer a line")
@@ -71,9 +71,21 @@ command = described "decode" "Recognise object, face and place from tactile imag
       _ -> Left (show text ++ " is no place; write it as 76.2,0")
     finite v = not (isNaN v || isInfinite (v :: Double))
 
+-- | How much doubt and how many wrong symbols an answer may have.
+toleranceOptions :: Parser Tolerance
+toleranceOptions = Tolerance
+  <$> option auto (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
+  <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)")))
+
+-- | What is wrong with a choice of these.
+toleranceComplaint :: Tolerance -> Maybe String
+toleranceComplaint chosen
+  | toleratedDoubt chosen >= 0 && toleratedDoubt chosen < 1 = Nothing
+  | otherwise = Just "--doubt is a probability below 1"
+
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
-  | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
+  | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
   | otherwise = do
       profile <- chosenProfile choice
       layout <- placementFor profile
@@ -111,7 +123,7 @@ placed given found
 -- | Decode composites of one face: draw the picture, print the answer.
 decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> [FilePath] -> [Composite] -> IO Ending
 decodeWith alphabet profile options reader from composites = do
-  recognition <- orUnusable networkMessage (recogniseWith (Tolerance (doubt options) (radius options)) reader composites)
+  recognition <- orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
     >>= maybe pure lookedUp (database options)
   forM_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
     writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))

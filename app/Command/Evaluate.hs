@@ -13,6 +13,7 @@ import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
 import Text.Printf (printf)
 
 import ArrayChoice
+import Command.Decode (toleranceComplaint, toleranceOptions)
 import Command.Stitch (registrationFor)
 import Described
 import Ending
@@ -35,13 +36,16 @@ data Options = Options
   , size :: (Int, Int)
   , positionError :: Double
   , noise :: Double
+  , turns :: [Int]
+  , tolerance :: Tolerance
   , network :: Maybe FilePath
   , asJson :: Bool
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "evaluate" "Simulate presses at random places on the faces in turn, at 0 or 180 degrees, and count how many are decoded right, wrong or refused, with stitching and without."
-  [ "pra-tactile evaluate --presses 1000 --seed 1" ]
+command = described "evaluate" "Simulate presses at random places on the faces in turn, and count how many are decoded right, wrong or refused, with stitching and without."
+  [ "pra-tactile evaluate --presses 1000 --seed 1"
+  , "pra-tactile evaluate --presses 1000 --seed 1 --noise 0.3 --doubt 0.0001" ]
   (run <$> arrayChoice <*> options)
   where
     options = Options
@@ -50,12 +54,15 @@ command = described "evaluate" "Simulate presses at random places on the faces i
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
       <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
+      <*> flag halfTurns quarterTurns (long "quarter-turns" <> help "The faces lie in any of four ways (default: upright or turned by 180 degrees)")
+      <*> toleranceOptions
       <*> networkOption
       <*> switch (long "json" <> help "Print the counts as JSON")
 
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
   | presses options < 1 = unusable "--presses is a number from 1 up"
+  | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
   | not (positionError options >= 0 && noise options >= 0) = unusable "--position-error and --noise are numbers from 0 up"
   | otherwise = do
       profile <- chosenProfile choice
@@ -73,8 +80,8 @@ run choice options
 -- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts.
 measure :: KnownField k => Profile -> Options -> Recogniser k -> [(LaidFace, HeightMap)] -> IO Ending
 measure profile options reader faces = do
-  started <- traverse (maybe (unusable tooLarge) pure) (take (presses options) (trials sensor (size options) faces (seed options)))
-  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial reader (registrationFor (positionError options) (noise options))) started)
+  started <- traverse (maybe (unusable tooLarge) pure) (take (presses options) (trials sensor (turns options) (size options) faces (seed options)))
+  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial (tolerance options) reader (registrationFor (positionError options) (noise options))) started)
   watched <- hIsTerminalDevice stderr
   forM_ (zip [1 :: Int ..] results) $ \(i, result) -> do
     () <- result `seq` pure ()
@@ -97,7 +104,7 @@ measure profile options reader faces = do
       (presses options) (seed options) (fst (size options)) (snd (size options)) (positionError options) (noise options)
 
 tallyText :: String -> Tally -> String
-tallyText name counted = printf "%-13s right %d  wrong %d  refused %d (%.1f %%)%s" name (tallyRight counted) (tallyWrong counted) refused share
+tallyText name counted = printf "%-13s right %d  wrong %d (expected: %.2g)  refused %d (%.1f %%)%s" name (tallyRight counted) (tallyWrong counted) (tallyExpected counted) refused share
   (concat [ printf "%s %s %d" (if i == 0 then ":" else "," :: String) reason n | (i, (reason, n)) <- zip [0 :: Int ..] (tallyRefused counted) ] :: String)
   where
     refused = sum (map snd (tallyRefused counted))
@@ -107,6 +114,7 @@ tallyValue :: Tally -> Value
 tallyValue counted = object
   [ "right" .= tallyRight counted
   , "wrong" .= tallyWrong counted
+  , "wrong_expected" .= tallyExpected counted
   , "refused" .= sum (map snd (tallyRefused counted))
   , "reasons" .= object [ fromString reason .= n | (reason, n) <- tallyRefused counted ]
   ]

@@ -28,7 +28,7 @@ data Options = Options
   , face :: Maybe String
   , at :: Maybe (Double, Double)
   , size :: (Int, Int)
-  , turned :: Maybe Bool
+  , turned :: Maybe Int
   , positionError :: Double
   , noise :: Double
   , seed :: Int
@@ -48,13 +48,21 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
       <*> optional (strOption (long "face" <> metavar "VERTICES" <> help "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)"))
       <*> optional (option (pairReader ',' "12.7,60") (long "at" <> metavar "X,Y" <> help "The region's upper left corner on the face, mm to the right and down from the face's upper left vertex (default: drawn by chance)"))
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
-      <*> optional (flag' False (long "upright" <> help "The face lies upright in the robot's frame (default: by chance)") <|> flag' True (long "turned" <> help "The face lies turned by 180 degrees"))
+      <*> optional (flag' 0 (long "upright" <> help "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by chance)")
+        <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
+        <|> option turnReader (long "turn" <> metavar "0|90|180|270" <> help "The face lies turned clockwise by so many degrees"))
       <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> option auto (long "seed" <> metavar "N" <> help "Seed of every random draw")
       <*> option (pairReader ',' "12.7,60") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
       <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")
+
+-- | Degrees as quarter turns.
+turnReader :: ReadM Int
+turnReader = eitherReader $ \text -> case lookup text [ (show (90 * turns), turns) | turns <- quarterTurns ] of
+  Just turns -> Right turns
+  Nothing -> Left (show text ++ " is no quarter turn; write 0, 90, 180 or 270")
 
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
@@ -68,7 +76,7 @@ run choice options
       faces <- objectsNamed layout (object options)
       (pressed, generator) <- maybe (drawnFace faces (mkStdGen (seed options))) (\named -> flip (,) (mkStdGen (seed options)) <$> chosenFace faces named) (face options)
       heights <- orUnusable reliefMessage =<< orUnusable profileMessage (withProfile profile (\array _ -> relief array layout alphabet pressed))
-      (drawn, generator1) <- maybe (unusable (tooLarge pressed)) pure (randomRegion (size options) pressed generator)
+      (drawn, generator1) <- maybe (unusable (tooLarge pressed)) pure (randomRegion (maybe halfTurns pure (turned options)) (size options) pressed generator)
       let region = placed drawn
           sensor = standardSensor { sensorPositionError = positionError options, sensorNoise = noise options }
       if fits pressed region then pure () else unusable (tooLarge pressed)
@@ -78,13 +86,12 @@ run choice options
       if tell options then putStrLn (truth pressed region) else pure ()
       pure Answered
   where
-    placed drawn = case (at options, turned options) of
-      (place, turn) -> (maybe id atPlace place . maybe id (\t r -> r { regionTurned = t }) turn) drawn
+    placed = maybe id atPlace (at options)
     moved frame = let pose = framePose frame in frame { framePose = pose { poseX = poseX pose + fst (origin options), poseY = poseY pose + snd (origin options) } }
     atPlace (x, y) r = r { regionRight = x / taxelPitch, regionDown = y / taxelPitch }
     fits pressed region = regionRight region >= 0 && regionDown region >= 0
-      && taxelPitch * (regionRight region + fromIntegral (regionWidth region)) <= fromRational (spotRight (laidExtent pressed)) + 1e-9
-      && taxelPitch * (regionDown region + fromIntegral (regionHeight region)) <= fromRational (spotDown (laidExtent pressed)) + 1e-9
+      && taxelPitch * (regionRight region + fromIntegral (fst (regionExtent region))) <= fromRational (spotRight (laidExtent pressed)) + 1e-9
+      && taxelPitch * (regionDown region + fromIntegral (snd (regionExtent region))) <= fromRational (spotDown (laidExtent pressed)) + 1e-9
     tooLarge pressed = "the region does not lie on the face " ++ faceText (faceName (laidFace pressed)) ++ ", which is "
       ++ millimetres (spotRight (laidExtent pressed)) ++ " x " ++ millimetres (spotDown (laidExtent pressed)) ++ " mm; choose another --size or --at"
     millimetres r = show (fromRational r :: Double)
@@ -105,4 +112,4 @@ truth :: LaidFace -> Region -> String
 truth pressed region = unwords
   [ "truth: face", faceText (faceName (laidFace pressed)) ++ ", region from"
   , printf "%.2f,%.2f" (taxelPitch * regionRight region) (taxelPitch * regionDown region), "mm,"
-  , if regionTurned region then "turned by 180 degrees" else "upright" ]
+  , if regionTurns region == 0 then "upright" else "turned by " ++ show (90 * regionTurns region) ++ " degrees" ]

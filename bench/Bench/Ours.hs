@@ -21,7 +21,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Evaluate
-import PraTactile.Explore (standardRegionSize)
+import PraTactile.Explore (halfTurns, standardRegionSize)
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
@@ -158,9 +158,9 @@ evaluate100 = pure $ withPaper $ \array layout reader -> do
   let alphabet = sure paperAlphabet
       faces = sure (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))
       results seed =
-        let counts = tally (map withStitching (run (catMaybes (take 100 (trials standardSensor standardRegionSize faces seed)))))
+        let counts = tally (map withStitching (run (catMaybes (take 100 (trials standardSensor halfTurns standardRegionSize faces seed)))))
          in tallyWrong counts `seq` counts
-      run = withStrategy (parBuffer 64 rseq) . map (forced . runTrial reader standardRegistration)
+      run = withStrategy (parBuffer 64 rseq) . map (forced . runTrial standardTolerance reader standardRegistration)
       forced r = withStitching r `seq` withoutStitching r `seq` r
   (seconds, counts) <- timed results 1
   let refused = sum (map snd (tallyRefused counts))

@@ -80,7 +80,7 @@ exploreSpec :: Parts -> Spec
 exploreSpec parts = describe "explorations" $ do
   prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
     forAll (elements (laidFaces (placementOf parts))) $ \face ->
-      case randomRegion standardRegionSize face (mkStdGen seed) of
+      case randomRegion quarterTurns standardRegionSize face (mkStdGen seed) of
         Nothing -> counterexample "no room" False
         Just (r, _) ->
           let extent side = fromRational (side (laidExtent face)) + 1e-9
@@ -89,7 +89,7 @@ exploreSpec parts = describe "explorations" $ do
           in property (and [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown | (x, y) <- corners ])
   it "a region larger than the face has no place on it" $
     for_ (laidFaces (placementOf parts)) $ \face ->
-      fmap fst (randomRegion (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
+      fmap fst (randomRegion halfTurns (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
 
 recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
 recogniseSpec parts array reader = describe "recognition" $ do
@@ -113,9 +113,11 @@ recogniseSpec parts array reader = describe "recognition" $ do
   it "every refusal has a name of its own" $ length (nub (map refusalName refusals)) `shouldBe` length refusals
   modifyMaxSuccess (const 40) $ prop "noise and position errors: a random exploration is right or refused, never wrong" $ \seed ->
     forAll (elements (reliefs parts array)) $ \face ->
-      case trial standardSensor standardRegionSize face (mkStdGen seed) of
+      case trial standardSensor quarterTurns standardRegionSize face (mkStdGen seed) of
         Nothing -> counterexample "the region does not lie on the face" False
-        Just t -> withStitching (runTrial reader standardRegistration t) =/= Mistaken
+        Just t -> case withStitching (runTrial standardTolerance reader standardRegistration t) of
+          Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
+          _ -> property True
   where
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)

@@ -219,7 +219,7 @@ doubtSpec :: KnownField k => Alphabet -> Placement -> Network -> PseudorandomArr
 doubtSpec alphabetOfAll layout net array = describe "the doubt of a symbol" $ do
   for_ [(0.1, 60), (0.3, 120), (0.4, 160)] $ \(noise, count) ->
     it ("is as large as the share of wrong ones, or larger, with noise " ++ show noise) $ do
-      let doubts = concatMap (judged noise) (catMaybes (take count (trials standardSensor {sensorNoise = noise} standardRegionSize faces 77)))
+      let doubts = concatMap (judged noise) (catMaybes (take count (trials standardSensor {sensorNoise = noise} halfTurns standardRegionSize faces 77)))
           expected = sum (map fst doubts)
           wrong = fromIntegral (length (filter snd doubts)) :: Double
       length doubts `shouldSatisfy` (> 100)
@@ -252,7 +252,7 @@ doubtSpec alphabetOfAll layout net array = describe "the doubt of a symbol" $ do
   judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
     Left _ -> []
     Right composite ->
-      [ (estimateDoubt e, (estimateHalfTurned e, estimateClass e) /= (regionTurned (trialRegion t), truth))
+      [ (estimateDoubt e, (estimateHalfTurned e, estimateClass e) /= (regionTurns (trialRegion t) == 2, truth))
       | symbol <- segmentedSymbols (segment composite)
       , Right e <- [estimate (templates alphabetOfAll) net (symbolPixels symbol)]
       , Just truth <- [classAt t (movePoint (regionMotion (trialRegion t)) (compositePosition composite (symbolCentre symbol)))]

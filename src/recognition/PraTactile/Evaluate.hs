@@ -34,21 +34,22 @@ data Trial = Trial
   , trialFrames :: [Frame]
   }
 
--- | Explore a region of the given size (taxels) at a random place on a face; @Nothing@ if it does not fit.
-trial :: Sensor -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trial sensor size (face, heights) generator = do
-  (region, generator1) <- randomRegion size face generator
+-- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of the given ways (quarter turns
+-- clockwise); @Nothing@ if it does not fit.
+trial :: Sensor -> [Int] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
+trial sensor turns size (face, heights) generator = do
+  (region, generator1) <- randomRegion turns size face generator
   (frames, _) <- either (const Nothing) Just (explore sensor heights region generator1)
   pure (Trial face region frames)
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any one can be run alone.
-trials :: Sensor -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trials sensor size faces seed = zipWith (trial sensor size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+trials :: Sensor -> [Int] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trials sensor turns size faces seed = zipWith (trial sensor turns size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
 -- | What became of a trial.
 data Result
-  = Correct               -- ^ object, face, orientation and place are the true ones
-  | Mistaken              -- ^ an answer, but not the true one
+  = Correct Double        -- ^ object, face, orientation and place are the true ones; with the answer's doubt
+  | Mistaken Double       -- ^ an answer, but not the true one; likewise
   | NoAnswer String       -- ^ no answer, with the stable name of the refusal
   deriving stock (Eq, Ord, Show)
 
@@ -60,29 +61,30 @@ data TrialResult = TrialResult
   deriving stock (Eq, Show)
 
 -- | Decode a trial's frames with and without stitching.
-runTrial :: KnownField k => Recogniser k -> Registration -> Trial -> TrialResult
-runTrial reader registration t = TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
+runTrial :: KnownField k => Tolerance -> Recogniser k -> Registration -> Trial -> TrialResult
+runTrial tolerance reader registration t = TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
   where
     frames = trialFrames t
-    judge = either (const (NoAnswer "not-stitched")) (result reader t)
+    judge = either (const (NoAnswer "not-stitched")) (result tolerance reader t)
 
 -- | Compare an answer with the truth: the window's centre must lie on the true face, in the true orientation, within
 -- half a cell of where the composite shows it.
-result :: KnownField k => Recogniser k -> Trial -> Composite -> Result
-result reader t composite = case recognise reader composite of
+result :: KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> Result
+result tolerance reader t composite = case recogniseWith tolerance reader [composite] of
   Left _ -> NoAnswer "network-misfit"
   Right recognition -> case recognisedAnswer recognition of
     Left refusal -> NoAnswer (refusalName refusal)
     Right (Several _ _) -> NoAnswer "ambiguous"
     Right (Found found)
-      | isTrue (foundOrientation found) (foundWindow found) -> Correct
-      | otherwise -> Mistaken
+      | isTrue (foundOrientation found) (foundWindow found) -> Correct doubt
+      | otherwise -> Mistaken doubt
+      where
+        doubt = maybe 0 evidenceDoubt (recognisedEvidence recognition)
   where
-    trueOrientation = if regionTurned (trialRegion t) then HalfTurned else Upright
     isTrue orientation window = case windowWhereabouts window of
       OnFace place ->
         placeFace place == laidFace (trialFace t)
-          && orientation == trueOrientation
+          && orientationDegrees orientation == 90 * regionTurns (trialRegion t)
           && near (spotMillimetres (placeCentre place))
                   (movePoint (regionMotion (trialRegion t)) (compositePosition composite (windowSeenAt window)))
       _ -> False
@@ -93,6 +95,7 @@ result reader t composite = case recognise reader composite of
 data Tally = Tally
   { tallyRight :: !Int
   , tallyWrong :: !Int
+  , tallyExpected :: !Double           -- ^ how many wrong ones the answers' doubts add up to
   , tallyRefused :: ![(String, Int)]   -- ^ by the refusal's name
   }
   deriving stock (Eq, Show)
@@ -100,9 +103,14 @@ data Tally = Tally
 -- | Count results.
 tally :: [Result] -> Tally
 tally results = Tally
-  { tallyRight = length (filter (== Correct) results)
-  , tallyWrong = length (filter (== Mistaken) results)
+  { tallyRight = length [ () | Correct _ <- results ]
+  , tallyWrong = length [ () | Mistaken _ <- results ]
+  , tallyExpected = sum [ doubt | r <- results, Just doubt <- [answered r] ]
   , tallyRefused = count [ name | NoAnswer name <- results ]
   }
   where
+    answered r = case r of
+      Correct doubt -> Just doubt
+      Mistaken doubt -> Just doubt
+      NoAnswer _ -> Nothing
     count names = Map.toAscList (Map.fromListWith (+) [ (name, 1) | name <- names ])
