@@ -28,6 +28,7 @@ import PatchText
 import PraTactile.Array
 import PraTactile.Field (KnownField)
 import PraTactile.Locate
+import PraTactile.Locate.Algebra (prepareAlgebra)
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
@@ -85,6 +86,7 @@ reporter choice turning surface array mask = do
     plain answer = Report answer Nothing []
     possible = orientationsOf turning
     shelved = first locateMessage (book surface array mask)
+    prepared = prepareAlgebra surface array mask
     road = exactRoad choice surface array mask
     -- Whether all positions are compared, so that errors are corrected in any orientation.
     compared = chosenRoad choice == Nothing && either (const False) (const True) shelved
@@ -100,7 +102,10 @@ reporter choice turning surface array mask = do
         Right shelf | Nothing <- chosenRoad choice -> do
           together <- first locateMessage (nearestTogetherOriented shelf possible (chosenRadius choice) given)
           pure (ofDecision joined <$> together)
-        _ | UpTo _ <- chosenRadius choice -> Left "errors are corrected in unknown orientation only where all positions are compared, which is up to 2^20 cells; leave out --radius"
+        _ | Right algebra <- prepared, Nothing <- chosenRoad choice -> do
+              together <- first locateMessage (togetherBy surface array (boundedOriented algebra possible (chosenRadius choice)) (onlyCandidate . fmap orientedOutcome) given)
+              first decodingMessage (sequenceA (fmap (ofBounded joined) <$> together))
+          | UpTo _ <- chosenRadius choice -> Left "errors are corrected on arrays of up to 2^20 cells, or where positions are discrete logarithms that can be taken; leave out --radius"
           | otherwise -> do
               (named, exact) <- road
               together <- first locateMessage (togetherBy surface array (eachOriented possible exact) onlyCandidate given)
@@ -117,13 +122,15 @@ reporter choice turning surface array mask = do
       (if turning == Upright then Nothing else Just (candidatesOf outcome)) []
     ofDecision joined decision
       | length (observedCells joined) < maskSize mask = report (OrientedNowhere TooFewCells) NearestRoad [] [] (cellsOf [] joined)
-      | otherwise = report (orientedOutcome decision) NearestRoad (orientedWrong decision)
-          [ ("corrected", toJSON (map positionListValue (orientedWrong decision)))
-          , ("nearest", maybeNumber (orientedNearest decision))
-          , ("runner_up", maybeNumber (orientedRunnerUp decision))
-          , ("minimum_distance", naturalValue (orientedMinimum decision))
-          , ("radius", naturalValue (orientedRadius decision)) ]
-          (cellsOf (candidatesOf (orientedOutcome decision)) joined ++ explainOriented (turning == Upright) decision ++ explainOutcome (plainOutcome (orientedOutcome decision)))
+      | otherwise = ofNearest NearestRoad [] joined decision
+    ofBounded = ofNearest InformationSetsRoad [("minimum_distance_is", "at-least")]
+    ofNearest named more joined decision = report (orientedOutcome decision) named (orientedWrong decision)
+      ([ ("corrected", toJSON (map positionListValue (orientedWrong decision)))
+       , ("nearest", maybeNumber (orientedNearest decision))
+       , ("runner_up", maybeNumber (orientedRunnerUp decision))
+       , ("minimum_distance", naturalValue (orientedMinimum decision)) ]
+        ++ more ++ [ ("radius", naturalValue (orientedRadius decision)) ])
+      (cellsOf (candidatesOf (orientedOutcome decision)) joined ++ explainOriented (turning == Upright) decision ++ explainOutcome (plainOutcome (orientedOutcome decision)))
     ofExact named joined outcome =
       report outcome named [] [] (cellsOf (candidatesOf outcome) joined ++ explainOutcome (plainOutcome outcome))
     ofPosterior found =
@@ -165,7 +172,10 @@ worth given together report = report
       , ("disputed", toJSON (map positionListValue (togetherDisputed together))) ]
     explained =
       [ "Patch " ++ show (i + 1) ++ ", " ++ show r ++ " rows down and " ++ show c ++ " columns to the right: "
-          ++ intercalate ", " ([ show wrong ++ " of its cells wrong" | located ] ++ [ "it does not belong where the others are" | stray i ]) ++ "."
+          ++ (case (located, stray i) of
+                (True, True) -> show wrong ++ " of its cells wrong, more than it could have for certain if it were alone: it may not belong here"
+                (True, False) -> show wrong ++ " of its cells wrong"
+                (False, _) -> "it does not belong where the others are") ++ "."
       | (i, (r, c), wrong) <- each, located || stray i ]
         ++ [ "In dispute, and so not used, are the cells " ++ unwords (map pairText disputed) ++ "." | disputed@(_ : _) <- [togetherDisputed together] ]
 

@@ -15,6 +15,7 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
+import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
@@ -105,6 +106,18 @@ spec = do
       holds 100 $ forAll ((,) <$> genDamaged shelf <*> genOrientations) $ \(cells, possible) -> case patch cells of
         Left e -> counterexample (show e) False
         Right p -> eachOriented possible (searchPatch Torus (bookArray shelf) (bookMask shelf)) p === Right (orientedOutcome (nearestOriented shelf possible (UpTo 0) p))
+    it "by information sets is the same within the radius, without comparing all positions" $
+      forM_ [Torus, Sheet] $ \surface -> do
+        shelf <- paperBook surface
+        algebra <- right (prepareAlgebra surface (bookArray shelf) (bookMask shelf))
+        holds 150 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \(cells, possible, radius) -> case patch cells of
+          Left e -> counterexample (show e) False
+          Right p ->
+            let compared = nearestOriented shelf possible radius p
+                answers decision = (orientedOutcome decision, orientedWrong decision, orientedMinimum decision, orientedRadius decision)
+             in case boundedOriented algebra possible radius p of
+                  Left e -> counterexample (show e) False
+                  Right decision -> conjoin [answers decision === answers compared, property (orientedNearest decision `elem` [Nothing, orientedNearest compared])]
   describe "the likeliest candidate" $ do
     it "is Bayes' theorem over all positions in all orientations" $
       forM_ [Torus, Sheet] $ \surface -> do

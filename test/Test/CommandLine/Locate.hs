@@ -105,14 +105,19 @@ spec = do
          , ("999999999,0: 3 2 / 3 1 ; 3", "rectangle"), ("{\"patches\": []}", "no cells"), ("{\"patches\": 1}", "list"), ("{}", "patches"), ("{", "JSON")
          , ("{\"patches\": [{\"at\": [0.5, 0], \"cells\": [[1]]}]}", "displacement"), ("{\"patches\": [{\"at\": [0, 0]}]}", "cells"), ("{\"patches\": [{\"cell\": [[1]]}]}", "alone")] $
       \(patch, about) -> complains ["locate", patch] about
-  it "locate knows orientations and several patches beyond 2^20 cells, where all cells agree" $ do
+  it "locate knows orientations and several patches beyond 2^20 cells" $ do
     array <- firstOver (Proxy :: Proxy GF4) 12 >>= right . folded Diagonal (Shape 4095 4097)
     chosenPolynomial <- (\(_, out, _) -> concat (take 1 (lines out))) <$> pra ["polynomials", "--q", "4", "--degree", "12", "--first"]
     let chosen = ["--q", "4", "--polynomial", chosenPolynomial, "--shape", "4095x4097"]
         cells (r, c) (h, w) = [[show (toCode (cellAt array (Position (r + i) (c + j)))) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
     prints (["locate", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (cells (4000, 4096) (6, 4))))]) ["row 4000, column 4096, turned by 90 degrees"]
     prints (["locate"] ++ chosen ++ [spelled (cells (4000, 4096) (4, 4)) ++ "; 7,0: " ++ spelled (cells (4007, 4096) (3, 3))]) ["row 4000, column 4096"]
-    complains (["locate", "--orientation", "turned", "--radius", "1"] ++ chosen ++ ["3"]) "--radius"
+    -- One wrong cell of 49, in any quarter turn.
+    (status, out, _) <- pra (["locate", "--json", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (disturbed (cells (4000, 4096) (7, 7)))))])
+    (status, key ["road"] out, key ["position", "row"] out, key ["orientation_deg"] out, key ["corrected"] out, key ["minimum_distance_is"] out)
+      `shouldBe` (0, Just "information-sets", Just (Number 4000), Just (Number 90), Just (toJSON [[0, 6 :: Int]]), Just "at-least")
+    -- Neither could have one wrong cell alone, so that both are suspect; together they are located.
+    prints (["locate", "--radius", "2"] ++ chosen ++ [spelled (disturbed (cells (4000, 4096) (4, 4))) ++ "; 7,0: " ++ spelled (disturbed (cells (4007, 4096) (4, 4)))]) ["row 4000, column 4096 (2 cells corrected); inconsistent: patches 1, 2"]
     complains (["locate", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"]) "16777215 cells"
  where
   spelled = intercalate " / " . map unwords

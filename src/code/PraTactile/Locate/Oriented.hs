@@ -14,6 +14,7 @@ module PraTactile.Locate.Oriented
   , OrientedDecision (..)
 
     -- * Other roads
+  , boundedOriented
   , eachOriented
 
     -- * The likeliest
@@ -22,12 +23,14 @@ module PraTactile.Locate.Oriented
   ) where
 
 import Data.List (nub, sort)
-import Data.Maybe (mapMaybe)
+import Data.Maybe (catMaybes, mapMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
+import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
 import PraTactile.Locate.Outcome
@@ -59,11 +62,12 @@ data OrientedDecision = OrientedDecision
   , orientedWrong :: [Position]
   -- ^ The observed cells that are wrong if the patch is where and as it was located.
   , orientedNearest :: Maybe Natural
-  -- ^ In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the patch fits nowhere on the sheet.
+  -- ^ In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the patch fits nowhere on the sheet, and if
+  -- not all positions were compared and none was found within the radius.
   , orientedRunnerUp :: Maybe Natural
-  -- ^ In how many the next one differs.
+  -- ^ In how many the next one differs, if all positions were compared.
   , orientedMinimum :: Natural
-  -- ^ The least number of observed cells in which two candidates differ: 'candidateDistance'.
+  -- ^ The number of observed cells in which two candidates differ at least: 'candidateDistance'.
   , orientedRadius :: Natural
   -- ^ The radius that was used.
   }
@@ -75,33 +79,59 @@ data OrientedDecision = OrientedDecision
 -- the orientations differ, that of the orientation that came farthest: off the sheet, contradiction, no such window, zeros.
 nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k -> OrientedDecision
 nearestOriented shelf possible stated observed =
+  decided d radius (case sort (concatMap (\(_, _, (_, _, near, next)) -> catMaybes [near, next]) found) of { _ : next : _ -> Just next; _ -> Nothing }) found
+ where
+  d = candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) (map fst (observedCells observed))
+  radius = radiusFor stated d
+  found =
+    [ (o, patchShape laid, (decisionOutcome decision, decisionWrong decision, decisionNearest decision, decisionRunnerUp decision))
+    | (o, laid) <- eachLaid possible observed
+    , let decision = nearest shelf (UpTo radius) laid
+    ]
+
+-- | The same on arrays of any size, by "PraTactile.Locate.BoundedDistance" in each orientation.
+boundedOriented
+  :: KnownField k => Algebra k -> [Orientation] -> Radius -> Patch k -> Either DecodingError OrientedDecision
+boundedOriented algebra possible stated observed = decided d radius Nothing <$> traverse decode (eachLaid possible observed)
+ where
+  d = candidateDistance (algebraSurface algebra) (algebraArray algebra) possible (patchShape observed) (map fst (observedCells observed))
+  radius = radiusFor stated d
+  decode (o, laid) = do
+    decoding <- decodePatch algebra (UpTo radius) laid
+    let near = case decodingNearest decoding of
+          Exactly e -> Just e
+          AtLeast _ -> Nothing
+    pure (o, patchShape laid, (decodingOutcome decoding, decodingWrong decoding, near, Nothing))
+
+radiusFor :: Radius -> Natural -> Natural
+radiusFor stated d = case stated of
+  Guaranteed -> guaranteedRadius d
+  UpTo e -> e
+
+-- | What orientations come to, each with the upright patch's shape, its outcome, the wrong cells, and in how many cells the nearest position and the next differ; by
+-- the distance, the radius and the runner-up of all.
+decided :: Natural -> Natural -> Maybe Natural -> [(Orientation, Shape, (Outcome, [Position], Maybe Natural, Maybe Natural))] -> OrientedDecision
+decided d radius next found =
   OrientedDecision
     { orientedOutcome = outcome
     , orientedWrong = wrong
     , orientedNearest = least
-    , orientedRunnerUp = case sort (concat [mapMaybe ($ decision) [decisionNearest, decisionRunnerUp] | (_, _, decision) <- decided]) of
-        _ : next : _ -> Just next
-        _ -> Nothing
+    , orientedRunnerUp = next
     , orientedMinimum = d
     , orientedRadius = radius
     }
  where
-  d = candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) (map fst (observedCells observed))
-  radius = case stated of
-    Guaranteed -> guaranteedRadius d
-    UpTo e -> e
-  decided = [(o, patchShape laid, nearest shelf (UpTo radius) laid) | (o, laid) <- eachLaid possible observed]
-  least = case mapMaybe (\(_, _, decision) -> decisionNearest decision) decided of
+  least = case mapMaybe nearestOf found of
     [] -> Nothing
     distances -> Just (minimum distances)
-  nearestOnes = [found | found@(_, _, decision) <- decided, decisionNearest decision == least]
-  outcome = together [(o, shape, decisionOutcome decision) | (o, shape, decision) <- candidatesOr decided]
+  nearestOf (_, _, (_, _, near, _)) = near
   -- Those farther away may be within the radius, too, but are no candidates.
-  candidatesOr others = if any (\(_, _, decision) -> answered (decisionOutcome decision)) nearestOnes then nearestOnes else others
-  wrong = case (outcome, nearestOnes) of
-    (OrientedAt _ _, [(o, shape, decision)]) -> sort (map (seenAt o shape) (decisionWrong decision))
+  nearestOnes = [one' | one' <- found, nearestOf one' == least]
+  outcome = together [(o, shape, answer) | (o, shape, (answer, _, _, _)) <- if any answered nearestOnes then nearestOnes else found]
+  wrong = case (outcome, filter answered nearestOnes) of
+    (OrientedAt _ _, [(o, shape, (_, cells, _, _))]) -> sort (map (seenAt o shape) cells)
     _ -> []
-  answered found = case found of
+  answered (_, _, (answer, _, _, _)) = case answer of
     Refused _ -> False
     _ -> True
 
