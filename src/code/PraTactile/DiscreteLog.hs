@@ -86,22 +86,35 @@ prepareLogarithms h
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero
-  | otherwise = Right (fst (foldl' chineseRemainder (0, 1) (map modulo parts)))
+  | otherwise = Right (fst (foldl' chineseRemainder (0, 1) (map modulo (components h parts a))))
  where
-  modulo p = (partLogarithm h p a, partPrime p ^ partExponent p)
+  modulo (p, b) = (partLogarithm h p b, partPower p)
+
+-- | r^e.
+partPower :: Part k -> Natural
+partPower p = partPrime p ^ partExponent p
+
+-- | For each r^e, a^(N/r^e) with N the product of all of them. Half of them at a time, so that the powers
+-- of the other half are taken once.
+components :: KnownField k => Primitive k -> [Part k] -> Residue k -> [(Part k, Residue k)]
+components h parts a = case splitAt (length parts `div` 2) parts of
+  ([], ps) -> [(p, a) | p <- ps]
+  (ps, ps') -> components h ps (powered ps') ++ components h ps' (powered ps)
+ where
+  powered = powerOfResidue h a . product . map partPower
 
 -- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the digits
 -- below r^i known to be x, the digit i is the logarithm to the base gamma of
 -- (b / alpha^(x N/r^e))^(r^(e-1-i)).
 partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
-partLogarithm h p a = foldl' withDigit 0 [0 .. partExponent p - 1]
+partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
  where
   r = partPrime p
-  cofactor = period h `div` r ^ partExponent p
-  b = powerOfResidue h a cofactor
-  withDigit x i =
-    let rest = multiplyModulo h b (powerOfRoot h ((r ^ partExponent p - x) * cofactor))
-     in x + r ^ i * stepLogarithm h p (powerOfResidue h rest (r ^ (partExponent p - 1 - i)))
+  cofactor = period h `div` partPower p
+  withDigit x i = x + r ^ i * stepLogarithm h p (powerOfResidue h (without x) (r ^ (partExponent p - 1 - i)))
+  without x
+    | x == 0 = b
+    | otherwise = multiplyModulo h b (powerOfRoot h ((partPower p - x) * cofactor))
 
 -- | The logarithm to the base gamma of one of its powers: some giant step i back from it ends on a
 -- baby step j, and it is i m + j.
