@@ -85,7 +85,11 @@ ladder =
     , bgroup "factors of 2^n - 1"
         [bench (show n) (whnf (either (const 0) length . factorisePowerMinusOne 2) n) | n <- [32, 61, 64, 67, 96, 127, 128]]
     , bgroup "memory table"
-        [tabled (Shape 15 17) (Shape 2 2), tabled (Shape 63 65) (Shape 3 2), tabled (Shape 255 257) (Shape 4 2)]
+        [ tabled (Shape 15 17) (Shape 2 2)
+        , tabled (Shape 63 65) (Shape 3 2)
+        , tabled (Shape 255 257) (Shape 4 2)
+        , tabled (Shape 63 266305) (Shape 3 4)
+        ]
     ]
  where
   sizes = [1000, 100000, 10000000]
