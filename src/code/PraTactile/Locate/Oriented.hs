@@ -145,8 +145,9 @@ eachOriented possible road observed = together <$> traverse answer (eachLaid pos
 -- | The patch upright again, by each orientation in which it may be seen.
 eachLaid :: [Orientation] -> Patch k -> [(Orientation, Patch k)]
 eachLaid possible observed =
-  -- A patch has rows of one length, in any orientation.
-  [(o, laid) | o <- asked possible, Right laid <- [patch (seenAs (undone o) (patchRows observed))]]
+  [(o, rearranged (seenShape back shape) (seenAt back shape) observed) | o <- asked possible, let back = undone o]
+ where
+  shape = patchShape observed
 
 -- | Each orientation once.
 asked :: [Orientation] -> [Orientation]

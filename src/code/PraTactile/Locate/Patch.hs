@@ -13,6 +13,7 @@ module PraTactile.Locate.Patch
   , rectangular
   , LocateError (..)
   , patchRows
+  , rearranged
   , observedCells
   , completeWindows
   ) where
@@ -75,6 +76,18 @@ patchRows observed = go (Boxed.toList (patchCells observed))
     ([], _) -> []
     (r, rest) -> r : go rest
 
+-- | The patch of this shape, at least one cell, whose observed cells are those of another patch, each at the position told; without those that are
+-- told one beyond it.
+rearranged :: Shape -> (Position -> Position) -> Patch k -> Patch k
+rearranged shape to observed = Patch shape (Boxed.replicate (fromIntegral (area shape)) Nothing Boxed.// moved)
+ where
+  moved =
+    [ (fromIntegral (r * columns shape + c), Just a)
+    | (offset, a) <- observedCells observed
+    , let Position r c = to offset
+    , r < rows shape && c < columns shape
+    ]
+
 -- | The observed cells with their offsets, row by row.
 observedCells :: Patch k -> [(Position, GF k)]
 observedCells observed =
@@ -85,15 +98,20 @@ observedCells observed =
 
 -- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
 completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
-completeWindows mask (Patch (Shape height width) cells) =
+completeWindows mask observed@(Patch (Shape height width) cells) =
   [ (Position i j, content)
-  | i <- below height (rows extent)
-  , j <- below width (columns extent)
-  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) (maskOffsets mask)]
+  | Position i0 j0 <- take 1 offsets
+  , -- The window is where its first cell is observed.
+  (Position r0 c0, _) <- observedCells observed
+  , r0 >= i0 && c0 >= j0
+  , let i = r0 - i0
+        j = c0 - j0
+  , i + rows extent <= height && j + columns extent <= width
+  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) offsets]
   ]
  where
+  offsets = maskOffsets mask
   extent = maskExtent mask
-  below side size = if size > side then [] else [0 .. side - size]
   at r c = do
     cell <- cells Boxed.!? fromIntegral (r * width + c)
     cell
