@@ -120,13 +120,16 @@ panel table x0 y0 leftmost size what =
     curve i series (j, erasures) =
       [ printf "<polyline class=\"line line%d\"%s points=\"%s\"/>" i (dashes j) (unwords (map (uncurry (printf "%.2f,%.2f")) run))
       | run <- runs (map (point (seriesLine series)) chosen), length run > 1 ]
-        ++ [ printf "<circle class=\"dot%d\" cx=\"%.2f\" cy=\"%.2f\" r=\"3\"/>" i x y
-           | l <- chosen, Just (x, y) <- [point (seriesDots series) l] ]
+        ++ [ dot (j > 0) (printf "line%d" i) (printf "dot%d" i) x y | l <- chosen, Just (x, y) <- [point (seriesDots series) l] ]
       where
         chosen = [ l | l <- table, lineSize l == size, lineErasures l == erasures, lineErrors l > 0 ]
     point from l = case from what l of
       Just s | s > 0, logBase 10 s >= lowest -> Just (across (lineErrors l), vertical (logBase 10 s))
       _ -> Nothing
+
+-- | A dot, perhaps hollow, by the classes that colour lines and dots.
+dot :: Bool -> String -> String -> Double -> Double -> String
+dot hollow ofLine ofDot x y = printf "<circle class=\"%s\" cx=\"%.2f\" cy=\"%.2f\" r=\"3\"/>" (if hollow then "paper " ++ ofLine else ofDot) x y
 
 -- | The points between gaps.
 runs :: [Maybe a] -> [[a]]
@@ -159,11 +162,12 @@ decadeText k
 legend :: [Line] -> Double -> [String]
 legend table y0 = concat (zipWith entry [0 ..] (zipWith ofSeries [0 ..] allSeries ++ zipWith ofErasures [0 ..] (erasuresOf table)))
   where
-    ofSeries i series = (printf "line line%d" (i :: Int), "", seriesText series)
-    ofErasures j e = ("line plain", dashes j, numberText e ++ " % of the cells not observed")
-    entry i (kind, dash, words') =
+    ofSeries i series = (printf "line line%d" (i :: Int), "", [], seriesText series)
+    ofErasures j e = ("line plain", dashes j, [j > 0], numberText e ++ " % of the cells not observed")
+    entry i (kind, dash, dots, words') =
       [ printf "<path class=\"%s\"%s d=\"M%g %gh30\"/>" (kind :: String) (dash :: String) left (y i)
       , text (left + 40) (y i + 4) "start" "ink" words' ]
+      ++ [ dot hollow "plain" "ink" (left + 15) (y i) | hollow <- dots ]
     y i = y0 + 22 * fromIntegral (i :: Int)
 
 text :: Double -> Double -> String -> String -> String -> String

@@ -67,8 +67,8 @@ deviations l = (\exact -> [ deviation (rate (lineHard l)) (rate exact) | rate <-
 
 heading :: String
 heading = unlines
-  [ "Of all patches in %. Hard: from symbols, to the radius that the observed cells guarantee. Soft: from the same cells' probabilities, answering"
-  , "where 99.9 % certain; and answering the surest until as many answers are wrong as hard decoding's: 'more' is how many % more answers that is."
+  [ "Of all patches in %. Hard: from symbols, to the radius that the observed cells guarantee. Soft: from the same cells' probabilities, answered"
+  , "where 99.9 % certain; and answered, the surest first, until as many are wrong as by hard decoding: 'more' is by how many % more often."
   , ""
   , printf "%-6s %6s %6s" ("" :: String) ("" :: String) ("" :: String) ++ concat [ "   " ++ centred 23 name | (_, name, _) <- ways ]
   , printf "%-6s %6s %6s" ("patch" :: String) ("errors" :: String) ("erased" :: String)
@@ -110,8 +110,8 @@ short x
 checksHeading :: String
 checksHeading = unlines
   [ ""
-  , "How far simulated hard decoding is from the exact rates, in standard errors. Of the soft answers where 99.9 % certain: how many there are, how"
-  , "many of them may be wrong at most, how many should be by their own doubts, and how many are."
+  , "How far simulated hard decoding is from the exact rates, in standard errors. Of the soft answers where 99.9 % certain: how many there are,"
+  , "how many of them may be wrong at most, how many should be by their own doubts, and how many are."
   , ""
   , printf "%-6s %6s %6s   %7s %7s %7s   %10s %9s %9s %9s" ("patch" :: String) ("errors" :: String) ("erased" :: String)
       ("right" :: String) ("wrong" :: String) ("refused" :: String)
