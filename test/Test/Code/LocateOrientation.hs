@@ -48,6 +48,13 @@ spec = do
     it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, for the paper's polynomial" $ do
       shelf <- paperBook Torus
       [orientedDistance shelf rotations side | side <- [2 .. 5]] `shouldBe` [0, 0, 4, 8]
+      [orientedDistance shelf [upright, Orientation False 2] side | side <- [2 .. 5]] `shouldBe` [0, 0, 5, 10]
+      [orientedDistance shelf orientations side | side <- [2 .. 5]] `shouldBe` [0, 0, 0, 0]
+      [orientedDistance shelf [upright] side | side <- [2 .. 5]] `shouldBe` [1, 4, 9, 16]
+    it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
+      shelf <- paperBook Torus
+      forM_ [(rotations, 3), (rotations, 4), ([upright, Orientation False 2], 4)] $ \(possible, side) ->
+        byDefinition (bookArray shelf) possible (Shape side side) [Position i j | i <- below side, j <- below side] `shouldBe` orientedDistance shelf possible side
     it "is, for cells of any shape, the least number in which two candidates differ, all compared with all" $
       forM_ small $ \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
         h <- firstOver k n

@@ -6,7 +6,7 @@ import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
-import Data.List (intercalate, isInfixOf, isPrefixOf, transpose)
+import Data.List (intercalate, isInfixOf, isPrefixOf, isSuffixOf, transpose)
 import Data.Proxy (Proxy (..))
 import qualified Data.Text as Text
 import PraTactile.Array (Folding (..), Position (Position), Shape (Shape), cellAt)
@@ -88,6 +88,9 @@ spec = do
         text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
         astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
     prints ["locate", text] ["row 6, column 4"]
+    (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
+    (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
+    prints ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
     prints ["locate", "--road", "algebra", text] ["row 6, column 4"]
     prints ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", astray]
