@@ -78,7 +78,7 @@ spec = do
       fmap found (punctured n supports) `shouldBe` Just (counted :: Map.Map (Int, Int, Bool) (Int, Map.Map Int Int))
   it "punctured codes: too many cells or words are refused" $ do
     punctured (mostErasedCells + 1) [1] `shouldBe` Nothing
-    punctured mostErasedCells (map (2 *) [1 .. 200]) `shouldBe` Nothing
+    punctured mostErasedCells (map (2 *) [1 .. 257]) `shouldBe` Nothing
     punctured 3 [] `shouldBe` Nothing
  where
   -- Side, radius, error rate; and what is right, wrong and refused in %: by a program in another language, which makes the array from its

@@ -26,6 +26,7 @@ import Data.Vector.Primitive (MVector, Vector)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word64)
+import Numeric.Natural (Natural)
 
 -- | The punctured codes of a code, counted.
 data Punctured = Punctured
@@ -59,22 +60,21 @@ data PuncturedClass = PuncturedClass
 mostErasedCells :: Int
 mostErasedCells = 25
 
--- | 2^32: the most words that are looked at in all sets together, which takes some seconds.
-mostErasedWork :: Integer
-mostErasedWork = 2 ^ (32 :: Int)
+-- | 2^33: the most words of all sets together, which take some seconds.
+mostErasedWork :: Natural
+mostErasedWork = 2 ^ (33 :: Int)
 
 -- | The punctured codes of the words with these supports, in n cells: bit i for the cell i, if it is not zero. To be given are all words but
 -- zero, also those with equal supports. 'Nothing' beyond 'mostErasedCells' or 'mostErasedWork'.
 punctured :: Int -> [Int] -> Maybe Punctured
 punctured n supports
-  | n < 1 || n > mostErasedCells || null supports || work > mostErasedWork = Nothing
+  | n < 1 || n > mostErasedCells || null supports || 2 ^ n * fromIntegral (length supports) > mostErasedWork = Nothing
   | otherwise = Just (Punctured n (length supports) (minimum (map popCount supports)) (classesOf n unit counts))
  where
   repeated = Map.fromListWith (+) [(x, 1) | x <- supports]
   -- The multiples of a word have its support, so that one visit is worth all of them.
   unit = foldr gcd 0 (Map.elems repeated)
   visited = concat [replicate (k `div` unit) x | (x, k) <- Map.toList repeated]
-  work = 2 ^ n * toInteger (length visited)
   counts = countSets n (unit == 1) (length visited) [packed [if testBit x i then 1 else 0 | x <- visited] | i <- [0 .. n - 1]]
 
 -- | Numbers below 256, eight in a machine word, the first one lowest.

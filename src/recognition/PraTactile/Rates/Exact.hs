@@ -32,7 +32,8 @@ exactRates shelf mask = \damage -> do
   windowDistance = observedDistance shelf (maskOffsets mask)
   radius = fromIntegral (guaranteedRadius windowDistance)
   whole = either (const Nothing) Just (weightEnumerator array mask)
-  holed = guard (n <= mostErasedCells) >> punctured n (map support positions)
+  -- The words are not even made where there are too many.
+  holed = guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork) >> punctured n (map support positions)
   support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
   positions =
     [ content
