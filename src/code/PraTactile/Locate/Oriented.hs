@@ -81,7 +81,11 @@ nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k 
 nearestOriented shelf possible stated observed =
   decided d radius (case sort (concatMap (\(_, _, (_, _, near, next)) -> catMaybes [near, next]) found) of { _ : next : _ -> Just next; _ -> Nothing }) found
  where
-  d = candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) (map fst (observedCells observed))
+  offsets = map fst (observedCells observed)
+  -- In a single orientation all positions are compared for it, which is exact.
+  d = case asked possible of
+    [only] -> observedDistance shelf (map (seenAt (undone only) (patchShape observed)) offsets)
+    _ -> candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) offsets
   radius = radiusFor stated d
   found =
     [ (o, patchShape laid, (decisionOutcome decision, decisionWrong decision, decisionNearest decision, decisionRunnerUp decision))
