@@ -6,11 +6,12 @@ import Control.Monad (forM_)
 import Data.Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (toList)
-import Data.List (isInfixOf, isPrefixOf)
+import Data.List (isInfixOf, isPrefixOf, stripPrefix, tails)
 import Data.Maybe (isJust, listToMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
+import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Text.Read (readMaybe)
@@ -91,6 +92,20 @@ spec = do
     with "--size 100x100" "4096"
     with "--size 2x2 --q 2 --polynomial 1,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1 --shape 1023x1025 --size 60x60" "are simulated"
     with "--q 6 --polynomial 1,1 --shape 1x5" "6 is not a prime power"
+  it "docs/locating.md: the commands print what is shown under them" $ do
+    page <- lines <$> readFile "docs/locating.md"
+    let shownIn l = "    " `isPrefixOf` l && not ("    $ " `isPrefixOf` l)
+        examples = [(command, takeWhile shownIn rest) | (l : rest) <- tails page, Just command <- [stripPrefix "    $ " l]]
+    length examples `shouldSatisfy` (>= 4)
+    forM_ examples $ \(command, shown) -> do
+      (_, out, _) <- readProcessWithExitCode "sh" ["-c", command] ""
+      (command, lines out) `shouldBe` (command, map (drop 4) shown)
+  it "docs/locating.md: the table has the lines and the exact rates of the command" $ do
+    page <- lines <$> readFile "docs/locating.md"
+    (_, out, _) <- pra (words "rates --trials 1")
+    let exact ls = take 32 [(take 3 fields', take 3 (drop 6 fields')) | l <- ls, any (`isPrefixOf` l) ["2x2 ", "3x3 ", "4x4 ", "5x5 "], let fields' = words l]
+    length (exact page) `shouldBe` 32
+    exact page `shouldBe` exact (lines out)
   it "rates: a number that is too large, or no number, is usage with status 2" $
     forM_ ["--trials 18446744073709551617", "--seed 99999999999999999999", "--trials 1.5", "--errors x", "--size 3", "--format xml"] $ \options -> do
       (status, out, err) <- pra ("rates" : words options)
