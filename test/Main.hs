@@ -19,6 +19,7 @@ import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateBounded
+import qualified Test.Code.LocateListing
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
@@ -91,6 +92,7 @@ main = hspec $ do
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
+    describe "Locating from probabilities on large arrays" Test.Code.LocateListing.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Several patches" Test.Code.LocateTogether.spec
     describe "Rates of answers" Test.Code.LocateRates.spec

@@ -19,6 +19,7 @@ module PraTactile.Locate.Soft
   , certainly
   , combined
   , likeliest
+  , probabilities
   , possibleIn
   , BeliefError (..)
 
@@ -102,11 +103,15 @@ combined looks = case looks of
 
 -- | The likeliest symbol, the one of the lowest code if several are.
 likeliest :: KnownField k => Belief k -> GF k
-likeliest (Belief probabilities) = either (const zero) id (fromCode (Primitive.maxIndex probabilities))
+likeliest (Belief numbers) = either (const zero) id (fromCode (Primitive.maxIndex numbers))
+
+-- | The probabilities of the symbols, by their codes.
+probabilities :: Belief k -> Primitive.Vector Double
+probabilities (Belief numbers) = numbers
 
 -- | Whether a symbol has a probability above 0.
 possibleIn :: GF k -> Belief k -> Bool
-possibleIn a (Belief probabilities) = maybe False (> 0) (probabilities Primitive.!? toCode a)
+possibleIn a (Belief numbers) = maybe False (> 0) (numbers Primitive.!? toCode a)
 
 -- | A rectangle of cells of which something is known, and of such of which nothing is.
 data SoftPatch (k :: Field) = SoftPatch [[Maybe (Belief k)]] [(Position, Belief k)]
@@ -162,7 +167,7 @@ posterior shelf observed = ranked (comparedPosition comparison) (comparedTotals 
 -- | The logarithms of what the probabilities of positions are proportional to, given what is known of cells by their offsets.
 likelihoods :: Book k -> [(Position, Belief k)] -> Comparison Double
 likelihoods shelf known =
-  compareWith shelf [(offset, Primitive.map log probabilities) | (offset, Belief probabilities) <- known]
+  compareWith shelf [(offset, Primitive.map log numbers) | (offset, Belief numbers) <- known]
 
 -- | How likely places are, given by their indices, from the logarithms of what their probabilities are proportional to.
 ranked :: (Int -> place) -> Primitive.Vector Double -> PosteriorOver place
