@@ -171,7 +171,8 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
         (before, source : after) -> let (word, advanced) = advance source in go (before ++ advanced : after) $! include word state
         _ -> finished (Just bounds) state
    where
-    bounds = Bounds (unlistedMass sources outside + log each) (sum (map nextMass sources) + outside)
+    -- The second with more than the rounding of logarithms, so that equal likelihoods do not count as less.
+    bounds = Bounds (unlistedMass sources outside + log each) (sum (map nextMass sources) + outside + 1e-9)
     -- Where one word more lowers the logarithm of the bound most: 1 - M for the surest set; for the others the
     -- probability of the next letters, which falls about like a power of how many have been gone through.
     next = snd (maximumBy (comparing fst) [(gain i source', i) | (i, source') <- zip [0 ..] sources])
