@@ -5,6 +5,7 @@ module Explain
   , explainOriented
   , explainDecoding
   , explainPosterior
+  , explainListing
   , explainOutcome
   ) where
 
@@ -17,6 +18,7 @@ import PraTactile.Locate
 import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Nearest
+import PraTactile.Locate.OrderedStatistics
 import PraTactile.Locate.Oriented
 import PraTactile.Locate.Soft
 import PraTactile.Polynomial (primitiveDegree)
@@ -95,6 +97,15 @@ explainPosterior tolerated found =
   [ "The probabilities of the positions:" | Just _ <- [posteriorBest found] ]
     ++ [ printf "  %s: %.6g" (place at) chance | (at, chance) <- take 3 (posteriorRanking found) ]
     ++ [ printf "The likeliest is wrong with probability %.3g; %.3g is tolerated." (posteriorDoubt found) tolerated | Just _ <- [posteriorBest found] ]
+
+-- | How likely the likeliest positions of a list are.
+explainListing :: Double -> Listing -> [String]
+explainListing tolerated found =
+  [ "The likeliest contents of the surest independent cells were gone through, " ++ show (listingWords found) ++ " of them; the positions, with their probabilities:"
+  | Just _ <- [listingBest found] ]
+    ++ [ printf "  %s: at least %.6g" (place at) chance | (at, chance) <- take 3 (listingRanking found) ]
+    ++ [ printf "All positions that were not met together have a probability of at most %.3g." (listingUnlisted found) | Just _ <- [listingBest found] ]
+    ++ [ printf "The likeliest is wrong with a probability of at most %.3g; %.3g is tolerated." (listingDoubt found) tolerated | Just _ <- [listingBest found] ]
 
 -- | What stands for the outcome.
 explainOutcome :: Outcome -> [String]

@@ -35,6 +35,7 @@ import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Nearest
+import PraTactile.Locate.OrderedStatistics
 import PraTactile.Locate.Patch (observedCells)
 import PraTactile.Locate.Search
 import PraTactile.Locate.Soft
@@ -48,6 +49,7 @@ data Road
   | NearestRoad   -- ^ compare with every position and correct errors
   | SoftRoad      -- ^ the probability of every position
   | InformationSetsRoad   -- ^ correct errors without visiting every position
+  | ListRoad      -- ^ the probabilities of a list of likely positions
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As the command line and JSON have it.
@@ -59,6 +61,7 @@ roadName road = case road of
   NearestRoad -> "nearest"
   SoftRoad -> "soft"
   InformationSetsRoad -> "information-sets"
+  ListRoad -> "list"
 
 -- | What the command line chooses.
 data Choice = Choice
@@ -94,7 +97,7 @@ locator choice surface array mask = case chosenRoad choice of
     -- Large arrays are not compared with the patch: information sets, or where there are no logarithms the table.
     bySize (Right shelf) = Right (either' (viaNearest shelf) (viaSoft shelf))
     bySize (Left tooLarge) = case prepared of
-      Right algebra -> Right (either' (viaInformationSets algebra (decoders algebra)) (const (Left tooLarge)))
+      Right algebra -> Right (either' (viaInformationSets algebra (decoders algebra)) (viaList algebra))
       Left infeasible -> either (\why -> Left (infeasible ++ "; and " ++ why)) (\table -> Right (either' (viaTable table) (const (Left tooLarge)))) tabled
     either' hard soft observed = case observed of
       Symbols p -> hard p
@@ -125,6 +128,11 @@ locator choice surface array mask = case chosenRoad choice of
       let found = posterior shelf p
           outcome = decide (chosenDoubt choice) found
       in Right (Answer outcome SoftRoad [] (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
+
+    viaList algebra p = do
+      found <- first algebraMessage (listPatch standardListing (chosenDoubt choice) algebra p)
+      let outcome = decideListing (chosenDoubt choice) found
+      pure (Answer outcome ListRoad [] (counted outcome ++ ofListing found) (explainListing (chosenDoubt choice) found ++ explainOutcome outcome))
 
 -- | The road on which nothing is corrected: the one chosen, or else algebra, or where that cannot be the table. 'Left' where it is impossible for the array.
 exactRoad :: KnownField k => Choice -> Surface -> PseudorandomArray k -> Mask -> Either String (Road, Patch k -> Either String Outcome)
@@ -174,4 +182,12 @@ ofPosterior :: Posterior -> [(Key, Value)]
 ofPosterior found =
   [ ("doubt", toJSON (posteriorDoubt found))
   , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (posteriorRanking found)])
+  ]
+
+ofListing :: Listing -> [(Key, Value)]
+ofListing found =
+  [ ("doubt", toJSON (listingDoubt found))
+  , ("doubt_is", "at-most")
+  , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (listingRanking found)])
+  , ("unlisted", toJSON (listingUnlisted found))
   ]

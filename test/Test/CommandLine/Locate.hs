@@ -59,6 +59,18 @@ spec = do
     (explained, take 1 (lines words')) `shouldBe` (0, ["row 987654321, column 123456789 (3 cells corrected)"])
     lines words' `shouldSatisfy` any ("The nearest position differs in 3 cells, any other one in at least " `isPrefixOf`)
     complains (["locate"] ++ chosen ++ ["--radius", "30", written (wrong [(i, j) | i <- [0 .. 7], j <- [0 .. 7], (i + j) `mod` 3 == 0] (seen 8 8))]) "give a smaller --radius"
+    -- The same cells from probabilities: three are as likely another symbol.
+    let chances places = encode [[[chance (at `elem` places) a b | b <- [0 .. 3]] | (j, a) <- zip [0 ..] line, let at = (i, j)] | (i, line) <- zip [0 :: Int ..] (seen 8 8)]
+        chance doubtful a b
+          | doubtful = if b `elem` [toCode a, toCode (a + 1)] then 0.5 else 0 :: Double
+          | otherwise = if b == toCode a then 1 else 0
+        soft options places = pra (["locate"] ++ options ++ chosen ++ [Lazy8.unpack (chances (places :: [(Int, Int)]))])
+    (likely, answer, _) <- soft ["--json"] some
+    (likely, key ["road"] answer, key ["doubt_is"] answer, key ["position", "row"] answer) `shouldBe` (0, Just "list", Just "at-most", Just (Number 987654321))
+    (unlikely, refusal, _) <- pra (["locate", "--json"] ++ chosen ++ [Lazy8.unpack (encode (replicate 8 (replicate 8 [0.4, 0.2, 0.2, 0.2 :: Double])))])
+    (unlikely, key ["reason"] refusal) `shouldBe` (1, Just "below-threshold")
+    (whole, sentences, _) <- soft ["--explain"] some
+    (whole, lines sentences) `shouldSatisfy` \(status', said) -> status' == 0 && any ("at most" `isInfixOf`) said
   it "locate takes probabilities as JSON" $ do
     prints ["locate", "--doubt", "0.2", "[[[0,0,0.1,0.9],2],[\"A^2\",1]]"] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", "[[[0,0,0.1,0.9],2],[3,1]]"]
