@@ -39,6 +39,7 @@ recognitionJson profile paths nameOf recognition =
     <> "radius" .= fmap (naturalValue . evidenceRadius) evidence
     <> "minimum_distance" .= fmap (naturalValue . evidenceDistance) evidence
     <> "symbols" .= map symbolValue (recognisedSymbols recognition)
+    <> "parts" .= map partValue (recognisedParts recognition)
     <> "windows" .= map windowValue windows
   where
     answer = recognisedAnswer recognition
@@ -47,18 +48,21 @@ recognitionJson profile paths nameOf recognition =
       Left _ -> ("refused" :: String, Nothing, Nothing, [], [] :: [Position], mempty)
       Right (Several o ps) -> ("ambiguous", Just o, Nothing, [], ps, mempty)
       Right (Found found) -> ("located", Just (foundOrientation found), Just (foundWindow found), foundWindows found, [], foundPlaces found)
-    symbolValue symbol = object
+    symbolValue symbol = object (placedPairs symbol ++
+      [ "code" .= fmap snd (readClass symbol)
+      , "element" .= fmap (nameOf . snd) (readClass symbol)
+      , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
+      , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) evidence
+      ])
+    partValue part = object (placedPairs part ++ [ "seen" .= readSeen part ])
+    placedPairs symbol =
       [ "source" .= readSource symbol
       , "x" .= fst (symbolCentre (readImage symbol))
       , "y" .= snd (symbolCentre (readImage symbol))
-      , "code" .= fmap snd (readClass symbol)
-      , "element" .= fmap (nameOf . snd) (readClass symbol)
-      , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
       , "likeliest" .= object
           [ "code" .= snd (readLikeliest symbol), "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol)), "doubt" .= readDoubt symbol ]
       , "position" .= fmap (positionValue . symbolCell) (Map.lookup (readNumber symbol) cells)
       , "expected" .= fmap symbolExpected (Map.lookup (readNumber symbol) cells)
-      , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) evidence
       ]
     windowValue w = object $
       [ "position" .= positionValue (windowPosition w)

@@ -18,6 +18,7 @@ module PraTactile.Recognise
   , recogniseWith
     -- * Symbols
   , ReadSymbol (..)
+  , readDoubt
   , Orientation (..)
   , orientationDegrees
   , isSideways
@@ -41,7 +42,7 @@ import Data.Maybe (isJust, isNothing, listToMaybe)
 import Data.Ord (Down (..))
 
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, arrayShape, cellAt)
-import PraTactile.Classify.Estimate (templates)
+import PraTactile.Classify.Templates (templates)
 import PraTactile.Classify.Network (Network, NetworkError, outputCount)
 import PraTactile.Field (KnownField, fieldOrder, toCode)
 import PraTactile.Grid (canonicalPosition)
@@ -50,6 +51,7 @@ import PraTactile.Locate.Book
 import PraTactile.Object.Placement (Placement, Whereabouts (..), whereabouts)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Judgement
+import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
 import PraTactile.Shape (Alphabet, alphabetSize)
@@ -106,6 +108,7 @@ data SymbolPlace = SymbolPlace
 -- | What was recognised, whether or not it led to an answer.
 data Recognition = Recognition
   { recognisedSymbols :: [ReadSymbol]        -- ^ every complete symbol of the composites
+  , recognisedParts :: [ReadSymbol]          -- ^ symbols beside them that are not complete, or were not cut out, as far as they tell anything
   , recognisedEvidence :: Maybe Evidence     -- ^ for the likeliest position, where there is one
   , recognisedAnswer :: Either Refusal Answer
   }
@@ -167,25 +170,27 @@ recognise reader composite = recogniseWith standardTolerance reader [composite]
 recogniseWith :: KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError Recognition
 recogniseWith tolerance reader composites = do
   (upright, sideways) <- readSymbols (recogniserReader reader) composites
-  let known = length . filter (isJust . readClass)
-      (symbols, others) = if known sideways > known upright then (sideways, upright) else (upright, sideways)
-      dissenters = filter (isJust . readClass) others
-  mirrored <- if known symbols == 0 then readMirrored (recogniserReader reader) composites else pure False
-  pure (answered tolerance reader mirrored symbols dissenters)
+  let known = length . filter (isJust . readClass) . concatMap viewSymbols
+      (views, others) = if known sideways > known upright then (sideways, upright) else (upright, sideways)
+  mirrored <- if known views == 0 then readMirrored (recogniserReader reader) composites else pure False
+  pure (answered tolerance reader mirrored views (filter (isJust . readClass) (concatMap viewSymbols others)))
 
--- | The answer from the symbols of one axis, and what the network knows of the other.
-answered :: KnownField k => Tolerance -> Recogniser k -> Bool -> [ReadSymbol] -> [ReadSymbol] -> Recognition
-answered tolerance reader mirrored symbols dissenters
+-- | The answer from the symbols of one axis, and from what the network knows of the other.
+answered :: KnownField k => Tolerance -> Recogniser k -> Bool -> [View] -> [ReadSymbol] -> Recognition
+answered tolerance reader mirrored views dissenters
   | mirrored = refused Mirrored
   | null symbols = refused NoSymbols
   | all (isNothing . readClass) symbols = refused SymbolsUnclear
   | otherwise = case faceGrid (groups symbols) of
       Nothing -> refused GridContradicts
       Just grid ->
-        let judgement = judge (recogniserBook reader) tolerance dissenters grid
-        in Recognition (symbols ++ dissenters) (judgedEvidence judgement) (fromJudgement reader judgement)
+        let (whole, parts) = withParts (recogniserReader reader) views (1 + maximum (-1 : map readNumber everything)) grid
+            judgement = judge (recogniserBook reader) tolerance dissenters whole
+        in Recognition everything parts (judgedEvidence judgement) (fromJudgement reader judgement)
   where
-    refused = Recognition (symbols ++ dissenters) Nothing . Left
+    symbols = concatMap viewSymbols views
+    everything = symbols ++ dissenters
+    refused = Recognition everything [] Nothing . Left
 
 fromJudgement :: KnownField k => Recogniser k -> Judgement -> Either Refusal Answer
 fromJudgement reader judgement = case judgedRuling judgement of

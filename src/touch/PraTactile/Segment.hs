@@ -8,21 +8,29 @@ module PraTactile.Segment
 
     -- * Segmentation
   , segment
-  , segmentSideways
   , Segmentation (..)
   , Reject (..)
   , Cause (..)
+
+    -- * On the side
+  , counterclockwise
+  , turnedBack
+
+    -- * Parts of symbols
+  , Part (..)
+  , partAt
+  , leastSeen
   ) where
 
 import Data.Either (partitionEithers)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (mapMaybe)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 
-import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn, rasterHeight, rasterWidth, zipRaster)
+import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
@@ -61,8 +69,10 @@ data Segmentation = Segmentation
   { segmentedSymbols :: ![SymbolImage]
   -- ^ The complete symbols, from left to right.
   , segmentedRejects :: ![Reject]
+  , segmentedBackground :: !Double
+  -- ^ The background's intensity; 0 when nothing embossed was found.
   , segmentedContrast :: !Double
-  -- ^ The embossing's intensity above the background's; 0 when nothing embossed was found.
+  -- ^ The embossing's intensity above the background's; likewise.
   }
   deriving stock (Eq, Show)
 
@@ -71,13 +81,13 @@ data Segmentation = Segmentation
 -- one.
 segment :: Composite -> Segmentation
 segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList differences) of
-  Nothing -> Segmentation [] [] 0
+  Nothing -> Segmentation [] [] 0 0
   Just found ->
     let scene = Scene (`Map.lookup` touched) (threshold found)
         embossed = Map.keysSet (Map.filter (>= threshold found) touched)
         whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
         (rejects, symbols) = partitionEithers (mapMaybe (judged (blended composite) found scene) whole)
-     in Segmentation symbols rejects (contrast found)
+     in Segmentation symbols rejects (levelBackground found) (contrast found)
  where
   touched = touchedPixels composite
   differences =
@@ -87,18 +97,13 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
     , Just c <- [Map.lookup (x + 1, y) touched]
     ]
 
--- | The symbols of a composite that lie on their side: turned by 90 degrees or by 270. Their centres are in the composite's pixels all the
--- same, their axis is 90, and their images and sizes are as seen along that axis.
-segmentSideways :: Composite -> Segmentation
-segmentSideways composite = (segment turned) {segmentedSymbols = map turnedBack symbols, segmentedRejects = map boxBack rejects}
+-- | The composite turned by 90 degrees counterclockwise: what pointed down points right. A pixel at x, y comes from width - 1 - y, x; the
+-- origin is left as it was.
+counterclockwise :: Composite -> Composite
+counterclockwise composite =
+  composite {compositeImage = turned (compositeImage composite), compositeCoverage = turned (compositeCoverage composite)}
  where
-  -- Counterclockwise: what points down then points right.
-  counterclockwise = quarterTurn . halfTurn
-  turned = composite {compositeImage = counterclockwise (compositeImage composite), compositeCoverage = counterclockwise (compositeCoverage composite)}
-  Segmentation symbols rejects _ = segment turned
-  right = fromIntegral (rasterWidth (compositeImage composite)) - 1
-  turnedBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
-  boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
+  turned = quarterTurn . halfTurn
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double
@@ -116,6 +121,45 @@ touchedPixels (Composite image coverage _ _) =
 blended :: Composite -> Reference
 blended (Composite image coverage _ _) =
   either (const (referenceOf image)) id (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
+
+-- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols that lie on their side, turned by 90 degrees
+-- or by 270. Centres and boxes are in the composite's pixels; the symbols' axis is 90, and their images and sizes are as seen along that axis.
+turnedBack :: Composite -> Segmentation -> Segmentation
+turnedBack composite found = found {segmentedSymbols = map symbolBack (segmentedSymbols found), segmentedRejects = map boxBack (segmentedRejects found)}
+ where
+  right = fromIntegral (rasterWidth (compositeImage composite)) - 1
+  symbolBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
+  boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
+
+-- | What was touched of a place where a symbol is expected.
+data Part = Part
+  { partPixels :: !Raster
+  -- ^ 8 x 12 taxels, background 0 and embossing about 1; 0 where nothing was touched.
+  , partSeen :: !Raster
+  -- ^ 1 where it was touched, and 0 elsewhere.
+  }
+  deriving stock (Eq, Show)
+
+-- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels, given the composite's segmentation. 'Nothing'
+-- where that is less than 'leastSeen' taxels, or nothing embossed was found. What is computed once a composite is computed when
+-- it is given.
+partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
+partAt composite found = look
+ where
+  image = blended composite
+  look (x, y)
+    | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen = Just (Part pixels seen)
+    | otherwise = Nothing
+   where
+    here i j = case referenceAt image (x + fromIntegral i - (fromIntegral symbolWidth - 1) / 2) (y + fromIntegral j - (fromIntegral symbolHeight - 1) / 2) of
+      Just (v, m) | m >= leastCoverage -> Just ((v - segmentedBackground found) / segmentedContrast found)
+      _ -> Nothing
+    pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
+    seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
+
+-- | The fewest taxels of a symbol's 96 that are worth a look.
+leastSeen :: Int
+leastSeen = 16
 
 -- | A component as a symbol, or why it is none.
 judged :: Reference -> Levels -> Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)

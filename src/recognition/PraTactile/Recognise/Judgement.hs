@@ -165,9 +165,7 @@ likeliestOrientation q cells
 chances :: Int -> Orientation -> [ReadSymbol] -> [Double]
 chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map chance here)
   where
-    chance s =
-      let others = readDoubt s / fromIntegral (2 * q - 1)
-      in [ if (orientation, c) == readLikeliest s then 1 - readDoubt s else others | c <- [0 .. q - 1] ]
+    chance s = [ sum [ p | (what, p) <- readChances s, what == (orientation, c) ] | c <- [0 .. q - 1] ]
 
 -- | The probabilities of the classes in a cell.
 beliefIn :: KnownField k => Int -> Orientation -> [ReadSymbol] -> Maybe (Belief k)

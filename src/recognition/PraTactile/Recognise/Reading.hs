@@ -9,20 +9,26 @@ module PraTactile.Recognise.Reading
     -- * Symbols
   , ReadSymbol (..)
   , Reader (..)
+  , View (..)
+  , readDoubt
   , readSymbols
   , readMirrored
+  , orientedAs
+  , onView
     -- * Groups
   , Group (..)
   , groups
   ) where
 
+import Data.Bifunctor (first)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, mapMaybe)
 
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), classify, standardThresholds)
-import PraTactile.Image (halfTurn, mirrorColumns)
+import PraTactile.Classify.Templates (Templates)
+import PraTactile.Image (halfTurn, mirrorColumns, rasterHeight)
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell, arrange)
@@ -65,30 +71,68 @@ data ReadSymbol = ReadSymbol
     -- ^ its centre on the first composite's grid of pixels, which goes on beyond that composite: to the right and down
   , readClass :: Maybe (Orientation, Int)
     -- ^ orientation and class, if the network knows it in exactly one orientation
+  , readSeen :: Double
+    -- ^ the share of it that was touched: 1 for a complete symbol
   , readLikeliest :: (Orientation, Int)
     -- ^ the likeliest orientation and class, known or not
-  , readDoubt :: Double
-    -- ^ the probability that it is another orientation or class, of the same axis
+  , readChances :: [((Orientation, Int), Double)]
+    -- ^ the probabilities of all orientations and classes of its axis
   }
   deriving stock (Eq, Show)
+
+-- | The probability that a symbol has not its likeliest orientation and class.
+readDoubt :: ReadSymbol -> Double
+readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
 
 -- | What symbols are read with.
 data Reader = Reader Templates Network
 
+-- | A composite with the symbols of one axis.
+data View = View
+  { viewSource :: Int
+    -- ^ which composite, counted from 0
+  , viewSideways :: Bool
+    -- ^ whether the symbols lie on their side
+  , viewComposite :: Composite
+    -- ^ the composite, turned counterclockwise if they do
+  , viewSegmentation :: Segmentation
+    -- ^ of the composite so turned
+  , viewShift :: (Double, Double)
+    -- ^ where its pixel (0, 0), before turning, is on the first composite's grid
+  , viewSymbols :: [ReadSymbol]
+  }
+
 -- | The symbols of composites of one face, whose origins tell how they lie to each other. First those that stand upright or upside
 -- down, then those that lie on their side; blobs of one sort are seldom of the other's size.
-readSymbols :: Reader -> [Composite] -> Either NetworkError ([ReadSymbol], [ReadSymbol])
+readSymbols :: Reader -> [Composite] -> Either NetworkError ([View], [View])
 readSymbols reader composites = do
-  upright <- alike False segment
-  sideways <- alike True segmentSideways
-  let numbered from = zipWith (\n symbol -> symbol {readNumber = n}) [from ..]
-  pure (numbered 0 upright, numbered (length upright) sideways)
+  upright <- traverse (view False) (zip [0 ..] composites)
+  sideways <- traverse (view True) (zip [0 ..] composites)
+  pure (numberedFrom 0 upright, numberedFrom (sum (map (length . viewSymbols) upright)) sideways)
   where
-    alike lying cut = concat <$> traverse (\(i, c) -> traverse (readSymbol reader lying i (shift c)) (segmentedSymbols (cut c))) (zip [0 ..] composites)
+    view lying (i, c) = do
+      let turned = if lying then counterclockwise c else c
+          found = segment turned
+          images = segmentedSymbols (if lying then turnedBack c found else found)
+      symbols <- traverse (readSymbol reader lying i (shift c)) images
+      pure (View i lying turned found (shift c) symbols)
     shift c = case composites of
-      first : _ -> (apart fst first c, apart snd first c)
+      origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
-    apart part first c = (part (compositeOrigin c) - part (compositeOrigin first)) / taxelPitch
+    apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
+    numberedFrom :: Int -> [View] -> [View]
+    numberedFrom n views = case views of
+      [] -> []
+      v : others ->
+        v { viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v) } : numberedFrom (n + length (viewSymbols v)) others
+
+-- | A place on the first composite's grid, as pixels of the view's composite as it is turned.
+onView :: View -> (Double, Double) -> (Double, Double)
+onView view (x, y)
+  | viewSideways view = (y', fromIntegral (rasterHeight (compositeImage (viewComposite view))) - 1 - x')
+  | otherwise = (x', y')
+  where
+    (x', y') = (x - fst (viewShift view), y - snd (viewShift view))
 
 -- | Ask the network about a symbol's image in both orientations that its axis has; it knows the symbol if it does so in exactly one of
 -- them.
@@ -103,23 +147,30 @@ readSymbol (Reader shapesSeen network) lying source (dx, dy) image = do
     , readImage = image
     , readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy)
     , readClass = inOneOrientation upright turned
-    , readLikeliest = (oriented (estimateHalfTurned likeliest), estimateClass likeliest)
-    , readDoubt = estimateDoubt likeliest
+    , readSeen = 1
+    , readLikeliest = orientedAs lying (estimateLikeliest likeliest)
+    , readChances = map (first (orientedAs lying)) (estimateChances likeliest)
     }
   where
-    oriented isTurned
-      | lying = if isTurned then TurnedLeft else TurnedRight
-      | otherwise = if isTurned then HalfTurned else Upright
     inOneOrientation (Recognised _ _) (Recognised _ _) = Nothing
-    inOneOrientation (Recognised c _) _ = Just (oriented False, c)
-    inOneOrientation _ (Recognised c _) = Just (oriented True, c)
+    inOneOrientation (Recognised c _) _ = Just (orientationAs lying False, c)
+    inOneOrientation _ (Recognised c _) = Just (orientationAs lying True, c)
     inOneOrientation _ _ = Nothing
+
+-- | A class and whether it is turned by 180 degrees, as an orientation and a class, for symbols that lie on their side or do not.
+orientedAs :: Bool -> (Int, Bool) -> (Orientation, Int)
+orientedAs lying (c, isTurned) = (orientationAs lying isTurned, c)
+
+orientationAs :: Bool -> Bool -> Orientation
+orientationAs lying isTurned
+  | lying = if isTurned then TurnedLeft else TurnedRight
+  | otherwise = if isTurned then HalfTurned else Upright
 
 -- | Does the network know most of the symbols in the composites' mirror images, and at least three? Then the images are mirrored.
 readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
 readMirrored reader composites = do
   (upright, sideways) <- readSymbols reader (map mirror composites)
-  pure (any mostKnown [upright, sideways])
+  pure (any (mostKnown . concatMap viewSymbols) [upright, sideways])
   where
     mirror c = c {compositeImage = mirrorColumns (compositeImage c), compositeCoverage = mirrorColumns (compositeCoverage c)}
     mostKnown symbols = let known = length (filter (isJust . readClass) symbols) in known >= 3 && 2 * known > length symbols

@@ -5,37 +5,35 @@
 -- The network's outputs tell which class and orientation are the likeliest; but they do not tell how often that is wrong, because an
 -- output unit is nearly as sure of a blurred symbol as of a clear one. How well the image matches the likeliest symbol's own shape does. Note [Calibration]
 module PraTactile.Classify.Estimate
-  ( -- * Estimates
-    Estimate (..)
+  ( Estimate (..)
+  , estimateDoubt
+  , estimateChance
   , estimate
   , leastDoubt
-
-    -- * Matching
-  , Templates
-  , templates
-  , match
   ) where
 
 import Data.List (sortOn)
 import Data.Ord (Down (..))
-import Data.Vector (Vector)
-import qualified Data.Vector as Boxed
-import qualified Data.Vector.Storable as V
 
 import PraTactile.Classify.Network
+import PraTactile.Classify.Templates
 import PraTactile.Image
-import PraTactile.Shape
 
--- | What an image most likely shows.
+-- | What an image most likely shows: a class, and whether it is turned by 180 degrees.
 data Estimate = Estimate
-  { estimateClass :: !Int
-  , estimateHalfTurned :: !Bool
-  -- ^ Whether it shows the symbol turned by 180 degrees.
-  , estimateDoubt :: !Double
-  -- ^ The probability that it shows another class or the other orientation, above 0 and at most that of a blind choice. All the others
-  -- are equally likely.
+  { estimateLikeliest :: !(Int, Bool)
+  , estimateChances :: ![((Int, Bool), Double)]
+  -- ^ the probabilities of all, each above 0; they add up to 1
   }
   deriving stock (Eq, Show)
+
+-- | The probability that the likeliest is not right.
+estimateDoubt :: Estimate -> Double
+estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= estimateLikeliest e]
+
+-- | The probability of a class and a turn; 0 for a class that there is not.
+estimateChance :: Estimate -> (Int, Bool) -> Double
+estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
 -- | The least doubt that is ever told: more than ten million images would be needed to show that it is less.
 leastDoubt :: Double
@@ -52,8 +50,11 @@ estimate shapesSeen n image
  where
   ranked upright turned =
     sortOn (Down . snd) ([((c, False), logit o) | (c, o) <- zip [0 ..] upright] ++ [((c, True), logit o) | (c, o) <- zip [0 ..] turned])
-  likeliest ((best, first) : (_, second) : _) = Estimate (fst best) (snd best) (doubt (first - second) (matched best))
-  likeliest _ = Estimate 0 False 1
+  likeliest found = case found of
+    (best, first) : others@((_, second) : _) ->
+      let w = doubt (first - second) (matched best)
+       in Estimate best ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
+    _ -> Estimate (0, False) []
   matched (c, isTurned) = match shapesSeen c (if isTurned then halfTurn image else image)
   blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
   doubt lead likeness = max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
@@ -69,46 +70,6 @@ intercept, perLead, perLikeness :: Double
 intercept = 11.3
 perLead = 0.11
 perLikeness = 21.9
-
--- | The shapes of an alphabet as they are seen when misplaced a little.
-newtype Templates = Templates (Vector [V.Vector Double])
-
-templateCount :: Templates -> Int
-templateCount (Templates classes) = Boxed.length classes
-
--- | Each shape of the alphabet at its place and moved by half a taxel in each direction.
-templates :: Alphabet -> Templates
-templates alphabetOfAll = Templates (Boxed.fromList (map placed (shapes alphabetOfAll)))
- where
-  placed shape =
-    [ standardised (rasterValues (generate symbolWidth symbolHeight (\x y -> sampled (framed shape) (fromIntegral x - dx) (fromIntegral y - dy))))
-    | dx <- offsets
-    , dy <- offsets
-    ]
-  offsets = [-0.5, 0, 0.5]
-  -- With a flat margin of a taxel, so that what is moved out of the box is replaced by flat.
-  framed shape = generate (symbolWidth + 2) (symbolHeight + 2) (\x y -> if embossedAt shape (x - 1) (y - 1) then 1 else 0)
-  sampled image x y = sample image (x + 1) (y + 1)
-
--- | How much an 8 x 12 image is like the shape of a class: the greatest correlation coefficient of the two, the shape moved by up to half a
--- taxel; from -1 to 1. 0 for an image all of whose values are the same, for one of another size, and for a class that there is not.
-match :: Templates -> Int -> Raster -> Double
-match (Templates classes) c image = case classes Boxed.!? c of
-  Just placed@(_ : _) | V.length values == symbolWidth * symbolHeight -> maximum (map (V.sum . V.zipWith (*) seen) placed)
-  _ -> 0
- where
-  values = rasterValues image
-  seen = standardised values
-
--- | Less the mean, and of length 1; zero where all values are the same.
-standardised :: V.Vector Double -> V.Vector Double
-standardised values
-  | size > 0 = V.map (/ size) centred
-  | otherwise = centred
- where
-  average = V.sum values / fromIntegral (max 1 (V.length values))
-  centred = V.map (subtract average) values
-  size = sqrt (V.sum (V.map (^ (2 :: Int)) centred))
 
 -- Note [Calibration]
 -- ~~~~~~~~~~~~~~~~~~

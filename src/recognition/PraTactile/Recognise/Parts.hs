@@ -1,0 +1,76 @@
+-- | Reading parts of symbols: where the grid has a cell beside the symbols that were cut out, and the composite shows some of it, the
+-- shapes tell what it may be.
+module PraTactile.Recognise.Parts
+  ( withParts
+  ) where
+
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import qualified Data.Vector.Storable as V
+
+import PraTactile.Classify.Estimate
+import PraTactile.Classify.Part
+import PraTactile.Image (rasterValues)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Reading
+import PraTactile.Segment
+import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
+import PraTactile.Shape (symbolHeight, symbolWidth)
+
+-- | The grid with the parts of symbols that each composite shows in the cells around its own symbols, and the parts. Numbers them from
+-- the one given.
+withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+withParts reader views from grid = (grid {gridCells = normalised (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
+  where
+    found = zipWith (\n (cell, part) -> (cell, part {readNumber = n})) [from ..] (concatMap (partsOf reader (gridCells grid)) views)
+    cells = Map.fromListWith (++) [ (cell, [part]) | (cell, part) <- found ]
+
+-- | Rows and columns counted from 0.
+normalised :: Map Cell a -> Map Cell a
+normalised cells = Map.mapKeysMonotonic (\(i, j) -> (i - top, j - left)) cells
+  where
+    top = minimum (0 : map fst (Map.keys cells))
+    left = minimum (0 : map snd (Map.keys cells))
+
+-- | Of one composite, the parts that are more likely one symbol than all others together.
+partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
+partsOf (Reader shapesSeen _) cells view =
+  [ (cell, part)
+  | (cell, centres) <- Map.toList expected
+  , let at = mean centres
+  , Just seen <- [look (onView view at)]
+  , let part = readPart view at seen (estimatePart shapesSeen seen)
+  , readDoubt part < 0.5
+  ]
+  where
+    look = partAt (viewComposite view) (viewSegmentation view)
+    own = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view ]
+    taken = Set.fromList (map fst own)
+    -- Where the symbols around a free cell say that its centre is.
+    expected = Map.fromListWith (++)
+      [ (cell, [(x + dx, y + dy)])
+      | ((i, j), s) <- own, di <- [-1, 0, 1], dj <- [-1, 0, 1]
+      , let cell = (i + di, j + dj), cell `Set.notMember` taken
+      , let (x, y) = readAt s
+      , let (dx, dy) = onComposite (if viewSideways view then TurnedRight else Upright) (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
+      ]
+    mean centres = (average (map fst centres), average (map snd centres))
+    average xs = sum xs / fromIntegral (max 1 (length xs))
+
+readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
+readPart view (x, y) seen estimated = ReadSymbol
+  { readNumber = 0
+  , readSource = viewSource view
+  , readImage = SymbolImage
+      { symbolCentre = (x - fst (viewShift view), y - snd (viewShift view))
+      , symbolPixels = partPixels seen
+      , symbolAxis = if viewSideways view then 90 else 0
+      , symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
+      }
+  , readAt = (x, y)
+  , readClass = Nothing
+  , readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight)
+  , readLikeliest = orientedAs (viewSideways view) (estimateLikeliest estimated)
+  , readChances = [ (orientedAs (viewSideways view) what, chance) | (what, chance) <- estimateChances estimated ]
+  }
