@@ -15,10 +15,11 @@ import PraTactile.Stitch (Composite (..))
 import Recognised (orientationText, recognitionMessage, windowText)
 
 -- | A composite, 12 units a taxel, dark where it is pressed; over it the shape of each recognised symbol with its element
--- (blue; orange where it contradicts the place) and the box of each that was not (red); the first window's outline, and the answer below.
+-- (blue; orange where it contradicts the place) and the box of each that was not (red); faintly, what parts most likely are; the first window's outline, and the answer below.
 recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
 recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
   taxelRects (compositeImage composite)
+    ++ concatMap partBox (recognisedParts recognition)
     ++ concatMap symbolBox (recognisedSymbols recognition)
     ++ concat [ windowBox (foundWindow found) | Right (Found found) <- [recognisedAnswer recognition] ]
     ++ [ text 12 (high + 22) "start" 16 "#222" (recognitionMessage recognition) ]
@@ -38,6 +39,11 @@ recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
       in maybe [] (shapeRects colour (x, y)) (readClass symbol)
          ++ [ box x y w h colour 3
             , text x (y + h / 2 + 24) "middle" 24 colour label ]
+    -- Drawn faintly: what a part most likely is.
+    partBox part =
+      let (x, y) = pixelCentre (symbolCentre (readImage part))
+          (w, h) = across part (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
+      in [ "<g opacity=\"0.45\">" ] ++ shapeRects "#6b7280" (x, y) (readLikeliest part) ++ [ box x y w h "#6b7280" 2, "</g>" ]
     wrong = maybe [] evidenceWrong (recognisedEvidence recognition)
     across symbol (u, v) = if isSideways (fst (readLikeliest symbol)) then (v, u) else (u, v)
     shapeRects colour (x, y) (orientation, c) =

@@ -50,7 +50,7 @@ spec = do
       (i, strict, key ["reason"] refused) `shouldBe` (i, 1, Just "orientation-contradiction")
   inFolder "two columns of a face, a column apart: too little each, enough together" $ \folder -> do
     for_ [("left" :: String, "0"), ("right", "50.8")] $ \(name, x) -> do
-      (probed, _, _) <- pra ["probe", "--object", "cube", "--face", "C1 C2 C3 C4", "--at", x ++ ",0", "--origin", x ++ ",0", "--upright", "--size", "24x52", "--seed", "3", "--output", folder </> name]
+      (probed, _, _) <- pra ["probe", "--object", "cube", "--face", "C1 C2 C3 C4", "--at", x ++ ",0", "--origin", x ++ ",0", "--upright", "--size", "16x52", "--seed", "3", "--output", folder </> name]
       probed `shouldBe` 0
       (status, out, _) <- pra ["decode", "--json", folder </> name]
       (status, key ["reason"] out) `shouldBe` (1, Just "no-complete-window")

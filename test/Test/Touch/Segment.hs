@@ -59,9 +59,9 @@ blanks = do
     [segmentedSymbols (segment (compositeOf (constant 40 52 v))) | v <- [0, 0.3, 1]] `shouldBe` [[], [], []]
   it "hold no symbol and nothing embossed when they are noise alone" $
     forAll ((,,) <$> choose (1, 100000) <*> choose (0.01, 0.3) <*> elements [0, 0.3, 0.5]) $ \(seed, sd, level) ->
-      segment (noisy seed sd (constant 40 52 level)) === Segmentation [] [] 0
+      segment (noisy seed sd (constant 40 52 level)) === Segmentation [] [] 0 0
   it "hold no symbol when there is nothing to them" $
-    map (segment . compositeOf) [constant 0 0 1, constant 1 1 1, constant 0 5 0] `shouldBe` replicate 3 (Segmentation [] [] 0)
+    map (segment . compositeOf) [constant 0 0 1, constant 1 1 1, constant 0 5 0] `shouldBe` replicate 3 (Segmentation [] [] 0 0)
 
 one :: Spec
 one = do
@@ -107,7 +107,7 @@ one = do
 -- | The one symbol of a composite, if it holds one and nothing else.
 alone :: Testable t => Composite -> (SymbolImage -> t) -> Property
 alone composite check = case segment composite of
-  Segmentation [symbol] [] _ -> property (check symbol)
+  Segmentation [symbol] [] _ _ -> property (check symbol)
   other -> counterexample (show other) False
 
 rejected :: Spec
