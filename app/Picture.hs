@@ -19,7 +19,7 @@ import Recognised (orientationText, recognitionMessage, windowText)
 recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
 recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
   taxelRects (compositeImage composite)
-    ++ concatMap partBox (recognisedParts recognition)
+    ++ [ printf "<svg width=\"%g\" height=\"%g\">" wide high ] ++ concatMap partBox (recognisedParts recognition) ++ [ "</svg>" ]
     ++ concatMap symbolBox (recognisedSymbols recognition)
     ++ concat [ windowBox (foundWindow found) | Right (Found found) <- [recognisedAnswer recognition] ]
     ++ [ text 12 (high + 22) "start" 16 "#222" (recognitionMessage recognition) ]
@@ -43,7 +43,7 @@ recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
     partBox part =
       let (x, y) = pixelCentre (symbolCentre (readImage part))
           (w, h) = across part (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
-      in [ "<g opacity=\"0.45\">" ] ++ shapeRects "#6b7280" (x, y) (readLikeliest part) ++ [ box x y w h "#6b7280" 2, "</g>" ]
+      in [ "<g opacity=\"0.5\" stroke-dasharray=\"5 4\">" ] ++ shapeRects "#1f6feb" (x, y) (readLikeliest part) ++ [ box x y w h "#1f6feb" 2, "</g>" ]
     wrong = maybe [] evidenceWrong (recognisedEvidence recognition)
     across symbol (u, v) = if isSideways (fst (readLikeliest symbol)) then (v, u) else (u, v)
     shapeRects colour (x, y) (orientation, c) =
