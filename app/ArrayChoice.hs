@@ -10,6 +10,7 @@ module ArrayChoice
   , choiceBesideFile
     -- * Readers of option values
   , naturalReader
+  , intReader
   , shapeReader
   , foldingReader
   , positionReader
@@ -114,6 +115,14 @@ readNatural :: String -> Either String Natural
 readNatural text
   | not (null text), all isDigit text = Right (read text)
   | otherwise = Left (show text ++ " is not a number 0, 1, 2, ...")
+
+-- | A whole number, refused where it is too large to count with.
+intReader :: ReadM Int
+intReader = do
+  n <- auto
+  if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
+    then readerError (show n ++ " is too large")
+    else pure (fromInteger n)
 
 -- | Two numbers parted by @x@, as 15x17: rows, then columns.
 shapeReader :: ReadM Shape

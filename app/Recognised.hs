@@ -94,7 +94,7 @@ supportText :: Evidence -> String
 supportText evidence =
   counted (evidenceAgreeing evidence) "recognised symbol agrees" "recognised symbols agree" ++ ", "
     ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict" ++ " (" ++ (if evidenceRadius evidence == 0 then "none may" else "up to " ++ show (evidenceRadius evidence) ++ " may")
-    ++ "); doubt " ++ printf "%.1e" (evidenceDoubt evidence)
+    ++ "); doubt " ++ (if evidenceDoubt evidence > 0 then printf "%.1e" (evidenceDoubt evidence) else "below 1e-300")
   where
     counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 

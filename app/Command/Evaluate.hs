@@ -49,8 +49,8 @@ command = described "evaluate" "Simulate presses at random places on the faces i
   (run <$> arrayChoice <*> options)
   where
     options = Options
-      <$> option auto (long "presses" <> metavar "N" <> value 1000 <> showDefault <> help "How many regions are explored")
-      <*> option auto (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
+      <$> option intReader (long "presses" <> metavar "N" <> value 1000 <> showDefault <> help "How many regions are explored")
+      <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
       <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")

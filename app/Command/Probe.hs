@@ -53,7 +53,7 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
         <|> option turnReader (long "turn" <> metavar "0|90|180|270" <> help "The face lies turned clockwise by so many degrees"))
       <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
-      <*> option auto (long "seed" <> metavar "N" <> help "Seed of every random draw")
+      <*> option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw")
       <*> option (pairReader ',' "12.7,60") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
       <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")

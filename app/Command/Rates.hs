@@ -69,14 +69,6 @@ command = described "rates"
       Just known -> Right known
       Nothing -> Left (show name ++ " is no form; write text, csv or json")
 
--- | A whole number that fits.
-intReader :: ReadM Int
-intReader = do
-  n <- auto
-  if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
-    then readerError (show n ++ " is too large")
-    else pure (fromInteger n)
-
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
   | trials options < 1 = unusable "--trials is a number from 1 up"

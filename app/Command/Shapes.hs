@@ -10,6 +10,7 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
 import Options.Applicative hiding (command)
 
+import ArrayChoice (intReader)
 import Described
 import Ending
 import Files (writeWhole)
@@ -35,7 +36,7 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
   where
     options = Options
       <$> switch (long "design" <> help "Run the search again (about a minute) and write the alphabet it finds")
-      <*> option auto (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
+      <*> option intReader (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
       <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
       <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
 

@@ -9,6 +9,7 @@ import qualified Data.Text.Encoding as Text
 import Options.Applicative hiding (command)
 import Text.Printf (printf)
 
+import ArrayChoice (intReader)
 import Described
 import Ending
 import Files (writeWhole)
@@ -21,7 +22,7 @@ import Setup
 command :: Mod CommandFields (IO Ending)
 command = described "train" "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default seed gives the shipped weights."
   [ "pra-tactile train --output network.txt" ]
-  (run <$> option auto (long "seed" <> metavar "N" <> value shippedSeed <> showDefault <> help "Seed of every random draw")
+  (run <$> option intReader (long "seed" <> metavar "N" <> value shippedSeed <> showDefault <> help "Seed of every random draw")
        <*> strOption (long "output" <> metavar "FILE" <> help "The file of weights"))
 
 run :: Int -> FilePath -> IO Ending
