@@ -169,7 +169,9 @@ recognise reader composite = recogniseWith standardTolerance reader [composite]
 -- the symbols' pitch.
 recogniseWith :: KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError Recognition
 recogniseWith tolerance reader composites = do
-  (upright, sideways) <- readSymbols (recogniserReader reader) composites
+  upright <- readSymbols (recogniserReader reader) False 0 composites
+  -- A composite whose upright symbols are known has no others.
+  sideways <- if mostKnown upright then pure [] else readSymbols (recogniserReader reader) True (length (concatMap viewSymbols upright)) composites
   let known = length . filter (isJust . readClass) . concatMap viewSymbols
       (views, others) = if known sideways > known upright then (sideways, upright) else (upright, sideways)
   mirrored <- if known views == 0 then readMirrored (recogniserReader reader) composites else pure False

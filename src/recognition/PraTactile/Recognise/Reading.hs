@@ -12,6 +12,7 @@ module PraTactile.Recognise.Reading
   , View (..)
   , readDoubt
   , readSymbols
+  , mostKnown
   , readMirrored
   , orientedAs
   , onView
@@ -102,29 +103,25 @@ data View = View
   , viewSymbols :: [ReadSymbol]
   }
 
--- | The symbols of composites of one face, whose origins tell how they lie to each other. First those that stand upright or upside
--- down, then those that lie on their side; blobs of one sort are seldom of the other's size.
-readSymbols :: Reader -> [Composite] -> Either NetworkError ([View], [View])
-readSymbols reader composites = do
-  upright <- traverse (view False) (zip [0 ..] composites)
-  sideways <- traverse (view True) (zip [0 ..] composites)
-  pure (numberedFrom 0 upright, numberedFrom (sum (map (length . viewSymbols) upright)) sideways)
+-- | The symbols of one axis in composites of one face, whose origins tell how these lie to each other: those that stand upright or upside
+-- down, or, if the flag says so, those that lie on their side. A blob of one sort is not of the other's size. Numbers the symbols from the number given.
+readSymbols :: Reader -> Bool -> Int -> [Composite] -> Either NetworkError [View]
+readSymbols reader lying from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
-    view lying (i, c) = do
+    view (i, c) = do
       let turned = if lying then counterclockwise c else c
           found = segment turned
-          images = segmentedSymbols (if lying then turnedBack c found else found)
-      symbols <- traverse (readSymbol reader lying i (shift c)) images
+      symbols <- traverse (readSymbol reader lying i (shift c)) (segmentedSymbols (if lying then turnedBack c found else found))
       pure (View i lying turned found (shift c) symbols)
     shift c = case composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
     apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
-    numberedFrom :: Int -> [View] -> [View]
-    numberedFrom n views = case views of
+    numbered :: Int -> [View] -> [View]
+    numbered n views = case views of
       [] -> []
       v : others ->
-        v { viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v) } : numberedFrom (n + length (viewSymbols v)) others
+        v { viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v) } : numbered (n + length (viewSymbols v)) others
 
 -- | A place on the first composite's grid, as pixels of the view's composite as it is turned.
 onView :: View -> (Double, Double) -> (Double, Double)
@@ -166,14 +163,18 @@ orientationAs lying isTurned
   | lying = if isTurned then TurnedLeft else TurnedRight
   | otherwise = if isTurned then HalfTurned else Upright
 
--- | Does the network know most of the symbols in the composites' mirror images, and at least three? Then the images are mirrored.
+-- | Does the network know most of the symbols, and at least three?
+mostKnown :: [View] -> Bool
+mostKnown views = known >= 3 && 2 * known > length symbols
+  where
+    symbols = concatMap viewSymbols views
+    known = length (filter (isJust . readClass) symbols)
+
+-- | Does it know them so in the composites' mirror images? Then the images are mirrored.
 readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
-readMirrored reader composites = do
-  (upright, sideways) <- readSymbols reader (map mirror composites)
-  pure (any (mostKnown . concatMap viewSymbols) [upright, sideways])
+readMirrored reader composites = any mostKnown <$> traverse (\lying -> readSymbols reader lying 0 (map mirror composites)) [False, True]
   where
     mirror c = c {compositeImage = mirrorColumns (compositeImage c), compositeCoverage = mirrorColumns (compositeCoverage c)}
-    mostKnown symbols = let known = length (filter (isJust . readClass) symbols) in known >= 3 && 2 * known > length symbols
 
 -- | Symbols that neighbourhood ties together.
 data Group = Group
