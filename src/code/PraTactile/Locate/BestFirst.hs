@@ -33,7 +33,10 @@ bestFirst letters = (0, []) : go (0 :: Int) Map.empty (starts 0 [] ordered)
     count = made + length new
     added = foldr (\(i, x) -> Map.insert (changedCost x, i) x) queue (zip [made ..] new)
   following x = dearer x ++ starts (changedCost x) ((changedLetter x, changedOption x) : changedBefore x) (changedLater x) ++ instead x
-  dearer x = [x {changedCost = changedRest x + cost, changedOption = changedOption x + 1, changedCosts = costs} | costs@(cost : _) <- [drop 1 (changedCosts x)]]
+  dearer x =
+    [ x {changedCost = changedRest x + cost, changedOption = changedOption x + 1, changedCosts = costs}
+    | costs@(cost : _) <- [drop 1 (changedCosts x)]
+    ]
   instead x = if changedOption x == 1 then starts (changedRest x) (changedBefore x) (changedLater x) else []
 
 -- | A word.

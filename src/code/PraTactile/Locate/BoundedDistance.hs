@@ -126,8 +126,8 @@ decoder effort algebra offsets = do
         Left (TooManyCodewords _) -> AtLeast 0
   pure (Decoder effort code d (informationSets (length offsets) (codeRows code)))
 
--- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of 'nearest'; where more than 'largestListing' positions are equally near,
--- because the cells do not tell them apart, 'AmbiguousCoset'.
+-- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of 'nearest'; where more than
+-- 'largestListing' positions are equally near, because the cells do not tell them apart, 'AmbiguousCoset'.
 decodePatch :: KnownField k => Algebra k -> Radius -> Patch k -> Either DecodingError Decoding
 decodePatch algebra radius observed
   | null cells = Right (Decoding (Refused TooFewCells) [] (AtLeast 0) Nothing (Exactly 0) (case radius of { Guaranteed -> 0; UpTo e -> e }))
@@ -148,16 +148,17 @@ decodeWith prepared stated observed
   cells = observedCells observed
   word = rowFromList (map snd cells)
   radius = case stated of
-    Guaranteed -> guaranteedRadius (atLeast (decoderDistance prepared))
+    Guaranteed -> guaranteedRadius (atLeast d)
     UpTo e -> e
+  d = decoderDistance prepared
   within = do
     found <- nearestWords prepared word radius
     pure $ case found of
-      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (Just (runnerUp e (outcome []))) (decoderDistance prepared) radius
-      Nothing -> Decoding (Refused reason) [] (AtLeast (radius + 1)) Nothing (decoderDistance prepared) radius
+      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (Just (runnerUp e (outcome []))) d radius
+      Nothing -> Decoding (Refused reason) [] (AtLeast (radius + 1)) Nothing d radius
   -- Another position is beyond what was searched, and at least the distance away from this one.
   runnerUp e outcome = case outcome of
-    Located _ _ -> AtLeast (max (e + 1) (atLeast (decoderDistance prepared) `without` e))
+    Located _ _ -> AtLeast (max (e + 1) (atLeast d `without` e))
     _ -> Exactly e
   without a b = if a < b then 0 else a - b
   reason
@@ -177,12 +178,13 @@ data Seen k = Seen {seenLimit :: !Int, seenWords :: !(Map (Row k) Int)}
 -- | In how many cells the nearest positions within the radius differ, the outcome that they are, by the support, and the wrong cells.
 nearestWords
   :: KnownField k => Decoder k -> Row k -> Natural -> Either DecodingError (Maybe (Natural, [Position] -> Outcome, [Position]))
-nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Seen most Map.empty) (schedule (changes q (codeRank code)) (decoderSets prepared))
+nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Seen most Map.empty) steps'
  where
   effort = decoderEffort prepared
   code = decoderCode prepared
   q = fieldOrder code
   size = Primitive.length word
+  steps' = schedule (changes q (codeRank code)) (decoderSets prepared)
   most = fromIntegral (min (fromIntegral size) radius) :: Int
   -- All positions that differ in fewer than e cells have been ruled out; all words that differ in at most
   -- so many have been seen, or simply all.

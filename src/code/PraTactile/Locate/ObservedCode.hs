@@ -60,8 +60,9 @@ codeRank = length . codeRows
 
 -- | The solutions for alpha^t of the equations with the letters of a word as values.
 wordSolutions :: KnownField k => ObservedCode k -> Row k -> Solutions k
-wordSolutions code word = solve (primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code)))) (zipWith valued (codeEquations code) (Primitive.toList word))
+wordSolutions code word = solve n (zipWith valued (codeEquations code) (Primitive.toList word))
  where
+  n = primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code)))
   valued equation a = equation {equationValue = a}
 
 -- | The positions that solutions are; on the sheet those at which all the cells lie on it.

@@ -130,8 +130,9 @@ data State k = State
   , stateCount :: !Int
   }
 
--- | @listPatch most tolerated algebra patch@: the list of likely positions, made until the doubt is at most as large as tolerated, or cannot become so, or
--- until so many words have been looked at. On the sheet, positions are those at which all observed cells lie on it. Refuses too many cells.
+-- | @listPatch most tolerated algebra patch@: the list of likely positions, made until the doubt is at most as large as
+-- tolerated, or cannot become so, or until so many words have been looked at. On the sheet, positions are those at which all
+-- observed cells lie on it. Refuses too many cells.
 listPatch :: forall k. KnownField k => Int -> Double -> Algebra k -> SoftPatch k -> Either AlgebraError Listing
 listPatch most tolerated algebra observed
   | null known = Right (Listing Nothing 1 [] (Just (period h, fromIntegral (primitiveDegree h))) 0 Nothing [] 0 0)
@@ -147,6 +148,8 @@ listPatch most tolerated algebra observed
   -- Where each of the known cells stands in that order.
   places = Primitive.fromList (map snd (sort (zip (map fst byCertainty) [0 ..]))) :: Primitive.Vector Int
 
+-- | The same, on the sheet or not, of the code of the cells in an order, with the logarithms of their probabilities as they
+-- were given and in that order, and where in it each of the given ones is.
 listed
   :: forall k. KnownField k
   => Int -> Double -> Bool -> ObservedCode k -> [Primitive.Vector Double] -> [Primitive.Vector Double] -> Primitive.Vector Int -> Listing
@@ -163,7 +166,8 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
   outside = sum [Primitive.maximum x | (i, x) <- zip [0 ..] ordered, i `notElem` concatMap (Primitive.toList . setPlaces) sets]
   table = Primitive.concat known
   -- Summed in the order in which a comparison with all positions sums.
-  likelihood word = Primitive.ifoldl' (\total j place -> total + Primitive.unsafeIndex table (j * q + toCode (Primitive.unsafeIndex word place))) 0 places
+  likelihood word = Primitive.ifoldl' (\total j place -> total + letter j (Primitive.unsafeIndex word place)) 0 places
+  letter j a = Primitive.unsafeIndex table (j * q + toCode a)
   go sources state
     | any (null . sourceNext) sources = finished Nothing state
     | stateCount state >= most || satisfied || hopeless = finished (Just bounds) state
@@ -192,38 +196,48 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
   include word state
     | isInfinite x || each' == 0 = counted
     -- Not kept, so that it may count twice, which is little.
-    | x < stateBest state - faint = counted {stateFaint = stateFaint state + each' * exp (x - stateBest state), stateForgotten = max x (stateForgotten state)}
+    | x < stateBest state - faint = counted {stateFaint = stateFaint state + share, stateForgotten = max x (stateForgotten state)}
     | (Down x, word) `Map.member` stateWords state = counted
-    | x < stateBest state = added {stateLess = stateLess state + each' * exp (x - stateBest state)}
+    | x < stateBest state = added {stateLess = stateLess state + share}
     | fewest == 0 = counted
     | x == stateBest state = added {stateEqual = stateEqual state + fewest, stateMost = stateMost state + each'}
-    | otherwise = added {stateBest = x, stateEqual = fewest, stateMost = each', stateLess = (stateMost state + stateLess state) * scale, stateFaint = stateFaint state * scale}
+    | otherwise =
+        added
+          { stateBest = x
+          , stateEqual = fewest
+          , stateMost = each'
+          , stateLess = (stateMost state + stateLess state) * scale
+          , stateFaint = stateFaint state * scale
+          }
    where
     x = likelihood word
+    share = each' * exp (x - stateBest state)
     scale = exp (stateBest state - x)
     each' = if Primitive.all (== zero) word then each - 1 else each
     -- How many positions it is at, which on the sheet has to be looked up; of very many whether there are any.
-    fewest = if onSheet then fromIntegral (length (take (if each <= fromIntegral largestListing then maxBound else 1) (wordPlaces code (wordSolutions code word)))) else each'
+    fewest
+      | not onSheet = each'
+      | otherwise = fromIntegral (length ((if each > fromIntegral largestListing then take 1 else id) (wordPlaces code (wordSolutions code word))))
     counted = state {stateCount = stateCount state + 1}
     added = counted {stateWords = Map.insert (Down x, word) () (stateWords state)}
   finished beyond state
-    | stateEqual state == 0 = Listing Nothing (if complete then 0 else 1) [] Nothing (if complete then 0 else 1) Nothing [] (if complete then 0 else 1) (stateCount state)
+    | stateEqual state == 0 = Listing Nothing 1 [] Nothing 1 Nothing [] (maybe 0 (const 1) beyond) (stateCount state)
     | otherwise =
         Listing
           { listingBest = if null equal then fst <$> firstOf ranking else firstOf equal
           , listingDoubt = shareOf (stateMost state - 1 + stateLess state + unlisted) 1
           , listingEqual = equal
           , listingCoset = coset
-          , listingEqualDoubt = if maybe True ((< stateBest state) . wordBound) beyond then shareOf (stateLess state + unlisted) (stateEqual state) else 1
+          , listingEqualDoubt =
+              if maybe True ((< stateBest state) . wordBound) beyond then shareOf (stateLess state + unlisted) (stateEqual state) else 1
           , listingMargin = Just (if stateMost state > 1 then min 0 margin else margin)
           , listingRanking = ranking
           , listingUnlisted = shareOf unlisted (if onSheet then stateEqual state else stateEqual state + stateLess state)
           , listingWords = stateCount state
           }
    where
-    complete = maybe True (const False) beyond
     unlisted = maybe 0 (\b -> exp (massBound b - stateBest state)) beyond + stateFaint state
-    total = stateEqual state + stateLess state + unlisted
+    total = stateMost state + stateLess state + unlisted
     margin = stateBest state - maximum (stateForgotten state : maybe [] (pure . wordBound) beyond ++ take 1 lesser)
     entries = map (\((Down x, word), ()) -> (x, word)) (Map.toAscList (stateWords state))
     lesser = [x | (x, _) <- entries, x < stateBest state]
@@ -296,8 +310,9 @@ advance source = case sourceNext source of
         add x (i, a) = maybe x (\unit -> addScaled a unit x) (sourceRows source Boxed.!? i)
      in (foldl' add (sourceFirst source) terms, source {sourceNext = later, sourceMass = total, sourceCarry = carry, sourceCount = sourceCount source + 1})
 
--- | @decideListing tolerated@: the likeliest position of the list, or the several that are as likely, if the doubt is tolerated, as 'decide' does; since it is an
--- upper bound, at most that share of many answers is wrong, if the probabilities are honest.
+-- | @decideListing tolerated@: the likeliest position of the list, or the several that are as likely, if the doubt is
+-- tolerated, as 'decide' does; since it is an upper bound, at most that share of many answers is wrong, if the
+-- probabilities are honest.
 decideListing :: Double -> Listing -> Outcome
 decideListing tolerated found
   | Just place <- listingBest found, listingDoubt found <= tolerated = Located place []

@@ -110,7 +110,9 @@ combination set terms = Primitive.replicate size zero Primitive.// (atPlaces ++ 
 
 -- | The codeword that agrees with a word at the places of the set, with this combination of rows added.
 combinationFrom :: KnownField k => InformationSet k -> Row k -> [(Int, GF k)] -> Row k
-combinationFrom set y terms = combination set [(i, unsafeIndex y place + sum [a | (j, a) <- terms, j == i]) | (i, place) <- zip [0 ..] (Primitive.toList (setPlaces set))]
+combinationFrom set y terms = combination set (zipWith letter [0 ..] (Primitive.toList (setPlaces set)))
+ where
+  letter i place = (i, unsafeIndex y place + sum [a | (j, a) <- terms, j == i])
 
 {- Note [Disjoint information sets]
    Fix a word y, and say that a codeword is seen at level w of a set when it differs from y in at most
