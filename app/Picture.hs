@@ -43,7 +43,9 @@ recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
     partBox part =
       let (x, y) = pixelCentre (symbolCentre (readImage part))
           (w, h) = across part (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
-      in [ "<g opacity=\"0.5\" stroke-dasharray=\"5 4\">" ] ++ shapeRects "#1f6feb" (x, y) (readLikeliest part) ++ [ box x y w h "#1f6feb" 2, "</g>" ]
+      in [ "<g opacity=\"0.5\" stroke-dasharray=\"5 4\">" ] ++ shapeRects colour (x, y) (readLikeliest part) ++ [ box x y w h colour 2, "</g>" ]
+      where
+        colour = if readNumber part `elem` wrong then "#d97706" else "#1f6feb"
     wrong = maybe [] evidenceWrong (recognisedEvidence recognition)
     across symbol (u, v) = if isSideways (fst (readLikeliest symbol)) then (v, u) else (u, v)
     shapeRects colour (x, y) (orientation, c) =

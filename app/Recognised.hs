@@ -92,7 +92,7 @@ recognitionText nameOf recognition = case recognisedAnswer recognition of
 -- | What the likeliest position rests on.
 supportText :: Evidence -> String
 supportText evidence =
-  counted (evidenceAgreeing evidence) "recognised symbol agrees" "recognised symbols agree" ++ ", "
+  counted (evidenceAgreeing evidence) "certain symbol or part agrees" "certain symbols and parts agree" ++ ", "
     ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict" ++ " (" ++ (if evidenceRadius evidence == 0 then "none may" else "up to " ++ show (evidenceRadius evidence) ++ " may")
     ++ "); doubt " ++ (if evidenceDoubt evidence > 0 then printf "%.1e" (evidenceDoubt evidence) else "below 1e-300")
   where

@@ -52,7 +52,6 @@ recognitionJson profile paths nameOf recognition =
       [ "code" .= fmap snd (readClass symbol)
       , "element" .= fmap (nameOf . snd) (readClass symbol)
       , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
-      , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) evidence
       ])
     partValue part = object (placedPairs part ++ [ "seen" .= readSeen part ])
     placedPairs symbol =
@@ -63,6 +62,7 @@ recognitionJson profile paths nameOf recognition =
           [ "code" .= snd (readLikeliest symbol), "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol)), "doubt" .= readDoubt symbol ]
       , "position" .= fmap (positionValue . symbolCell) (Map.lookup (readNumber symbol) cells)
       , "expected" .= fmap symbolExpected (Map.lookup (readNumber symbol) cells)
+      , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) evidence
       ]
     windowValue w = object $
       [ "position" .= positionValue (windowPosition w)

@@ -2,9 +2,9 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 -- | From the symbols on a grid to the place of the grid's upper left cell in the array: two judgements that must agree.
 --
--- The probabilities of all symbols, known to the network or not, say how likely every position is; the likeliest must be likely
--- enough. And of the symbols that the network knows, no more may contradict it than the known ones' minimum distance lets be wrong:
--- probabilities rest on a model of the sensor, the distance does not.
+-- The probabilities of all symbols and parts, known to the network or not, say how likely every position is; the likeliest must be
+-- likely enough. And of the symbols that the network knows, and of the parts that leave hardly a doubt, no more may contradict it than
+-- the minimum distance of their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
 module PraTactile.Recognise.Judgement
   ( -- * Judging
     Tolerance (..)
@@ -41,11 +41,11 @@ data Tolerance = Tolerance
   { toleratedDoubt :: Double
     -- ^ the probability of a wrong answer, below 1
   , toleratedErrors :: Radius
-    -- ^ how many known symbols may be wrong
+    -- ^ how many certain symbols may be wrong
   }
   deriving stock (Eq, Show)
 
--- | A hundredth, and as many wrong symbols as the known ones' minimum distance lets be corrected for certain.
+-- | A hundredth, and as many wrong symbols as the certain ones' minimum distance lets be corrected for certain.
 standardTolerance :: Tolerance
 standardTolerance = Tolerance 0.01 Guaranteed
 
@@ -54,11 +54,11 @@ data Evidence = Evidence
   { evidenceDoubt :: Double
     -- ^ the probability, by the symbols' own, that orientation or position are others
   , evidenceAgreeing :: Int
-    -- ^ how many known symbols are what the array has in their place
+    -- ^ how many certain symbols are what the array has in their place
   , evidenceWrong :: [Int]
     -- ^ the numbers of those that are not, or that lie another way up, or off the grid
   , evidenceDistance :: Natural
-    -- ^ the minimum distance of the cells with a known symbol
+    -- ^ the minimum distance of the cells with a certain symbol
   , evidenceRadius :: Natural
     -- ^ how many of them may be wrong
   }
@@ -91,8 +91,8 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     q = fieldOrder (Proxy :: Proxy k)
     (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
     cells = seenOnFace orientation (gridCells grid)
-    known = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, Just (o, _) <- [readClass s], o == orientation ]
-    otherWayUp = [ s | here <- Map.elems cells, s <- here, Just (o, _) <- [readClass s], o /= orientation ] ++ dissenters
+    known = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, Just (o, _) <- [certain s], o == orientation ]
+    otherWayUp = [ s | here <- Map.elems cells, s <- here, Just (o, _) <- [certain s], o /= orientation ] ++ dissenters
     strays = filter (isJust . readClass) (gridStrays grid)
     distance = observedDistance shelf (map offset (Set.toAscList (Set.fromList (map fst known))))
     radius = case toleratedErrors tolerance of
@@ -104,7 +104,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     evidence = do
       soft <- found
       place <- posteriorBest soft
-      let right (cell, s) = codeAt place cell == fmap snd (readClass s)
+      let right (cell, s) = codeAt place cell == fmap snd (certain s)
           misfits = [ s | here@(_, s) <- known, not (right here) ]
       pure Evidence
         { evidenceDoubt = orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft
@@ -147,6 +147,12 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     cellOf (Position r c) (i, j) =
       canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)
     offset (i, j) = Position (fromIntegral i) (fromIntegral j)
+
+-- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less than a hundredth of doubt.
+certain :: ReadSymbol -> Maybe (Orientation, Int)
+certain s
+  | readSeen s < 1 && readDoubt s < 0.01 = Just (readLikeliest s)
+  | otherwise = readClass s
 
 -- | The orientation of the symbols' axis that fits them best, and the probability that it is the other one, by what the symbols
 -- themselves show. Upright symbols decide for themselves; the code is not asked.
