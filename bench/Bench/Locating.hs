@@ -7,6 +7,7 @@ module Bench.Locating
   ) where
 
 import Control.Exception (evaluate)
+import Data.List (sortOn)
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word32)
 import Numeric.Natural (Natural)
@@ -16,8 +17,10 @@ import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
+import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Bulk
 import PraTactile.Locate.Nearest
+import PraTactile.Locate.OrderedStatistics
 import PraTactile.Locate.Soft
 import PraTactile.Polynomial
 import PraTactile.Sequence
@@ -34,6 +37,9 @@ locating =
   , ("bulk-63x266305", bulk 12 (Shape 63 266305) (Shape 3 4))
   , ("algebra-gf4-30", algebraEach)
   , ("algebra-gf4-30-once", algebraOnce)
+  , ("decoding-gf4-30", decodingEach)
+  , ("decoding-gf4-30-once", decodingOnce)
+  , ("listing-gf4-30", listingEach)
   , ("nearest-4x4", nearestEach)
   , ("soft-4x4", softEach)
   ]
@@ -80,6 +86,63 @@ algebraOnce = do
   pure $ do
     (seconds, place) <- timed (\mask -> located (sure (prepareAlgebra Torus array mask >>= (`algebraPatch` window)))) (sure (rectangle (Shape 15 2)))
     pure (Measurement seconds Seconds (show place))
+
+-- | The offsets of 8 x 8 cells.
+eight :: [Position]
+eight = [Position i j | i <- [0 .. 7], j <- [0 .. 7]]
+
+-- | Positions all over the large array with the 8 x 8 cells there, each cell with a number below 2^32.
+felt :: [(Position, [(GF GF4, Int)])]
+felt =
+  [ (place, zip (map (at place) eight) (map (\j -> fromIntegral (mixed (1000 * i + j))) [0 ..]))
+  | i <- [1 .. 64]
+  , let place = Position (part (2 * i) rows) (part (2 * i + 1) columns)
+  ]
+ where
+  part i side = fromIntegral (mixed i) * 0x9e3779b9 `mod` side (arrayShape vast)
+  at (Position r c) (Position i j) = cellAt vast (Position (r + i) (c + j))
+
+-- | The mean over 64 patches of 8 x 8 cells, five of them wrong; what is prepared for the cells is not measured.
+decodingEach :: IO (IO Measurement)
+decodingEach = do
+  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  ready <- evaluate (sure (decoder standardEffort algebra eight))
+  _ <- evaluate (atLeast (decoderDistance ready))
+  patches <- mapM (evaluate . sure . patch . square' . damage . snd) felt
+  pure $ do
+    (seconds, _) <- timedEach (located . decodingOutcome . sure . decodeWith ready Guaranteed) 0 patches
+    let wrong = length [() | ((place, _), p) <- zip felt patches, fmap decodingOutcome (decodeWith ready Guaranteed p) /= Right (Located place [])]
+    pure (Measurement seconds Seconds (show wrong ++ " wrong"))
+ where
+  damage cells = [Just (if i `elem` worst cells then a + 1 else a) | (i, (a, _)) <- zip [0 ..] cells]
+  worst cells = map snd (take 5 (sortOn fst (zip (map snd cells) [0 :: Int ..])))
+
+-- | What that prepares for the cells: their code, its information sets and what is proved of its distance.
+decodingOnce :: IO (IO Measurement)
+decodingOnce = do
+  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  pure $ do
+    (seconds, d) <- timed (atLeast . decoderDistance . sure . decoder standardEffort algebra) eight
+    pure (Measurement seconds Seconds (show d))
+
+-- | The mean over the same patches from probabilities: one cell in eight is as likely another symbol.
+listingEach :: IO (IO Measurement)
+listingEach = do
+  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  patches <- mapM (evaluate . sure . softPatch . square' . map (Just . doubtful) . snd) felt
+  pure $ do
+    (seconds, _) <- timedEach (located . decideListing 0.001 . sure . listPatch standardListing 0.001 algebra) 0 patches
+    let refused = length [() | p <- patches, Refused _ <- [decideListing 0.001 (sure (listPatch standardListing 0.001 algebra p))]]
+    pure (Measurement seconds Seconds (show refused ++ " refused"))
+ where
+  doubtful (a, x)
+    | x `mod` 8 == 0 = sure (belief [if b == a || b == a + 1 then 0.49 else 0.01 | b <- elements])
+    | otherwise = sure (belief [if b == a then 0.97 else 0.01 | b <- elements])
+
+square' :: [a] -> [[a]]
+square' cells = case splitAt 8 cells of
+  (_, []) -> [cells]
+  (line, others) -> line : square' others
 
 -- | The row plus the column, all evaluated; a refusal is a number of its own.
 located :: Outcome -> Natural
