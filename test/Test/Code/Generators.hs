@@ -20,8 +20,13 @@ module Test.Code.Generators
   , folded
   , mask
 
+    -- * Probabilities
+  , genChances
+  , genChancesOf
+
     -- * Answers
   , right
+  , holds
   ) where
 
 import Data.Proxy (Proxy (..))
@@ -32,7 +37,7 @@ import PraTactile.Field.Named
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
-import Test.Hspec (HasCallStack, expectationFailure)
+import Test.Hspec (Expectation, HasCallStack, expectationFailure)
 import Test.QuickCheck (Gen, shrinkList, vectorOf)
 import qualified Test.QuickCheck as QuickCheck
 
@@ -155,3 +160,29 @@ right :: (HasCallStack, Show e) => Either e a -> IO a
 right = either (\e -> expectationFailure' (show e)) pure
  where
   expectationFailure' message = expectationFailure message >> fail message
+
+-- | Of each cell of a patch of one to three rows and columns the probabilities of four symbols in 64ths, or nothing.
+genChances :: Gen [[Maybe [Integer]]]
+genChances = do
+  h <- QuickCheck.choose (1, 3)
+  w <- QuickCheck.choose (1, 3)
+  genChancesOf h w
+
+-- | The same of so many rows and columns.
+genChancesOf :: Int -> Int -> Gen [[Maybe [Integer]]]
+genChancesOf h w = vectorOf h (vectorOf w cell)
+ where
+  cell = do
+    gone <- QuickCheck.choose (0, 4 :: Int)
+    if gone == 0 then pure Nothing else Just <$> chances
+  chances = do
+    a <- QuickCheck.choose (0, 64)
+    b <- QuickCheck.choose (0, 64 - a)
+    c <- QuickCheck.choose (0, 64 - a - b)
+    QuickCheck.shuffle [a, b, c, 64 - a - b - c]
+
+-- | A property holds in so many cases.
+holds :: QuickCheck.Testable p => Int -> p -> Expectation
+holds count p = QuickCheck.quickCheckWithResult QuickCheck.stdArgs {QuickCheck.chatty = False, QuickCheck.maxSuccess = count} p >>= \r -> case r of
+  QuickCheck.Success {} -> pure ()
+  _ -> expectationFailure (QuickCheck.output r)

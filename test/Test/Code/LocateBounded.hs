@@ -146,8 +146,9 @@ large k n shape window size missing least errors = do
     let offsets = sort (drop missing shuffled)
         told = (windowRank array <$> maskFrom offsets) == Right n
         sent = content array place offsets
+        damaged wrong = zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent
         decodedFrom ready radius wrong =
-          let seen = zip offsets (zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent)
+          let seen = zip offsets (damaged wrong)
            in patch [[lookup (Position i j) seen | j <- [0 .. columns size - 1]] | i <- [0 .. rows size - 1]] `orElse` decodeWith ready radius
      in told ==> decoder (Effort (2 ^ (22 :: Int)) (2 ^ (24 :: Int))) algebra offsets `isRight'` \ready ->
           let d = atLeast (decoderDistance ready)
@@ -160,7 +161,15 @@ large k n shape window size missing least errors = do
                     , decodingWrong decoded === wrong
                     , decodingNearest decoded === Exactly (fromIntegral (length wrong))
                     ]
-           in conjoin [property (d >= least), found Guaranteed certain, found (UpTo (fromIntegral errors)) more]
+              -- Beyond what is guaranteed another position may be as near, and must then be told, too.
+              nearby wrong = decodedFrom ready (UpTo (fromIntegral errors)) wrong `isRight'` \decoded ->
+                counterexample (show decoded) $ case decodingOutcome decoded of
+                  Located at _
+                    | at == place -> decodingWrong decoded === wrong
+                    | otherwise -> property (length (filter id (zipWith (/=) (damaged wrong) (content array at offsets))) < length wrong)
+                  Ambiguous places _ -> property (place `elem` places || decodingNearest decoded /= Exactly (fromIntegral (length wrong)))
+                  _ -> property False
+           in conjoin [property (d >= least), found Guaranteed certain, nearby more]
  where
   below side = fromInteger <$> choose (0, toInteger side - 1)
 
@@ -244,8 +253,3 @@ rowsOf :: Natural -> [a] -> [[a]]
 rowsOf w cells = case splitAt (fromIntegral w) cells of
   ([], _) -> []
   (r, rest) -> r : rowsOf w rest
-
-holds :: Testable p => Int -> p -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)

@@ -97,11 +97,6 @@ paperMemory surface = do
   m <- right (rectangle (Shape 2 2))
   memoryOf <$> right (buildTable MostSignificantFirst surface array m)
 
-holds :: QuickCheck.Testable p => Int -> p -> Expectation
-holds count p = QuickCheck.quickCheckWithResult QuickCheck.stdArgs {QuickCheck.chatty = False, QuickCheck.maxSuccess = count} p >>= \r -> case r of
-  QuickCheck.Success {} -> pure ()
-  _ -> expectationFailure (QuickCheck.output r)
-
 -- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column 4096.
 genMask :: QuickCheck.Gen [(Natural, Natural)]
 genMask = nub <$> QuickCheck.resize 10 (QuickCheck.listOf1 ((,) <$> below 9 <*> QuickCheck.oneof [below 4, below 5000, (1363 +) <$> below 4]))

@@ -36,7 +36,7 @@ spec = do
     m <- right (rectangle (Shape 2 2))
     shelf <- right (book Torus array m)
     algebra <- right (prepareAlgebra Torus array m)
-    holds 800 $ forAll ((,) <$> genChances array <*> QuickCheck.elements [0.001, 0.01, 0.1, 0.3]) $ \(chances, tolerated) ->
+    holds 800 $ forAll ((,) <$> genChancesOver array <*> QuickCheck.elements [0.001, 0.01, 0.1, 0.3]) $ \(chances, tolerated) ->
       softly chances $ \p ->
         let exact = posterior shelf p
             close = all (all (== Nothing)) chances || any (\x -> abs (x - tolerated) < 1e-6) [posteriorDoubt exact, posteriorEqualDoubt exact]
@@ -100,7 +100,7 @@ asPosterior count surface array window = do
   m <- right (rectangle window)
   shelf <- right (book surface array m)
   algebra <- right (prepareAlgebra surface array m)
-  holds count $ forAll ((,,) <$> genChances array <*> QuickCheck.elements [1, 3, 10, 30, 100, 10000] <*> QuickCheck.elements [0, 0.001, 0.1]) $ \(chances, most, tolerated) ->
+  holds count $ forAll ((,,) <$> genChancesOver array <*> QuickCheck.elements [1, 3, 10, 30, 100, 10000] <*> QuickCheck.elements [0, 0.001, 0.1]) $ \(chances, most, tolerated) ->
     any (any (/= Nothing)) chances ==> softly chances $ \p ->
       let exact = posterior shelf p
           chance = Map.fromList (posteriorRanking exact)
@@ -137,8 +137,8 @@ asPosterior count surface array window = do
                       ]
 
 -- | The beliefs of what was read of a window somewhere, sharp or vague, with cells that mislead, that exclude symbols, or that were not read.
-genChances :: KnownField k => PseudorandomArray k -> Gen [[Maybe [Double]]]
-genChances array = do
+genChancesOver :: KnownField k => PseudorandomArray k -> Gen [[Maybe [Double]]]
+genChancesOver array = do
   h <- choose (1, 3 :: Integer)
   w <- choose (1, 3 :: Integer)
   r <- choose (0, 30)
@@ -172,8 +172,3 @@ rowsOf :: Natural -> [a] -> [[a]]
 rowsOf w cells = case splitAt (fromIntegral w) cells of
   ([], _) -> []
   (r, rest) -> r : rowsOf w rest
-
-holds :: Testable p => Int -> p -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)

@@ -18,7 +18,7 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
 import Test.Hspec
-import Test.QuickCheck (Gen, Property, Result (..), choose, conjoin, counterexample, forAll, property, maxSuccess, chatty, quickCheckWithResult, stdArgs, vectorOf, (===), (==>))
+import Test.QuickCheck (Gen, Property, choose, conjoin, counterexample, forAll, property, vectorOf, (===), (==>))
 
 spec :: Spec
 spec = do
@@ -282,8 +282,3 @@ asDefined shelf e cells = case patch cells of
                 Refused BeyondRadius -> property (e > 0 && not (within && not (null ordered)))
                 Refused _ -> property (e == 0 && not (within && not (null ordered)))
             ]
-
-holds :: Int -> Property -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)

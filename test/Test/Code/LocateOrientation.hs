@@ -305,22 +305,6 @@ everyCandidate shelf possible size observed =
   , null [() | (_, _, Nothing) <- placed]
   ]
 
--- | Of each cell the four probabilities in 64ths, or nothing.
-genChances :: Gen [[Maybe [Integer]]]
-genChances = do
-  h <- choose (1, 3)
-  w <- choose (1, 3)
-  vectorOf h (vectorOf w cell)
- where
-  cell = do
-    gone <- choose (0, 4 :: Int)
-    if gone == 0 then pure Nothing else Just <$> chances
-  chances = do
-    a <- choose (0, 64)
-    b <- choose (0, 64 - a)
-    c <- choose (0, 64 - a - b)
-    pure [a, b, c, 64 - a - b - c]
-
 -- | The same in exact fractions.
 asBayes :: Book GF4 -> [[Maybe [Integer]]] -> [Orientation] -> Property
 asBayes shelf chances possible = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
@@ -357,8 +341,3 @@ paperBook surface = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
   right (book surface array m)
-
-holds :: Int -> Property -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)

@@ -207,8 +207,3 @@ genPatch array = do
         b <- if wrong then genElement else pure a
         pure (if gone then Nothing else Just b)
   mapM (mapM observe) [[cellAt array (Position (fromInteger (r + i)) (fromInteger (c + j))) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
-
-holds :: Testable p => Int -> p -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)

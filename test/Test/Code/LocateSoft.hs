@@ -16,7 +16,7 @@ import PraTactile.Locate.Soft
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
-import Test.QuickCheck (Gen, Property, Result (..), chatty, choose, conjoin, counterexample, forAll, maxSuccess, quickCheckWithResult, stdArgs, vectorOf, (===))
+import Test.QuickCheck (Gen, Property, choose, conjoin, counterexample, forAll, vectorOf, (===))
 
 spec :: Spec
 spec = do
@@ -69,22 +69,6 @@ spec = do
   near a b = abs (a - b) < 1e-9 * (1 + abs a)
   genElement' = genElement :: Gen (GF GF4)
 
--- | Of each cell the four probabilities in 64ths, or nothing.
-genChances :: Gen [[Maybe [Integer]]]
-genChances = do
-  h <- choose (1, 3)
-  w <- choose (1, 3)
-  vectorOf h (vectorOf w cell)
- where
-  cell = do
-    gone <- choose (0, 4 :: Int)
-    if gone == 0 then pure Nothing else Just <$> chances
-  chances = do
-    a <- choose (0, 64)
-    b <- choose (0, 64 - a)
-    c <- choose (0, 64 - a - b)
-    pure [a, b, c, 64 - a - b - c]
-
 -- | The same in exact fractions.
 asBayes :: Book GF4 -> [[Maybe [Integer]]] -> Property
 asBayes shelf chances = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
@@ -113,8 +97,3 @@ asBayes shelf chances = case traverse (traverse (traverse (belief . map (\k -> f
     , bookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
     ]
   total = sum (map snd exact)
-
-holds :: Int -> Property -> Expectation
-holds count p = quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r -> case r of
-  Success {} -> pure ()
-  _ -> expectationFailure (output r)
