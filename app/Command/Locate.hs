@@ -43,7 +43,7 @@ command :: Mod CommandFields (IO Ending)
 command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may be the list of the probabilities of all symbols. Several patches of one face are parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the position is then that of the upper left cell of the rectangle around all, from which offsets count."
   [ "pra-tactile locate '3 2 / 3 1'"
   , "pra-tactile locate 'A^2 A / A^2 1' --json"
-  , "pra-tactile locate '3 2 1 / 3 ? 1 / 0 1 2' --explain"
+  , "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain"
   , "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2"
   , "pra-tactile locate '3 2 / 3 1 ; 0,3: 1 1 / 1 1'"
   , "pra-tactile locate '{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": [0, 3], \"cells\": [[1, 1], [1, 1]]}]}' --json"
