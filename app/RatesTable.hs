@@ -65,9 +65,10 @@ deviations l = (\exact -> [ deviation (rate (lineHard l)) (rate exact) | rate <-
       where
         spread = sqrt (p * (1 - p) / fromIntegral (lineTrials l))
 
-heading :: String
-heading = unlines
-  [ "Of all patches in %. Hard: from symbols, to the radius that the observed cells guarantee. Soft: from the same cells' probabilities, answered"
+-- | The head of the table, hard decoding being to this radius.
+heading :: Radius -> String
+heading radius = unlines
+  [ "Of all patches in %. Hard: from symbols, to " ++ reach ++ ". Soft: from the same cells' probabilities, answered"
   , "where 99.9 % certain; and answered, the surest first, until as many are wrong as by hard decoding: 'more' is by how many % more often."
   , ""
   , printf "%-6s %6s %6s" ("" :: String) ("" :: String) ("" :: String) ++ concat [ "   " ++ centred 23 name | (_, name, _) <- ways ]
@@ -76,6 +77,9 @@ heading = unlines
       ++ printf " %7s" ("more" :: String)
   ]
   where
+    reach = case radius of
+      Guaranteed -> "the radius that the observed cells guarantee"
+      UpTo e -> "a radius of " ++ show e ++ " wrong cells, guaranteed or not"
     centred width name = let left = (width - length name) `div` 2 in take width (replicate left ' ' ++ name ++ repeat ' ')
 
 lineText :: Line -> String

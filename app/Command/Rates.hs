@@ -38,6 +38,7 @@ data Options = Options
   { sizes :: [Shape]
   , errors :: [Double]     -- ^ per cent
   , erasures :: [Double]   -- ^ per cent
+  , radius :: Radius
   , trials :: Int
   , seed :: Int
   , form :: Form
@@ -47,9 +48,10 @@ data Options = Options
 command :: Mod CommandFields (IO Ending)
 command = described "rates"
   ( "Tell how often damaged patches are located right, wrong, or refused: simulated from a seed, decoded from symbols to the guaranteed "
-    ++ "radius (hard) and from probabilities (soft), beside the exact rates of the weight enumerator." )
+    ++ "radius, or a stated one (hard) and from probabilities (soft), beside the exact rates of the weight enumerator." )
   [ "pra-tactile rates"
   , "pra-tactile rates --size 4x4 --errors 2 --erasures 15 --trials 1000000"
+  , "pra-tactile rates --size 4x4 --errors 20 --radius 6"
   , "pra-tactile rates --trials 100000 --plot rates.svg" ]
   (run <$> arrayChoice <*> options)
   where
@@ -60,6 +62,7 @@ command = described "rates"
             (option auto (long "errors" <> metavar "PERCENT" <> help "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"))
       <*> several [0, 15]
             (option auto (long "erasures" <> metavar "PERCENT" <> help "Cells that were not observed (default: 0 and 15); may be repeated"))
+      <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Hard decoding corrects up to N wrong cells (default: as many as the observed cells guarantee)")))
       <*> option intReader (long "trials" <> metavar "N" <> value 10000 <> showDefault <> help "Trials a line of the table")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
       <*> option formReader (long "format" <> metavar "text|csv|json" <> value Text <> help "The form of the table (default text)")
@@ -85,7 +88,7 @@ tables profile options shelf = do
   grounds <- forM (sizes options) $ \size -> do
     mask <- orUnusable windowMessage (rectangle size)
     place <- orUnusable groundMessage (ground shelf size)
-    pure (size, place, exactRates shelf mask)
+    pure (size, place, exactRates (radius options) shelf mask)
   for_ (plot options) orUnwritable
   printsAsItGoes <- (form options /= Json &&) <$> hIsTerminalDevice stdout
   let total = toInteger (length grounds * length (errors options) * length (erasures options)) * toInteger (trials options)
@@ -94,7 +97,7 @@ tables profile options shelf = do
       -- Lines and a bar on one terminal would run into each other.
       watched act = if printsAsItGoes then act (const (pure ())) else withProgress total 0 act
   case form options of
-    Text -> putStr heading
+    Text -> putStr (heading (radius options))
     Csv -> putStrLn csvHeading
     Json -> pure ()
   made <- watched $ \tell -> forM (zip [0 ..] cases) $ \(i, (size, place, exact, p, s)) -> do
@@ -108,10 +111,13 @@ tables profile options shelf = do
     Text -> putStr (checksHeading ++ unlines (map checksText made))
     Csv -> pure ()
     Json -> printJson ("schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
-      <> "trials" .= trials options <> "seed" .= seed options <> "rates" .= map lineValue made)
+      <> "trials" .= trials options <> "seed" .= seed options <> "radius" .= stated <> "rates" .= map lineValue made)
   for_ (plot options) $ \file -> writeWhole file (Lazy8.pack (ratesSvg (seed options) made))
   pure Answered
   where
+    stated = case radius options of
+      Guaranteed -> Nothing
+      UpTo e -> Just (naturalValue e)
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
     chance = 100 * (1 - 1 / fromIntegral (fieldOrder (bookArray shelf)))
     tooWrong = "--errors is a share from 0 to below " ++ numberText chance ++ " per cent, at which symbols are guessed"
@@ -119,7 +125,7 @@ tables profile options shelf = do
 -- | Simulate a line, telling how many trials are done.
 line :: KnownField k => Options -> Ground k -> Shape -> (Damage -> Maybe Rates) -> Double -> Double -> (Int -> IO ()) -> IO Line
 line options place size exactly p s tell = do
-  counts <- foldM add noTrials (withStrategy (parBuffer 8 rseq) (simulations place damage (trials options) (seed options)))
+  counts <- foldM add noTrials (withStrategy (parBuffer 8 rseq) (simulations (radius options) place damage (trials options) (seed options)))
   let hard = hardRates counts
       exact = exactly damage
       share = maybe (rateWrong hard) rateWrong exact

@@ -34,14 +34,14 @@ spec = do
     let judged name shelf size damage = do
           place <- right (ground shelf size)
           let verdicts = take 150 (trialsOf place damage 5)
-          forM_ verdicts $ \trial -> case (judge place trial, judgeByDecoders place trial) of
+          forM_ verdicts $ \trial -> forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> case (judge radius place trial, judgeByDecoders radius place trial) of
             (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
-              (name, size, a, b) `shouldBe` (name :: String, size, a', b')
+              (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
               -- Below 1e-20 doubts are not told apart.
               abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
             (_, Nothing) -> expectationFailure "no verdict"
           -- The answers are not all alike.
-          pure [verdictAnswer (judge place trial) | trial <- verdicts]
+          pure [verdictAnswer (judge Guaranteed place trial) | trial <- verdicts]
     answers <- concat <$> sequence
       [ judged "paper" paper size damage
       | size <- [Shape 1 1, Shape 2 2, Shape 3 3, Shape 2 5, Shape 4 4, Shape 9 9, Shape 17 16]
@@ -57,15 +57,29 @@ spec = do
     forM_ cases $ \(size, damage) -> do
       m <- right (rectangle size)
       place <- right (ground shelf size)
-      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates shelf m damage)
-      let found = hardRates (simulate place damage trials 1)
+      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates Guaranteed shelf m damage)
+      let found = hardRates (simulate Guaranteed place damage trials 1)
       forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
         abs (rate found - rate exact) `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
+  it "a stated radius: within the guaranteed one as the weights say; beyond it more answers are right, and more are wrong" $ do
+    shelf <- paperBook
+    m <- right (rectangle (Shape 4 4))
+    place <- right (ground shelf (Shape 4 4))
+    let damage = Damage 0.2 0
+        found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
+    forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
+      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates (UpTo e) shelf m damage)
+      forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+        abs (rate rates - rate exact) `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
+    exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
+    exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
+    and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
+    and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
   it "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every threshold" $ do
     shelf <- paperBook
     forM_ [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)] $ \(size, damage) -> do
       place <- right (ground shelf size)
-      let tally = simulate place damage trials 2
+      let tally = simulate Guaranteed place damage trials 2
       forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
         let Calibration answers expected wrong = calibration tolerated tally
         abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
@@ -75,14 +89,14 @@ spec = do
     shelf <- paperBook
     place <- right (ground shelf (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
-      let tally = simulate place damage trials 3
+      let tally = simulate Guaranteed place damage trials 3
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
   it "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are gives all" $ do
     shelf <- paperBook
     place <- right (ground shelf (Shape 2 2))
-    let tally = simulate place (Damage 0.1 0) 1000 4
+    let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
         Rates none none' all' = softRatesAtMost 0 tally
         Rates a b c = softRatesAtMost 1 tally
     (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
@@ -91,11 +105,11 @@ spec = do
     shelf <- paperBook
     place <- right (ground shelf (Shape 3 3))
     other <- right (ground shelf (Shape 3 4))
-    let part = simulate place (Damage 0.05 0.1) 50
-        whole on damage seed = merge (simulations on damage 2500 seed)
+    let part = simulate Guaranteed place (Damage 0.05 0.1) 50
+        whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
     part 7 `shouldBe` part 7
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
-    map tallyTrials (simulations place (Damage 0.05 0.1) 2500 7) `shouldBe` [1000, 1000, 500]
+    map tallyTrials (simulations Guaranteed place (Damage 0.05 0.1) 2500 7) `shouldBe` [1000, 1000, 500]
     whole place (Damage 0.05 0.1) 7 `shouldBe` whole place (Damage 0.05 0.1) 7
     let results =
           [whole place (Damage p s) seed | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]]

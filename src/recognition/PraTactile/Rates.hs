@@ -10,6 +10,7 @@ module PraTactile.Rates
   , errorRate
 
     -- * Trials
+  , Radius (..)
   , Ground
   , ground
   , groundBook
@@ -27,6 +28,7 @@ import Data.List (foldl')
 import Data.Proxy (Proxy (..))
 import PraTactile.Array (Shape (..))
 import PraTactile.Field
+import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Rates.Damage
 import PraTactile.Rates.Exact
 import PraTactile.Rates.Ground
@@ -36,15 +38,15 @@ import PraTactile.Rates.Trial
 import PraTactile.Rates.Verdict
 import System.Random (StdGen, genWord64, mkStdGen)
 
--- | So many trials, from a seed.
-simulate :: KnownField k => Ground k -> Damage -> Int -> Int -> Tally
-simulate place damage = withNoise place (noiseOf place damage) (damageErasures damage)
+-- | So many trials, from a seed, hard decoding to this radius.
+simulate :: KnownField k => Radius -> Ground k -> Damage -> Int -> Int -> Tally
+simulate radius place damage = withNoise radius place (noiseOf place damage) (damageErasures damage)
 
 -- | So many trials from a seed, in parts of a thousand, each with a seed of its own, which are to be merged: to be run at the same time.
 -- The seeds are also those of these patches and this damage alone, so that the lines of a table are independent of each other.
-simulations :: KnownField k => Ground k -> Damage -> Int -> Int -> [Tally]
-simulations place damage trials seed =
-  [ withNoise place sigma (damageErasures damage) (min 1000 (trials - 1000 * i)) (mixed (own ++ [i]))
+simulations :: KnownField k => Radius -> Ground k -> Damage -> Int -> Int -> [Tally]
+simulations radius place damage trials seed =
+  [ withNoise radius place sigma (damageErasures damage) (min 1000 (trials - 1000 * i)) (mixed (own ++ [i]))
   | i <- takeWhile ((< trials) . (* 1000)) [0 ..]
   ]
  where
@@ -59,10 +61,10 @@ noiseOf :: forall k. KnownField k => Ground k -> Damage -> Double
 noiseOf _ = noiseFor (fieldOrder (Proxy :: Proxy k)) . damageErrors
 
 -- | With noise of this standard deviation, cells missing with this probability, so many trials from a seed.
-withNoise :: KnownField k => Ground k -> Double -> Double -> Int -> Int -> Tally
-withNoise place sigma missing trials = \seed -> go trials (mkStdGen seed) noTrials
+withNoise :: KnownField k => Radius -> Ground k -> Double -> Double -> Int -> Int -> Tally
+withNoise radius place sigma missing trials = \seed -> go trials (mkStdGen seed) noTrials
  where
   go :: Int -> StdGen -> Tally -> Tally
   go !left g !tally
     | left <= 0 = tally
-    | otherwise = let (trial, g') = drawTrial place sigma missing g in go (left - 1) g' (count tally (judge place trial))
+    | otherwise = let (trial, g') = drawTrial place sigma missing g in go (left - 1) g' (count tally (judge radius place trial))

@@ -32,6 +32,17 @@ spec = do
     drop 2 (lines out) `shouldBe` drop 1 (lines alone)
     (_, other, _) <- pra (arguments ++ words "--size 3x3 --seed 2")
     lines other `shouldNotBe` lines alone
+  it "rates --radius: the guaranteed one is the default; beyond it there are no exact rates" $ do
+    let csv radius = (\(_, out, _) -> lines out) <$> pra (["rates", "--size", "4x4", "--errors", "20", "--erasures", "0", "--trials", "2000", "--format", "csv"] ++ radius)
+    guaranteed <- csv []
+    csv ["--radius", "4"] `shouldReturn` guaranteed
+    beyond <- csv ["--radius", "6"]
+    length beyond `shouldBe` 2
+    concatMap (take 1) [filter (",,," `isInfixOf`) beyond] `shouldBe` drop 1 beyond
+    (_, text, _) <- pra ["rates", "--size", "2x2", "--errors", "5", "--erasures", "0", "--trials", "100", "--radius", "1"]
+    text `shouldSatisfy` ("a radius of 1 wrong cells" `isInfixOf`)
+    (_, asJson, _) <- pra ["rates", "--size", "2x2", "--errors", "5", "--erasures", "0", "--trials", "100", "--radius", "1", "--format", "json"]
+    key ["radius"] asJson `shouldBe` Just (Number 1)
   it "rates --format csv: as many numbers a line as names, and each way's three add up to 1" $ do
     (status, out, _) <- pra (words "rates --trials 300 --size 3x3 --size 6x6 --errors 5 --erasures 0 --erasures 15 --format csv")
     let table = map fields (lines out)

@@ -28,7 +28,7 @@ import PraTactile.Rates.Trial
 -- | What became of a trial.
 data Verdict = Verdict
   { verdictAnswer :: !Answer
-  -- ^ By hard decoding: of the likeliest symbols, to the radius of the cells observed.
+  -- ^ By hard decoding: of the likeliest symbols, to the radius stated.
   , verdictLikeliest :: !Bool
   -- ^ By soft decoding: whether the likeliest position is the true one.
   , verdictDoubt :: !Double
@@ -41,13 +41,13 @@ data Answer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The verdict, by 'nearest' and 'posterior'.
-judgeByDecoders :: forall k. KnownField k => Ground k -> Trial -> Maybe Verdict
-judgeByDecoders place trial = do
+judgeByDecoders :: forall k. KnownField k => Radius -> Ground k -> Trial -> Maybe Verdict
+judgeByDecoders radius place trial = do
   readings <- traverse (traverse reading) (chunked (fromIntegral (columns (groundShape place))) [0 .. groundCells place - 1])
   soft <- either (const Nothing) Just (softPatch readings)
   hard <- either (const Nothing) Just (hardened soft)
   let found = posterior shelf soft
-      answer = case decisionOutcome (nearest shelf Guaranteed hard) of
+      answer = case decisionOutcome (nearest shelf radius hard) of
         Located at _ -> if at == true then Correct else Mistaken
         _ -> NoAnswer
   pure (Verdict answer (posteriorBest found == Just true) (posteriorDoubt found))
@@ -66,8 +66,8 @@ judgeByDecoders place trial = do
     (first, others) -> first : chunked size others
 
 -- | The verdict, as 'judgeByDecoders' has it.
-judge :: Ground k -> Trial -> Verdict
-judge place trial = Verdict answer (best == true) (others / (1 + others))
+judge :: Radius -> Ground k -> Trial -> Verdict
+judge radius place trial = Verdict answer (best == true) (others / (1 + others))
  where
   true = trialPosition trial
   seen = trialSeen trial
@@ -87,9 +87,12 @@ judge place trial = Verdict answer (best == true) (others / (1 + others))
          in if e < least
               then hard (i + 1) e 1 i w
               else hard (i + 1) least (if e == least then count + 1 else count) at w
-    | observed == 0 || count > 1 || least > fromIntegral (guaranteedRadius (fromIntegral weight)) = NoAnswer
+    | observed == 0 || count > 1 || least > farthest weight = NoAnswer
     | at == true = Correct
     | otherwise = Mistaken
+  farthest weight = case radius of
+    Guaranteed -> fromIntegral (guaranteedRadius (fromIntegral weight))
+    UpTo e -> fromIntegral (min e (fromIntegral n))
   differing :: Int -> Int -> Int -> Int
   differing !from !l !total
     | l == limbs = total
