@@ -67,8 +67,8 @@ whereText place = case place of
       _ -> "as near to " ++ intercalate " as to " (map vertexText nearest)
 
 -- | The whole answer, line by line.
-recognitionText :: (Int -> String) -> Recognition -> [String]
-recognitionText nameOf recognition = case recognisedAnswer recognition of
+recognitionText :: (Int -> String) -> [FilePath] -> Recognition -> [String]
+recognitionText nameOf paths recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
   Right (Several _ _) -> ("ambiguous: " ++ recognitionMessage recognition) : symbolLines
   Right (Found found) ->
@@ -86,6 +86,9 @@ recognitionText nameOf recognition = case recognisedAnswer recognition of
     known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
     symbolLines = ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised")
       : [ "support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition] ]
+      ++ [ "misplaced " ++ path ++ ": most of its symbols contradict the others'"
+         | several paths, Just evidence <- [recognisedEvidence recognition], (i, path) <- zip [0 ..] paths, i `elem` evidenceInconsistent evidence ]
+    several = not . null . drop 1
     windowLine window = "window    " ++ windowText nameOf window
       ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window)) ++ " of the array"
 

@@ -129,7 +129,7 @@ decodeWith alphabet profile options reader from composites = do
     writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
   if asJson options
     then printJson (recognitionJson profile from nameOf recognition)
-    else putStr (unlines (recognitionText nameOf recognition))
+    else putStr (unlines (recognitionText nameOf from recognition))
   pure (recognitionEnding recognition)
   where
     nameOf = elementNames reader

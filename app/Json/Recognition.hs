@@ -36,6 +36,7 @@ recognitionJson profile paths nameOf recognition =
     <> "doubt" .= fmap evidenceDoubt evidence
     <> "agreeing" .= fmap evidenceAgreeing evidence
     <> "wrong" .= fmap (length . evidenceWrong) evidence
+    <> "inconsistent_sources" .= fmap evidenceInconsistent evidence
     <> "radius" .= fmap (naturalValue . evidenceRadius) evidence
     <> "minimum_distance" .= fmap (naturalValue . evidenceDistance) evidence
     <> "symbols" .= map symbolValue (recognisedSymbols recognition)

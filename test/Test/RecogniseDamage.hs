@@ -6,7 +6,9 @@ module Test.RecogniseDamage (spec) where
 import Control.Monad (when)
 import Data.Foldable (for_, toList)
 import Data.List (nub, sort, sortOn)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
+import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -136,6 +138,13 @@ damageSpec alphabetOfAll layout net array mask = do
       recognition <- recognisedWith standardTolerance [left, right]
       fmap evidenceAgreeing (recognisedEvidence recognition) `shouldBe` Just 8
       fmap (map symbolCell . positionsOf) (rightOf (recognisedAnswer recognition)) `shouldBe` Just (sort [Position (6 + i) (5 + j) | i <- [0, 1], j <- [0, 1, 1, 2]])
+    it "one that is a cell out of place beside larger ones is outvoted and named" $ do
+      let left = compositeOf (drawing (cells 3 3 (Position 6 5)))
+          middle = (compositeOf (drawing (cells 3 3 (Position 6 8)))) {compositeOrigin = (3 * 25.4, 0)}
+          right = (compositeOf (drawing (cells 2 2 (Position 6 12)))) {compositeOrigin = (6 * 25.4, 0)}
+      recognition <- recognisedWith standardTolerance [left, middle, right]
+      fmap evidenceInconsistent (recognisedEvidence recognition) `shouldBe` Just [2]
+      either (const False) (placed (Position 6 5) (cells 3 6 (Position 6 5)) . withoutSource 2 recognition) (recognisedAnswer recognition) `shouldBe` True
     it "composites a cell out of place contradict each other" $ do
       let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
           right = (compositeOf (drawing (cells 2 2 (Position 6 8)))) {compositeOrigin = (2 * 25.4, 0)}
@@ -206,6 +215,9 @@ damageSpec alphabetOfAll layout net array mask = do
   upTo n = takeWhile (< n) [0 ..]
   blockOf h w (Position r c) = [Position ((r + i) `mod` 15) ((c + j) `mod` 17) | i <- upTo (h :: Natural), j <- upTo (w :: Natural)]
   cropped (l, t, r, b) image = generate (r - l) (b - t) (\x y -> maybe 0 id (index image (x + l) (y + t)))
+  withoutSource source recognition answer = case answer of
+    Found found -> Found found {foundPlaces = Map.withoutKeys (foundPlaces found) (Set.fromList [readNumber s | s <- recognisedSymbols recognition, readSource s == source])}
+    other -> other
   rightOf = either (const Nothing) Just
   positionsOf answer = case answer of
     Found found -> sortOn symbolCell (toList (foundPlaces found))

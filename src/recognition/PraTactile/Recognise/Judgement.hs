@@ -57,6 +57,8 @@ data Evidence = Evidence
     -- ^ how many certain symbols are what the array has in their place
   , evidenceWrong :: [Int]
     -- ^ the numbers of those that are not, or that lie another way up, or off the grid
+  , evidenceInconsistent :: [Int]
+    -- ^ the composites, counted from 0, of whose certain symbols more are wrong than not
   , evidenceDistance :: Natural
     -- ^ the minimum distance of the cells with a certain symbol
   , evidenceRadius :: Natural
@@ -106,10 +108,14 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       place <- posteriorBest soft
       let right (cell, s) = codeAt place cell == fmap snd (certain s)
           misfits = [ s | here@(_, s) <- known, not (right here) ]
+          wrong = misfits ++ otherWayUp ++ strays
+          agreeing = map snd (filter right known)
+          bySource here = Map.fromListWith (+) [ (readSource s, 1 :: Int) | s <- here ]
       pure Evidence
         { evidenceDoubt = orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft
-        , evidenceAgreeing = length (filter right known)
-        , evidenceWrong = map readNumber (misfits ++ otherWayUp ++ strays)
+        , evidenceAgreeing = length agreeing
+        , evidenceWrong = map readNumber wrong
+        , evidenceInconsistent = [ source | (source, n) <- Map.toAscList (bySource wrong), n > Map.findWithDefault 0 source (bySource agreeing) ]
         , evidenceDistance = distance
         , evidenceRadius = radius
         }
