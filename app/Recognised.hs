@@ -96,8 +96,8 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
 supportText :: Evidence -> String
 supportText evidence =
   counted (evidenceAgreeing evidence) "certain symbol or part agrees" "certain symbols and parts agree" ++ ", "
-    ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict" ++ " (" ++ (if evidenceRadius evidence == 0 then "none may" else "up to " ++ show (evidenceRadius evidence) ++ " may")
-    ++ "); doubt " ++ (if evidenceDoubt evidence > 0 then printf "%.1e" (evidenceDoubt evidence) else "below 1e-300")
+    ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict"
+    ++ " (" ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence)) ++ " may); doubt " ++ (if evidenceDoubt evidence > 0 then printf "%.1e" (evidenceDoubt evidence) else "below 1e-300")
   where
     counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 

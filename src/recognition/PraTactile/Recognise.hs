@@ -216,7 +216,9 @@ foundAt reader judgement position = do
   where
     cells = judgedCells judgement
     array = bookArray (recogniserBook reader)
-    place0 (i, j) = canonicalPosition (bookSurface (recogniserBook reader)) (arrayShape array) (toInteger (row position) + toInteger i) (toInteger (column position) + toInteger j)
+    place0 (i, j) =
+      canonicalPosition surface (arrayShape array) (toInteger (row position) + toInteger i) (toInteger (column position) + toInteger j)
+    surface = bookSurface (recogniserBook reader)
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
     -- Cells with a symbol that the network knows as what the array has there.
     right = Map.mapMaybeWithKey agreeing cells

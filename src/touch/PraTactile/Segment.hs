@@ -122,8 +122,9 @@ blended :: Composite -> Reference
 blended (Composite image coverage _ _) =
   either (const (referenceOf image)) id (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
 
--- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols that lie on their side, turned by 90 degrees
--- or by 270. Centres and boxes are in the composite's pixels; the symbols' axis is 90, and their images and sizes are as seen along that axis.
+-- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols that lie on their side, turned
+-- by 90 degrees or by 270. Centres and boxes are in the composite's pixels; the symbols' axis is 90, and their images and sizes are
+-- as seen along that axis.
 turnedBack :: Composite -> Segmentation -> Segmentation
 turnedBack composite found = found {segmentedSymbols = map symbolBack (segmentedSymbols found), segmentedRejects = map boxBack (segmentedRejects found)}
  where
@@ -140,9 +141,9 @@ data Part = Part
   }
   deriving stock (Eq, Show)
 
--- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels, given the composite's segmentation. 'Nothing'
--- where that is less than 'leastSeen' taxels, or nothing embossed was found. What is computed once a composite is computed when
--- it is given.
+-- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels, given the composite's
+-- segmentation. 'Nothing' where that is less than 'leastSeen' taxels, or nothing embossed was found. What is computed once a
+-- composite is computed when it is given.
 partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
 partAt composite found = look
  where

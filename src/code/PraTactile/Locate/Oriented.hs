@@ -73,10 +73,11 @@ data OrientedDecision = OrientedDecision
   }
   deriving stock (Eq, Show)
 
--- | The candidate, of these orientations and all positions, that differs from the patch in the fewest cells. 'Guaranteed' is half of the least
--- distance between any two candidates, which several orientations make smaller, often 0: then only exact agreement is answered.
--- Several candidates equally near within the radius are ambiguous. The reasons to refuse are those of 'nearest'; where those of
--- the orientations differ, that of the orientation that came farthest: off the sheet, contradiction, no such window, zeros.
+-- | The candidate, of these orientations and all positions, that differs from the patch in the fewest cells. 'Guaranteed' is half
+-- of the least distance between any two candidates, which several orientations make smaller, often 0: then only exact agreement is
+-- answered. Several candidates equally near within the radius are ambiguous. The reasons to refuse are those of 'nearest'; where
+-- those of the orientations differ, that of the orientation that came farthest: off the sheet, contradiction, no such window,
+-- zeros.
 nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k -> OrientedDecision
 nearestOriented shelf possible stated observed =
   decided d radius (case sort (concatMap (\(_, _, (_, _, near, next)) -> catMaybes [near, next]) found) of { _ : next : _ -> Just next; _ -> Nothing }) found
@@ -112,8 +113,8 @@ radiusFor stated d = case stated of
   Guaranteed -> guaranteedRadius d
   UpTo e -> e
 
--- | What orientations come to, each with the upright patch's shape, its outcome, the wrong cells, and in how many cells the nearest position and the next differ; by
--- the distance, the radius and the runner-up of all.
+-- | What orientations come to, each with the upright patch's shape, its outcome, the wrong cells, and in how many cells the nearest
+-- position and the next differ; by the distance, the radius and the runner-up of all.
 decided :: Natural -> Natural -> Maybe Natural -> [(Orientation, Shape, (Outcome, [Position], Maybe Natural, Maybe Natural))] -> OrientedDecision
 decided d radius next found =
   OrientedDecision
@@ -176,8 +177,8 @@ together outcomes = case (concatMap listed outcomes, sum (map unlisted outcomes)
     reason : _ -> reason
     [] -> TooFewCells
 
--- | How likely each of these orientations is with each position of the book, all of them being equally likely beforehand; on the sheet those with
--- which all observed cells lie on it.
+-- | How likely each of these orientations is with each position of the book, all of them being equally likely beforehand; on the
+-- sheet those with which all observed cells lie on it.
 posteriorOriented :: Book k -> [Orientation] -> SoftPatch k -> PosteriorOver Candidate
 posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat [comparedTotals compared | (_, compared) <- comparisons])
  where

@@ -16,10 +16,10 @@ import PraTactile.Rates.Damage
 import PraTactile.Window
 import PraTactile.Window.Distance
 
--- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated one. Applied to a book and a mask, it can be kept for many kinds
--- of damage, as what takes time, seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
--- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and where a stated radius is more than is
--- guaranteed, or some cells are missing.
+-- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated one. Applied to a book and a
+-- mask, it can be kept for many kinds of damage, as what takes time, seconds for 25 cells, is done once. 'Nothing' where it would
+-- take too long: for codes beyond 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
+-- where a stated radius is more than is guaranteed, or some cells are missing.
 exactRates :: KnownField k => Radius -> Book k -> Mask -> Damage -> Maybe Rates
 exactRates stated shelf mask = \damage -> do
   guard (fromIntegral n <= mostCells)

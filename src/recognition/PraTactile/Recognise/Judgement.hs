@@ -20,7 +20,7 @@ module PraTactile.Recognise.Judgement
 import Control.Monad (join)
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
@@ -115,11 +115,14 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
         { evidenceDoubt = orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft
         , evidenceAgreeing = length agreeing
         , evidenceWrong = map readNumber wrong
-        , evidenceInconsistent = [ source | (source, n) <- Map.toAscList (bySource wrong), n > Map.findWithDefault 0 source (bySource agreeing) ]
+        , evidenceInconsistent =
+            [ source | (source, n) <- Map.toAscList (bySource wrong), n > Map.findWithDefault 0 source (bySource agreeing) ]
         , evidenceDistance = distance
         , evidenceRadius = radius
         }
-    exact = either (const (Refused TooFewCells)) (decisionOutcome . nearest shelf (toleratedErrors tolerance)) (knownPatch cells orientation)
+    exact = fromMaybe (Refused TooFewCells) (exactly cells)
+    exactly some =
+      either (const Nothing) (Just . decisionOutcome . nearest shelf (toleratedErrors tolerance)) (knownPatch some orientation)
 
     ruling = case (found >>= posteriorBest, evidence) of
       (Just place, Just e)
@@ -146,9 +149,10 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     groupsApart = case mapMaybe alone (gridGroups grid) of
       place : places -> any (/= place) places
       [] -> False
-    alone numbers = case decisionOutcome . nearest shelf (toleratedErrors tolerance) <$> knownPatch (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) orientation of
-      Right (Located place _) -> Just place
+    alone numbers = case exactly (Map.map (among numbers) cells) of
+      Just (Located place _) -> Just place
       _ -> Nothing
+    among numbers = filter ((`Set.member` numbers) . readNumber)
     codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellOf place cell
     cellOf (Position r c) (i, j) =
       canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)

@@ -103,8 +103,9 @@ data View = View
   , viewSymbols :: [ReadSymbol]
   }
 
--- | The symbols of one axis in composites of one face, whose origins tell how these lie to each other: those that stand upright or upside
--- down, or, if the flag says so, those that lie on their side. A blob of one sort is not of the other's size. Numbers the symbols from the number given.
+-- | The symbols of one axis in composites of one face, whose origins tell how these lie to each other: those that stand upright or
+-- upside down, or, if the flag says so, those that lie on their side. A blob of one sort is not of the other's size. Numbers the
+-- symbols from the number given.
 readSymbols :: Reader -> Bool -> Int -> [Composite] -> Either NetworkError [View]
 readSymbols reader lying from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
@@ -198,7 +199,9 @@ groups symbols = concat [ map (grouped (byPlace here)) (arrange (map placed here
         in Group (Just found) (anchor (Map.toList found)) (Map.elems found)
       Lattice.Contradiction _ images -> Group Nothing (0, 0) (mapMaybe (named here) images)
     named here image = Map.lookup (symbolCentre image) here
-    anchor found = (mean [ across s - Lattice.columnPitch * fromIntegral j | ((_, j), s) <- found ], mean [ down s - Lattice.rowPitch * fromIntegral i | ((i, _), s) <- found ])
+    anchor found =
+      ( mean [ across s - Lattice.columnPitch * fromIntegral j | ((_, j), s) <- found ]
+      , mean [ down s - Lattice.rowPitch * fromIntegral i | ((i, _), s) <- found ] )
     across s = let (x, y) = readAt s in if lies s then y else x
     down s = let (x, y) = readAt s in if lies s then negate x else y
     lies = isSideways . fst . readLikeliest

@@ -2,8 +2,9 @@
 
 -- | The likeliest symbol in an image, in either of two orientations, and how sure that is.
 --
--- The network's outputs tell which class and orientation are the likeliest; but they do not tell how often that is wrong, because an
--- output unit is nearly as sure of a blurred symbol as of a clear one. How well the image matches the likeliest symbol's own shape does. Note [Calibration]
+-- The network's outputs tell which class and orientation are the likeliest; but they do not tell how often that is wrong, because
+-- an output unit is nearly as sure of a blurred symbol as of a clear one. How well the image matches the likeliest symbol's own
+-- shape does. Note [Calibration]
 module PraTactile.Classify.Estimate
   ( Estimate (..)
   , estimateDoubt

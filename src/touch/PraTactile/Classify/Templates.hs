@@ -23,10 +23,12 @@ newtype Templates = Templates (Vector ([V.Vector Double], [V.Vector Double]))
 templateCount :: Templates -> Int
 templateCount (Templates classes) = Boxed.length classes
 
--- | Each shape of the alphabet at its place and moved by half a taxel in each direction; parts, whose place is known less well, by a whole one.
+-- | Each shape of the alphabet at its place and moved by half a taxel in each direction; parts, whose place is known less well, by
+-- a whole one.
 templates :: Alphabet -> Templates
-templates alphabetOfAll = Templates (Boxed.fromList [(map standardised (placed [-0.5, 0, 0.5] shape), placed [-1, -0.5, 0, 0.5, 1] shape) | shape <- shapes alphabetOfAll])
+templates alphabetOfAll = Templates (Boxed.fromList (map seen (shapes alphabetOfAll)))
  where
+  seen shape = (map standardised (placed [-0.5, 0, 0.5] shape), placed [-1, -0.5, 0, 0.5, 1] shape)
   placed offsets shape =
     [ rasterValues (generate symbolWidth symbolHeight (\x y -> sampled (framed shape) (fromIntegral x - dx) (fromIntegral y - dy)))
     | dx <- offsets
@@ -36,8 +38,9 @@ templates alphabetOfAll = Templates (Boxed.fromList [(map standardised (placed [
   framed shape = generate (symbolWidth + 4) (symbolHeight + 4) (\x y -> if embossedAt shape (x - 2) (y - 2) then 1 else 0)
   sampled image x y = sample image (x + 2) (y + 2)
 
--- | How much an 8 x 12 image is like the shape of a class: the greatest correlation coefficient of the two, the shape moved by up to half a
--- taxel; from -1 to 1. 0 for an image all of whose values are the same, for one of another size, and for a class that there is not.
+-- | How much an 8 x 12 image is like the shape of a class: the greatest correlation coefficient of the two, the shape moved by up
+-- to half a taxel; from -1 to 1. 0 for an image all of whose values are the same, for one of another size, and for a class that
+-- there is not.
 match :: Templates -> Int -> Raster -> Double
 match (Templates classes) c image = case classes Boxed.!? c of
   Just (placed@(_ : _), _) | V.length values == symbolWidth * symbolHeight -> maximum (map (V.sum . V.zipWith (*) seen) placed)
@@ -46,8 +49,9 @@ match (Templates classes) c image = case classes Boxed.!? c of
   values = rasterValues image
   seen = standardised values
 
--- | How far an 8 x 12 image is from the shape of a class: the least sum of squared differences, over the taxels where the weight is 1 and not
--- 0, the shape moved by up to a taxel. The image has background 0 and embossing 1. Infinite for a class that there is not.
+-- | How far an 8 x 12 image is from the shape of a class: the least sum of squared differences, over the taxels where the weight is
+-- 1 and not 0, the shape moved by up to a taxel. The image has background 0 and embossing 1. Infinite for a class that there is
+-- not.
 squaredDistance :: Templates -> Int -> Raster -> Raster -> Double
 squaredDistance (Templates classes) c image weight = case classes Boxed.!? c of
   Just (_, placed) -> minimum (1 / 0 : map apart placed)
