@@ -53,6 +53,7 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Judgement
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
+import PraTactile.Segment (Segmentation (..))
 import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Stitch (Composite)
@@ -170,11 +171,13 @@ recognise reader composite = recogniseWith standardTolerance reader [composite]
 recogniseWith :: KnownField k => Tolerance -> Recogniser k -> [Composite] -> Either NetworkError Recognition
 recogniseWith tolerance reader composites = do
   upright <- readSymbols (recogniserReader reader) False 0 composites
-  -- A composite whose upright symbols are known has no others.
-  sideways <- if mostKnown upright then pure [] else readSymbols (recogniserReader reader) True (length (concatMap viewSymbols upright)) composites
+  -- A composite whose upright symbols are known has no others, and one that is flat has none.
+  let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
+      next = length (concatMap viewSymbols upright)
+  sideways <- if flat || mostKnown upright then pure [] else readSymbols (recogniserReader reader) True next composites
   let known = length . filter (isJust . readClass) . concatMap viewSymbols
       (views, others) = if known sideways > known upright then (sideways, upright) else (upright, sideways)
-  mirrored <- if known views == 0 then readMirrored (recogniserReader reader) composites else pure False
+  mirrored <- if known views == 0 && not flat then readMirrored (recogniserReader reader) composites else pure False
   pure (answered tolerance reader mirrored views (filter (isJust . readClass) (concatMap viewSymbols others)))
 
 -- | The answer from the symbols of one axis, and from what the network knows of the other.
