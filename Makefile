@@ -21,7 +21,7 @@ test: setup build
 	@$(CABAL) doctests
 	@$(CABAL) test -v1 --test-show-details=streaming test:spec
 
-# Every array to 2^20 cells by both roads; to 2^16 cells with every primitive polynomial.
+# Every array to 2^20 cells by both roads; to 2^16 cells with every primitive polynomial (about four minutes).
 prove: setup build
 	@PRA_TACTILE_EXHAUSTIVE=20 $(CABAL) test -v1 --test-show-details=streaming test:spec \
 	  --test-option=--match --test-option="/The code/Exhaustive proofs/"
