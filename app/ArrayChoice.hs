@@ -19,6 +19,7 @@ module ArrayChoice
     -- * Options of several commands
   , orderOption
   , modulusOption
+  , radiusOption
   ) where
 
 import Data.Char (isDigit, isSpace)
@@ -32,6 +33,7 @@ import Json (foldingName)
 import Json.Profile (readProfile)
 import Message (profileMessage)
 import PraTactile.Array (Folding, Position (..), Shape (..))
+import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
 
 -- | What the command line says about the array.
@@ -160,3 +162,7 @@ splitOn separator text = case break (== separator) text of
 
 trim :: String -> String
 trim = reverse . dropWhile isSpace . reverse . dropWhile isSpace
+
+-- | @--radius N@, with what it says of itself; the guaranteed radius without it.
+radiusOption :: String -> Parser Radius
+radiusOption said = maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help said))

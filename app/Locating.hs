@@ -87,25 +87,19 @@ type Locator k = Observed k -> Either String Answer
 locator :: KnownField k => Choice -> Surface -> PseudorandomArray k -> Mask -> Either String (Locator k)
 locator choice surface array mask = case chosenRoad choice of
   Nothing -> bySize shelved
-  Just TableRoad -> hardOnly . viaTable <$> tabled
-  Just AlgebraRoad -> hardOnly . viaAlgebra <$> prepared
-  Just _ -> Right (hardOnly viaSearch)
+  Just _ -> (`either'` const (Left "probabilities are for the comparison with all positions; leave out --road")) <$> viaExact
   where
     shelved = first locateMessage (book surface array mask)
-    tabled = first locateMessage (buildTable (chosenPacking choice) surface array mask)
     prepared = first algebraMessage (prepareAlgebra surface array mask)
     -- Large arrays are not compared with the patch: information sets, or where there are no logarithms the table.
     bySize (Right shelf) = Right (either' (viaNearest shelf) (viaSoft shelf))
     bySize (Left tooLarge) = case prepared of
       Right algebra -> Right (either' (viaInformationSets algebra (decoders algebra)) (viaList algebra))
-      Left infeasible -> either (\why -> Left (infeasible ++ "; and " ++ why)) (\table -> Right (either' (viaTable table) (const (Left tooLarge)))) tabled
+      Left _ -> (`either'` const (Left tooLarge)) <$> viaExact
     either' hard soft observed = case observed of
       Symbols p -> hard p
       Chances p -> soft p
-    hardOnly hard = either' hard (const (Left "probabilities are for the comparison with all positions; leave out --road"))
-    viaTable table p = Right (plain TableRoad p (locatePatch table p))
-    viaAlgebra algebra p = plain AlgebraRoad p <$> first algebraMessage (algebraPatch algebra p)
-    viaSearch p = plain SearchRoad p <$> first locateMessage (searchPatch surface array mask p)
+    viaExact = (\(road, exact) p -> plain road p <$> exact p) <$> exactRoad choice surface array mask
     plain road p outcome = Answer outcome road [] (counted outcome) (explainCells array mask (observedCells p) ++ explainOutcome outcome)
     viaNearest shelf p
       | fewer p = Right (plain NearestRoad p (Refused TooFewCells))
@@ -181,13 +175,17 @@ maybeNumber = maybe Null naturalValue
 ofPosterior :: Posterior -> [(Key, Value)]
 ofPosterior found =
   [ ("doubt", toJSON (posteriorDoubt found))
-  , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (posteriorRanking found)])
+  , likeliestFive (posteriorRanking found)
   ]
 
 ofListing :: Listing -> [(Key, Value)]
 ofListing found =
   [ ("doubt", toJSON (listingDoubt found))
   , ("doubt_is", "at-most")
-  , ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 (listingRanking found)])
+  , likeliestFive (listingRanking found)
   , ("unlisted", toJSON (listingUnlisted found))
   ]
+
+-- | The first five positions of a ranking.
+likeliestFive :: [(Position, Double)] -> (Key, Value)
+likeliestFive ranking = ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 ranking])

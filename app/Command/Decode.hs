@@ -10,7 +10,6 @@ import Control.Monad (forM, forM_, unless)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative hiding (command)
-import Text.Read (readMaybe)
 
 import ArrayChoice
 import Command.Prove (surfaceOption)
@@ -26,7 +25,6 @@ import Message
 import Picture (recognitionSvg)
 import PraTactile.Array (Surface)
 import PraTactile.Field (KnownField)
-import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
@@ -66,16 +64,16 @@ command = described "decode" "Recognise object, face and place from tactile imag
       <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
       <*> switch (long "json" <> help "Print one JSON answer a line")
       <*> some (strArgument (metavar "PATH..."))
-    millimetres = eitherReader $ \text -> case break (== ',') text of
-      (x, ',' : y) | Just u <- readMaybe x, Just v <- readMaybe y, all finite [u, v] -> Right (u, v)
-      _ -> Left (show text ++ " is no place; write it as 76.2,0")
+    millimetres = do
+      (x, y) <- pairReader ',' "76.2,0"
+      if all finite [x, y] then pure (x, y) else readerError "a place is two finite numbers, as in 76.2,0"
     finite v = not (isNaN v || isInfinite (v :: Double))
 
 -- | How much doubt and how many wrong symbols an answer may have.
 toleranceOptions :: Parser Tolerance
 toleranceOptions = Tolerance
   <$> option auto (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
-  <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)")))
+  <*> radiusOption "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)"
 
 -- | What is wrong with a choice of these.
 toleranceComplaint :: Tolerance -> Maybe String

@@ -62,7 +62,7 @@ command = described "rates"
             (option auto (long "errors" <> metavar "PERCENT" <> help "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"))
       <*> several [0, 15]
             (option auto (long "erasures" <> metavar "PERCENT" <> help "Cells that were not observed (default: 0 and 15); may be repeated"))
-      <*> (maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help "Hard decoding corrects up to N wrong cells (default: as many as the observed cells guarantee)")))
+      <*> radiusOption "Hard decoding corrects up to N wrong cells (default: as many as the observed cells guarantee)"
       <*> option intReader (long "trials" <> metavar "N" <> value 10000 <> showDefault <> help "Trials a line of the table")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
       <*> option formReader (long "format" <> metavar "text|csv|json" <> value Text <> help "The form of the table (default text)")

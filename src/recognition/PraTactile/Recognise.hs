@@ -41,11 +41,10 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, isNothing, listToMaybe)
 import Data.Ord (Down (..))
 
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, arrayShape, cellAt)
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, cellAt)
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Classify.Network (Network, NetworkError, outputCount)
 import PraTactile.Field (KnownField, fieldOrder, toCode)
-import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
 import PraTactile.Locate.Book
 import PraTactile.Object.Placement (Placement, Whereabouts (..), whereabouts)
@@ -219,9 +218,7 @@ foundAt reader judgement position = do
   where
     cells = judgedCells judgement
     array = bookArray (recogniserBook reader)
-    place0 (i, j) =
-      canonicalPosition surface (arrayShape array) (toInteger (row position) + toInteger i) (toInteger (column position) + toInteger j)
-    surface = bookSurface (recogniserBook reader)
+    place0 = cellFrom (recogniserBook reader) position
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
     -- Cells with a symbol that the network knows as what the array has there.
     right = Map.mapMaybeWithKey agreeing cells
@@ -243,7 +240,7 @@ windowIn reader judgement right place0 (i, j) = do
   pure ReadWindow
     { windowPosition = position
     , windowClasses = [ [ Map.lookup cell right | cell <- line ] | line <- block ]
-    , windowSeenAt = (average (map fst centres), average (map snd centres))
+    , windowSeenAt = centroid centres
     , windowWhereabouts = whereabouts (recogniserPlacement reader) window position
     }
   where
@@ -258,4 +255,3 @@ windowIn reader judgement right place0 (i, j) = do
           down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
           (dx, dy) = onComposite (judgedOrientation judgement) (across, down)
       in (x - dx, y - dy)
-    average xs = sum xs / fromIntegral (max 1 (length xs))

@@ -4,6 +4,7 @@ module PraTactile.Recognise.FaceGrid
   ( FaceGrid (..)
   , faceGrid
   , Cells
+  , fromZero
   , seenOnFace
   , gridRows
   ) where
@@ -40,15 +41,25 @@ faceGrid found = do
     [] -> FaceGrid Map.empty [] []
     (base, cells) : others ->
       let (joined, strays) = partition (isJust . fst) [ (displacement base g, (g, own)) | (g, own) <- others ]
-          placed = once cells : [ Map.mapKeys (\(i, j) -> (i + di, j + dj)) (once own) | (Just (di, dj), (_, own)) <- joined ]
+          placed = once cells : [ movedBy step (once own) | (Just step, (_, own)) <- joined ]
           members = base : [ g | (Just _, (g, _)) <- joined ]
-          top = minimum (0 : map fst (concatMap Map.keys placed))
-          left = minimum (0 : map snd (concatMap Map.keys placed))
-          moved = map (Map.mapKeys (\(i, j) -> (i - top, j - left))) placed
-      in FaceGrid (Map.unionsWith (++) moved) (map (Set.fromList . map readNumber . groupSymbols) members) (concatMap (groupSymbols . fst . snd) strays)
+      in FaceGrid
+           { gridCells = fromZero (Map.unionsWith (++) placed)
+           , gridGroups = map (Set.fromList . map readNumber . groupSymbols) members
+           , gridStrays = concatMap (groupSymbols . fst . snd) strays
+           }
   where
     known g = length (filter (isJust . readClass) (groupSymbols g))
     once = Map.map pure
+
+movedBy :: Cell -> Map Cell a -> Map Cell a
+movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))
+
+-- | The cells with rows and columns counted from 0, if any is less.
+fromZero :: Map Cell a -> Map Cell a
+fromZero cells = movedBy (negate (first fst), negate (first snd)) cells
+  where
+    first part = minimum (0 : map part (Map.keys cells))
 
 -- | By how many rows and columns of cells the second group's cell (0, 0) lies from the first's, to the tolerance of neighbours.
 displacement :: Group -> Group -> Maybe Cell

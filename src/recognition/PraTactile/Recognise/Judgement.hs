@@ -14,7 +14,7 @@ module PraTactile.Recognise.Judgement
   , Ruling (..)
     -- * What is behind it
   , Evidence (..)
-  , knownPatch
+  , cellFrom
   ) where
 
 import Control.Monad (join)
@@ -34,6 +34,7 @@ import PraTactile.Locate.Nearest
 import PraTactile.Locate.Soft
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
+import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Symbol (elementOfClass)
 
 -- | What a caller lets pass.
@@ -153,10 +154,13 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       Just (Located place _) -> Just place
       _ -> Nothing
     among numbers = filter ((`Set.member` numbers) . readNumber)
-    codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellOf place cell
-    cellOf (Position r c) (i, j) =
-      canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)
+    codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellFrom shelf place cell
     offset (i, j) = Position (fromIntegral i) (fromIntegral j)
+
+-- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position; 'Nothing' beyond the sheet.
+cellFrom :: Book k -> Position -> Cell -> Maybe Position
+cellFrom shelf (Position r c) (i, j) =
+  canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)
 
 -- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less than a hundredth of doubt.
 certain :: ReadSymbol -> Maybe (Orientation, Int)

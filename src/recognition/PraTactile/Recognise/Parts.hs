@@ -4,7 +4,7 @@ module PraTactile.Recognise.Parts
   ( withParts
   ) where
 
-import Data.Map.Strict (Map)
+import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
@@ -21,24 +21,17 @@ import PraTactile.Shape (symbolHeight, symbolWidth)
 -- | The grid with the parts of symbols that each composite shows in the cells around its own symbols, and the parts. Numbers them from
 -- the one given.
 withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
-withParts reader views from grid = (grid {gridCells = normalised (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
+withParts reader views from grid = (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where
     found = zipWith (\n (cell, part) -> (cell, part {readNumber = n})) [from ..] (concatMap (partsOf reader (gridCells grid)) views)
     cells = Map.fromListWith (++) [ (cell, [part]) | (cell, part) <- found ]
-
--- | Rows and columns counted from 0.
-normalised :: Map Cell a -> Map Cell a
-normalised cells = Map.mapKeysMonotonic (\(i, j) -> (i - top, j - left)) cells
-  where
-    top = minimum (0 : map fst (Map.keys cells))
-    left = minimum (0 : map snd (Map.keys cells))
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
 partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
 partsOf (Reader shapesSeen _) cells view =
   [ (cell, part)
   | (cell, centres) <- Map.toList expected
-  , let at = mean centres
+  , let at = centroid centres
   , Just seen <- [look (onView view at)]
   , let part = readPart view at seen (estimatePart shapesSeen seen)
   , readDoubt part < 0.5
@@ -55,8 +48,6 @@ partsOf (Reader shapesSeen _) cells view =
       , let (x, y) = readAt s
       , let (dx, dy) = onComposite (if viewSideways view then TurnedRight else Upright) (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
       ]
-    mean centres = (average (map fst centres), average (map snd centres))
-    average xs = sum xs / fromIntegral (max 1 (length xs))
 
 readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
 readPart view (x, y) seen estimated = ReadSymbol
@@ -72,5 +63,5 @@ readPart view (x, y) seen estimated = ReadSymbol
   , readClass = Nothing
   , readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight)
   , readLikeliest = orientedAs (viewSideways view) (estimateLikeliest estimated)
-  , readChances = [ (orientedAs (viewSideways view) what, chance) | (what, chance) <- estimateChances estimated ]
+  , readChances = map (first (orientedAs (viewSideways view))) (estimateChances estimated)
   }

@@ -6,6 +6,7 @@ module PraTactile.Recognise.Reading
   , orientationDegrees
   , isSideways
   , onComposite
+  , centroid
     -- * Symbols
   , ReadSymbol (..)
   , Reader (..)
@@ -27,7 +28,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, mapMaybe)
 
 import PraTactile.Classify.Estimate
-import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), classify, standardThresholds)
+import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), decide, outputs, standardThresholds)
 import PraTactile.Classify.Templates (Templates)
 import PraTactile.Image (halfTurn, mirrorColumns, rasterHeight)
 import PraTactile.Probe (taxelPitch)
@@ -59,6 +60,12 @@ onComposite orientation (across, down) = case orientation of
   TurnedRight -> (negate down, across)
   HalfTurned -> (negate across, negate down)
   TurnedLeft -> (down, negate across)
+
+-- | The mean of some places; the origin for none.
+centroid :: [(Double, Double)] -> (Double, Double)
+centroid places = (mean fst, mean snd)
+  where
+    mean part = sum (map part places) / fromIntegral (max 1 (length places))
 
 -- | A symbol that was cut out of a composite, and what the network says of it.
 data ReadSymbol = ReadSymbol
@@ -136,15 +143,15 @@ onView view (x, y)
 -- them.
 readSymbol :: Reader -> Bool -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
 readSymbol (Reader shapesSeen network) lying source (dx, dy) image = do
-  upright <- classify standardThresholds network (symbolPixels image)
-  turned <- classify standardThresholds network (halfTurn (symbolPixels image))
-  likeliest <- estimate shapesSeen network (symbolPixels image)
+  upright <- outputs network (symbolPixels image)
+  turned <- outputs network (halfTurn (symbolPixels image))
+  let likeliest = estimateFrom shapesSeen (symbolPixels image) upright turned
   pure ReadSymbol
     { readNumber = 0
     , readSource = source
     , readImage = image
     , readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy)
-    , readClass = inOneOrientation upright turned
+    , readClass = inOneOrientation (decide standardThresholds upright) (decide standardThresholds turned)
     , readSeen = 1
     , readLikeliest = orientedAs lying (estimateLikeliest likeliest)
     , readChances = map (first (orientedAs lying)) (estimateChances likeliest)
@@ -199,10 +206,7 @@ groups symbols = concat [ map (grouped (byPlace here)) (arrange (map placed here
         in Group (Just found) (anchor (Map.toList found)) (Map.elems found)
       Lattice.Contradiction _ images -> Group Nothing (0, 0) (mapMaybe (named here) images)
     named here image = Map.lookup (symbolCentre image) here
-    anchor found =
-      ( mean [ across s - Lattice.columnPitch * fromIntegral j | ((_, j), s) <- found ]
-      , mean [ down s - Lattice.rowPitch * fromIntegral i | ((i, _), s) <- found ] )
-    across s = let (x, y) = readAt s in if lies s then y else x
-    down s = let (x, y) = readAt s in if lies s then negate x else y
-    lies = isSideways . fst . readLikeliest
-    mean xs = sum xs / fromIntegral (max 1 (length xs))
+    anchor found = centroid
+      [ (across - Lattice.columnPitch * fromIntegral j, down - Lattice.rowPitch * fromIntegral i)
+      | ((i, j), s) <- found, let (across, down) = alongAxes s ]
+    alongAxes s = let (x, y) = readAt s in if isSideways (fst (readLikeliest s)) then (y, negate x) else (x, y)

@@ -10,6 +10,7 @@ module PraTactile.Classify.Estimate
   , estimateDoubt
   , estimateChance
   , estimate
+  , estimateFrom
   , leastDoubt
   ) where
 
@@ -44,18 +45,17 @@ leastDoubt = 1e-7
 estimate :: Templates -> Network -> Raster -> Either NetworkError Estimate
 estimate shapesSeen n image
   | outputCount n /= templateCount shapesSeen = Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
-  | otherwise = do
-      upright <- outputs n image
-      turned <- outputs n (halfTurn image)
-      pure (likeliest (ranked upright turned))
+  | otherwise = estimateFrom shapesSeen image <$> outputs n image <*> outputs n (halfTurn image)
+
+-- | The same from what the network's outputs, one a shape, are for the image and for the image turned by 180 degrees.
+estimateFrom :: Templates -> Raster -> [Double] -> [Double] -> Estimate
+estimateFrom shapesSeen image upright turned = case sortOn (Down . snd) (logits False upright ++ logits True turned) of
+  (best, first) : others@((_, second) : _) ->
+    let w = doubt (first - second) (matched best)
+     in Estimate best ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
+  _ -> Estimate (0, False) []
  where
-  ranked upright turned =
-    sortOn (Down . snd) ([((c, False), logit o) | (c, o) <- zip [0 ..] upright] ++ [((c, True), logit o) | (c, o) <- zip [0 ..] turned])
-  likeliest found = case found of
-    (best, first) : others@((_, second) : _) ->
-      let w = doubt (first - second) (matched best)
-       in Estimate best ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
-    _ -> Estimate (0, False) []
+  logits isTurned values = [((c, isTurned), logit o) | (c, o) <- zip [0 ..] values]
   matched (c, isTurned) = match shapesSeen c (if isTurned then halfTurn image else image)
   blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
   doubt lead likeness = max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
