@@ -36,7 +36,7 @@ spec = describe "the house" $ do
     it "every module belongs to its wing's component" $ \(house, package) -> do
       let owned wing = concatMap componentModules (filter ((== componentOf wing) . componentName) package)
       [ (componentOf (sourceWing one), sourceName one)
-        | one <- house, sourceName one /= "Main", sourceName one `notElem` owned (sourceWing one) ] `shouldBe` []
+        | one <- house, sourceName one /= "program.Main", sourceName one `notElem` owned (sourceWing one) ] `shouldBe` []
 
   describe "its inspectors" $ do
     it "see imports of every form, and none in comments and strings" $
@@ -90,7 +90,7 @@ beyondBase =
 componentOf :: Wing -> String
 componentOf wing = case wing of
   Recognition -> "library"
-  App -> "executable pra-tactile"
+  App -> "library command-line"
   _ -> "library " ++ wingName wing
 
 -- The packages that each library may depend on.

@@ -1,5 +1,8 @@
 -- | The command line: one parser a command, each in its own module.
-module Main (main) where
+module CommandLine
+  ( main
+  , commandLine
+  ) where
 
 import qualified Command.Advise
 import qualified Command.Array
