@@ -2,39 +2,30 @@
 -- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window --state@, or
 -- @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
 module ArrayChoice
-  ( ArrayChoice
+  ( module Readers
+    -- * The choice
+  , ArrayChoice
   , arrayChoice
   , chosenProfile
   , chosenSequence
   , chosenProfileFor
   , choiceBesideFile
-    -- * Readers of option values
-  , naturalReader
-  , intReader
-  , shapeReader
-  , foldingReader
-  , positionReader
-  , numbersReader
-  , pairReader
     -- * Options of several commands
   , orderOption
   , modulusOption
   , radiusOption
   ) where
 
-import Data.Char (isDigit, isSpace)
-import Data.List.NonEmpty (NonEmpty (..))
 import Numeric.Natural (Natural)
 import Options.Applicative
-import Text.Read (readMaybe)
 
 import Ending
-import Json (foldingName)
 import Json.Profile (readProfile)
 import Message (profileMessage)
-import PraTactile.Array (Folding, Position (..), Shape (..))
+import PraTactile.Array (Folding, Shape (..))
 import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
+import Readers
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
@@ -108,60 +99,6 @@ chosenSequence choice = case choice of
   ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Nothing, choiceFile = Nothing } ->
     chosenProfile choice { choiceShape = Just (Shape 1 (q ^ (max 1 (length h) - 1) - 1)), choiceWindow = Just (Shape 1 1) }
   _ -> chosenProfile choice
-
--- | A number 0, 1, 2, ...
-naturalReader :: ReadM Natural
-naturalReader = eitherReader readNatural
-
-readNatural :: String -> Either String Natural
-readNatural text
-  | not (null text), all isDigit text = Right (read text)
-  | otherwise = Left (show text ++ " is not a number 0, 1, 2, ...")
-
--- | A whole number, refused where it is too large to count with.
-intReader :: ReadM Int
-intReader = do
-  n <- auto
-  if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
-    then readerError (show n ++ " is too large")
-    else pure (fromInteger n)
-
--- | Two numbers parted by @x@, as 15x17: rows, then columns.
-shapeReader :: ReadM Shape
-shapeReader = eitherReader $ \text -> case splitOn 'x' text of
-  high :| [wide] -> Shape <$> readNatural high <*> readNatural wide
-  _ -> Left (show text ++ " is not a shape; write ROWSxCOLUMNS, as in 15x17")
-
--- | A folding's name.
-foldingReader :: ReadM Folding
-foldingReader = eitherReader $ \name -> case [ f | f <- [minBound ..], foldingName f == name ] of
-  f : _ -> Right f
-  [] -> Left (show name ++ " is not a folding; choose diagonal or row-major")
-
--- | Two numbers parted by a comma: row, then column.
-positionReader :: ReadM Position
-positionReader = eitherReader $ \text -> case splitOn ',' text of
-  r :| [c] -> Position <$> readNatural (trim r) <*> readNatural (trim c)
-  _ -> Left (show text ++ " is not a position; write ROW,COLUMN, as in 6,5")
-
--- | Numbers parted by commas.
-numbersReader :: ReadM [Natural]
-numbersReader = eitherReader $ \text -> case splitOn ',' text of
-  first :| others -> traverse (readNatural . trim) (first : others)
-
--- | Two values of a type that 'Read' reads, parted by a character.
-pairReader :: Read a => Char -> String -> ReadM (a, a)
-pairReader separator example = eitherReader $ \text -> case splitOn separator text of
-  a :| [b] | Just x <- readMaybe a, Just y <- readMaybe b -> Right (x, y)
-  _ -> Left (show text ++ " is not understood; write it as in " ++ example)
-
-splitOn :: Char -> String -> NonEmpty String
-splitOn separator text = case break (== separator) text of
-  (part, _ : rest) -> let next :| others = splitOn separator rest in part :| (next : others)
-  (part, []) -> part :| []
-
-trim :: String -> String
-trim = reverse . dropWhile isSpace . reverse . dropWhile isSpace
 
 -- | @--radius N@, with what it says of itself; the guaranteed radius without it.
 radiusOption :: String -> Parser Radius

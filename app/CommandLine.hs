@@ -26,28 +26,50 @@ import qualified Command.Stitch
 import qualified Command.Synthesise
 import qualified Command.Table
 import qualified Command.Train
+import Data.Char (isLower)
 import Data.Version (showVersion)
+import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
 import Options.Applicative
+import Options.Applicative.Help (renderHelp)
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..))
-import System.IO (hPutStrLn, hSetEncoding, stderr, stdout, utf8)
+import System.IO (hPutStrLn, hSetEncoding, stderr, stdout)
+import System.Posix.Signals (Handler (Default), installHandler, sigPIPE)
 
 import Ending
 import Paths_pra_tactile (version)
 
 main :: IO ()
 main = do
-  hSetEncoding stdout utf8
-  hSetEncoding stderr utf8
-  arguments <- getArgs
-  case execParserPure (prefs showHelpOnEmpty) commandLine arguments of
-    Success run -> run >>= finish
-    Failure failure -> do
-      name <- getProgName
-      case renderFailure failure name of
-        (text, ExitSuccess) -> putStrLn text >> finish Answered
-        (text, ExitFailure _) -> hPutStrLn stderr text >> finish Unusable
-    CompletionInvoked completion -> getProgName >>= execCompletion completion >>= putStr >> finish Answered
+  -- Alike under every locale: names are UTF-8, and a byte that is not comes back as it was.
+  mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
+  lenient <- mkTextEncoding "UTF-8//TRANSLIT"
+  hSetEncoding stdout lenient
+  hSetEncoding stderr lenient
+  -- As cat does, end quietly where nobody reads on.
+  _ <- installHandler sigPIPE Default Nothing
+  ending $ do
+    arguments <- getArgs
+    name <- getProgName
+    case execParserPure (prefs showHelpOnEmpty) commandLine arguments of
+      Success run -> run
+      Failure failure -> misunderstood name failure
+      CompletionInvoked completion -> Answered <$ (execCompletion completion name >>= putStr)
+
+-- | The help that was asked for; or what is wrong with the arguments, and where to read what is right.
+misunderstood :: String -> ParserFailure ParserHelp -> IO Ending
+misunderstood name failure = case execFailure failure name of
+  (_, ExitSuccess, _) -> Answered <$ putStrLn (fst (renderFailure failure name))
+  (explained, ExitFailure _, _)
+    | null (text mempty { helpError = helpError explained }) -> Unusable <$ hPutStrLn stderr (fst (renderFailure failure name))
+    | otherwise -> do
+        warn (text mempty { helpError = helpError explained, helpSuggestions = helpSuggestions explained })
+        warn ("try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'")
+        pure Unusable
+  where
+    text = unwords . words . renderHelp 100000
+    -- The usage begins with the words of the command.
+    commandOf usage = takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
 
 commandLine :: ParserInfo (IO Ending)
 commandLine = info (commands <**> helper <**> versionOption) $

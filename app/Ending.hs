@@ -8,10 +8,19 @@ module Ending
   , unusable
   , orUnusable
   , warn
+  , systemReason
+    -- * Running a program
+  , ending
   ) where
 
+import Control.Exception
+import Control.Monad (void)
+import Data.Char (toLower)
+import GHC.IO.Exception (IOException (..))
 import System.Exit (ExitCode (..), exitWith)
-import System.IO (hPutStrLn, stderr)
+import System.IO (hFlush, hPutStrLn, stderr, stdout)
+
+import Visible
 
 -- | The exit status.
 data Ending
@@ -22,7 +31,7 @@ data Ending
 
 -- | Leave with the status of an ending.
 finish :: Ending -> IO a
-finish ending = exitWith $ case ending of
+finish how = exitWith $ case how of
   Answered -> ExitSuccess
   NotAnswered -> ExitFailure 1
   Unusable -> ExitFailure 2
@@ -35,6 +44,26 @@ unusable message = warn message >> finish Unusable
 orUnusable :: (e -> String) -> Either e a -> IO a
 orUnusable inWords = either (unusable . inWords) pure
 
--- | A line on the standard error.
+-- | A line on the standard error. Where that cannot be written, nothing is left to say it to.
 warn :: String -> IO ()
-warn message = hPutStrLn stderr ("pra-tactile: " ++ message)
+warn message = void (try (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message))) :: IO (Either IOException ()))
+
+-- | What the system says of an error, without the names of the library's functions.
+systemReason :: IOException -> String
+systemReason problem = case ioe_description problem of
+  [] -> show (ioe_type problem)
+  first : others -> toLower first : others
+
+-- | Run a command to its end and leave with its status; with status 2 and a line where its output cannot be written to the
+-- end, or where something happens that should not.
+ending :: IO Ending -> IO a
+ending command = (command <* hFlush stdout >>= finish) `catch` \problem -> case fromException problem of
+  Just status -> hFlush stdout `catch` outputLost >> throwIO (status :: ExitCode)
+  Nothing
+    | Just asynchronous <- fromException problem -> throwIO (asynchronous :: SomeAsyncException)
+    | Just io <- fromException problem, ioe_handle io == Just stdout -> outputLost io
+    | Just io <- fromException problem ->
+        unusable ("cannot go on: " ++ systemReason io ++ maybe "" (": " ++) (ioe_filename io))
+    | otherwise -> unusable ("this should not have happened, please report it: " ++ displayException problem)
+  where
+    outputLost io = unusable ("cannot write the standard output: " ++ systemReason io)

@@ -17,13 +17,18 @@ module Json
 import Data.Aeson
 import Data.Aeson.Encoding (encodingToLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.Text.Encoding.Error (lenientDecode)
+import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
 
 import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
 
 -- | One object on one line, its keys in the order given.
 encodeLine :: Series -> Lazy.ByteString
-encodeLine = encodingToLazyByteString . pairs
+encodeLine = valid . encodingToLazyByteString . pairs
+  where
+    -- Whatever was in a text, JSON is UTF-8.
+    valid = Lazy.encodeUtf8 . Lazy.decodeUtf8With lenientDecode
 
 -- | Print one object on one line.
 printJson :: Series -> IO ()

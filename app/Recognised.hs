@@ -22,6 +22,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 import PraTactile.Store
+import Visible
 
 -- | The printed name of the element that a class stands for, in the recogniser's field.
 elementNames :: KnownField k => Recogniser k -> Int -> String
@@ -86,7 +87,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
     known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
     symbolLines = ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised")
       : [ "support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition] ]
-      ++ [ "misplaced " ++ path ++ ": most of its symbols contradict the others'"
+      ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
          | several paths, Just evidence <- [recognisedEvidence recognition], (i, path) <- zip [0 ..] paths, i `elem` evidenceInconsistent evidence ]
     several = not . null . drop 1
     windowLine window = "window    " ++ windowText nameOf window

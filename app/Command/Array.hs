@@ -16,10 +16,10 @@ import Options.Applicative hiding (command)
 import ArrayChoice
 import Described
 import Ending
-import Files (writeWhole)
+import Output (writeWhole)
 import Json
 import Json.Profile
-import Message (foldMessage, profileMessage)
+import Message (foldMessage, imageMessage, profileMessage)
 import Picture (arraySvg)
 import PraTactile.Array (Shape (..), toRows)
 import PraTactile.Field (showElement, toCode)
@@ -64,7 +64,7 @@ render format profile cells = case format of
   Text -> pure (Lazy8.pack (unlines (alignedRows (map (map snd) cells))))
   Csv -> pure (Lazy8.pack (unlines (map (intercalate "," . map show) codes)))
   Json -> pure (encodeLine ("schema" .= ("pra-tactile/array/1" :: String) <> "profile" .= profileValue profile <> "rows" .= codes) <> "\n")
-  Pgm -> Lazy.fromStrict . encodePgm Binary <$> orUnusable show (pgm8 (fromIntegral (profileOrder profile - 1)) (codeImage profile codes))
+  Pgm -> Lazy.fromStrict . encodePgm Binary <$> orUnusable imageMessage (pgm8 (fromIntegral (profileOrder profile - 1)) (codeImage profile codes))
   Svg -> pure (Lazy8.pack (arraySvg cells))
   where
     codes = map (map fst) cells

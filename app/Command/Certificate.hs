@@ -4,6 +4,7 @@ module Command.Certificate
   ( command
   ) where
 
+import Control.Monad (unless)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Options.Applicative hiding (command)
@@ -11,7 +12,7 @@ import Options.Applicative hiding (command)
 import ArrayChoice
 import Described
 import Ending
-import Files (writeWhole)
+import Output
 import Json
 import Json.Certificate
 import MaskChoice
@@ -20,6 +21,7 @@ import PraTactile.Array (Surface)
 import PraTactile.Certificate
 import PraTactile.Profile (Profile (..))
 import PraTactile.Window (Mask)
+import Visible
 
 command :: Mod CommandFields (IO Ending)
 command = described "certificate" "Prove that the content of every window tells its position, and write the proof down so that a stranger can check it ('pra-tactile check', or data/check_certificate.py, which needs Python alone)."
@@ -41,15 +43,15 @@ run choice drawn on road output asJson = do
              | otherwise -> unusable (certificateMessage why)
     Right certificate -> do
       maybe putStr (\file -> writeWhole file . Lazy8.pack) output (certificateText certificate)
-      maybe (pure ()) (putStr . written certificate) output
+      maybe (pure ()) (report certificate) output
       pure Answered
   where
-    written certificate file
-      | asJson = Lazy8.unpack (encodeLine (writtenJson certificate file)) ++ "\n"
-      | otherwise = "wrote " ++ file ++ ": all " ++ show (certificateWindows certificate) ++ " windows, by " ++ roadName certificate ++ "\n"
+    report certificate file
+      | asJson = unless (file == "-") (printJson (writtenJson certificate file))
+      | otherwise = sayWritten file (": all " ++ show (certificateWindows certificate) ++ " windows, by " ++ roadName certificate)
     writtenJson certificate file =
       "schema" .= ("pra-tactile/certificate-written/1" :: String)
-        <> "file" .= file
+        <> "file" .= nameInJson file
         <> "road" .= roadName certificate
         <> "windows" .= naturalValue (certificateWindows certificate)
         <> "surface" .= surfaceName (profileSurface (certificateProfile certificate))

@@ -16,7 +16,7 @@ import Command.Prove (surfaceOption)
 import Command.Stitch (Assembly, assemble, assemblyOptions)
 import Described
 import Ending
-import Files (writeWhole)
+import Output (writeWhole)
 import Frames
 import Json (printJson)
 import Json.Profile (profileText)
@@ -31,6 +31,7 @@ import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
 import Recognised
 import Setup
+import Visible
 
 data Options = Options
   { surface :: Maybe Surface
@@ -72,7 +73,7 @@ command = described "decode" "Recognise object, face and place from tactile imag
 -- | How much doubt and how many wrong symbols an answer may have.
 toleranceOptions :: Parser Tolerance
 toleranceOptions = Tolerance
-  <$> option auto (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
+  <$> option decimalReader (long "doubt" <> metavar "P" <> value (toleratedDoubt standardTolerance) <> showDefault <> help "The probability of a wrong answer that is tolerated")
   <*> radiusOption "Let up to N recognised symbols contradict the answer (default: as many as the recognised ones guarantee to be corrected)"
 
 -- | What is wrong with a choice of these.
@@ -103,7 +104,7 @@ run choice options
           unless (null (places options)) (unusable "--at is for whole images that are decoded --together")
           maximum . (Answered :) <$> forM (zip (map sourcePath found) composites) (\(path, composite) -> do
             case found of
-              _ : _ : _ | not (asJson options) -> putStrLn (path ++ ":")
+              _ : _ : _ | not (asJson options) -> putStrLn (visibleName path ++ ":")
               _ -> pure ()
             readAs [path] [composite])
 

@@ -52,8 +52,8 @@ command = described "evaluate" "Simulate presses at random places on the faces i
       <$> option intReader (long "presses" <> metavar "N" <> value 1000 <> showDefault <> help "How many regions are explored")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
-      <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
-      <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
+      <*> option decimalReader (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
+      <*> option decimalReader (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> flag halfTurns quarterTurns (long "quarter-turns" <> help "The faces lie in any of four ways (default: upright or turned by 180 degrees)")
       <*> toleranceOptions
       <*> networkOption

@@ -10,7 +10,7 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import Options.Applicative hiding (command)
-import System.IO (hFlush, isEOF, stdout)
+import System.IO (hFlush, stdout)
 
 import ArrayChoice
 import Command.Prove (surfaceOption)
@@ -18,6 +18,7 @@ import Described
 import Ending
 import Json
 import Json.Profile
+import Lines
 import Locating
 import Locating.Seen
 import Message
@@ -36,7 +37,7 @@ data Options = Options
   , turning :: Turning
   , explain :: Bool
   , asJson :: Bool
-  , source :: Maybe String
+  , source :: Maybe [String]
   }
 
 command :: Mod CommandFields (IO Ending)
@@ -54,12 +55,12 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
     options = Options
       <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
       <*> radiusOption "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)"
-      <*> option auto (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
+      <*> option decimalReader (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
       <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
       <*> switch (long "explain" <> help "Say what the answer rests on: the cells, their equations, the distance to the next candidate")
       <*> switch (long "json" <> help "Print the answer as JSON")
       <*> (flag' Nothing (long "batch" <> help "Read one patch, or several parted by ';', a line from the standard input; print one JSON answer a line")
-        <|> (Just <$> strArgument (metavar "PATCH")))
+        <|> (Just <$> some (strArgument (metavar "PATCH"))))
     turningReader = eitherReader $ \name -> case lookup name [ (turningName t, t) | t <- [minBound ..] ] of
       Just found -> Right found
       Nothing -> Left (show name ++ " is no choice of orientation; write upright, turned or any")
@@ -71,6 +72,8 @@ run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
 run choice chosen options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
   | Just _ <- road options, UpTo _ <- radius options = unusable "--road finds positions at which all cells agree; leave it out to correct errors with --radius"
+  | Just words'@(_ : _ : _) <- source options =
+      unusable ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
   | otherwise = do
       profile <- chosenProfile choice
       let on = fromMaybe (profileSurface profile) chosen
@@ -80,8 +83,8 @@ run choice chosen options
 
 answering :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
 answering profile options locate = case source options of
-  Nothing -> batch profile options locate Answered
-  Just text -> case readPatches text >>= locate of
+  Nothing -> batch profile options locate
+  Just given -> case readPatches (unwords given) >>= locate of
     Left complaint -> unusable complaint
     Right report -> do
       if asJson options
@@ -90,16 +93,18 @@ answering profile options locate = case source options of
       pure (endingOf (answerOutcome (reportAnswer report)))
 
 -- | One line after another, each answered at once; the worst ending of all.
-batch :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> Ending -> IO Ending
-batch profile options locate worst = do
-  done <- isEOF
-  if done then pure worst else do
-    line <- getLine
-    let answer = readPatches line >>= locate
-    Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
-    hFlush stdout
-    let ending = either (const Unusable) (endingOf . answerOutcome . reportAnswer) answer
-    ending `seq` batch profile options locate $! max worst ending
+batch :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
+batch profile options locate = forLines answerLine Answered
+  where
+    answerLine worst given = do
+      let answer = textOf given >>= readPatches >>= locate
+      Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
+      hFlush stdout
+      pure (max worst (either (const Unusable) (endingOf . answerOutcome . reportAnswer) answer))
+    textOf given = case given of
+      Line text -> Right text
+      NotUtf8 -> Left "the line is not UTF-8 text"
+      TooLong size -> Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
 -- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
 answerText :: Report -> String

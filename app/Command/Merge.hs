@@ -11,7 +11,8 @@ import Options.Applicative hiding (command)
 import CensusFile
 import Described
 import Ending
-import Files (readBytes, writeWhole)
+import Files (readBytes)
+import Output (writeWhole)
 import Json
 
 command :: Mod CommandFields (IO Ending)

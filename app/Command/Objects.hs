@@ -16,6 +16,7 @@ import Json
 import Json.Profile
 import Json.Recognition (whereaboutsPairs)
 import Message
+import Output
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
@@ -53,7 +54,7 @@ run choice options = do
     (Just position, Nothing) -> lookUp profile layout options position
     (Nothing, Just file) -> do
       create file (profileText profile) layout >>= orUnusable storeMessage
-      putStrLn ("wrote " ++ file)
+      sayWritten file ""
       pure Answered
     (Nothing, Nothing) -> do
       shown <- maybe (pure layout) (stored profile) (database options)

@@ -11,7 +11,7 @@ import Text.Printf (printf)
 import ArrayChoice
 import Described
 import Ending
-import Files (writeFolder)
+import Output (writeFolder)
 import Frames (frameFiles)
 import Message
 import PraTactile.Explore
@@ -22,6 +22,7 @@ import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Relief
 import Setup
+import Visible
 
 data Options = Options
   { object :: String
@@ -51,8 +52,8 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
       <*> optional (flag' 0 (long "upright" <> help "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by chance)")
         <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
         <|> option turnReader (long "turn" <> metavar "0|90|180|270" <> help "The face lies turned clockwise by so many degrees"))
-      <*> option auto (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
-      <*> option auto (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
+      <*> option decimalReader (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
+      <*> option decimalReader (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw")
       <*> option (pairReader ',' "12.7,60") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
@@ -82,7 +83,7 @@ run choice options
       if fits pressed region then pure () else unusable (tooLarge pressed)
       (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
       writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
-      putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ output options)
+      putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ visibleName (output options))
       if tell options then putStrLn (truth pressed region) else pure ()
       pure Answered
   where

@@ -24,6 +24,7 @@ import PraTactile.Profile
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
+import Visible
 
 command :: Mod CommandFields (IO Ending)
 command = described "prove" "Prove or refute that the content of every window tells its position: by visiting every window, and by the rank of the window's cells. FILE decides any array, whoever made it."
@@ -67,7 +68,7 @@ ofFile choice drawn on file = do
   grid <- readGrid q file
   verdict <- orUnusable proofMessage (proveGrid (fromMaybe Torus on) grid mask)
   let Shape high wide = gridShape grid
-      told = "profile" .= Null <> "file" .= file <> "q" .= gridAlphabet grid <> "shape" .= [naturalValue high, naturalValue wide]
+      told = "profile" .= Null <> "file" .= nameInJson file <> "q" .= gridAlphabet grid <> "shape" .= [naturalValue high, naturalValue wide]
   pure (Subject (gridShape grid) told Nothing, mask, verdict)
 
 verdictText :: Subject -> Mask -> Verdict -> String

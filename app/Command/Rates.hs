@@ -16,7 +16,7 @@ import System.IO (hFlush, hIsTerminalDevice, stdout)
 import ArrayChoice
 import Described
 import Ending
-import Files
+import Output
 import Json
 import Json.Profile
 import Message
@@ -59,9 +59,9 @@ command = described "rates"
       <$> several [Shape n n | n <- [2 .. 5]]
             (option shapeReader (long "size" <> metavar "ROWSxCOLUMNS" <> help "A patch (default: 2x2, 3x3, 4x4 and 5x5); may be repeated"))
       <*> several [0.6, 2, 5, 10]
-            (option auto (long "errors" <> metavar "PERCENT" <> help "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"))
+            (option decimalReader (long "errors" <> metavar "PERCENT" <> help "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"))
       <*> several [0, 15]
-            (option auto (long "erasures" <> metavar "PERCENT" <> help "Cells that were not observed (default: 0 and 15); may be repeated"))
+            (option decimalReader (long "erasures" <> metavar "PERCENT" <> help "Cells that were not observed (default: 0 and 15); may be repeated"))
       <*> radiusOption "Hard decoding corrects up to N wrong cells (default: as many as the observed cells guarantee)"
       <*> option intReader (long "trials" <> metavar "N" <> value 10000 <> showDefault <> help "Trials a line of the table")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")

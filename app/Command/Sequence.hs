@@ -28,11 +28,8 @@ command = described "sequence" "Print terms of the m-sequence as codes: forward 
   , "pra-tactile sequence --from=-3 --json" ]
   (run <$> arrayChoice <*> from <*> count <*> switch (long "json" <> help "Print the terms as JSON"))
   where
-    from = option auto (long "from" <> metavar "INDEX" <> value 0 <> help "Index of the first term printed, of any size, also negative (default: 0)")
-    count = option (maybeReader nonNegative) (long "length" <> metavar "NUMBER" <> value 40 <> help "How many terms (default: 40)")
-    nonNegative text = case reads text of
-      [(n, "")] | n >= 0 -> Just (n :: Integer)
-      _ -> Nothing
+    from = option decimalReader (long "from" <> metavar "INDEX" <> value 0 <> help "Index of the first term printed, of any size, also negative (default: 0)")
+    count = option (toInteger <$> naturalReader) (long "length" <> metavar "NUMBER" <> value 40 <> help "How many terms (default: 40)")
 
 run :: ArrayChoice -> Integer -> Integer -> Bool -> IO Ending
 run choice from count asJson = do

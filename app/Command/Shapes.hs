@@ -13,7 +13,7 @@ import Options.Applicative hiding (command)
 import ArrayChoice (intReader)
 import Described
 import Ending
-import Files (writeWhole)
+import Output (writeWhole)
 import Message
 import PraTactile.Shape
 import PraTactile.Shape.Design

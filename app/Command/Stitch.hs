@@ -14,13 +14,14 @@ import System.FilePath (takeExtension)
 
 import Described
 import Ending
-import Files (writeWhole)
+import Output
 import Frames
 import Message
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
 import PraTactile.Probe (Frame)
 import PraTactile.Stitch
+import Readers
 
 command :: Mod CommandFields (IO Ending)
 command = described "stitch" "Assemble the frames of a folder into one composite image, correcting their positions by cross-correlation."
@@ -36,8 +37,8 @@ type Assembly = Maybe Registration
 assemblyOptions :: Parser Assembly
 assemblyOptions = flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
   <|> (Just <$> (registrationFor
-    <$> option auto (long "position-error" <> metavar "SIGMA" <> value 1 <> showDefault <> help "Standard deviation of each frame's position that the robot is known for, taxels")
-    <*> option auto (long "noise" <> metavar "SD" <> value 0.1 <> showDefault <> help "Standard deviation of the sensor's noise, as a share of full scale")))
+    <$> option decimalReader (long "position-error" <> metavar "SIGMA" <> value 1 <> showDefault <> help "Standard deviation of each frame's position that the robot is known for, taxels")
+    <*> option decimalReader (long "noise" <> metavar "SD" <> value 0.1 <> showDefault <> help "Standard deviation of the sensor's noise, as a share of full scale")))
 
 -- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full scale); an error of less
 -- than a hundredth of a taxel is taken as that, because a prior without width cannot be searched.
@@ -56,6 +57,6 @@ run way folder output = do
     _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
   composite <- loadSource (assemble way) (Folder folder)
   writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
-  putStrLn ("wrote " ++ output ++ ": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
+  sayWritten output (": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
     ++ show (rasterHeight (compositeImage composite)) ++ " taxels from " ++ show (length (compositeDisplacements composite)) ++ " frames")
   pure Answered

@@ -10,12 +10,15 @@ import Data.Aeson ((.=))
 import Data.Bifunctor (first)
 import Data.List (intercalate)
 import Data.Proxy (Proxy)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8')
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (command)
 
 import ArrayChoice
 import Described
 import Ending
+import Files (readBytes)
 import Json
 import Message (fieldMessage)
 import PraTactile.Field
@@ -42,8 +45,8 @@ data Found = Found
 
 run :: Natural -> Maybe [Natural] -> Bool -> IO Ending
 run q chosen asJson = do
-  text <- getContents
-  let symbols = words (map (\c -> if c == ',' then ' ' else c) text)
+  text <- readBytes "-" >>= orUnusable (const "the standard input is not UTF-8 text") . decodeUtf8'
+  let symbols = words (map (\c -> if c == ',' then ' ' else c) (Text.unpack text))
   when (null symbols) (unusable "there are no symbols on the standard input")
   (p, usual) <- orUnusable fieldMessage (conwayModulus q)
   let modulus = maybe usual id chosen

@@ -18,7 +18,7 @@ import ArrayChoice
 import Command.Prove (surfaceOption)
 import Described
 import Ending
-import Files (writeWhole)
+import Output (writeWhole)
 import Json
 import Json.Profile
 import Message

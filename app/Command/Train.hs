@@ -12,7 +12,7 @@ import Text.Printf (printf)
 import ArrayChoice (intReader)
 import Described
 import Ending
-import Files (writeWhole)
+import Output
 import Message
 import PraTactile.Classify.Network.File (renderNetwork)
 import PraTactile.Classify.Regimen (shippedSeed, trainShipped)
@@ -32,5 +32,5 @@ run seed output = do
   writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
   forM_ (zip [1 :: Int ..] stages) $ \(i, stage) ->
     putStrLn (printf "stage %d: %d epochs, squared error %.4f -> %.4f" i (progressEpochs stage) (errorBefore stage) (errorAfter stage))
-  putStrLn ("wrote " ++ output)
+  sayWritten output ""
   pure Answered

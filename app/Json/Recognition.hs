@@ -18,14 +18,15 @@ import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
 import Recognised
+import Visible
 
 -- | One answer: all keys always, null where there is nothing to say.
 recognitionJson :: Profile -> [FilePath] -> (Int -> String) -> Recognition -> Series
 recognitionJson profile paths nameOf recognition =
   "schema" .= ("pra-tactile/decode/1" :: String)
     <> "profile" .= profileValue profile
-    <> "source" .= listToMaybe paths
-    <> "sources" .= paths
+    <> "source" .= listToMaybe names
+    <> "sources" .= names
     <> "outcome" .= outcome
     <> "reason" .= either (Just . refusalName) (const Nothing) answer
     <> "message" .= recognitionMessage recognition
@@ -43,6 +44,7 @@ recognitionJson profile paths nameOf recognition =
     <> "parts" .= map partValue (recognisedParts recognition)
     <> "windows" .= map windowValue windows
   where
+    names = map nameInJson paths
     answer = recognisedAnswer recognition
     evidence = recognisedEvidence recognition
     (outcome, orientation, window, windows, places, cells) = case answer of

@@ -1,0 +1,60 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | The standard input line by line, each in memory no longer than it is needed, and none beyond a bound.
+module Lines
+  ( Line (..)
+  , forLines
+  , largestLine
+  ) where
+
+import qualified Data.ByteString as Bytes
+import Data.ByteString (ByteString)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8')
+import System.IO (stdin)
+
+-- | A line, without its end.
+data Line
+  = Line String
+  | NotUtf8            -- ^ it holds bytes that are no UTF-8
+  | TooLong Integer    -- ^ it has so many bytes, more than 'largestLine'
+  deriving stock (Eq, Show)
+
+-- | How many bytes a line may have: 1 MiB.
+largestLine :: Int
+largestLine = 1024 * 1024
+
+-- | Go through the lines of the standard input as they come. What follows the last end of line is a line if it is not empty.
+forLines :: (a -> Line -> IO a) -> a -> IO a
+forLines step = awaited [] 0
+  where
+    -- The pieces of the line so far, the latest first, and how many bytes they have.
+    awaited pieces held state = do
+      piece <- Bytes.hGetSome stdin 65536
+      if Bytes.null piece
+        then if held == 0 then pure state else step state (line (reverse pieces))
+        else broken pieces held piece state
+    broken pieces held piece state = case Bytes.elemIndex 10 piece of
+      Just end -> next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop (end + 1) piece) state
+      Nothing
+        | held' <= largestLine -> awaited (piece : pieces) held' state
+        | otherwise -> skipped (toInteger held') state
+        where
+          held' = held + Bytes.length piece
+    -- What is left of a line that is too long is counted, not kept.
+    skipped count state = do
+      piece <- Bytes.hGetSome stdin 65536
+      case Bytes.elemIndex 10 piece of
+        Just end -> next (TooLong (count + toInteger end)) (Bytes.drop (end + 1) piece) state
+        Nothing
+          | Bytes.null piece -> step state (TooLong count)
+          | otherwise -> skipped (count + toInteger (Bytes.length piece)) state
+    next found others state = do
+      state' <- step state found
+      state' `seq` broken [] 0 others state'
+
+line :: [ByteString] -> Line
+line chunks
+  | Bytes.length whole > largestLine = TooLong (toInteger (Bytes.length whole))
+  | otherwise = either (const NotUtf8) (Line . Text.unpack) (decodeUtf8' whole)
+  where
+    whole = Bytes.concat chunks

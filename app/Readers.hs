@@ -1,0 +1,133 @@
+-- | Readers of option values: decimal numbers and what is made of them. A text that is no number is refused, whatever a
+-- programming language would make of it: @0x10@, @" 1"@, @1_000@, @NaN@.
+module Readers
+  ( -- * Numbers
+    Decimal (..)
+  , decimalReader
+  , naturalReader
+  , intReader
+  , numbersReader
+    -- * Pairs of numbers
+  , pairReader
+  , shapeReader
+  , positionReader
+    -- * Names
+  , namedReader
+  , foldingReader
+  ) where
+
+import Data.Char (isDigit, isSpace)
+import Data.List (intercalate)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Scientific (Scientific, toBoundedRealFloat)
+import Numeric.Natural (Natural)
+import Options.Applicative (ReadM, eitherReader)
+import Text.Read (readMaybe)
+
+import Json (foldingName)
+import PraTactile.Array (Folding, Position (..), Shape (..))
+import Visible
+
+-- | Numbers that are written in decimal; 'Left' says why a text is none.
+class Decimal a where
+  readDecimal :: String -> Either String a
+
+-- | 0, 1, 2, ...
+instance Decimal Natural where
+  readDecimal text
+    | not (null text), all isDigit text = Right (read text)
+    | otherwise = Left (quoted text ++ " is not a number 0, 1, 2, ...")
+
+-- | ..., -1, 0, 1, ...
+instance Decimal Integer where
+  readDecimal text = case text of
+    '-' : digits | number digits -> Right (negate (read digits))
+    digits | number digits -> Right (read digits)
+    _ -> Left (quoted text ++ " is not a whole number")
+    where
+      number digits = not (null digits) && all isDigit digits
+
+-- | The same, as far as the machine counts.
+instance Decimal Int where
+  readDecimal text = readDecimal text >>= \n ->
+    if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
+      then Left (quoted text ++ " is too large")
+      else Right (fromInteger n)
+
+-- | Digits, perhaps with a sign, a decimal point between digits, and an exponent; finite.
+instance Decimal Double where
+  readDecimal text
+    | not (written (dropSign "-" text)) = Left (quoted text ++ " is not a number")
+    | otherwise = case toBoundedRealFloat <$> (readMaybe text :: Maybe Scientific) of
+        Just (Right x) -> Right x
+        Just (Left x) | x == 0 -> Right 0
+        _ -> Left (quoted text ++ " is too large")
+    where
+      written digits = case span isDigit digits of
+        (_ : _, '.' : others) | (_ : _, more) <- span isDigit others -> exponential more
+        (_ : _, more) -> exponential more
+        _ -> False
+      exponential more = case more of
+        [] -> True
+        e : digits | e `elem` "eE" -> let power = dropSign "+-" digits in not (null power) && all isDigit power
+        _ -> False
+      dropSign signs digits = case digits of
+        sign : others | sign `elem` signs -> others
+        _ -> digits
+
+-- | A number of the type wanted.
+decimalReader :: Decimal a => ReadM a
+decimalReader = eitherReader readDecimal
+
+-- | A number 0, 1, 2, ...
+naturalReader :: ReadM Natural
+naturalReader = decimalReader
+
+-- | A whole number, refused where it is too large to count with.
+intReader :: ReadM Int
+intReader = decimalReader
+
+-- | Two numbers parted by @x@, as 15x17: rows, then columns.
+shapeReader :: ReadM Shape
+shapeReader = eitherReader $ \text -> case splitOn 'x' text of
+  high :| [wide] -> Shape <$> readDecimal high <*> readDecimal wide
+  _ -> Left (quoted text ++ " is not a shape; write ROWSxCOLUMNS, as in 15x17")
+
+-- | Two numbers parted by a comma: row, then column.
+positionReader :: ReadM Position
+positionReader = eitherReader $ \text -> case splitOn ',' text of
+  r :| [c] -> Position <$> readDecimal (trim r) <*> readDecimal (trim c)
+  _ -> Left (quoted text ++ " is not a position; write ROW,COLUMN, as in 6,5")
+
+-- | Numbers parted by commas.
+numbersReader :: ReadM [Natural]
+numbersReader = eitherReader $ \text -> case splitOn ',' text of
+  first :| others -> traverse (readDecimal . trim) (first : others)
+
+-- | Two numbers parted by a character; the text is an example.
+pairReader :: Decimal a => Char -> String -> ReadM (a, a)
+pairReader separator example = eitherReader $ \text -> case splitOn separator text of
+  a :| [b] | Right x <- readDecimal a, Right y <- readDecimal b -> Right (x, y)
+  _ -> Left (quoted text ++ " is not understood; write it as in " ++ example)
+
+-- | One of these by its name; the text says what it would be.
+namedReader :: String -> [(String, a)] -> ReadM a
+namedReader what choices = eitherReader $ \name -> case lookup name choices of
+  Just choice -> Right choice
+  Nothing -> Left (quoted name ++ " is no " ++ what ++ "; write " ++ alternatives (map fst choices))
+  where
+    alternatives names = case reverse names of
+      final : others@(_ : _) -> intercalate ", " (reverse others) ++ " or " ++ final
+      _ -> concat names
+
+-- | A folding's name.
+foldingReader :: ReadM Folding
+foldingReader = namedReader "folding" [ (foldingName f, f) | f <- [minBound ..] ]
+
+splitOn :: Char -> String -> NonEmpty String
+splitOn separator text = case break (== separator) text of
+  (part, _ : rest) -> let next :| others = splitOn separator rest in part :| (next : others)
+  (part, []) -> part :| []
+
+trim :: String -> String
+trim = reverse . dropWhile isSpace . reverse . dropWhile isSpace

@@ -1,0 +1,51 @@
+-- | Text of foreign origin (names, values) as it is shown: on one line, in characters that can be printed, not without end.
+module Visible
+  ( visible
+  , visibleName
+  , nameInJson
+  , quoted
+  , visibleLine
+  ) where
+
+import Data.Char (GeneralCategory (..), generalCategory, isSpace, ord)
+import Numeric (showHex)
+
+-- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's name that is no UTF-8
+-- arrives as one of the characters U+DC80 to U+DCFF and is shown as the byte that it was: @\\xe9@.
+visible :: String -> String
+visible = concatMap escaped
+  where
+    escaped c
+      | c == '\n' = "\\n"
+      | c == '\t' = "\\t"
+      | c == '\r' = "\\r"
+      | '\xDC80' <= c && c <= '\xDCFF' = hexadecimal (ord c - 0xDC00)
+      | generalCategory c `elem` [Control, Format, Surrogate, LineSeparator, ParagraphSeparator] = hexadecimal (ord c)
+      | otherwise = [c]
+    hexadecimal n = "\\x" ++ (if n < 16 then "0" else "") ++ showHex n ""
+
+-- | A file's name as it is shown in a result.
+visibleName :: FilePath -> String
+visibleName = visible
+
+-- | A file's name as JSON has it: as it is, but for bytes that are no UTF-8, which are escaped as in 'visible'.
+nameInJson :: FilePath -> String
+nameInJson = concatMap (\c -> if generalCategory c == Surrogate then visible [c] else [c])
+
+-- | Between quotation marks, as a value of the user's is shown in a message.
+quoted :: String -> String
+quoted text = "\"" ++ visible text ++ "\""
+
+-- | A message as one line: visible, its long words cut in the middle, and cut itself where it is longer than a screen.
+visibleLine :: String -> String
+visibleLine = cut 2000 80 . concatMap shorter . pieces . visible
+  where
+    shorter piece = if any isSpace (take 1 piece) then piece else cut 400 80 piece
+    pieces text = case text of
+      [] -> []
+      c : _ -> let (piece, others) = span ((== isSpace c) . isSpace) text in piece : pieces others
+    -- At most so many characters, the last so many of them from the end.
+    cut most end text
+      | null (drop most text) = text
+      | otherwise = take (most - end) text ++ " ... (" ++ show (length text) ++ " characters) ... "
+          ++ drop (length text - end) text
