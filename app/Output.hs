@@ -73,7 +73,7 @@ resolved = go (40 :: Int)
         go (steps - 1) (if isRelative next then takeDirectory file </> next else next)
     opensAsItIs file = do
       found <- try (getFileStatus file) :: IO (Either IOException FileStatus)
-      pure (either (const False) (not . isRegularFile) found)
+      pure (either (const False) (\status -> not (isRegularFile status || isDirectory status)) found)
 
 -- | Write the bytes to where the name says, whole or not at all where that is a file; leaves with status 2 if that
 -- cannot be done.
@@ -165,7 +165,7 @@ writeFolder path files = do
 -- | Why a file or folder cannot be written.
 writeMessage :: FilePath -> IOException -> String
 writeMessage name problem
-  | isPermissionError problem = "no permission to write " ++ visibleName name
+  | isPermissionError problem && reason == "permission denied" = "no permission to write " ++ visibleName name
   | isDoesNotExistError problem && reason == "no such file or directory" = "cannot write " ++ visibleName name ++ ": its folder does not exist"
   | otherwise = "cannot write " ++ visibleName name ++ ": " ++ reason
   where

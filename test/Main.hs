@@ -39,6 +39,7 @@ import qualified Test.CommandLine
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Census
+import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Fields
@@ -116,6 +117,7 @@ main = hspec $ do
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
+  describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
