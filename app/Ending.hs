@@ -44,9 +44,11 @@ unusable message = warn message >> finish Unusable
 orUnusable :: (e -> String) -> Either e a -> IO a
 orUnusable inWords = either (unusable . inWords) pure
 
--- | A line on the standard error. Where that cannot be written, nothing is left to say it to.
+-- | A line on the standard error, after all that was said before on the standard output. Where that cannot be written, nothing is left to say it to.
 warn :: String -> IO ()
-warn message = void (try (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message))) :: IO (Either IOException ()))
+warn message = whatever (hFlush stdout) >> whatever (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message)))
+  where
+    whatever action = void (try action :: IO (Either IOException ()))
 
 -- | What the system says of an error, without the names of the library's functions.
 systemReason :: IOException -> String

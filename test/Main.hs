@@ -45,6 +45,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
+import qualified Test.Documents
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
@@ -116,6 +117,7 @@ main = hspec $ do
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Conformance laws on this library" Test.Conformance.spec
+  describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec

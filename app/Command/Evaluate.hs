@@ -44,8 +44,8 @@ data Options = Options
 
 command :: Mod CommandFields (IO Ending)
 command = described "evaluate" "Simulate presses at random places on the faces in turn, and count how many are decoded right, wrong or refused, with stitching and without."
-  [ "pra-tactile evaluate --presses 1000 --seed 1"
-  , "pra-tactile evaluate --presses 1000 --seed 1 --noise 0.3 --doubt 0.0001" ]
+  [ "pra-tactile evaluate --presses 100 --seed 1"
+  , "pra-tactile evaluate --presses 100 --seed 1 --noise 0.3 --doubt 0.0001" ]
   (run <$> arrayChoice <*> options)
   where
     options = Options

@@ -1,0 +1,95 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- | The commands in the documents and what they print. A document shows a command with its output in a fenced block called
+-- @console@; @make figures@ runs them and puts what they print in the place of what stands there, and a test holds the text
+-- against the quick ones. Commands whose output is not shown stand in blocks called @sh@.
+module Documents.Transcript
+  ( -- * Documents
+    documents
+  , Piece (..)
+  , Pace (..)
+  , Step (..)
+  , pieces
+  , rendered
+    -- * Running
+  , commandText
+  , run
+  ) where
+
+import Data.Char (isSpace)
+import Data.List (dropWhileEnd, isPrefixOf, stripPrefix)
+import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
+
+-- | The files whose commands are run.
+documents :: [FilePath]
+documents = ["README.md", "docs/locating.md", "docs/benchmarks.md"]
+
+-- | A part of a document.
+data Piece
+  = Prose [String]
+  | Transcript Pace [Step]
+    -- ^ commands with what they print
+  | Script [String]
+    -- ^ commands alone, a line each
+  deriving stock (Eq, Show)
+
+-- | When the commands of a transcript are run.
+data Pace
+  = Quick     -- ^ by the test suite, too
+  | Slow      -- ^ they take minutes: by @make figures@ alone
+  | Machine   -- ^ what they print depends on the machine and the moment: likewise
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | A command, in one line or more, and what it prints.
+data Step = Step
+  { stepCommand :: [String]
+  , stepShown :: [String]
+  }
+  deriving stock (Eq, Show)
+
+paceName :: Pace -> String
+paceName pace = case pace of
+  Quick -> "console"
+  Slow -> "console slow"
+  Machine -> "console machine"
+
+-- | The parts of a document, in order.
+pieces :: String -> [Piece]
+pieces = go [] . lines
+  where
+    go prose text = case text of
+      [] -> prosaic prose
+      line : others
+        | Just pace <- lookup line [ ("```" ++ paceName p, p) | p <- [minBound ..] ] ->
+            let (block, after) = break (== "```") others in prosaic prose ++ Transcript pace (steps block) : go [] (drop 1 after)
+        | line == "```sh" ->
+            let (block, after) = break (== "```") others in prosaic prose ++ Script block : go [] (drop 1 after)
+        | otherwise -> go (line : prose) others
+    prosaic prose = [ Prose (reverse prose) | not (null prose) ]
+    steps block = case block of
+      first : others | Just command <- stripPrefix "$ " first ->
+        let (more, after) = span ("> " `isPrefixOf`) others
+            (shown, next) = break ("$ " `isPrefixOf`) after
+         in Step (command : map (drop 2) more) shown : steps next
+      _ -> []
+
+-- | The document again.
+rendered :: [Piece] -> String
+rendered = unlines . concatMap piece
+  where
+    piece p = case p of
+      Prose text -> text
+      Script commands -> ["```sh"] ++ commands ++ ["```"]
+      Transcript pace steps -> ["```" ++ paceName pace] ++ concatMap step steps ++ ["```"]
+    step s = zipWith (++) ("$ " : repeat "> ") (stepCommand s) ++ stepShown s
+
+-- | The command as the shell takes it.
+commandText :: Step -> String
+commandText = unlines . stepCommand
+
+-- | Run a command in a folder, with the program of the environment's path; its status is not asked for. Both streams, as a
+-- person sees them; the ends of lines trimmed, as editors do.
+run :: FilePath -> String -> IO [String]
+run folder command = do
+  (_, out, _) <- readCreateProcessWithExitCode (proc "sh" ["-c", "exec 2>&1\n" ++ command]) { cwd = Just folder } ""
+  pure (map (dropWhileEnd isSpace) (lines out))
