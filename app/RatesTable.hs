@@ -9,6 +9,7 @@ module RatesTable
   , numberText
   , checksHeading
   , checksText
+  , checksOfAll
     -- * Other forms
   , csvHeading
   , lineCsv
@@ -130,6 +131,20 @@ checksText l = damageText l ++ "   "
     Calibration answers expected wrong = lineCalibration l
     short' x = if x >= 9.995 then printf "%.1f" x else short x :: String
     dash = "-" :: String
+
+-- | The same of all lines, where there are several: the largest deviation of each kind, the sums of the rest.
+checksOfAll :: [Line] -> String
+checksOfAll made
+  | length made < 2 = ""
+  | otherwise = printf "%-20s   " ("all" :: String)
+      ++ unwords [ printf "%7s" (maybe "-" (printf "%.2f") (largest i) :: String) | i <- [0 .. 2] ]
+      ++ printf "   %10d %9.1f %9.1f %9d\n" (total (\(Calibration n _ _) -> n)) (0.001 * fromIntegral (total (\(Calibration n _ _) -> n)) :: Double)
+          (sum [ x | Calibration _ x _ <- map lineCalibration made ]) (total (\(Calibration _ _ n) -> n))
+  where
+    total part = sum (map (part . lineCalibration) made)
+    largest i = case [ abs d | Just ds <- map deviations made, d : _ <- [drop i ds] ] of
+      [] -> Nothing
+      ds -> Just (maximum ds)
 
 csvHeading :: String
 csvHeading = commas

@@ -108,7 +108,7 @@ tables profile options shelf = do
       Json -> pure ()
     pure l
   case form options of
-    Text -> putStr (checksHeading ++ unlines (map checksText made))
+    Text -> putStr (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
     Csv -> pure ()
     Json -> printJson ("schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
       <> "trials" .= trials options <> "seed" .= seed options <> "radius" .= stated <> "rates" .= map lineValue made)

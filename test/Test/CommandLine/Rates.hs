@@ -6,12 +6,11 @@ import Control.Monad (forM_)
 import Data.Aeson
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (toList)
-import Data.List (isInfixOf, isPrefixOf, stripPrefix, tails)
+import Data.List (isInfixOf, isPrefixOf)
 import Data.Maybe (isJust, listToMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
-import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Text.Read (readMaybe)
@@ -103,14 +102,6 @@ spec = do
     with "--size 100x100" "4096"
     with "--size 2x2 --q 2 --polynomial 1,0,0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1 --shape 1023x1025 --size 60x60" "are simulated"
     with "--q 6 --polynomial 1,1 --shape 1x5" "6 is not a prime power"
-  it "docs/locating.md: the commands print what is shown under them" $ do
-    page <- lines <$> readFile "docs/locating.md"
-    let shownIn l = "    " `isPrefixOf` l && not ("    $ " `isPrefixOf` l)
-        examples = [(command, takeWhile shownIn rest) | (l : rest) <- tails page, Just command <- [stripPrefix "    $ " l]]
-    length examples `shouldSatisfy` (>= 4)
-    forM_ examples $ \(command, shown) -> do
-      (_, out, _) <- readProcessWithExitCode "sh" ["-c", command] ""
-      (command, lines out) `shouldBe` (command, map (drop 4) shown)
   it "docs/locating.md: the table has the lines and the exact rates of the command" $ do
     page <- lines <$> readFile "docs/locating.md"
     (_, out, _) <- pra (words "rates --trials 1")
