@@ -1,0 +1,76 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | The right side of the picture of a recognition: where on the object that is.
+module Picture.Face
+  ( facePanel
+  , onFace
+  ) where
+
+import Drawing
+import Picture.Style
+import PraTactile.Array (Position (..))
+import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Probe (taxelPitch)
+import PraTactile.Recognise
+import PraTactile.Shape (Alphabet)
+import PraTactile.Stitch (Composite (..))
+
+-- | Picture units a millimetre.
+unit :: Double
+unit = 4
+
+-- | The face, upright and seen from outside: its vertices and its symbols, given by their classes; the composite's outline as it lies
+-- there; the cells of the window that gives the answer, and how far the place is from the face's upper left vertex.
+facePanel :: Alphabet -> Placement -> LaidFace -> [[Int]] -> Composite -> Finding -> Place -> Drawing
+facePanel alphabet layout laid classes composite found place = above 12
+  [ [ Mark "heading" (Words FromLeft heading (0, 0) ("Where it is: " ++ objectText (faceObject (laidFace laid)) ++ ", face " ++ faceText (faceName (laidFace laid)))) ]
+  , [ Mark "note" (Words FromLeft plain (0, 0) (hundredths across ++ " x " ++ hundredths down ++ " mm, upright, seen from outside")) ]
+  , body
+  , scaleBar unit 20 ]
+  where
+    (across, down) = spotMillimetres (laidExtent laid)
+    (x, y) = spotMillimetres (placeCentre place)
+    units (right, below) = (unit * right, unit * below)
+    body = Mark "face" (Rectangle (outlined ink 2) { fillColour = "#f6f7f9" } (Extent 0 0 (unit * across) (unit * down)))
+      : symbols ++ concatMap vertex (faceSpots laid)
+      ++ Mark "outline" (Outline (outlined ink 2) { dashed = True } (map shown corners))
+      : cornerMark (shown (-0.5, -0.5)) (shown (2, -0.5)) (shown (-0.5, 2))
+      : Mark "window" (Rectangle (outlined answering 4) cells)
+      : placeMarks (units (x, y)) ++ distances
+    shown = units . onFace found place
+    symbols =
+      [ mark
+      | (i, line) <- zip [0 ..] classes, (j, c) <- zip [0 ..] line
+      , mark <- shapeMark "embossed" (filled pale 1) alphabet (unit * taxelPitch) Upright c (units (spotMillimetres (cellCentre layout laid (Position i j)))) ]
+    (wide, high) = (fromIntegral (rasterWidth (compositeImage composite)), fromIntegral (rasterHeight (compositeImage composite)))
+    corners = [(-0.5, -0.5), (wide - 0.5, -0.5), (wide - 0.5, high - 0.5), (-0.5, high - 0.5)]
+    cells =
+      let lines' = windowClasses (foundWindow found)
+          size side several = fromRational (side (placementPitch layout)) * fromIntegral (several :: Int)
+      in around (units (size pitchRight (maximum (0 : map length lines')), size pitchDown (length lines'))) (units (x, y))
+    -- Beside its corner, outside; bold if it is among the nearest.
+    vertex (name, spot) =
+      let (u, v) = spotMillimetres spot
+          font = plain { fontBold = name `elem` placeCorners place, fontSize = 15 }
+          (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
+      in [ Mark "vertex" (Words anchor font (unit * u + right, unit * v + (if v > 0 then 16 else -5)) (vertexText name)) ]
+    distances =
+      [ Mark "distance" (Line thin [(0, -24), (0, -32), (unit * x, -32), (unit * x, -24)])
+      , Mark "distance" (Words FromMiddle plain (unit * x / 2, -38) (hundredths x ++ " mm"))
+      , Mark "distance" (Line thin [(-28, 0), (-36, 0), (-36, unit * y), (-28, unit * y)])
+      , Mark "distance" (Words FromRight plain (-42, unit * y / 2 + 5) (hundredths y ++ " mm")) ]
+    thin = outlined answering 1.5
+
+-- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left vertex: the window's centre lies
+-- where the array has it, and the composite round it, turned as it was.
+onFace :: Finding -> Place -> (Double, Double) -> (Double, Double)
+onFace found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
+  where
+    (x, y) = spotMillimetres (placeCentre place)
+    (u0, v0) = windowSeenAt (foundWindow found)
+    (right, below) = onComposite back (u - u0, v - v0)
+    back = case foundOrientation found of
+      TurnedRight -> TurnedLeft
+      TurnedLeft -> TurnedRight
+      other -> other
