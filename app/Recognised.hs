@@ -5,6 +5,7 @@ module Recognised
   , recognitionMessage
   , elementNames
   , orientationText
+  , turnText
   , windowText
   , whereText
   , fromDatabase
@@ -46,9 +47,13 @@ recognitionMessage recognition = case recognisedAnswer recognition of
 
 -- | How the face lies in the composite, in words.
 orientationText :: Orientation -> String
-orientationText orientation = case orientation of
-  Upright -> "upright"
-  _ -> "turned by " ++ show (orientationDegrees orientation) ++ " degrees"
+orientationText = turnText . orientationDegrees
+
+-- | How a face lies that is turned clockwise by so many degrees.
+turnText :: Int -> String
+turnText degrees
+  | degrees == 0 = "upright"
+  | otherwise = "turned by " ++ show degrees ++ " degrees"
 
 -- | The elements of a window, row by row.
 windowText :: (Int -> String) -> ReadWindow -> String

@@ -4,18 +4,18 @@ module Drawing.Svg
   ( svgFile
   ) where
 
-import Codec.Picture (Image (..), Pixel8, encodePng)
+import Codec.Picture (Pixel8, encodePng, generateImage)
 import qualified Data.ByteString.Base64.Lazy as Base64
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as LazyText
 import qualified Data.Text.Lazy.Encoding as LazyText
-import qualified Data.Vector.Storable as Vector
 import Graphics.Svg
 
 import Drawing
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, index, rasterHeight, rasterWidth)
 
 -- | The file of a drawing on white paper, with this much room round it, and a title for those who do not see it.
 svgFile :: Double -> String -> Drawing -> Lazy.ByteString
@@ -33,12 +33,12 @@ svgFile margin title drawing = renderBS root <> "\n"
 mark :: Mark -> Element
 mark (Mark name form) = "\n" <> case form of
   Rectangle paint e -> rect_ (named : box e ++ painted paint)
-  Patches paint es -> path_ (named : D_ <<- Text.concat (map patch es) : painted paint)
-  Outline paint points -> polygon_ (named : Points_ <<- listed points : painted paint)
-  Line paint points -> polyline_ (named : Points_ <<- listed points : painted paint)
+  Patches paint es -> path_ ([named, D_ <<- Text.concat (map patch es)] ++ painted paint)
+  Outline paint points -> polygon_ ([named, Points_ <<- listed points] ++ painted paint)
+  Line paint points -> polyline_ ([named, Points_ <<- listed points] ++ painted paint)
   Grey image e
     | rasterWidth image > 0 && rasterHeight image > 0 -> image_
-        ([named, Style_ <<- "image-rendering:pixelated", PreserveAspectRatio_ <<- "none", XlinkHref_ <<- pngAddress image] ++ box e)
+        ([named, PreserveAspectRatio_ <<- "none", XlinkHref_ <<- pngAddress (enlargement image e) image] ++ box e)
     | otherwise -> mempty
   Words anchor font (x, y) words' -> text_
     ([named, X_ <<- number x, Y_ <<- number y, Font_size_ <<- number (fontSize font), Fill_ <<- fontColour font]
@@ -56,17 +56,25 @@ mark (Mark name form) = "\n" <> case form of
       FromRight -> Just "end"
 
 painted :: Paint -> [Attribute]
-painted paint = Fill_ <<- fillColour paint
-  : [ attribute | strokeWidth paint > 0, attribute <- [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)] ]
+painted paint = [Fill_ <<- fillColour paint]
+  ++ [ attribute | strokeWidth paint > 0, attribute <- [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)] ]
   ++ [ Stroke_dasharray_ <<- "5 4" | dashed paint ]
   ++ [ Opacity_ <<- number (opacity paint) | opacity paint < 1 ]
 
 number :: Double -> Text
 number = Text.pack . hundredths
 
--- | A grey image as a data address: PNG, white for 0.
-pngAddress :: Raster -> Text
-pngAddress image = "data:image/png;base64," <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
+-- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square, because not every program that shows SVG
+-- can be told to keep them sharp when it enlarges an image.
+pngAddress :: Int -> Raster -> Text
+pngAddress side image = "data:image/png;base64," <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
   where
-    grey = Image (rasterWidth image) (rasterHeight image) (Vector.map shade (rasterValues image)) :: Image Pixel8
-    shade v = 250 - round (200 * min 1 (max 0 (if isNaN v then 0 else v)))
+    grey = generateImage (\x y -> shade (fromMaybe 0 (index image (x `div` side) (y `div` side)))) (side * rasterWidth image) (side * rasterHeight image)
+    shade v = 250 - round (200 * min 1 (max 0 (if isNaN v then 0 else v))) :: Pixel8
+
+-- | How many pixels square a pixel of this image is embedded: about as large as it is shown, four million pixels at most in all.
+enlargement :: Raster -> Extent -> Int
+enlargement image e = max 1 (min shown affordable)
+  where
+    shown = round (width e / fromIntegral (rasterWidth image))
+    affordable = floor (sqrt (4e6 / (fromIntegral (rasterWidth image) * fromIntegral (rasterHeight image))) :: Double)

@@ -22,7 +22,7 @@ import Data.Text (Text)
 
 import Drawing
 import PraTactile.Recognise (Orientation (..))
-import PraTactile.Shape
+import PraTactile.Shape (Alphabet, Symmetry (..), shapeOf, symbolHeight, symbolWidth, transformedRows)
 
 -- | Blue, vermilion, purple and green, which the colour-blind tell apart as well (M. Okabe and K. Ito 2002).
 recognised, contradicting, unrecognised, answering :: Text
