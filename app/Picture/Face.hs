@@ -16,10 +16,6 @@ import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
 
--- | Picture units a millimetre.
-unit :: Double
-unit = 4
-
 -- | The face, upright and seen from outside: its vertices and its symbols, given by their classes; the composite's outline as it lies
 -- there; the cells of the window that gives the answer, and how far the place is from the face's upper left vertex.
 facePanel :: Alphabet -> Placement -> LaidFace -> [[Int]] -> Composite -> Finding -> Place -> Drawing
@@ -32,13 +28,17 @@ facePanel alphabet layout laid classes composite found place = above 12
     (across, down) = spotMillimetres (laidExtent laid)
     (x, y) = spotMillimetres (placeCentre place)
     units (right, below) = (unit * right, unit * below)
-    body = Mark "face" (Rectangle (outlined ink 2) { fillColour = "#f6f7f9" } (Extent 0 0 (unit * across) (unit * down)))
+    -- Picture units a millimetre: all that is drawn fits on a screen.
+    unit = min 4 (1000 / maximum (across : down : concat [ map (subtract (minimum line)) line | line <- [map fst outline, map snd outline] ]))
+    face = Extent 0 0 (unit * across) (unit * down)
+    body = Mark "face" (Rectangle (outlined ink 2) { fillColour = "#f6f7f9" } face)
       : symbols ++ concatMap vertex (faceSpots laid)
-      ++ Mark "outline" (Outline (outlined ink 2) { dashed = True } (map shown corners))
+      ++ Mark "outline" (Outline (outlined ink 2) { dashed = True } (map units outline))
       : cornerMark (shown (-0.5, -0.5)) (shown (2, -0.5)) (shown (-0.5, 2))
       : Mark "window" (Rectangle (outlined answering 4) cells)
       : placeMarks (units (x, y)) ++ distances
     shown = units . onFace found place
+    outline = map (onFace found place) corners
     symbols =
       [ mark
       | (i, line) <- zip [0 ..] classes, (j, c) <- zip [0 ..] line
@@ -49,17 +49,22 @@ facePanel alphabet layout laid classes composite found place = above 12
       let lines' = windowClasses (foundWindow found)
           size side several = fromRational (side (placementPitch layout)) * fromIntegral (several :: Int)
       in around (units (size pitchRight (maximum (0 : map length lines')), size pitchDown (length lines'))) (units (x, y))
-    -- Beside its corner, outside; bold if it is among the nearest.
+    -- What the face and the composite's outline take up together: names and distances stand outside it.
+    taken = extentOf (Mark "face" (Rectangle (outlined ink 0) face) : [ Mark "outline" (Outline (outlined ink 0) (map units outline)) ])
+    -- Beside its corner; bold if it is among the nearest.
     vertex (name, spot) =
       let (u, v) = spotMillimetres spot
           font = plain { fontBold = name `elem` placeCorners place, fontSize = 15 }
-          (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
-      in [ Mark "vertex" (Words anchor font (unit * u + right, unit * v + (if v > 0 then 16 else -5)) (vertexText name)) ]
+          (anchor, right) = if u > 0 then (FromLeft, rightEdge taken + 6) else (FromRight, leftEdge taken - 6)
+          below = if v > 0 then bottomEdge taken + 16 else topEdge taken - 5
+      in [ Mark "vertex" (Words anchor font (right, below) (vertexText name)) ]
     distances =
-      [ Mark "distance" (Line thin [(0, -24), (0, -32), (unit * x, -32), (unit * x, -24)])
-      , Mark "distance" (Words FromMiddle plain (unit * x / 2, -38) (hundredths x ++ " mm"))
-      , Mark "distance" (Line thin [(-28, 0), (-36, 0), (-36, unit * y), (-28, unit * y)])
-      , Mark "distance" (Words FromRight plain (-42, unit * y / 2 + 5) (hundredths y ++ " mm")) ]
+      let top = topEdge taken - 24
+          left = leftEdge taken - 28
+      in [ Mark "distance" (Line thin [(0, top), (0, top - 8), (unit * x, top - 8), (unit * x, top)])
+         , Mark "distance" (Words FromMiddle plain (unit * x / 2, top - 14) (hundredths x ++ " mm"))
+         , Mark "distance" (Line thin [(left, 0), (left - 8, 0), (left - 8, unit * y), (left, unit * y)])
+         , Mark "distance" (Words FromRight plain (left - 14, unit * y / 2 + 5) (hundredths y ++ " mm")) ]
     thin = outlined answering 1.5
 
 -- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left vertex: the window's centre lies
