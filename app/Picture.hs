@@ -43,7 +43,7 @@ recognitionPage alphabet nameOf layout classesOf composite recognition = Page (r
       [ beside 48 felt (facePanel alphabet layout laid (classesOf laid) composite found place)
       | Right (Found found) <- [recognisedAnswer recognition], OnFace place <- [windowWhereabouts (foundWindow found)]
       , Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)] ]
-    room = max 560 (width (extentOf (felt ++ face)))
+    room = max 640 (width (extentOf (felt ++ face)))
     answer = beneath 28 (felt ++ face) (above 6 (paragraph "answer" heading (recognitionMessage recognition) : map (paragraph "note" plain) (notes nameOf recognition)))
     meanings = beneath 18 (felt ++ face ++ answer) (legend room recognition)
     paragraph name font content = above 4 [ [ Mark name (Words FromLeft font (0, 0) line) ] | line <- wrapped room font content ]
@@ -70,7 +70,7 @@ notes nameOf recognition = case recognisedAnswer recognition of
     let window = foundWindow found
         Position r c = windowPosition window
     in ("window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c ++ " of the array; the composite is "
-          ++ orientationText (foundOrientation found) ++ " on the face")
+          ++ orientationText (foundOrientation found) ++ concat [ " on the face" | OnFace _ <- [windowWhereabouts window] ])
        : [ "its centre is " ++ hundredths x ++ " mm to the right of and " ++ hundredths y ++ " mm below " ++ concatMap vertexText (take 1 (faceVertices (faceName (placeFace place))))
          | OnFace place <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre place) ]
   Right (Several _ _) -> []
@@ -83,8 +83,11 @@ legend room recognition = flowing 10 room (map entry (readings ++ answers))
     entry (swatch, words') = swatch ++ beside 8 swatch [ Mark "legend" (Words FromLeft plain (0, 0) words') ]
     box name paint = [ Mark name (Rectangle paint (Extent 0 0 24 13)) ]
     readings =
-      [ (box "legend" (readingPaint reading), readingWords reading)
+      [ (box "legend" (readingPaint reading), readingWords likeliest reading)
       | reading <- sort (nub (map (readingOf recognition False) (recognisedSymbols recognition) ++ map (readingOf recognition True) (recognisedParts recognition))) ]
+    likeliest = case recognisedAnswer recognition of
+      Right (Found _) -> "the place"
+      _ -> "the likeliest place"
     answers = concat
       [ [ (box "legend" (outlined answering 4), "the window that gives the answer")
         , (shifted (12, 6) (placeMarks (0, 0)), "its centre, the place") ]
@@ -93,10 +96,11 @@ legend room recognition = flowing 10 room (map entry (readings ++ answers))
            | OnFace _ <- [windowWhereabouts (foundWindow found)] ]
       | Right (Found found) <- [recognisedAnswer recognition] ]
 
-readingWords :: Reading -> String
-readingWords reading = case reading of
+-- | What was made of a symbol, in words, with those for where it should be.
+readingWords :: String -> Reading -> String
+readingWords likeliest reading = case reading of
   AsExpected -> "a recognised symbol"
-  Contradicting -> "a recognised symbol that contradicts the place"
+  Contradicting -> "a recognised symbol that contradicts " ++ likeliest
   Unrecognised -> "a symbol that was not recognised"
   PartOf -> "part of a symbol, as what it most likely is"
-  PartContradicting -> "a part that contradicts the place"
+  PartContradicting -> "a part that contradicts " ++ likeliest

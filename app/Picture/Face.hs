@@ -32,11 +32,11 @@ facePanel alphabet layout laid classes composite found place = above 12
     unit = min 4 (1000 / maximum (across : down : concat [ map (subtract (minimum line)) line | line <- [map fst outline, map snd outline] ]))
     face = Extent 0 0 (unit * across) (unit * down)
     body = Mark "face" (Rectangle (outlined ink 2) { fillColour = "#f6f7f9" } face)
-      : symbols ++ concatMap vertex (faceSpots laid)
+      : symbols
       ++ Mark "outline" (Outline (outlined ink 2) { dashed = True } (map units outline))
       : cornerMark (shown (-0.5, -0.5)) (shown (2, -0.5)) (shown (-0.5, 2))
       : Mark "window" (Rectangle (outlined answering 4) cells)
-      : placeMarks (units (x, y)) ++ distances
+      : placeMarks (units (x, y)) ++ distances ++ concatMap vertex (faceSpots laid)
     shown = units . onFace found place
     outline = map (onFace found place) corners
     symbols =
@@ -49,22 +49,19 @@ facePanel alphabet layout laid classes composite found place = above 12
       let lines' = windowClasses (foundWindow found)
           size side several = fromRational (side (placementPitch layout)) * fromIntegral (several :: Int)
       in around (units (size pitchRight (maximum (0 : map length lines')), size pitchDown (length lines'))) (units (x, y))
-    -- What the face and the composite's outline take up together: names and distances stand outside it.
-    taken = extentOf (Mark "face" (Rectangle (outlined ink 0) face) : [ Mark "outline" (Outline (outlined ink 0) (map units outline)) ])
-    -- Beside its corner; bold if it is among the nearest.
+    -- Beside its corner, outside; bold if it is among the nearest.
     vertex (name, spot) =
-      let (u, v) = spotMillimetres spot
+      let (u, v) = units (spotMillimetres spot)
           font = plain { fontBold = name `elem` placeCorners place, fontSize = 15 }
-          (anchor, right) = if u > 0 then (FromLeft, rightEdge taken + 6) else (FromRight, leftEdge taken - 6)
-          below = if v > 0 then bottomEdge taken + 16 else topEdge taken - 5
-      in [ Mark "vertex" (Words anchor font (right, below) (vertexText name)) ]
+          (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
+      in onPaper (Mark "vertex" (Words anchor font (u + right, v + (if v > 0 then 16 else -5)) (vertexText name)))
     distances =
-      let top = topEdge taken - 24
-          left = leftEdge taken - 28
-      in [ Mark "distance" (Line thin [(0, top), (0, top - 8), (unit * x, top - 8), (unit * x, top)])
-         , Mark "distance" (Words FromMiddle plain (unit * x / 2, top - 14) (hundredths x ++ " mm"))
-         , Mark "distance" (Line thin [(left, 0), (left - 8, 0), (left - 8, unit * y), (left, unit * y)])
-         , Mark "distance" (Words FromRight plain (left - 14, unit * y / 2 + 5) (hundredths y ++ " mm")) ]
+      Mark "distance" (Line thin [(0, -24), (0, -32), (unit * x, -32), (unit * x, -24)])
+        : Mark "distance" (Line thin [(-28, 0), (-36, 0), (-36, unit * y), (-28, unit * y)])
+        : onPaper (Mark "distance" (Words FromMiddle plain (unit * x / 2, -38) (hundredths x ++ " mm")))
+        ++ onPaper (Mark "distance" (Words FromRight plain (-42, unit * y / 2 + 5) (hundredths y ++ " mm")))
+    -- The composite may reach beyond the face: its outline gives way to words.
+    onPaper words' = [ Mark "paper" (Rectangle (filled "#ffffff" 1) e) | Just e <- [markExtent words'] ] ++ [words']
     thin = outlined answering 1.5
 
 -- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left vertex: the window's centre lies

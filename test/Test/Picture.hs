@@ -10,9 +10,9 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Maybe (mapMaybe)
 import Data.Text (Text)
 import System.Random (mkStdGen)
-import Test.Hspec
+import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
-import Test.QuickCheck hiding (above, generate)
+import Test.QuickCheck hiding (generate, within)
 
 import Drawing
 import Drawing.Svg
@@ -93,27 +93,28 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     \seed -> forAll (elements (laidFaces layout)) $ \face -> forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
       explored size seed face $ \_ composite recognition ->
         let page = pageOf composite recognition
-        in disjoint [ extentOf part | part <- parts page, not (null part) ]
-             .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
+        in apart page .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
   prop "symbols and parts anywhere on the composite, upright or on their side: their boxes stay out of all other text and of the rest" $
-    \(Positive w) (Positive h) -> forAll (listOf (symbolWithin (w, h))) $ \symbols -> forAll (listOf (symbolWithin (w, h))) $ \others ->
+    \(Positive w) (Positive h) -> forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \symbols ->
+      forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \others ->
       let numbered = zipWith (\n s -> s { readNumber = n }) [0 ..]
           page = pageOf (compositeOf (constant w h 0.2)) (Recognition (numbered symbols) (numbered others) Nothing (Left SymbolsUnclear))
       in length (named "symbol" (pageComposite page)) === length symbols + length others
-           .&&. disjoint [ extentOf part | part <- parts page, not (null part) ]
+           .&&. apart page
   modifyMaxSuccess (const 20) $ prop "the window that gives the answer is framed on both sides: its cells, the place in their middle" $
     \seed -> forAll (elements (laidFaces layout)) $ \face -> forAll (elements [(40, 52), (60, 56)]) $ \size ->
       explored size seed face $ \_ composite recognition -> case (recognisedAnswer recognition, pageOf composite recognition) of
-        (Right (Found found), page) | OnFace place <- windowWhereabouts (foundWindow found) ->
+        (Right (Found found), page) | OnFace place <- windowWhereabouts (foundWindow found), placeFace place == laidFace face ->
           let onComposite' = within (only "composite" (pageComposite page)) (fromIntegral (rasterWidth (compositeImage composite)))
-              onItsFace = within (only "face" (pageFace page)) (fromRational (spotRight (laidExtent (faceOf place))))
+              onItsFace = within (only "face" (pageFace page)) (fromRational (spotRight (laidExtent face)))
               sideways = odd (orientationDegrees (foundOrientation found) `div` 90)
               (x, y) = windowSeenAt (foundWindow found)
           in counterexample "on the composite" (close 0.01 (onComposite' (only "window" (pageComposite page)))
                (around (if sideways then (40, 32) else (32, 40)) (x + 0.5, y + 0.5)))
                .&&. counterexample "on the face" (close 0.01 (onItsFace (only "window" (pageFace page))) (around (50.8, 63.5) (spotMillimetres (placeCentre place))))
                .&&. counterexample "the cross" (close 0.01 (onItsFace (middle (extentOf (named "place" (pageFace page))))) (around (0, 0) (spotMillimetres (placeCentre place))))
-        (_, page) -> pageFace page === []
+        (Right _, _) -> counterexample "another face" False
+        (Left _, page) -> pageFace page === []
   modifyMaxSuccess (const 20) $ prop "the outline on the face is where the composite truly was, to two taxels, turned as it was" $
     \seed -> forAll (elements (laidFaces layout)) $ \face ->
       explored standardRegionSize seed face $ \known composite recognition -> case named "outline" (pageFace (pageOf composite recognition)) of
@@ -145,9 +146,10 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
     concat [ content | Mark _ (Words _ _ _ content) <- pageAnswer page ] `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
     pageOf = recognitionPage alphabet show layout (faceClasses array)
-    parts page = [pageComposite page, pageFace page, pageAnswer page, pageLegend page]
-    faceOf place = head' [ laid | laid <- laidFaces layout, laidFace laid == placeFace place ]
-    head' list = case list of { laid : _ -> laid; [] -> case laidFaces layout of { laid : _ -> laid; [] -> head' [] } }
+    -- The four parts of the page, and what is drawn on the composite from the words above and below it.
+    apart page = disjoint (map extentOf (filter (not . null) [pageComposite page, pageFace page, pageAnswer page, pageLegend page]))
+      .&&. disjoint (map extentOf (filter (not . null)
+             [ concatMap (`named` pageComposite page) names | names <- [["heading"], ["note"], ["composite", "symbol", "element", "window"], ["scale"]] ]))
     explored :: (Int, Int) -> Int -> LaidFace -> (Trial -> Composite -> Recognition -> Property) -> Property
     explored size seed face check = case relief array layout alphabet face of
       Right heights | Just known <- trial standardSensor quarterTurns size (face, heights) (mkStdGen seed)
@@ -191,7 +193,7 @@ middle :: Extent -> Extent
 middle (Extent l t r b) = around (0, 0) ((l + r) / 2, (t + b) / 2)
 
 close :: Double -> Extent -> Extent -> Property
-close tolerance a b = counterexample (show (a, b)) (and [ abs (side a - side b) <= tolerance | side <- [leftEdge, topEdge, rightEdge, bottomEdge] ])
+close apart a b = counterexample (show (a, b)) (and [ abs (side a - side b) <= apart | side <- [leftEdge, topEdge, rightEdge, bottomEdge] ])
 
 isText :: Mark -> Bool
 isText (Mark _ form) = case form of

@@ -52,9 +52,9 @@ spec = do
     (_, help, _) <- pra ["probe", "--help"]
     let examples = mapMaybe (stripPrefix "pra-tactile probe " . dropWhile isSpace) (lines help)
     length examples `shouldSatisfy` (>= 2)
-    for_ (zip [0 :: Int ..] examples) $ \(i, example) -> do
-      (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords example))
-      (example, status, err) `shouldBe` (example, 0, "")
+    for_ (zip [0 :: Int ..] examples) $ \(i, line) -> do
+      (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
+      (line, status, err) `shouldBe` (line, 0, "")
       doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
   inFolder "a region that is not on the face: how large it is, where, and how large the face is" $ \folder -> do
     let press = ["probe", "--object", "parallelepiped", "--face", "P6 P5 P8 P7", "--seed", "1", "--output", folder </> "frames"]
@@ -73,12 +73,12 @@ spec = do
       (probed, decoded) `shouldBe` (0, 0)
       (agrees, out, _) <- pra ["compare", file "answer", file "truth"]
       (agrees, "they agree to " `isPrefixOf` last ("" : lines out)) `shouldBe` (0, True)
-      (status, json, _) <- pra ["compare", "--json", file "answer", file "truth"]
-      (status, key ["agree"] json, key ["answer_mm"] json) `shouldBe` (0, Just (Bool True), key ["place_mm"] answer)
-      key ["distance_mm"] json `shouldSatisfy` maybe False (below 2)
+      (status, told, _) <- pra ["compare", "--json", file "answer", file "truth"]
+      (status, key ["agree"] told, key ["answer_mm"] told) `shouldBe` (0, Just (Bool True), key ["place_mm"] answer)
+      key ["distance_mm"] told `shouldSatisfy` maybe False (below 2)
     for_ [("answer0", "truth180", "other-orientation")] $ \(answer, truth, difference) -> do
-      (status, json, _) <- pra ["compare", "--json", folder </> answer, folder </> truth]
-      (status, key ["agree"] json, key ["difference"] json) `shouldBe` (1, Just (Bool False), Just (String difference))
+      (status, told, _) <- pra ["compare", "--json", folder </> answer, folder </> truth]
+      (status, key ["agree"] told, key ["difference"] told) `shouldBe` (1, Just (Bool False), Just (String difference))
     _ <- pra ["probe", "--object", "parallelepiped", "--seed", "4", "--truth", folder </> "elsewhere", "--output", folder </> "other"]
     (status, out, _) <- pra ["compare", folder </> "answer0", folder </> "elsewhere"]
     (status, "another face" `isInfixOf` out) `shouldBe` (1, True)
