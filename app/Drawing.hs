@@ -1,7 +1,7 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below another by what each really
--- takes up. Units are those of the picture, x to the right and y down.
+-- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below another by what
+-- each really takes up. Units are those of the picture, x to the right and y down.
 module Drawing
   ( -- * Extents
     Extent (..)
@@ -105,8 +105,8 @@ data Font = Font
 data Anchor = FromLeft | FromMiddle | FromRight
   deriving stock (Eq, Show)
 
--- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of the usual sans-serif fonts.
--- 'Nothing' for no patches and no points.
+-- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of the usual
+-- sans-serif fonts. 'Nothing' for no patches and no points.
 markExtent :: Mark -> Maybe Extent
 markExtent (Mark _ form) = case form of
   Rectangle paint e -> Just (stroked paint e)
@@ -153,7 +153,8 @@ beside gap first second = shifted (rightEdge a + gap - leftEdge b, topEdge a - t
     a = extentOf first
     b = extentOf second
 
--- | Drawings one below the other, this far apart, their left sides flush with that of the first; none if they are empty.
+-- | Drawings one below the other, this far apart, their left sides flush with that of the first; none if they are
+-- empty.
 above :: Double -> [Drawing] -> Drawing
 above gap drawings = case NonEmpty.nonEmpty (filter (not . null) drawings) of
   Nothing -> []
@@ -166,8 +167,8 @@ above gap drawings = case NonEmpty.nonEmpty (filter (not . null) drawings) of
             b = extentOf next
         in go (shifted (leftEdge a - leftEdge b, bottomEdge a + gap - topEdge b) next) rest
 
--- | Drawings one after the other as words are, this far apart, in rows no wider than the width; a drawing that is wider has a row of
--- its own.
+-- | Drawings one after the other as words are, this far apart, in rows no wider than the width; a drawing that is
+-- wider has a row of its own.
 flowing :: Double -> Double -> [Drawing] -> Drawing
 flowing gap room = above gap . rows []
   where
@@ -180,7 +181,8 @@ flowing gap room = above gap . rows []
         where
           placed = beside (2 * gap) line next
 
--- | How wide a line of text is at most in the usual sans-serif fonts: letters of DejaVu Sans, which is among the widest, average less.
+-- | How wide a line of text is at most in the usual sans-serif fonts: letters of DejaVu Sans, which is among the
+-- widest, average less.
 textWidth :: Font -> String -> Double
 textWidth font words' = fontSize font * (if fontBold font then 0.7 else 0.62) * fromIntegral (length words')
 

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | A recognition as a picture: what was felt on the left, where on the object that is on the right, the answer and what the
--- colours mean below.
+-- | A recognition as a picture: what was felt on the left, where on the object that is on the right, the answer and
+-- what the colours mean below.
 module Picture
   ( Page (..)
   , recognitionPage
@@ -18,7 +18,6 @@ import Picture.Face
 import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
@@ -33,10 +32,11 @@ data Page = Page
   , pageLegend :: Drawing
   }
 
--- | The picture of a recognition of one composite, given the shapes, the elements' names, the placement, and the classes that are
--- embossed on a face, row by row.
+-- | The picture of a recognition of one composite, given the shapes, the elements' names, the placement, and the
+-- classes that are embossed on a face, row by row.
 recognitionPage :: Alphabet -> (Int -> String) -> Placement -> (LaidFace -> [[Int]]) -> Composite -> Recognition -> Page
-recognitionPage alphabet nameOf layout classesOf composite recognition = Page (recognitionMessage recognition) felt face answer meanings
+recognitionPage alphabet nameOf layout classesOf composite recognition =
+  Page (recognitionMessage recognition) felt face answer meanings
   where
     felt = compositePanel alphabet nameOf composite recognition
     face = concat
@@ -44,9 +44,11 @@ recognitionPage alphabet nameOf layout classesOf composite recognition = Page (r
       | Right (Found found) <- [recognisedAnswer recognition], OnFace place <- [windowWhereabouts (foundWindow found)]
       , Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)] ]
     room = max 640 (width (extentOf (felt ++ face)))
-    answer = beneath 28 (felt ++ face) (above 6 (paragraph "answer" heading (recognitionMessage recognition) : map (paragraph "note" plain) (notes nameOf recognition)))
+    answer = beneath 28 (felt ++ face) (above 6
+      (paragraph "answer" heading (recognitionMessage recognition) : map (paragraph "note" plain) (notes nameOf recognition)))
     meanings = beneath 18 (felt ++ face ++ answer) (legend room recognition)
-    paragraph name font content = above 4 [ [ Mark name (Words FromLeft font (0, 0) line) ] | line <- wrapped room font content ]
+    paragraph name font content =
+      above 4 [ [ Mark name (Words FromLeft font (0, 0) line) ] | line <- wrapped room font content ]
 
 -- | What is drawn below moved there, flush left.
 beneath :: Double -> Drawing -> Drawing -> Drawing
@@ -69,9 +71,11 @@ notes nameOf recognition = case recognisedAnswer recognition of
   Right (Found found) ->
     let window = foundWindow found
         Position r c = windowPosition window
-    in ("window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c ++ " of the array; the composite is "
-          ++ orientationText (foundOrientation found) ++ concat [ " on the face" | OnFace _ <- [windowWhereabouts window] ])
-       : [ "its centre is " ++ hundredths x ++ " mm to the right of and " ++ hundredths y ++ " mm below " ++ concatMap vertexText (take 1 (faceVertices (faceName (placeFace place))))
+    in ("window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c
+          ++ " of the array; the composite is " ++ orientationText (foundOrientation found)
+          ++ concat [ " on the face" | OnFace _ <- [windowWhereabouts window] ])
+       : [ "its centre is " ++ hundredths x ++ " mm to the right of and " ++ hundredths y ++ " mm below "
+             ++ upperLeftVertex (placeFace place)
          | OnFace place <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre place) ]
   Right (Several _ _) -> []
   Left _ -> ["no answer, so no face is drawn"]
@@ -84,14 +88,15 @@ legend room recognition = flowing 10 room (map entry (readings ++ answers))
     box name paint = [ Mark name (Rectangle paint (Extent 0 0 24 13)) ]
     readings =
       [ (box "legend" (readingPaint reading), readingWords likeliest reading)
-      | reading <- sort (nub (map (readingOf recognition False) (recognisedSymbols recognition) ++ map (readingOf recognition True) (recognisedParts recognition))) ]
+      | reading <- sort (nub (read' False recognisedSymbols ++ read' True recognisedParts)) ]
+    read' isPart symbols = map (readingOf recognition isPart) (symbols recognition)
     likeliest = case recognisedAnswer recognition of
       Right (Found _) -> "the place"
       _ -> "the likeliest place"
     answers = concat
       [ [ (box "legend" (outlined answering 4), "the window that gives the answer")
         , (shifted (12, 6) (placeMarks (0, 0)), "its centre, the place") ]
-        ++ [ ([ Mark "legend" (Rectangle (outlined ink 2) { dashed = True } (Extent 0 0 24 13)), cornerMark (0, 0) (9, 0) (0, 9) ]
+        ++ [ (box "legend" (outlined ink 2) { dashed = True } ++ [ cornerMark (0, 0) (9, 0) (0, 9) ]
              , "the composite's outline on the face; its upper left corner is black on both sides")
            | OnFace _ <- [windowWhereabouts (foundWindow found)] ]
       | Right (Found found) <- [recognisedAnswer recognition] ]

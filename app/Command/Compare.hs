@@ -18,10 +18,11 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Truth
-import Recognised (turnText)
+import Recognised (turnText, upperLeftVertex)
 
 command :: Mod CommandFields (IO Ending)
-command = described "compare" "Compare an answer with the truth: is the window's centre where the answer says, and to how many millimetres?"
+command = described "compare"
+  "Compare an answer with the truth: is the window's centre where the answer says, and to how many millimetres?"
   [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json"
   , "pra-tactile decode --json frames > answer.json"
   , "pra-tactile compare answer.json truth.json" ]
@@ -72,7 +73,8 @@ comparison truth claim =
   ("truth     " ++ faceWords (truthFace truth) ++ ", " ++ turnText (90 * regionTurns (truthRegion truth)))
     : ("          the region's upper left corner: " ++ spotWords (truthFace truth) (regionCorner (truthRegion truth)))
     : concat
-      [ ("          what the composite shows as the window's centre: " ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said)))
+      [ ("          what the composite shows as the window's centre: "
+          ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said)))
         : [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ turnText (claimDegrees said)
           , "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said) ]
       | Just said <- [claim] ]
@@ -82,4 +84,4 @@ comparison truth claim =
 -- | A spot on a face in words.
 spotWords :: Face -> (Double, Double) -> String
 spotWords face (x, y) =
-  printf "%.2f mm to the right of and %.2f mm below %s" x y (concatMap vertexText (take 1 (faceVertices (faceName face))))
+  printf "%.2f mm to the right of and %.2f mm below %s" x y (upperLeftVertex face)

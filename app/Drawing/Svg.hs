@@ -27,8 +27,8 @@ svgFile margin title drawing = renderBS root <> "\n"
       , ViewBox_ <<- Text.unwords (map number [0, 0, width paper, height paper])
       , Font_family_ <<- "sans-serif" ]
     content = title_ [] (toElement title)
-      <> foldMap mark (Mark "paper" (Rectangle (filled "#ffffff" 1) paper { leftEdge = 0, topEdge = 0, rightEdge = width paper, bottomEdge = height paper })
-                        : shifted (negate (leftEdge paper), negate (topEdge paper)) drawing)
+      <> foldMap mark (shifted (negate (leftEdge paper), negate (topEdge paper))
+           (Mark "paper" (Rectangle (filled "#ffffff" 1) paper) : drawing))
 
 mark :: Mark -> Element
 mark (Mark name form) = "\n" <> case form of
@@ -46,9 +46,11 @@ mark (Mark name form) = "\n" <> case form of
     (toElement words')
   where
     named = Class_ <<- name
-    box e = [X_ <<- number (leftEdge e), Y_ <<- number (topEdge e), Width_ <<- number (width e), Height_ <<- number (height e)]
+    box e =
+      [X_ <<- number (leftEdge e), Y_ <<- number (topEdge e), Width_ <<- number (width e), Height_ <<- number (height e)]
     patch e = Text.concat
-      ["M", number (leftEdge e), " ", number (topEdge e), "h", number (width e), "v", number (height e), "h", number (negate (width e)), "z"]
+      [ "M", number (leftEdge e), " ", number (topEdge e)
+      , "h", number (width e), "v", number (height e), "h", number (negate (width e)), "z" ]
     listed points = Text.unwords [ number x <> "," <> number y | (x, y) <- points ]
     anchorName anchor = case anchor of
       FromLeft -> Nothing
@@ -57,22 +59,25 @@ mark (Mark name form) = "\n" <> case form of
 
 painted :: Paint -> [Attribute]
 painted paint = [Fill_ <<- fillColour paint]
-  ++ [ attribute | strokeWidth paint > 0, attribute <- [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)] ]
+  ++ concat [ [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)] | strokeWidth paint > 0 ]
   ++ [ Stroke_dasharray_ <<- "5 4" | dashed paint ]
   ++ [ Opacity_ <<- number (opacity paint) | opacity paint < 1 ]
 
 number :: Double -> Text
 number = Text.pack . hundredths
 
--- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square, because not every program that shows SVG
--- can be told to keep them sharp when it enlarges an image.
+-- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square, because not every
+-- program that shows SVG can be told to keep them sharp when it enlarges an image.
 pngAddress :: Int -> Raster -> Text
-pngAddress side image = "data:image/png;base64," <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
+pngAddress side image =
+  "data:image/png;base64," <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
   where
-    grey = generateImage (\x y -> shade (fromMaybe 0 (index image (x `div` side) (y `div` side)))) (side * rasterWidth image) (side * rasterHeight image)
+    grey = generateImage enlarged (side * rasterWidth image) (side * rasterHeight image)
+    enlarged x y = shade (fromMaybe 0 (index image (x `div` side) (y `div` side)))
     shade v = 250 - round (200 * min 1 (max 0 (if isNaN v then 0 else v))) :: Pixel8
 
--- | How many pixels square a pixel of this image is embedded: about as large as it is shown, four million pixels at most in all.
+-- | How many pixels square a pixel of this image is embedded: about as large as it is shown, four million pixels at
+-- most in all.
 enlargement :: Raster -> Extent -> Int
 enlargement image e = max 1 (min shown affordable)
   where

@@ -45,10 +45,11 @@ readTruth file = readWith "is not the truth as 'pra-tactile probe --truth' write
       (wide, high) <- o .: "region_taxels"
       degrees <- o .: "orientation_deg"
       unless (degrees `elem` map (90 *) quarterTurns) (fail "orientation_deg is no quarter turn")
-      Truth <$> faceIn o <*> pure (Region (x / taxelPitch) (y / taxelPitch) wide high (degrees `div` 90)) <*> o .: "origin_mm"
+      let region = Region (x / taxelPitch) (y / taxelPitch) wide high (degrees `div` 90)
+      Truth <$> faceIn o <*> pure region <*> o .: "origin_mm"
 
--- | The claim in a file with an answer of @decode --json@, or 'Nothing' where it names no place on a face; leaves with status 2 and
--- the reason where it is no answer.
+-- | The claim in a file with an answer of @decode --json@, or 'Nothing' where it names no place on a face; leaves
+-- with status 2 and the reason where it is no answer.
 readClaim :: FilePath -> IO (Maybe Claim)
 readClaim = readWith "is not one answer as 'pra-tactile decode --json' prints it" parser
   where
@@ -71,4 +72,6 @@ expectSchema expected o = do
 readWith :: String -> (Value -> Parser a) -> FilePath -> IO a
 readWith complaint parser file = do
   bytes <- readBytes file
-  orUnusable (\why -> file ++ " " ++ complaint ++ ": " ++ unwords (lines why)) (eitherDecode (Lazy.fromStrict bytes) >>= parseEither parser)
+  orUnusable inWords (eitherDecode (Lazy.fromStrict bytes) >>= parseEither parser)
+  where
+    inWords why = file ++ " " ++ complaint ++ ": " ++ unwords (lines why)

@@ -61,16 +61,18 @@ answeringCells found
     across = columnPitch * fromIntegral (maximum (0 : map length cells))
     down = rowPitch * fromIntegral (length cells)
 
--- | The composite, dark where it was pressed; over it the shape of each recognised symbol in its box with its element, the box of each
--- other, and dashed what parts most likely are, beyond the composite too; the cells of the window that gives the answer, and the place.
+-- | The composite, dark where it was pressed; over it the shape of each recognised symbol in its box with its
+-- element, the box of each other, and dashed what parts most likely are, beyond the composite too; the cells of the
+-- window that gives the answer, and the place.
 compositePanel :: Alphabet -> (Int -> String) -> Composite -> Recognition -> Drawing
 compositePanel alphabet nameOf composite recognition = above 12
   [ [ Mark "heading" (Words FromLeft heading (0, 0) "What was felt") ]
   , [ Mark "note" (Words FromLeft plain (0, 0)
-        (show wide ++ " x " ++ show high ++ " taxels, " ++ hundredths (taxelPitch * fromIntegral wide) ++ " x " ++ hundredths (taxelPitch * fromIntegral high) ++ " mm")) ]
+        (show wide ++ " x " ++ show high ++ " taxels, " ++ millimetres wide ++ " x " ++ millimetres high ++ " mm")) ]
   , body
   , scaleBar (unit / taxelPitch) 20 ]
   where
+    millimetres taxels = hundredths (taxelPitch * fromIntegral taxels)
     (wide, high) = (rasterWidth (compositeImage composite), rasterHeight (compositeImage composite))
     -- Picture units a taxel; a symbol is large enough to be looked at, a face fits on a screen.
     unit = max 1 (min 12 (1000 / fromIntegral (maximum [wide, high, 1])))
@@ -85,16 +87,20 @@ compositePanel alphabet nameOf composite recognition = above 12
     -- Pixel centres lie at integers; a pixel covers one taxel round its centre.
     centred (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
     symbolMarks isPart symbol =
-      concat [ shapeMark "shape" (filled colour (if isPart then 0.2 else 0.4)) alphabet unit orientation c at | (orientation, c) <- shown ]
+      concat [ shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown ]
       ++ Mark "symbol" (Rectangle (readingPaint reading) box)
-      : [ Mark "element" (Words FromMiddle (Font (2 * unit) True colour) (fst at, bottomEdge box + 2.2 * unit) label) | not isPart ]
+      : [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label) | not isPart ]
       where
         reading = readingOf recognition isPart symbol
         colour = readingColour reading
+        surface = filled colour (if isPart then 0.2 else 0.4)
+        font = Font (2 * unit) True colour
         shown = if isPart then [readLikeliest symbol] else maybe [] pure (readClass symbol)
         label = maybe "?" (nameOf . snd) (readClass symbol)
         at = centred (symbolCentre (readImage symbol))
-        (w, h) = if isSideways (fst (readLikeliest symbol)) then (symbolHeight, symbolWidth) else (symbolWidth, symbolHeight)
+        (w, h)
+          | isSideways (fst (readLikeliest symbol)) = (symbolHeight, symbolWidth)
+          | otherwise = (symbolWidth, symbolHeight)
         box = around (unit * fromIntegral w, unit * fromIntegral h) at
     windowMarks found =
       Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) : placeMarks at

@@ -40,10 +40,12 @@ heading, plain :: Font
 heading = Font 16 True ink
 plain = Font 13 False ink
 
--- | The shape of a class round a centre, its taxels of this size, as it looks where its face lies so; nothing if there is no such class.
+-- | The shape of a class round a centre, its taxels of this size, as it looks where its face lies so; nothing if
+-- there is no such class.
 shapeMark :: Text -> Paint -> Alphabet -> Double -> Orientation -> Int -> (Double, Double) -> Drawing
 shapeMark name paint alphabet taxel orientation c (x, y) =
-  [ Mark name (Patches paint (concat (zipWith patches [0 ..] (transformedRows turn shape)))) | Right shape <- [shapeOf alphabet c] ]
+  [ Mark name (Patches paint (concat (zipWith patches [0 ..] (transformedRows turn shape))))
+  | Right shape <- [shapeOf alphabet c] ]
   where
     (turn, w, h) = case orientation of
       Upright -> (Identity, symbolWidth, symbolHeight)
@@ -56,7 +58,8 @@ shapeMark name paint alphabet taxel orientation c (x, y) =
     across u = x + taxel * (fromIntegral u - fromIntegral w / 2)
     down v = y + taxel * (fromIntegral v - fromIntegral h / 2)
 
--- | Where a row of taxels is embossed: from the first of a run to the one after its last, counted from the number given.
+-- | Where a row of taxels is embossed: from the first of a run to the one after its last, counted from the number
+-- given.
 runs :: Int -> [Bool] -> [(Int, Int)]
 runs from line = case span not line of
   (_, []) -> []

@@ -111,8 +111,10 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
               (x, y) = windowSeenAt (foundWindow found)
           in counterexample "on the composite" (close 0.01 (onComposite' (only "window" (pageComposite page)))
                (around (if sideways then (40, 32) else (32, 40)) (x + 0.5, y + 0.5)))
-               .&&. counterexample "on the face" (close 0.01 (onItsFace (only "window" (pageFace page))) (around (50.8, 63.5) (spotMillimetres (placeCentre place))))
-               .&&. counterexample "the cross" (close 0.01 (onItsFace (middle (extentOf (named "place" (pageFace page))))) (around (0, 0) (spotMillimetres (placeCentre place))))
+               .&&. counterexample "on the face"
+                 (close 0.01 (onItsFace (only "window" (pageFace page))) (around (50.8, 63.5) (spotMillimetres (placeCentre place))))
+               .&&. counterexample "the cross" (close 0.01
+                 (onItsFace (middle (extentOf (named "place" (pageFace page))))) (around (0, 0) (spotMillimetres (placeCentre place))))
         (Right _, _) -> counterexample "another face" False
         (Left _, page) -> pageFace page === []
   modifyMaxSuccess (const 20) $ prop "the outline on the face is where the composite truly was, to two taxels, turned as it was" $
@@ -137,8 +139,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                    | Mark _ (Patches _ patches) <- named "embossed" drawn, patch <- patches ]
           covered i j = or [ leftEdge e < x && x < rightEdge e && topEdge e < y && y < bottomEdge e | e <- taxels ]
             where (x, y) = (fromIntegral i + 0.5, fromIntegral j + 0.5)
-      generate (rasterWidth (heightValues heights)) (rasterHeight (heightValues heights)) (\i j -> if covered (i :: Int) (j :: Int) then symbolHeightMillimetres else 0)
-        `shouldBe` heightValues heights
+      generate (rasterWidth (heightValues heights)) (rasterHeight (heightValues heights))
+        (\i j -> if covered (i :: Int) (j :: Int) then symbolHeightMillimetres else 0) `shouldBe` heightValues heights
       length (named "vertex" drawn) `shouldBe` 4
   it "no answer, no face: the reason is told" $ do
     let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing (Left NoSymbols))
@@ -170,7 +172,8 @@ symbolWithin (w, h) = do
 named :: Text -> Drawing -> Drawing
 named name = filter ((== name) . markClass)
 
--- | What the one mark of this name takes up, its stroke left out; a point if there is none, and a hull if there are several.
+-- | What the one mark of this name takes up, its stroke left out; a point if there is none, and a hull if there are
+-- several.
 only :: Text -> Drawing -> Extent
 only name drawing = extentOf [ Mark name (unstroked form) | Mark _ form <- named name drawing ]
   where
@@ -203,7 +206,7 @@ isText (Mark _ form) = case form of
 -- | No two have more than an edge in common.
 disjoint :: [Extent] -> Property
 disjoint extents = conjoin
-  [ counterexample (show (a, b)) (rightEdge a <= leftEdge b + tiny || rightEdge b <= leftEdge a + tiny || bottomEdge a <= topEdge b + tiny || bottomEdge b <= topEdge a + tiny)
+  [ counterexample (show (a, b)) (or [ ends rightEdge leftEdge c d || ends bottomEdge topEdge c d | (c, d) <- [(a, b), (b, a)] ])
   | a : others <- tails extents, b <- others ]
   where
-    tiny = 1e-6
+    ends end begin a b = end a <= begin b + 1e-6

@@ -19,8 +19,8 @@ spec = do
       let region = truthRegion truth
           (wide, high) = (taxelPitch * fromIntegral (regionWidth region), taxelPitch * fromIntegral (regionHeight region))
           (ox, oy) = truthOrigin truth
-          -- Clockwise from the upper left, in the robot's frame and on the face. A face that is turned clockwise by a quarter shows its
-          -- lower left corner at the upper left.
+          -- Clockwise from the upper left, in the robot's frame and on the face. A face that is turned clockwise by
+          -- a quarter shows its lower left corner at the upper left.
           seen = [(ox, oy), (ox + wide, oy), (ox + wide, oy + high), (ox, oy + high)]
           (left, top) = (taxelPitch * regionRight region, taxelPitch * regionDown region)
           (across, down) = if odd (regionTurns region) then (high, wide) else (wide, high)

@@ -1,6 +1,7 @@
 {-# LANGUAGE DerivingStrategies #-}
--- | An answer and the truth, where the truth is known: are they the same place? The truth is a region of a face, the answer a
--- window's centre; what compares them is the point of the composite at which the window's centre was seen.
+-- | An answer and the truth, where the truth is known: are they the same place? The truth is a region of a face,
+-- the answer a window's centre; what compares them is the point of the composite at which the window's centre was
+-- seen.
 module PraTactile.Truth
   ( Truth (..)
   , truePlace
@@ -21,7 +22,8 @@ data Truth = Truth
   }
   deriving stock (Eq, Show)
 
--- | The place on the true face, in millimetres right of and below its upper left vertex, of a point in the robot's coordinates.
+-- | The place on the true face, in millimetres right of and below its upper left vertex, of a point in the robot's
+-- coordinates.
 truePlace :: Truth -> (Double, Double) -> (Double, Double)
 truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - originX, y - originY)
   where
@@ -43,8 +45,8 @@ data Difference
   | Elsewhere Double      -- ^ so many millimetres away on the face, half a cell or more along one of its sides
   deriving stock (Eq, Show)
 
--- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is wrong. Windows lie a whole cell
--- apart at least, so that less than half a cell is the error of the measurement.
+-- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is wrong. Windows
+-- lie a whole cell apart at least, so that less than half a cell is the error of the measurement.
 compared :: Pitch -> Truth -> Claim -> Either Difference Double
 compared pitch truth claim
   | claimFace claim /= truthFace truth = Left OtherFace

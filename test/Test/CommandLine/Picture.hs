@@ -107,7 +107,8 @@ spec = do
     number value = case fromJSON value of
       Success x -> Just x
       Error _ -> Nothing
-    -- What is drawn, without the order of attributes and the bytes of the image, which depend on versions of libraries.
+    -- What is drawn, without the order of attributes and the bytes of the image, which depend on versions of
+    -- libraries.
     marks = sort . filter (not . ("xlink:href" `isPrefixOf`)) . words . map (\c -> if c `elem` ("<>" :: String) then ' ' else c)
 
 -- | Words as a shell parts them, where single quotes are all that is quoted.
