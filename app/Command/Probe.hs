@@ -15,7 +15,7 @@ import ArrayChoice
 import Described
 import Drawing (hundredths)
 import Ending
-import Files (writeFolder, writeWhole)
+import Files (orUnwritable, writeFolder, writeWhole)
 import Frames (frameFiles)
 import Json (encodeLine)
 import Json.Truth (truthJson)
@@ -81,6 +81,7 @@ run choice options
   | not (noise options >= 0 && noise options < 1000) = unusable "--noise is a share of full scale from 0 up"
   | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] = unusable "--origin is a place in millimetres"
   | otherwise = do
+      for_ (truthFile options) orUnwritable
       profile <- chosenProfile choice
       layout <- placementFor profile
       alphabet <- shippedAlphabet
