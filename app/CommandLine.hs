@@ -9,6 +9,7 @@ import qualified Command.Array
 import qualified Command.Census
 import qualified Command.Certificate
 import qualified Command.Check
+import qualified Command.Compare
 import qualified Command.Decode
 import qualified Command.Evaluate
 import qualified Command.Field
@@ -87,6 +88,6 @@ commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
     , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command
     , Command.Field.command, Command.Polynomials.command, Command.Census.command, Command.Merge.command ])
   <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
-    [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Evaluate.command ])
+    [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Compare.command, Command.Evaluate.command ])
   <|> subparser (commandGroup "Objects and symbols:" <> hidden <> mconcat
     [ Command.Objects.command, Command.Shapes.command, Command.Train.command ])

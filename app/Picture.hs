@@ -1,111 +1,111 @@
--- | Pictures as SVG: a composite with the recovered symbols drawn over it; an array.
+{-# LANGUAGE OverloadedStrings #-}
+-- | A recognition as a picture: what was felt on the left, where on the object that is on the right, the answer and
+-- what the colours mean below.
 module Picture
-  ( recognitionSvg
-  , arraySvg
+  ( Page (..)
+  , recognitionPage
+  , pageDrawing
+  , pageSvg
   ) where
 
-import Text.Printf (printf)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (find, nub, sort)
 
+import Drawing
+import Drawing.Svg
+import Picture.Composite
+import Picture.Face
+import Picture.Style
 import PraTactile.Array (Position (..))
-import PraTactile.Image (Raster, rasterHeight, rasterWidth, toRows)
+import PraTactile.Object.Placement
 import PraTactile.Recognise
-import PraTactile.Segment (SymbolImage (..))
-import PraTactile.Shape (Alphabet, bitmapRows, shapeOf, symbolHeight, symbolWidth)
-import PraTactile.Stitch (Composite (..))
-import Recognised (orientationText, recognitionMessage, windowText)
+import PraTactile.Shape (Alphabet)
+import PraTactile.Stitch (Composite)
+import Recognised
 
--- | A composite, 12 units a taxel, dark where it is pressed; over it the shape of each recognised symbol with its element
--- (blue; orange where it contradicts the place) and the box of each that was not (red); faintly, what parts most likely are; the first window's outline, and the answer below.
-recognitionSvg :: Alphabet -> (Int -> String) -> Composite -> Recognition -> String
-recognitionSvg alphabet nameOf composite recognition = svg wide (high + 72) $
-  taxelRects (compositeImage composite)
-    ++ [ printf "<svg width=\"%g\" height=\"%g\">" wide high ] ++ concatMap partBox (recognisedParts recognition) ++ [ "</svg>" ]
-    ++ concatMap symbolBox (recognisedSymbols recognition)
-    ++ concat [ windowBox (foundWindow found) | Right (Found found) <- [recognisedAnswer recognition] ]
-    ++ [ text 12 (high + 22) "start" 16 "#222" (recognitionMessage recognition) ]
-    ++ concat [ [ text 12 (high + 43) "start" 14 "#555" (windowWords (foundWindow found))
-                , text 12 (high + 63) "start" 14 "#555" ("the composite is " ++ orientationText (foundOrientation found)) ]
-              | Right (Found found) <- [recognisedAnswer recognition] ]
+-- | The parts of the picture, each where it is on the page.
+data Page = Page
+  { pageTitle :: String
+  , pageComposite :: Drawing
+  , pageFace :: Drawing      -- ^ empty where the answer is on no face
+  , pageAnswer :: Drawing
+  , pageLegend :: Drawing
+  }
+
+-- | The picture of a recognition of one composite, given the shapes, the elements' names, the placement, and the
+-- classes that are embossed on a face, row by row.
+recognitionPage :: Alphabet -> (Int -> String) -> Placement -> (LaidFace -> [[Int]]) -> Composite -> Recognition -> Page
+recognitionPage alphabet nameOf layout classesOf composite recognition =
+  Page (recognitionMessage recognition) felt face answer meanings
   where
-    wide = scale * fromIntegral (rasterWidth (compositeImage composite)) :: Double
-    high = scale * fromIntegral (rasterHeight (compositeImage composite)) :: Double
-    symbolBox symbol =
-      let (x, y) = pixelCentre (symbolCentre (readImage symbol))
-          colour
-            | readNumber symbol `elem` wrong = "#d97706"
-            | otherwise = maybe "#c0392b" (const "#1f6feb") (readClass symbol)
-          label = maybe "?" (nameOf . snd) (readClass symbol)
-          (w, h) = across symbol (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
-      in maybe [] (shapeRects colour (x, y)) (readClass symbol)
-         ++ [ box x y w h colour 3
-            , text x (y + h / 2 + 24) "middle" 24 colour label ]
-    -- Drawn faintly: what a part most likely is.
-    partBox part =
-      let (x, y) = pixelCentre (symbolCentre (readImage part))
-          (w, h) = across part (scale * fromIntegral symbolWidth, scale * fromIntegral symbolHeight)
-      in [ "<g opacity=\"0.5\" stroke-dasharray=\"5 4\">" ] ++ shapeRects colour (x, y) (readLikeliest part) ++ [ box x y w h colour 2, "</g>" ]
-      where
-        colour = if readNumber part `elem` wrong then "#d97706" else "#1f6feb"
-    wrong = maybe [] evidenceWrong (recognisedEvidence recognition)
-    across symbol (u, v) = if isSideways (fst (readLikeliest symbol)) then (v, u) else (u, v)
-    shapeRects colour (x, y) (orientation, c) =
-      [ printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"%s\" fill-opacity=\"0.35\"/>" (x + du * scale - half) (y + dv * scale - half) scale scale (colour :: String)
-      | Right shape <- [shapeOf alphabet c], (v, line) <- zip [0.5 ..] (bitmapRows shape), (u, True) <- zip [0.5 ..] line
-      , let (du, dv) = onComposite orientation (u - 4, v - 6) ]
-      where
-        half = scale / 2
-    -- The outermost symbols' boxes and a little more.
-    windowBox window =
-      let (x, y) = pixelCentre (windowSeenAt window)
-          reach along size = 2 * maximum (0 : [ abs (along (pixelCentre (symbolCentre (readImage s))) - along (x, y)) | s <- recognisedSymbols recognition ]) + scale * (fromIntegral size + 3)
-          (w, h) = maximum ((symbolWidth, symbolHeight) : [ (symbolHeight, symbolWidth) | s <- take 1 (recognisedSymbols recognition), isSideways (fst (readLikeliest s)) ])
-      in [ box x y (reach fst w) (reach snd h) "#f0a020" 3 | length (recognisedSymbols recognition) == sum (map length (windowClasses window)) ]
-    windowWords window =
-      "window " ++ windowText nameOf window
-        ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window))
+    felt = compositePanel alphabet nameOf composite recognition
+    face = concat
+      [ beside 48 felt (facePanel alphabet layout laid (classesOf laid) composite found place)
+      | Right (Found found) <- [recognisedAnswer recognition], OnFace place <- [windowWhereabouts (foundWindow found)]
+      , Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)] ]
+    room = max 640 (width (extentOf (felt ++ face)))
+    answer = beneath 28 (felt ++ face) (above 6
+      (paragraph "answer" heading (recognitionMessage recognition) : map (paragraph "note" plain) (notes nameOf recognition)))
+    meanings = beneath 18 (felt ++ face ++ answer) (legend room recognition)
+    paragraph name font content =
+      above 4 [ [ Mark name (Words FromLeft font (0, 0) line) ] | line <- wrapped room font content ]
 
--- | Picture units a taxel.
-scale :: Double
-scale = 12
-
--- | Pixel centres lie at integers; a pixel covers one taxel round its centre.
-pixelCentre :: (Double, Double) -> (Double, Double)
-pixelCentre (x, y) = (scale * (x + 0.5), scale * (y + 0.5))
-
-taxelRects :: Raster -> [String]
-taxelRects image =
-  [ printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"rgb(%d,%d,%d)\"/>" (scale * i) (scale * j) (scale + 0.3) (scale + 0.3) grey grey grey
-  | (j, line) <- zip [0 ..] (toRows image), (i, v) <- zip [0 ..] line
-  , let grey = 250 - round (200 * min 1 (max 0 v)) :: Int ]
-
--- | An array: one cell an element, darker for a larger code.
-arraySvg :: [[(Int, String)]] -> String
-arraySvg cells = svg (side * fromIntegral (maximum (0 : map length cells))) (side * fromIntegral (length cells)) $ concat
-  [ [ printf "<rect x=\"%g\" y=\"%g\" width=\"%g\" height=\"%g\" fill=\"rgb(%d,%d,%d)\" stroke=\"#fff\"/>" (side * i) (side * j) side side grey grey grey
-    , text (side * (i + 0.5)) (side * (j + 0.65)) "middle" 14 (if grey < 128 then "#fff" else "#222") name ]
-  | (j, line) <- zip [0 ..] cells, (i, (code, name)) <- zip [0 ..] line
-  , let grey = 235 - (180 * code) `div` max 1 top ]
+-- | What is drawn below moved there, flush left.
+beneath :: Double -> Drawing -> Drawing -> Drawing
+beneath gap upper lower = shifted (leftEdge a - leftEdge b, bottomEdge a + gap - topEdge b) lower
   where
-    side = 36 :: Double
-    top = maximum (1 : map fst (concat cells))
+    a = extentOf upper
+    b = extentOf lower
 
-svg :: Double -> Double -> [String] -> String
-svg wide high content = unlines $
-  printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" font-family=\"sans-serif\">" wide high wide high
-    : printf "<rect width=\"%g\" height=\"%g\" fill=\"#fff\"/>" wide high
-    : content ++ ["</svg>"]
+-- | All of it.
+pageDrawing :: Page -> Drawing
+pageDrawing page = pageComposite page ++ pageFace page ++ pageAnswer page ++ pageLegend page
 
--- | A rectangle round a centre.
-box :: Double -> Double -> Double -> Double -> String -> Double -> String
-box x y w h colour stroke =
-  printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"none\" stroke=\"%s\" stroke-width=\"%g\"/>" (x - w / 2) (y - h / 2) w h colour stroke
+-- | The page as an SVG file.
+pageSvg :: Page -> Lazy.ByteString
+pageSvg page = svgFile 16 (pageTitle page) (pageDrawing page)
 
-text :: Double -> Double -> String -> Int -> String -> String -> String
-text x y anchor size colour content =
-  printf "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"%s\" font-size=\"%d\" font-weight=\"bold\" fill=\"%s\">%s</text>" x y anchor size colour (concatMap escaped content)
+-- | What there is to say of an answer beside where it is.
+notes :: (Int -> String) -> Recognition -> [String]
+notes nameOf recognition = case recognisedAnswer recognition of
+  Right (Found found) ->
+    let window = foundWindow found
+        Position r c = windowPosition window
+    in ("window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c
+          ++ " of the array; the composite is " ++ orientationText (foundOrientation found)
+          ++ concat [ " on the face" | OnFace _ <- [windowWhereabouts window] ])
+       : [ "its centre is " ++ hundredths x ++ " mm to the right of and " ++ hundredths y ++ " mm below "
+             ++ upperLeftVertex (placeFace place)
+         | OnFace place <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre place) ]
+  Right (Several _ _) -> []
+  Left _ -> ["no answer, so no face is drawn"]
+
+-- | What is drawn on this picture, and what it means.
+legend :: Double -> Recognition -> Drawing
+legend room recognition = flowing 10 room (map entry (readings ++ answers))
   where
-    escaped c = case c of
-      '<' -> "&lt;"
-      '>' -> "&gt;"
-      '&' -> "&amp;"
-      _ -> [c]
+    entry (swatch, words') = swatch ++ beside 8 swatch [ Mark "legend" (Words FromLeft plain (0, 0) words') ]
+    box name paint = [ Mark name (Rectangle paint (Extent 0 0 24 13)) ]
+    readings =
+      [ (box "legend" (readingPaint reading), readingWords likeliest reading)
+      | reading <- sort (nub (read' False recognisedSymbols ++ read' True recognisedParts)) ]
+    read' isPart symbols = map (readingOf recognition isPart) (symbols recognition)
+    likeliest = case recognisedAnswer recognition of
+      Right (Found _) -> "the place"
+      _ -> "the likeliest place"
+    answers = concat
+      [ [ (box "legend" (outlined answering 4), "the window that gives the answer")
+        , (shifted (12, 6) (placeMarks (0, 0)), "its centre, the place") ]
+        ++ [ (box "legend" (outlined ink 2) { dashed = True } ++ [ cornerMark (0, 0) (9, 0) (0, 9) ]
+             , "the composite's outline on the face; its upper left corner is black on both sides")
+           | OnFace _ <- [windowWhereabouts (foundWindow found)] ]
+      | Right (Found found) <- [recognisedAnswer recognition] ]
+
+-- | What was made of a symbol, in words, with those for where it should be.
+readingWords :: String -> Reading -> String
+readingWords likeliest reading = case reading of
+  AsExpected -> "a recognised symbol"
+  Contradicting -> "a recognised symbol that contradicts " ++ likeliest
+  Unrecognised -> "a symbol that was not recognised"
+  PartOf -> "part of a symbol, as what it most likely is"
+  PartContradicting -> "a part that contradicts " ++ likeliest

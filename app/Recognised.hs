@@ -5,8 +5,10 @@ module Recognised
   , recognitionMessage
   , elementNames
   , orientationText
+  , turnText
   , windowText
   , whereText
+  , upperLeftVertex
   , fromDatabase
   ) where
 
@@ -47,9 +49,13 @@ recognitionMessage recognition = case recognisedAnswer recognition of
 
 -- | How the face lies in the composite, in words.
 orientationText :: Orientation -> String
-orientationText orientation = case orientation of
-  Upright -> "upright"
-  _ -> "turned by " ++ show (orientationDegrees orientation) ++ " degrees"
+orientationText = turnText . orientationDegrees
+
+-- | How a face lies that is turned clockwise by so many degrees.
+turnText :: Int -> String
+turnText degrees
+  | degrees == 0 = "upright"
+  | otherwise = "turned by " ++ show degrees ++ " degrees"
 
 -- | The elements of a window, row by row.
 windowText :: (Int -> String) -> ReadWindow -> String
@@ -67,6 +73,10 @@ whereText place = case place of
       [only] -> "corner " ++ vertexText only
       _ -> "as near to " ++ intercalate " as to " (map vertexText nearest)
 
+-- | The name of a face's upper left vertex, from which places on it are measured.
+upperLeftVertex :: Face -> String
+upperLeftVertex = concatMap vertexText . take 1 . faceVertices . faceName
+
 -- | The whole answer, line by line.
 recognitionText :: (Int -> String) -> [FilePath] -> Recognition -> [String]
 recognitionText nameOf paths recognition = case recognisedAnswer recognition of
@@ -79,7 +89,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
       ++ windowLine window
       : [ printf "centre    %.2f mm to the right of and %.2f mm below %s" x y corner0
         | OnFace on <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre on)
-        , let corner0 = concatMap vertexText (take 1 (faceVertices (faceName (placeFace on)))) ]
+        , let corner0 = upperLeftVertex (placeFace on) ]
       ++ [ "composite " ++ orientationText (foundOrientation found) ++ " on the face" ]
       ++ [ "also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found) ]
   where

@@ -38,6 +38,7 @@ import qualified Test.Code.Window
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
+import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Proof
@@ -49,6 +50,7 @@ import qualified Test.Documents
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
+import qualified Test.Picture
 import qualified Test.Rates
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
@@ -62,6 +64,7 @@ import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.Train
+import qualified Test.Truth
 
 main :: IO ()
 main = hspec $ do
@@ -116,11 +119,14 @@ main = hspec $ do
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
+  describe "Truths" Test.Truth.spec
+  describe "Pictures" Test.Picture.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
+  describe "The command line: pictures and truths" Test.CommandLine.Picture.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec

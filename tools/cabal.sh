@@ -18,8 +18,8 @@ suitable_tools() {
     && at_least "$(cabal --numeric-version)" 3.4
 }
 
-libraries="aeson cassava criterion file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
-           persistent-sqlite QuickCheck random reflection temporary vector"
+libraries="aeson base64-bytestring cassava criterion file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
+           persistent-sqlite QuickCheck random reflection svg-builder temporary vector"
 
 # Are all the libraries in GHC's own package database?
 libraries_installed() {

@@ -17,7 +17,7 @@ say "1. Press the 16 x 16 sensor on the cube, at a place drawn by chance (seed $
 tries=0
 while :; do
   rm -rf "$out/frames"
-  $pra probe --object cube --seed "$seed" --output "$out/frames"
+  $pra probe --object cube --seed "$seed" --output "$out/frames" --truth "$out/truth.json"
   say "2. Decode the PGM files in $out/frames"
   if $pra decode "$out/frames" --picture "$out/recognised.svg"; then break; fi
   tries=$((tries + 1))
@@ -26,14 +26,13 @@ while :; do
   say "Refused, so press again, elsewhere (seed $seed)"
 done
 
-say "3. What was true (the decoder did not know; the region's corner is right of and below the face's upper left vertex)"
-rm -rf "$out/told"
-$pra probe --object cube --seed "$seed" --tell --output "$out/told" | sed -n 's/^truth: //p'
-rm -rf "$out/told"
+say "3. What was true (the decoder did not know)"
+$pra decode --json "$out/frames" > "$out/answer.json"
+$pra compare "$out/answer.json" "$out/truth.json"
 
 say "4. The paper's worked example, from the sample frames shipped in data/worked-example/frames"
 $pra decode data/worked-example/frames
 say "5. and from the sample composite data/worked-example/composite.pgm"
 $pra decode data/worked-example/composite.pgm
 
-say "The composite with the recovered symbols drawn over it: $out/recognised.svg"
+say "What was felt, and where on the cube that is, as a picture: $out/recognised.svg"

@@ -20,7 +20,7 @@ import Output (writeWhole)
 import Json
 import Json.Profile
 import Message (foldMessage, imageMessage, profileMessage)
-import Picture (arraySvg)
+import Picture.Array (arraySvg)
 import PraTactile.Array (Shape (..), toRows)
 import PraTactile.Field (showElement, toCode)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgm8)
@@ -65,7 +65,7 @@ render format profile cells = case format of
   Csv -> pure (Lazy8.pack (unlines (map (intercalate "," . map show) codes)))
   Json -> pure (encodeLine ("schema" .= ("pra-tactile/array/1" :: String) <> "profile" .= profileValue profile <> "rows" .= codes) <> "\n")
   Pgm -> Lazy.fromStrict . encodePgm Binary <$> orUnusable imageMessage (pgm8 (fromIntegral (profileOrder profile - 1)) (codeImage profile codes))
-  Svg -> pure (Lazy8.pack (arraySvg cells))
+  Svg -> pure (arraySvg cells)
   where
     codes = map (map fst) cells
 

@@ -6,8 +6,8 @@ module Command.Decode
   , toleranceComplaint
   ) where
 
-import Control.Monad (forM, forM_, unless)
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Control.Monad (forM, unless)
+import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative hiding (command)
 
@@ -22,15 +22,18 @@ import Json (printJson)
 import Json.Profile (profileText)
 import Json.Recognition
 import Message
-import Picture (recognitionSvg)
+import Picture (pageSvg, recognitionPage)
 import PraTactile.Array (Surface)
 import PraTactile.Field (KnownField)
+import PraTactile.Object.Placement (LaidFace)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Relief (faceClasses)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite (..))
+import PraTactile.Stitch (Composite (..), compositePosition)
 import Recognised
 import Setup
+import SvgFile
 import Visible
 
 data Options = Options
@@ -59,7 +62,7 @@ command = described "decode" "Recognise object, face and place from tactile imag
       <*> assemblyOptions
       <*> networkOption
       <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
-      <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw the composite with the recovered symbols over it (one source only)"))
+      <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw what was felt with the symbols over it, and where on the face that is (one source only); - is the standard output, in place of the answer"))
       <*> toleranceOptions
       <*> switch (long "together" <> help "All sources show one face, in the robot's coordinates: give one answer from all of them")
       <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
@@ -85,14 +88,16 @@ toleranceComplaint chosen
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
+  | picture options == Just standardOutput && asJson options = unusable "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
+      for_ (picture options) orNotSvg
       profile <- chosenProfile choice
       layout <- placementFor profile
       alphabet <- shippedAlphabet
       net <- chosenNetwork (network options)
       let on = fromMaybe (profileSurface profile) (surface options)
       readAs <- orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile (\array mask ->
-        decodeWith alphabet profile options <$> recogniser on array mask layout alphabet net))
+        decodeWith alphabet profile (faceClasses array) options <$> recogniser on array mask layout alphabet net))
       found <- sources (paths options)
       case (found, picture options) of
         (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
@@ -120,15 +125,17 @@ placed given found
     go _ [] = []
 
 -- | Decode composites of one face: draw the picture, print the answer.
-decodeWith :: KnownField k => Alphabet -> Profile -> Options -> Recogniser k -> [FilePath] -> [Composite] -> IO Ending
-decodeWith alphabet profile options reader from composites = do
+decodeWith :: KnownField k => Alphabet -> Profile -> (LaidFace -> [[Int]]) -> Options -> Recogniser k -> [FilePath] -> [Composite] -> IO Ending
+decodeWith alphabet profile classesOf options reader from composites = do
   recognition <- orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
     >>= maybe pure lookedUp (database options)
-  forM_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
-    writeWhole file (Lazy8.pack (recognitionSvg alphabet nameOf composite recognition))
-  if asJson options
-    then printJson (recognitionJson profile from nameOf recognition)
-    else putStr (unlines (recognitionText nameOf from recognition))
+  for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
+    writeWhole file
+      (pageSvg (recognitionPage alphabet nameOf (recogniserPlacement reader) classesOf composite recognition))
+  case () of
+    _ | picture options == Just standardOutput -> pure ()
+      | asJson options -> printJson (recognitionJson profile from nameOf (maybe id compositePosition (listToMaybe composites)) recognition)
+      | otherwise -> putStr (unlines (recognitionText nameOf from recognition))
   pure (recognitionEnding recognition)
   where
     nameOf = elementNames reader

@@ -1,18 +1,24 @@
+{-# LANGUAGE OverloadedStrings #-}
 -- | @pra-tactile probe@: press the simulated sensor on a face and write the frames.
 module Command.Probe
   ( command
   ) where
 
+import Data.Foldable (for_)
 import Data.List.NonEmpty (NonEmpty (..))
+import Data.Tuple (swap)
 import Options.Applicative hiding (command)
 import System.Random (StdGen, mkStdGen, randomR)
 import Text.Printf (printf)
 
 import ArrayChoice
 import Described
+import Drawing (hundredths)
 import Ending
-import Output (writeFolder)
+import Output (orUnwritable, writeFolder, writeWhole)
 import Frames (frameFiles)
+import Json (encodeLine)
+import Json.Truth (truthJson)
 import Message
 import PraTactile.Explore
 import PraTactile.Object.Placement
@@ -21,6 +27,8 @@ import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Relief
+import PraTactile.Truth (Truth (..))
+import Recognised (turnText)
 import Setup
 import Visible
 
@@ -35,19 +43,21 @@ data Options = Options
   , seed :: Int
   , origin :: (Double, Double)
   , tell :: Bool
+  , truthFile :: Maybe FilePath
   , output :: FilePath
   }
 
 command :: Mod CommandFields (IO Ending)
 command = described "probe" "Press the simulated 16 x 16 sensor on an object's face and write the frames, as PGM files with a manifest, into a new folder."
   [ "pra-tactile probe --object cube --seed 7 --output frames"
-  , "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --at 0,60 --upright --seed 1 --output frames" ]
+  , "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --at 12.7,40 --upright --seed 1 --output frames"
+  , "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json" ]
   (run <$> arrayChoice <*> options)
   where
     options = Options
       <$> strOption (long "object" <> metavar "NAME" <> help "The object: cube or parallelepiped")
       <*> optional (strOption (long "face" <> metavar "VERTICES" <> help "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)"))
-      <*> optional (option (pairReader ',' "12.7,60") (long "at" <> metavar "X,Y" <> help "The region's upper left corner on the face, mm to the right and down from the face's upper left vertex (default: drawn by chance)"))
+      <*> optional (option (pairReader ',' "12.7,40") (long "at" <> metavar "X,Y" <> help "The region's upper left corner on the face, mm to the right and down from the face's upper left vertex (default: drawn by chance)"))
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
       <*> optional (flag' 0 (long "upright" <> help "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by chance)")
         <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
@@ -55,8 +65,9 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
       <*> option decimalReader (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option decimalReader (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw")
-      <*> option (pairReader ',' "12.7,60") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
+      <*> option (pairReader ',' "12.7,40") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
+      <*> optional (strOption (long "truth" <> metavar "FILE" <> help "Write the true place as JSON, for 'compare'"))
       <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")
 
 -- | Degrees as quarter turns.
@@ -71,6 +82,7 @@ run choice options
   | not (noise options >= 0 && noise options < 1000) = unusable "--noise is a share of full scale from 0 up"
   | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] = unusable "--origin is a place in millimetres"
   | otherwise = do
+      for_ (truthFile options) orUnwritable
       profile <- chosenProfile choice
       layout <- placementFor profile
       alphabet <- shippedAlphabet
@@ -84,6 +96,7 @@ run choice options
       (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
       writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
       putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ visibleName (output options))
+      for_ (truthFile options) (\file -> writeWhole file (encodeLine (truthJson (Truth (laidFace pressed) region (origin options))) <> "\n"))
       if tell options then putStrLn (truth pressed region) else pure ()
       pure Answered
   where
@@ -93,9 +106,13 @@ run choice options
     fits pressed region = regionRight region >= 0 && regionDown region >= 0
       && taxelPitch * (regionRight region + fromIntegral (fst (regionExtent region))) <= fromRational (spotRight (laidExtent pressed)) + 1e-9
       && taxelPitch * (regionDown region + fromIntegral (snd (regionExtent region))) <= fromRational (spotDown (laidExtent pressed)) + 1e-9
-    tooLarge pressed = "the region does not lie on the face " ++ faceText (faceName (laidFace pressed)) ++ ", which is "
-      ++ millimetres (spotRight (laidExtent pressed)) ++ " x " ++ millimetres (spotDown (laidExtent pressed)) ++ " mm; choose another --size or --at"
-    millimetres r = show (fromRational r :: Double)
+    tooLarge pressed = "the region, " ++ sizeText (both ((taxelPitch *) . fromIntegral) onTheFace)
+      ++ maybe "" (\(x, y) -> " mm from " ++ hundredths x ++ "," ++ hundredths y) (at options)
+      ++ " mm, does not lie on the face " ++ faceText (faceName (laidFace pressed)) ++ ", which is "
+      ++ sizeText (spotMillimetres (laidExtent pressed)) ++ " mm; choose another --size or --at"
+    onTheFace = (if maybe False odd (turned options) then swap else id) (size options)
+    sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
+    both f (a, b) = (f a, f b)
 
 -- | One of the faces, with equal chances.
 drawnFace :: [LaidFace] -> StdGen -> IO (LaidFace, StdGen)
@@ -112,5 +129,5 @@ drawnFace faces generator = case faces of
 truth :: LaidFace -> Region -> String
 truth pressed region = unwords
   [ "truth: face", faceText (faceName (laidFace pressed)) ++ ", region from"
-  , printf "%.2f,%.2f" (taxelPitch * regionRight region) (taxelPitch * regionDown region), "mm,"
-  , if regionTurns region == 0 then "upright" else "turned by " ++ show (90 * regionTurns region) ++ " degrees" ]
+  , uncurry (printf "%.2f,%.2f") (regionCorner region), "mm,"
+  , turnText (90 * regionTurns region) ]

@@ -5,7 +5,7 @@ module Command.Rates
   ( command
   ) where
 
-import Control.Monad (foldM, forM, forM_)
+import Control.Monad (foldM, forM, forM_, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
@@ -30,6 +30,7 @@ import PraTactile.Window
 import Progress
 import RatesPlot
 import RatesTable
+import SvgFile
 
 data Form = Text | Csv | Json
   deriving stock (Eq)
@@ -66,7 +67,7 @@ command = described "rates"
       <*> option intReader (long "trials" <> metavar "N" <> value 10000 <> showDefault <> help "Trials a line of the table")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
       <*> option formReader (long "format" <> metavar "text|csv|json" <> value Text <> help "The form of the table (default text)")
-      <*> optional (strOption (long "plot" <> metavar "FILE" <> help "Draw the table as well, into an SVG file"))
+      <*> optional (strOption (long "plot" <> metavar "FILE.svg" <> help "Draw the table as well, into an SVG file; - is the standard output, in place of the table"))
     several standard one = some one <|> pure standard
     formReader = eitherReader $ \name -> case lookup name [("text", Text), ("csv", Csv), ("json", Json)] of
       Just known -> Right known
@@ -77,6 +78,7 @@ run choice options
   | trials options < 1 = unusable "--trials is a number from 1 up"
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) = unusable "--erasures is a share from 0 to below 100 per cent"
   | otherwise = do
+      for_ (plot options) orNotSvg
       profile <- chosenProfile choice
       let on array mask = either (unusable . locateMessage) (tables profile options) (book (naturalSurface (arrayFolding array)) array mask)
       either (unusable . profileMessage) id (withProfile profile on)
@@ -97,24 +99,26 @@ tables profile options shelf = do
       -- Lines and a bar on one terminal would run into each other.
       watched act = if printsAsItGoes then act (const (pure ())) else withProgress total 0 act
   case form options of
-    Text -> putStr (heading (radius options))
-    Csv -> putStrLn csvHeading
+    Text -> say (heading (radius options))
+    Csv -> say (csvHeading ++ "\n")
     Json -> pure ()
   made <- watched $ \tell -> forM (zip [0 ..] cases) $ \(i, (size, place, exact, p, s)) -> do
     l <- line options place size exact p s (\n -> tell (i * perLine + toInteger n))
     case form options of
-      Text -> putStrLn (lineText l) >> hFlush stdout
-      Csv -> putStrLn (lineCsv l) >> hFlush stdout
+      Text -> say (lineText l ++ "\n") >> hFlush stdout
+      Csv -> say (lineCsv l ++ "\n") >> hFlush stdout
       Json -> pure ()
     pure l
   case form options of
-    Text -> putStr (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
+    Text -> say (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
     Csv -> pure ()
-    Json -> printJson ("schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
+    Json -> unless drawnOnly $ printJson ("schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
       <> "trials" .= trials options <> "seed" .= seed options <> "radius" .= stated <> "rates" .= map lineValue made)
   for_ (plot options) $ \file -> writeWhole file (Lazy8.pack (ratesSvg (seed options) made))
   pure Answered
   where
+    drawnOnly = plot options == Just standardOutput
+    say = unless drawnOnly . putStr
     stated = case radius options of
       Guaranteed -> Nothing
       UpTo e -> Just (naturalValue e)

@@ -20,9 +20,9 @@ import PraTactile.Segment (SymbolImage (..))
 import Recognised
 import Visible
 
--- | One answer: all keys always, null where there is nothing to say.
-recognitionJson :: Profile -> [FilePath] -> (Int -> String) -> Recognition -> Series
-recognitionJson profile paths nameOf recognition =
+-- | One answer: all keys always, null where there is nothing to say. Takes the robot's coordinates of a place on the first composite's grid.
+recognitionJson :: Profile -> [FilePath] -> (Int -> String) -> ((Double, Double) -> (Double, Double)) -> Recognition -> Series
+recognitionJson profile paths nameOf robotAt recognition =
   "schema" .= ("pra-tactile/decode/1" :: String)
     <> "profile" .= profileValue profile
     <> "source" .= listToMaybe names
@@ -33,6 +33,7 @@ recognitionJson profile paths nameOf recognition =
     <> "position" .= fmap (positionValue . windowPosition) window
     <> "positions" .= map positionValue places
     <> mconcat [ key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window) ]
+    <> "robot_mm" .= fmap (robotAt . windowSeenAt) window
     <> "orientation_deg" .= fmap orientationDegrees orientation
     <> "doubt" .= fmap evidenceDoubt evidence
     <> "agreeing" .= fmap evidenceAgreeing evidence

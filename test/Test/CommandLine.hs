@@ -179,7 +179,7 @@ badInputSpec = describe "bad input: one line, status 2, nothing written" $ do
   it "--version and every command's --help with an example end with status 0" $ do
     (status, out, _) <- pra ["--version"]
     (status, "pra-tactile " `isPrefixOf` out) `shouldBe` (0, True)
-    for_ ["array", "prove", "locate", "table", "probe", "stitch", "train", "decode", "evaluate", "objects", "profile", "shapes", "sequence", "synthesise", "advise", "rates"] $ \name -> do
+    for_ ["array", "prove", "locate", "table", "probe", "stitch", "train", "decode", "compare", "evaluate", "objects", "profile", "shapes", "sequence", "synthesise", "advise", "rates"] $ \name -> do
       (helped, text, _) <- pra [name, "--help"]
       (helped, "Example" `isInfixOf` text) `shouldBe` (0, True)
   where

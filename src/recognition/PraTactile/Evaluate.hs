@@ -15,6 +15,7 @@ module PraTactile.Evaluate
   , tally
   ) where
 
+import Data.Either (isRight)
 import Data.List (unfoldr)
 import qualified Data.Map.Strict as Map
 import System.Random (StdGen, mkStdGen, split)
@@ -22,10 +23,11 @@ import System.Random (StdGen, mkStdGen, split)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
-import PraTactile.Probe (Frame, movePoint)
+import PraTactile.Probe (Frame)
 import PraTactile.Probe.Sensor (HeightMap, Sensor)
 import PraTactile.Recognise
 import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
+import PraTactile.Truth
 
 -- | One exploration whose truth is known.
 data Trial = Trial
@@ -82,14 +84,14 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
         doubt = maybe 0 evidenceDoubt (recognisedEvidence recognition)
   where
     isTrue orientation window = case windowWhereabouts window of
-      OnFace place ->
-        placeFace place == laidFace (trialFace t)
-          && orientationDegrees orientation == 90 * regionTurns (trialRegion t)
-          && near (spotMillimetres (placeCentre place))
-                  (movePoint (regionMotion (trialRegion t)) (compositePosition composite (windowSeenAt window)))
+      OnFace place -> isRight (compared (placementPitch (recogniserPlacement reader)) truth Claim
+        { claimFace = placeFace place
+        , claimDegrees = orientationDegrees orientation
+        , claimPlace = spotMillimetres (placeCentre place)
+        , claimSeenAt = compositePosition composite (windowSeenAt window)
+        })
       _ -> False
-    near (x, y) (u, v) = abs (x - u) < halfPitch pitchRight && abs (y - v) < halfPitch pitchDown
-    halfPitch side = fromRational (side (placementPitch (recogniserPlacement reader))) / 2
+    truth = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0)
 
 -- | How many of each.
 data Tally = Tally

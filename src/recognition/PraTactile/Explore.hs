@@ -5,6 +5,7 @@ module PraTactile.Explore
   ( -- * Regions
     Region (..)
   , regionExtent
+  , regionCorner
   , regionMotion
   , randomRegion
   , standardRegionSize
@@ -37,6 +38,10 @@ regionExtent :: Region -> (Int, Int)
 regionExtent region
   | odd (regionTurns region) = (regionHeight region, regionWidth region)
   | otherwise = (regionWidth region, regionHeight region)
+
+-- | The region's upper left corner on the face, in millimetres to the right of and below the face's upper left vertex.
+regionCorner :: Region -> (Double, Double)
+regionCorner region = (taxelPitch * regionRight region, taxelPitch * regionDown region)
 
 -- | From the robot's frame, whose origin is the region's upper left corner as the robot sees it, to the face's, whose
 -- origin is the face's upper left vertex; millimetres.

@@ -1,0 +1,87 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | @pra-tactile compare@: an answer of @decode@ beside the truth that @probe@ wrote.
+module Command.Compare
+  ( command
+  ) where
+
+import Data.Aeson ((.=))
+import Options.Applicative hiding (command)
+import Text.Printf (printf)
+
+import Described
+import Ending
+import Json
+import Json.Truth
+import Message
+import PraTactile.Explore
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Truth
+import Recognised (turnText, upperLeftVertex)
+
+command :: Mod CommandFields (IO Ending)
+command = described "compare"
+  "Compare an answer with the truth: is the window's centre where the answer says, and to how many millimetres?"
+  [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json"
+  , "pra-tactile decode --json frames > answer.json"
+  , "pra-tactile compare answer.json truth.json" ]
+  (run
+    <$> strArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
+    <*> strArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
+    <*> switch (long "json" <> help "Print the comparison as JSON"))
+
+run :: FilePath -> FilePath -> Bool -> IO Ending
+run answerFile truthFile asJson = do
+  claim <- readClaim answerFile
+  truth <- readTruth truthFile
+  pitch <- placementPitch <$> orUnusable placementMessage canonicalPlacement
+  let verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
+  if asJson
+    then printJson ("schema" .= ("pra-tactile/compare/1" :: String)
+      <> "agree" .= either (const False) (const True) verdict
+      <> "difference" .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
+      <> "answer_mm" .= fmap claimPlace claim
+      <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
+      <> "distance_mm" .= distance verdict)
+    else putStr (unlines (comparison truth claim ++ [verdictText verdict]))
+  pure (either (const NotAnswered) (const Answered) verdict)
+  where
+    distance verdict = case verdict of
+      Right far -> Just far
+      Left (Just (Elsewhere far)) -> Just far
+      Left _ -> Nothing
+
+-- | The name of a difference, as JSON has it.
+differenceName :: Difference -> String
+differenceName difference = case difference of
+  OtherFace -> "other-face"
+  OtherWayUp -> "other-orientation"
+  Elsewhere _ -> "elsewhere"
+
+verdictText :: Either (Maybe Difference) Double -> String
+verdictText verdict = case verdict of
+  Right far -> printf "they agree to %.2f mm" far
+  Left Nothing -> "there is no answer to compare: it names no place on a face"
+  Left (Just OtherFace) -> "they differ: it is another face"
+  Left (Just OtherWayUp) -> "they differ: the face lies another way up"
+  Left (Just (Elsewhere far)) -> printf "they differ: by %.2f mm" far
+
+-- | The truth and the answer, in the same terms.
+comparison :: Truth -> Maybe Claim -> [String]
+comparison truth claim =
+  ("truth     " ++ faceWords (truthFace truth) ++ ", " ++ turnText (90 * regionTurns (truthRegion truth)))
+    : ("          the region's upper left corner: " ++ spotWords (truthFace truth) (regionCorner (truthRegion truth)))
+    : concat
+      [ ("          what the composite shows as the window's centre: "
+          ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said)))
+        : [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ turnText (claimDegrees said)
+          , "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said) ]
+      | Just said <- [claim] ]
+  where
+    faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
+
+-- | A spot on a face in words.
+spotWords :: Face -> (Double, Double) -> String
+spotWords face (x, y) =
+  printf "%.2f mm to the right of and %.2f mm below %s" x y (upperLeftVertex face)

@@ -1,0 +1,204 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+-- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below another by what
+-- each really takes up. Units are those of the picture, x to the right and y down.
+module Drawing
+  ( -- * Extents
+    Extent (..)
+  , around
+  , width
+  , height
+    -- * Marks
+  , Mark (..)
+  , Form (..)
+  , Paint (..)
+  , outlined
+  , filled
+  , Font (..)
+  , Anchor (..)
+  , markExtent
+    -- * Drawings
+  , Drawing
+  , extentOf
+  , shifted
+  , beside
+  , above
+  , flowing
+    -- * Words
+  , textWidth
+  , wrapped
+  , hundredths
+  ) where
+
+import Data.List.NonEmpty (NonEmpty (..))
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Semigroup (sconcat)
+import Data.Text (Text)
+import Numeric (showFFloat)
+
+import PraTactile.Image (Raster)
+
+-- | A rectangle, by its sides.
+data Extent = Extent
+  { leftEdge :: !Double
+  , topEdge :: !Double
+  , rightEdge :: !Double
+  , bottomEdge :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The smallest rectangle that holds both.
+instance Semigroup Extent where
+  Extent l t r b <> Extent l' t' r' b' = Extent (min l l') (min t t') (max r r') (max b b')
+
+-- | The rectangle of this width and height round a centre.
+around :: (Double, Double) -> (Double, Double) -> Extent
+around (w, h) (x, y) = Extent (x - w / 2) (y - h / 2) (x + w / 2) (y + h / 2)
+
+width, height :: Extent -> Double
+width e = rightEdge e - leftEdge e
+height e = bottomEdge e - topEdge e
+
+-- | Something drawn, with the word that says what it is: its class in the SVG.
+data Mark = Mark
+  { markClass :: !Text
+  , markForm :: !Form
+  }
+  deriving stock (Eq, Show)
+
+-- | What is drawn.
+data Form
+  = Rectangle !Paint !Extent
+  | Patches !Paint [Extent]                          -- ^ rectangles as one path
+  | Outline !Paint [(Double, Double)]                -- ^ a closed polygon
+  | Line !Paint [(Double, Double)]                   -- ^ an open one
+  | Grey !Raster !Extent                             -- ^ an image: white for 0, dark for 1; each pixel a sharp square
+  | Words !Anchor !Font !(Double, Double) String     -- ^ one line of text, from a point of its baseline
+  deriving stock (Eq, Show)
+
+-- | Colours as CSS has them, and how thick and opaque.
+data Paint = Paint
+  { fillColour :: !Text
+  , strokeColour :: !Text
+  , strokeWidth :: !Double
+  , dashed :: !Bool
+  , opacity :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | A line of a colour and a width, nothing within.
+outlined :: Text -> Double -> Paint
+outlined colour thickness = Paint "none" colour thickness False 1
+
+-- | A surface of a colour, and how opaque it is.
+filled :: Text -> Double -> Paint
+filled colour = Paint colour "none" 0 False
+
+data Font = Font
+  { fontSize :: !Double
+  , fontBold :: !Bool
+  , fontColour :: !Text
+  }
+  deriving stock (Eq, Show)
+
+-- | Which end of a line of text its point is.
+data Anchor = FromLeft | FromMiddle | FromRight
+  deriving stock (Eq, Show)
+
+-- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of the usual
+-- sans-serif fonts. 'Nothing' for no patches and no points.
+markExtent :: Mark -> Maybe Extent
+markExtent (Mark _ form) = case form of
+  Rectangle paint e -> Just (stroked paint e)
+  Patches paint es -> stroked paint <$> hull es
+  Outline paint points -> stroked paint <$> hull (map point points)
+  Line paint points -> stroked paint <$> hull (map point points)
+  Grey _ e -> Just e
+  Words anchor font (x, y) words' ->
+    let w = textWidth font words'
+        left = case anchor of { FromLeft -> x; FromMiddle -> x - w / 2; FromRight -> x - w }
+    in Just (Extent left (y - 0.8 * fontSize font) (left + w) (y + 0.24 * fontSize font))
+  where
+    point (x, y) = Extent x y x y
+    stroked paint (Extent l t r b) = let s = strokeWidth paint / 2 in Extent (l - s) (t - s) (r + s) (b + s)
+
+hull :: [Extent] -> Maybe Extent
+hull = fmap sconcat . NonEmpty.nonEmpty
+
+-- | Marks, the later ones over the earlier ones.
+type Drawing = [Mark]
+
+-- | What a drawing takes up; a point for an empty one.
+extentOf :: Drawing -> Extent
+extentOf drawing = maybe (Extent 0 0 0 0) id (hull [ e | Just e <- map markExtent drawing ])
+
+-- | A drawing moved to the right and down.
+shifted :: (Double, Double) -> Drawing -> Drawing
+shifted (dx, dy) = map move
+  where
+    move (Mark name form) = Mark name $ case form of
+      Rectangle paint e -> Rectangle paint (rectangle e)
+      Patches paint es -> Patches paint (map rectangle es)
+      Outline paint points -> Outline paint (map point points)
+      Line paint points -> Line paint (map point points)
+      Grey image e -> Grey image (rectangle e)
+      Words anchor font at words' -> Words anchor font (point at) words'
+    point (x, y) = (x + dx, y + dy)
+    rectangle (Extent l t r b) = Extent (l + dx) (t + dy) (r + dx) (b + dy)
+
+-- | The second drawing moved to the right of the first, this far away, their tops level.
+beside :: Double -> Drawing -> Drawing -> Drawing
+beside gap first second = shifted (rightEdge a + gap - leftEdge b, topEdge a - topEdge b) second
+  where
+    a = extentOf first
+    b = extentOf second
+
+-- | Drawings one below the other, this far apart, their left sides flush with that of the first; none if they are
+-- empty.
+above :: Double -> [Drawing] -> Drawing
+above gap drawings = case NonEmpty.nonEmpty (filter (not . null) drawings) of
+  Nothing -> []
+  Just (first :| others) -> concat (go first others)
+  where
+    go first others = first : case others of
+      [] -> []
+      next : rest ->
+        let a = extentOf first
+            b = extentOf next
+        in go (shifted (leftEdge a - leftEdge b, bottomEdge a + gap - topEdge b) next) rest
+
+-- | Drawings one after the other as words are, this far apart, in rows no wider than the width; a drawing that is
+-- wider has a row of its own.
+flowing :: Double -> Double -> [Drawing] -> Drawing
+flowing gap room = above gap . rows []
+  where
+    rows line drawings = case drawings of
+      [] -> [line | not (null line)]
+      next : rest
+        | null line -> rows next rest
+        | width (extentOf (line ++ placed)) > room -> line : rows next rest
+        | otherwise -> rows (line ++ placed) rest
+        where
+          placed = beside (2 * gap) line next
+
+-- | How wide a line of text is at most in the usual sans-serif fonts: letters of DejaVu Sans, which is among the
+-- widest, average less.
+textWidth :: Font -> String -> Double
+textWidth font words' = fontSize font * (if fontBold font then 0.7 else 0.62) * fromIntegral (length words')
+
+-- | Text in lines that are no wider than the width, where its words allow.
+wrapped :: Double -> Font -> String -> [String]
+wrapped room font = go . words
+  where
+    go [] = []
+    go (first : rest) = let (line, others) = fill first rest in line : go others
+    fill line (next : rest) | textWidth font (line ++ " " ++ next) <= room = fill (line ++ " " ++ next) rest
+    fill line rest = (line, rest)
+
+-- | A number to a hundredth, without zeros that say nothing.
+hundredths :: Double -> String
+hundredths v = case (whole, reverse (dropWhile (== '.') (dropWhile (== '0') (reverse fraction)))) of
+  ("-0", "") -> "0"
+  (kept, rest) -> kept ++ rest
+  where
+    (whole, fraction) = span (/= '.') (showFFloat (Just 2) v "")

@@ -1,0 +1,61 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | An answer and the truth, where the truth is known: are they the same place? The truth is a region of a face,
+-- the answer a window's centre; what compares them is the point of the composite at which the window's centre was
+-- seen.
+module PraTactile.Truth
+  ( Truth (..)
+  , truePlace
+  , Claim (..)
+  , Difference (..)
+  , compared
+  ) where
+
+import PraTactile.Explore
+import PraTactile.Object.Placement
+import PraTactile.Probe (movePoint)
+
+-- | Where an exploration was.
+data Truth = Truth
+  { truthFace :: Face
+  , truthRegion :: Region
+  , truthOrigin :: (Double, Double)   -- ^ the region's upper left corner in the robot's coordinates, millimetres
+  }
+  deriving stock (Eq, Show)
+
+-- | The place on the true face, in millimetres right of and below its upper left vertex, of a point in the robot's
+-- coordinates.
+truePlace :: Truth -> (Double, Double) -> (Double, Double)
+truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - originX, y - originY)
+  where
+    (originX, originY) = truthOrigin truth
+
+-- | What an answer says.
+data Claim = Claim
+  { claimFace :: Face
+  , claimDegrees :: Int                 -- ^ how the face is turned in the robot's frame, clockwise
+  , claimPlace :: (Double, Double)      -- ^ a point in millimetres right of and below the face's upper left vertex
+  , claimSeenAt :: (Double, Double)     -- ^ the same point in the robot's coordinates, millimetres
+  }
+  deriving stock (Eq, Show)
+
+-- | How an answer is wrong.
+data Difference
+  = OtherFace             -- ^ on another face
+  | OtherWayUp            -- ^ on the face, but turned otherwise
+  | Elsewhere Double      -- ^ so many millimetres away on the face, half a cell or more along one of its sides
+  deriving stock (Eq, Show)
+
+-- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is wrong. Windows
+-- lie a whole cell apart at least, so that less than half a cell is the error of the measurement.
+compared :: Pitch -> Truth -> Claim -> Either Difference Double
+compared pitch truth claim
+  | claimFace claim /= truthFace truth = Left OtherFace
+  | claimDegrees claim /= 90 * (regionTurns (truthRegion truth) `mod` 4) = Left OtherWayUp
+  | abs dx < half pitchRight && abs dy < half pitchDown = Right distance
+  | otherwise = Left (Elsewhere distance)
+  where
+    (x, y) = claimPlace claim
+    (trueX, trueY) = truePlace truth (claimSeenAt claim)
+    (dx, dy) = (x - trueX, y - trueY)
+    distance = sqrt (dx * dx + dy * dy)
+    half side = fromRational (side pitch) / 2
