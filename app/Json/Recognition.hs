@@ -34,6 +34,7 @@ recognitionJson profile paths nameOf recognition =
     <> mconcat [ key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window) ]
     <> "orientation_deg" .= fmap orientationDegrees orientation
     <> "doubt" .= fmap evidenceDoubt evidence
+    <> chanceSeries (evidence >>= evidenceChance)
     <> "agreeing" .= fmap evidenceAgreeing evidence
     <> "wrong" .= fmap (length . evidenceWrong) evidence
     <> "inconsistent_sources" .= fmap evidenceInconsistent evidence

@@ -19,19 +19,24 @@ module PraTactile.Locate.Algebra
 
     -- * Its parts
   , algebraPlaces
+  , algebraVisits
+  , algebraSeveral
+  , algebraPositions
   , algebraNowhere
 
     -- * Refusals
   , AlgebraError (..)
   ) where
 
-import Data.List (sort)
-import Data.Maybe (isJust)
+import Data.List (genericTake, sort)
+import Data.Maybe (isJust, mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.DiscreteLog
+import PraTactile.Extension (Residue)
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
+import PraTactile.Locate.Compare (comparedShape, extentOf)
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
@@ -48,6 +53,8 @@ data AlgebraError
     AlgebraLogarithm LogarithmError
   | -- | There are too many observed cells.
     AlgebraCells WindowError
+  | -- | So many positions of the array agree, too many to tell which of them lie on the sheet with all cells.
+    AlgebraSheet Natural
   deriving stock (Eq, Show)
 
 -- | An array on a surface, with what is computed once for all patches.
@@ -83,12 +90,12 @@ algebraPatch algebra observed
   | null cells = Right (Refused TooFewCells)
   | otherwise = do
       solutions <- solved algebra cells
-      if solutionCount solutions > largestListing
-        then Right (AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions))
-        else pure $ case algebraPlaces algebra (map fst cells) solutions of
+      if algebraVisits algebra (map fst cells) solutions > largestListing
+        then AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions) <$ algebraSeveral algebra (map fst cells) solutions
+        else pure $ case algebraPlaces algebra cells solutions of
           [] -> Refused (algebraNowhere algebra observed)
           [place] -> Located place support
-          places -> Ambiguous (sort places) support
+          several -> Ambiguous (sort several) support
  where
   cells = observedCells observed
   support = map fst (completeWindows (algebraMask algebra) observed)
@@ -98,23 +105,49 @@ algebraNowhere :: KnownField k => Algebra k -> Patch k -> Reason
 algebraNowhere algebra = nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
  where
   -- A window has as few cells as any mask.
-  occurring content = either (const []) (algebraPlaces algebra (map fst content)) (solved algebra content)
+  occurring content = either (const []) (algebraPlaces algebra content) (solved algebra content)
 
--- | The positions that solutions are, made as they are asked for: on the sheet those at which all cells,
--- by their offsets, lie on it.
-algebraPlaces :: KnownField k => Algebra k -> [Position] -> Solutions k -> [Position]
-algebraPlaces algebra offsets solutions =
-  [ place
-  | x <- solutionResidues (arrayPrimitive array) solutions
-  , -- Only zero has no logarithm, and it is no solution.
-  Right t <- [logarithmFrom (algebraLogarithms algebra) x]
-  , let place = positionOfIndex array t
-  , all (lies place) offsets
-  ]
+-- | The positions that the solutions for these cells are, made as they are asked for: on the sheet those at which all
+-- cells lie on it.
+algebraPlaces :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> [Position]
+algebraPlaces algebra cells solutions
+  | algebraVisits algebra offsets solutions == solutionCount solutions =
+      mapMaybe (algebraPlace algebra offsets) (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions)
+  | otherwise = [place | place <- positionsIn (algebraPositions algebra offsets), all (agreesAt place) cells]
  where
-  array = algebraArray algebra
-  lies (Position r c) (Position i j) =
-    isJust (canonicalPosition (algebraSurface algebra) (arrayShape array) (toInteger (r + i)) (toInteger (c + j)))
+  offsets = map fst cells
+  agreesAt place (offset, a) = (cellAt (algebraArray algebra) <$> cellFrom algebra place offset) == Just a
+  positionsIn (Shape high wide) = [Position r c | r <- below high, c <- below wide]
+  below n = takeWhile (< n) [0 ..]
+
+-- | How many positions have to be looked at to list these: the solutions, or on the sheet, if these are fewer, the
+-- positions at which the cells, by their offsets, lie on it.
+algebraVisits :: KnownField k => Algebra k -> [Position] -> Solutions k -> Natural
+algebraVisits algebra offsets solutions = min (solutionCount solutions) (area (algebraPositions algebra offsets))
+
+-- | Whether several positions are among the solutions, which are more than 'largestListing'. On the sheet not all of
+-- them count, and two among the first so many must lie on it: else 'AlgebraSheet'.
+algebraSeveral :: KnownField k => Algebra k -> [Position] -> Solutions k -> Either AlgebraError ()
+algebraSeveral algebra offsets solutions
+  | algebraSurface algebra /= Sheet || not (null (drop 1 found)) = Right ()
+  | otherwise = Left (AlgebraSheet (solutionCount solutions))
+ where
+  found = mapMaybe (algebraPlace algebra offsets) (genericTake largestListing (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions))
+
+-- | The rows and columns of the positions at which cells lie on the surface.
+algebraPositions :: Algebra k -> [Position] -> Shape
+algebraPositions algebra offsets = comparedShape (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
+
+-- | The position that a solution is, if there all cells lie on the surface.
+algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position
+algebraPlace algebra offsets x = case logarithmFrom (algebraLogarithms algebra) x of
+  Right t | let place = positionOfIndex (algebraArray algebra) t, all (isJust . cellFrom algebra place) offsets -> Just place
+  -- Only zero has no logarithm, and it is no solution.
+  _ -> Nothing
+
+cellFrom :: Algebra k -> Position -> Position -> Maybe Position
+cellFrom algebra (Position r c) (Position i j) =
+  canonicalPosition (algebraSurface algebra) (arrayShape (algebraArray algebra)) (toInteger (r + i)) (toInteger (c + j))
 
 solved :: KnownField k => Algebra k -> [(Position, GF k)] -> Either AlgebraError (Solutions k)
 solved algebra cells =
