@@ -12,7 +12,6 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
-import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
@@ -40,7 +39,7 @@ spec = do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     spheres Torus array [upright] (Shape 2 2) [] `shouldSatisfy` isNothing
     fmap sphereCentres (spheres Sheet array rotations (Shape 16 16) [Position 0 0, Position 15 15]) `shouldBe` Just 0
-    fmap sphereCentres (spheres Sheet array orientations (Shape 16 2) [Position 0 0, Position 15 1]) `shouldBe` Just (4 * 15 * 2)
+    fmap sphereCentres (spheres Sheet array orientations (Shape 16 2) [Position 0 0, Position 15 1]) `shouldBe` Just (4 * 14 * 2)
   it "decoding by information sets: of all contents the share is exact while 2 r < d, and never exceeded" $
     forM_ arrays $ \(q, n, folding, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
       array <- firstOver k n >>= right . folded folding shape
@@ -54,7 +53,7 @@ spec = do
                 answers = [either (const Nothing) Just . boundedOriented algebra possible radius =<< seen content | content <- mapM (const elements) offsets]
                 located = length [() | Just decision <- answers, OrientedAt _ _ <- [orientedOutcome decision]]
                 share = fromRational (toInteger located % toInteger (length answers))
-                promised = [chance (correcting (orientedMinimum one') (orientedRadius one') around) | Just one' <- take 1 answers, Just around <- [spheres surface array possible (Shape high wide) offsets]]
+                promised = [chance (correcting (orientedMinimum one') (orientedRadius one') about) | Just one' <- take 1 answers, Just about <- [spheres surface array possible (Shape high wide) offsets]]
              in counterexample (show (surface, located, length answers, promised)) $
                   not (null promised) ==> conjoin [if chanceExact told then chanceShare told === share else property (chanceShare told >= share) | told <- promised]
  where
