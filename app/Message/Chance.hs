@@ -11,12 +11,12 @@ import PraTactile.Locate.Chance
 
 -- | How many of all contents of the cells would be located.
 chanceText :: Chance -> String
-chanceText found = "of random symbols " ++ (if chanceExact found then "" else "at most ") ++ shareText (chanceShare found) ++ " would be located too"
+chanceText found = "of random symbols " ++ (if chanceExact found then "" else "at most ") ++ shareText (chanceShare found) ++ " would be located"
 
 -- | What there is to warn of: random symbols would be located in more than a hundredth of all cases.
 chanceWarning :: Chance -> Maybe String
 chanceWarning found
-  | chanceShare found > 0.01 = Just ("warning: " ++ chanceText found ++ "; more cells make the answer worth more")
+  | chanceShare found > 0.01 = Just ("warning: " ++ chanceText found ++ " too; more cells make the answer worth more")
   | otherwise = Nothing
 
 -- | A share as per cent.

@@ -118,7 +118,7 @@ spec = do
       (status, key ["agreeing"] out, key ["radius"] out) `shouldBe` (0, Just (Number 8), Just (Number 1))
       (key ["chance"] out, key ["chance_is"] out) `shouldBe` (Just (toJSON (255 * 25 / 4 ^ (8 :: Int) :: Double)), Just "at-most")
       (_, text, _) <- pra ["decode", "data/worked-example/composite.pgm"]
-      lines text `shouldContain` ["chance    of random symbols at most 9.7 % would be located too"]
+      lines text `shouldContain` ["chance    of random symbols at most 9.7 % would be located"]
  where
   arrays =
     [ (2, 4, Diagonal, Shape 3 5, Shape 2 2)

@@ -20,7 +20,8 @@ module PraTactile.Locate.Algebra
     -- * Its parts
   , algebraPlaces
   , algebraVisits
-  , algebraSeveral
+  , Listed (..)
+  , algebraListing
   , algebraPositions
   , algebraNowhere
 
@@ -28,7 +29,7 @@ module PraTactile.Locate.Algebra
   , AlgebraError (..)
   ) where
 
-import Data.List (genericTake, sort)
+import Data.List (genericDrop, genericTake, sort)
 import Data.Maybe (isJust, mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -80,6 +81,10 @@ prepareAlgebra surface array mask
  where
   natural = naturalSurface (arrayFolding array)
 
+-- | Positions, or that they are two at least and perhaps too many to list.
+data Listed = Listed [Position] | More
+  deriving stock (Eq, Show)
+
 -- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousCoset' tells the number.
 largestListing :: Natural
 largestListing = 1024
@@ -90,12 +95,12 @@ algebraPatch algebra observed
   | null cells = Right (Refused TooFewCells)
   | otherwise = do
       solutions <- solved algebra cells
-      if algebraVisits algebra (map fst cells) solutions > largestListing
-        then AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions) <$ algebraSeveral algebra (map fst cells) solutions
-        else pure $ case algebraPlaces algebra cells solutions of
-          [] -> Refused (algebraNowhere algebra observed)
-          [place] -> Located place support
-          several -> Ambiguous (sort several) support
+      found <- algebraListing algebra cells solutions
+      pure $ case found of
+        More -> AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions)
+        Listed [] -> Refused (algebraNowhere algebra observed)
+        Listed [place] -> Located place support
+        Listed several -> Ambiguous (sort several) support
  where
   cells = observedCells observed
   support = map fst (completeWindows (algebraMask algebra) observed)
@@ -113,30 +118,51 @@ algebraPlaces :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k 
 algebraPlaces algebra cells solutions
   | algebraVisits algebra offsets solutions == solutionCount solutions =
       mapMaybe (algebraPlace algebra offsets) (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions)
-  | otherwise = [place | place <- positionsIn (algebraPositions algebra offsets), all (agreesAt place) cells]
+  | otherwise = filter (agreesAt algebra cells) (positionsOf algebra offsets)
  where
   offsets = map fst cells
-  agreesAt place (offset, a) = (cellAt (algebraArray algebra) <$> cellFrom algebra place offset) == Just a
-  positionsIn (Shape high wide) = [Position r c | r <- below high, c <- below wide]
-  below n = takeWhile (< n) [0 ..]
 
 -- | How many positions have to be looked at to list these: the solutions, or on the sheet, if these are fewer, the
 -- positions at which the cells, by their offsets, lie on it.
 algebraVisits :: KnownField k => Algebra k -> [Position] -> Solutions k -> Natural
 algebraVisits algebra offsets solutions = min (solutionCount solutions) (area (algebraPositions algebra offsets))
 
--- | Whether several positions are among the solutions, which are more than 'largestListing'. On the sheet not all of
--- them count, and two among the first so many must lie on it: else 'AlgebraSheet'.
-algebraSeveral :: KnownField k => Algebra k -> [Position] -> Solutions k -> Either AlgebraError ()
-algebraSeveral algebra offsets solutions
-  | algebraSurface algebra /= Sheet || not (null (drop 1 found)) = Right ()
-  | otherwise = Left (AlgebraSheet (solutionCount solutions))
+-- | The same as a list, or that they are more than 'largestListing'. Where not all of the solutions lie on the sheet,
+-- which is told only by looking at them or at its positions, two of many must be found there: else 'AlgebraSheet'.
+algebraListing :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> Either AlgebraError Listed
+algebraListing algebra cells solutions
+  | count <= largestListing = Right (Listed (algebraPlaces algebra cells solutions))
+  | algebraSurface algebra /= Sheet = Right More
+  | area (algebraPositions algebra offsets) <= largestVisit = Right (if several largestListing onSheet then More else Listed onSheet)
+  | several 1 (mapMaybe (algebraPlace algebra offsets) (genericTake largestListing residues)) = Right More
+  | several 1 (filter (agreesAt algebra cells) (genericTake largestVisit (positionsOf algebra offsets))) = Right More
+  | otherwise = Left (AlgebraSheet count)
  where
-  found = mapMaybe (algebraPlace algebra offsets) (genericTake largestListing (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions))
+  count = solutionCount solutions
+  offsets = map fst cells
+  residues = solutionResidues (arrayPrimitive (algebraArray algebra)) solutions
+  onSheet = filter (agreesAt algebra cells) (positionsOf algebra offsets)
+  several :: Natural -> [a] -> Bool
+  several n = not . null . genericDrop n
+
+-- | 2^14: the most positions of the sheet that are looked at to see whether cells agree there.
+largestVisit :: Natural
+largestVisit = 2 ^ (14 :: Int)
 
 -- | The rows and columns of the positions at which cells lie on the surface.
 algebraPositions :: Algebra k -> [Position] -> Shape
 algebraPositions algebra offsets = comparedShape (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
+
+-- | These positions, row by row.
+positionsOf :: Algebra k -> [Position] -> [Position]
+positionsOf algebra offsets = [Position r c | r <- below high, c <- below wide]
+ where
+  Shape high wide = algebraPositions algebra offsets
+  below n = takeWhile (< n) [0 ..]
+
+-- | Whether all cells agree with the array when the patch is there.
+agreesAt :: KnownField k => Algebra k -> [(Position, GF k)] -> Position -> Bool
+agreesAt algebra cells place = and [(cellAt (algebraArray algebra) <$> cellFrom algebra place offset) == Just a | (offset, a) <- cells]
 
 -- | The position that a solution is, if there all cells lie on the surface.
 algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position

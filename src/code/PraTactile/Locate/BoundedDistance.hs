@@ -206,17 +206,15 @@ nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Se
     new = Map.fromList [(combinationFrom set word terms, w + n) | (n, terms) <- nearFound near]
   decided e words'
     | total == 0 = Right Nothing
-    | total > largestListing = case solved of
-        [(_, only)] -> do
-          first DecodingAlgebra (algebraSeveral (codeAlgebra code) (codeOffsets code) only)
-          found (AmbiguousCoset (solutionCount only) (solutionFreedom only)) []
-        _ -> Left (DecodingTooMany (fromIntegral e))
-    | otherwise = case [(x, place) | (x, _) <- solved, place <- wordPlaces code x] of
-        [] -> Right Nothing
-        [(x, place)] -> Right (Just (fromIntegral e, Located place, differing x))
-        several -> Right (Just (fromIntegral e, Ambiguous (sort (map snd several)), []))
+    | total > largestListing, _ : _ : _ <- solved = Left (DecodingTooMany (fromIntegral e))
+    | otherwise = do
+        listed <- first DecodingAlgebra (traverse (wordListing code . fst) solved)
+        pure $ case ([(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places], [only | ((_, only), More) <- zip solved listed]) of
+          (_, only : _) -> Just (fromIntegral e, const (AmbiguousCoset (solutionCount only) (solutionFreedom only)), [])
+          ([], []) -> Nothing
+          ([(x, place)], []) -> Just (fromIntegral e, Located place, differing x)
+          (several, []) -> Just (fromIntegral e, Ambiguous (sort (map snd several)), [])
    where
     solved = [(x, solutions) | x <- words', let solutions = wordSolutions code x, solutionCount solutions > 0]
     total = sum (map (wordVisits code . fst) solved)
-    found outcome wrong = Right (Just (fromIntegral e, const outcome, wrong))
   differing x = [offset | (offset, a, b) <- zip3 (codeOffsets code) (Primitive.toList x) (Primitive.toList word), a /= b]

@@ -20,6 +20,7 @@ module PraTactile.Locate.ObservedCode
     -- * From words to positions
   , wordSolutions
   , wordPlaces
+  , wordListing
   , wordVisits
   , wordFreedom
   ) where
@@ -71,6 +72,11 @@ wordSolutions code word = solve n (zipWith valued (codeEquations code) (Primitiv
 wordPlaces :: KnownField k => ObservedCode k -> Row k -> [Position]
 wordPlaces code word =
   algebraPlaces (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word)) (wordSolutions code word)
+
+-- | The same as a list, or that they are too many.
+wordListing :: KnownField k => ObservedCode k -> Row k -> Either AlgebraError Listed
+wordListing code word =
+  algebraListing (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word)) (wordSolutions code word)
 
 -- | How many positions have to be looked at to list the positions of a word.
 wordVisits :: KnownField k => ObservedCode k -> Row k -> Natural

@@ -243,13 +243,11 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
     lesser = [x | (x, _) <- entries, x < stateBest state]
     best = [word | (x, word) <- takeWhile ((>= stateBest state) . fst) entries, x == stateBest state]
     several = sum (map (wordVisits code) best)
-    equal = if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
+    equal = case best of
+      [word] | Right (Listed places') <- wordListing code word -> sort places'
+      _ -> if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
     coset = case best of
-      [word]
-        | several > largestListing
-        , let solutions = wordSolutions code word
-        , Right () <- algebraSeveral (codeAlgebra code) (codeOffsets code) solutions ->
-            Just (solutionCount solutions, solutionFreedom solutions)
+      [word] | Right More <- wordListing code word, let solutions = wordSolutions code word -> Just (solutionCount solutions, solutionFreedom solutions)
       _ -> Nothing
     ranking = [(place, exp (x - stateBest state) / total) | (x, word) <- entries, place <- wordPlaces code word]
 
