@@ -119,7 +119,8 @@ explainOutcome outcome = case outcome of
 -- | How little an answer may be worth.
 explainChance :: Chance -> [String]
 explainChance found =
-  ["Of all contents of the observed cells " ++ (if chanceExact found then "" else "at most ") ++ shareText (chanceShare found) ++ " would be located."]
+  [ "Of all contents of the observed cells " ++ (if chanceExact found then "" else "at most ")
+      ++ shareText (chanceShare found) ++ " would be located." ]
 
 place :: Position -> String
 place (Position r c) = "(" ++ show r ++ "," ++ show c ++ ")"

@@ -123,7 +123,9 @@ reporter choice turning surface array mask = do
       (Answer (plainOutcome outcome) named wrong worthOf (countOf outcome : details ++ orientationDetails turning (candidatesOf outcome)) explained)
       (if turning == Upright then Nothing else Just (candidatesOf outcome)) []
     ofDecision joined decision
-      | length (observedCells joined) < maskSize mask = report (OrientedNowhere TooFewCells) NearestRoad [] (atMost . chance . correcting 0 (orientedRadius decision) <$> around joined) [] (cellsOf [] joined)
+      | length (observedCells joined) < maskSize mask =
+          let refusing = atMost . chance . correcting 0 (orientedRadius decision) <$> around joined
+          in report (OrientedNowhere TooFewCells) NearestRoad [] refusing [] (cellsOf [] joined)
       | otherwise = ofNearest NearestRoad [] joined decision
     ofBounded = ofNearest InformationSetsRoad [("minimum_distance_is", "at-least")]
     ofNearest named more joined decision = report (orientedOutcome decision) named (orientedWrong decision)
@@ -135,7 +137,8 @@ reporter choice turning surface array mask = do
         ++ more ++ [ ("radius", naturalValue (orientedRadius decision)) ])
       (cellsOf (candidatesOf (orientedOutcome decision)) joined ++ explainOriented (turning == Upright) decision ++ explainOutcome (plainOutcome (orientedOutcome decision)))
     ofExact named joined outcome =
-      report outcome named [] (exactChance possible surface array mask named joined) [] (cellsOf (candidatesOf outcome) joined ++ explainOutcome (plainOutcome outcome))
+      report outcome named [] (exactChance possible surface array mask named joined) []
+        (cellsOf (candidatesOf outcome) joined ++ explainOutcome (plainOutcome outcome))
     ofPosterior joined found =
       let outcome = decideOriented (chosenDoubt choice) found
       in report outcome SoftRoad [] (certainChance possible surface array joined)

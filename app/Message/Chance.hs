@@ -11,7 +11,9 @@ import PraTactile.Locate.Chance
 
 -- | How many of all contents of the cells would be located.
 chanceText :: Chance -> String
-chanceText found = "of random symbols " ++ (if chanceExact found then "" else "at most ") ++ shareText (chanceShare found) ++ " would be located"
+chanceText found = "of random symbols " ++ bound ++ shareText (chanceShare found) ++ " would be located"
+  where
+    bound = if chanceExact found then "" else "at most "
 
 -- | What there is to warn of: random symbols would be located in more than a hundredth of all cases.
 chanceWarning :: Chance -> Maybe String

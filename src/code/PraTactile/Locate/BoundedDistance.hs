@@ -209,7 +209,9 @@ nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Se
     | total > largestListing, _ : _ : _ <- solved = Left (DecodingTooMany (fromIntegral e))
     | otherwise = do
         listed <- first DecodingAlgebra (traverse (wordListing code . fst) solved)
-        pure $ case ([(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places], [only | ((_, only), More) <- zip solved listed]) of
+        let found = [(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places]
+            tooMany = [only | ((_, only), More) <- zip solved listed]
+        pure $ case (found, tooMany) of
           (_, only : _) -> Just (fromIntegral e, const (AmbiguousCoset (solutionCount only) (solutionFreedom only)), [])
           ([], []) -> Nothing
           ([(x, place)], []) -> Just (fromIntegral e, Located place, differing x)

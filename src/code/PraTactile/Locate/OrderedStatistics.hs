@@ -247,7 +247,7 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
       [word] | Right (Listed places') <- wordListing code word -> sort places'
       _ -> if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
     coset = case best of
-      [word] | Right More <- wordListing code word, let solutions = wordSolutions code word -> Just (solutionCount solutions, solutionFreedom solutions)
+      [word] | Right More <- wordListing code word, let s = wordSolutions code word -> Just (solutionCount s, solutionFreedom s)
       _ -> Nothing
     ranking = [(place, exp (x - stateBest state) / total) | (x, word) <- entries, place <- wordPlaces code word]
 
