@@ -7,15 +7,18 @@ module Explain
   , explainPosterior
   , explainListing
   , explainOutcome
+  , explainChance
   ) where
 
 import Data.List (intercalate)
 import Text.Printf (printf)
 
+import Message.Chance (shareText)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
 import PraTactile.Locate.BoundedDistance
+import PraTactile.Locate.Chance (Chance (..))
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.OrderedStatistics
@@ -112,6 +115,12 @@ explainOutcome :: Outcome -> [String]
 explainOutcome outcome = case outcome of
   Located _ windows@(_ : _) -> ["Complete windows that say so stand at the offsets " ++ unwords (map place windows) ++ "."]
   _ -> []
+
+-- | How little an answer may be worth.
+explainChance :: Chance -> [String]
+explainChance found =
+  [ "Of all contents of the observed cells " ++ (if chanceExact found then "" else "at most ")
+      ++ shareText (chanceShare found) ++ " would be located." ]
 
 place :: Position -> String
 place (Position r c) = "(" ++ show r ++ "," ++ show c ++ ")"

@@ -12,6 +12,7 @@ module Json
   , shapeText
   , surfaceName
   , foldingName
+  , chanceSeries
   ) where
 
 import Data.Aeson
@@ -22,6 +23,7 @@ import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
 
 import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
+import PraTactile.Locate.Chance (Chance (..))
 
 -- | One object on one line, its keys in the order given.
 encodeLine :: Series -> Lazy.ByteString
@@ -64,3 +66,9 @@ foldingName :: Folding -> String
 foldingName folding = case folding of
   Diagonal -> "diagonal"
   RowMajor -> "row-major"
+
+-- | @chance@ and @chance_is@: both null where no cell was observed.
+chanceSeries :: Maybe Chance -> Series
+chanceSeries worth = "chance" .= fmap chanceShare worth <> "chance_is" .= fmap bound worth
+  where
+    bound found = if chanceExact found then "exact" else "at-most" :: String

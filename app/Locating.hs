@@ -14,6 +14,8 @@ module Locating
   , Answer (..)
     -- * Parts of them
   , exactRoad
+  , exactChance
+  , certainChance
   , counted
   , maybeNumber
   ) where
@@ -34,9 +36,12 @@ import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
+import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.OrderedStatistics
-import PraTactile.Locate.Patch (observedCells)
+import PraTactile.Locate.Orientation (Orientation, candidatesDiffer, upright)
+import PraTactile.Locate.Oriented (eachLaid)
+import PraTactile.Locate.Patch (completeWindows, observedCells)
 import PraTactile.Locate.Search
 import PraTactile.Locate.Soft
 import PraTactile.Window
@@ -76,6 +81,7 @@ data Answer = Answer
   { answerOutcome :: Outcome
   , answerRoad :: Road
   , answerCorrected :: [Position]      -- ^ the offsets of the cells taken to be wrong
+  , answerChance :: Maybe Chance       -- ^ of all contents of the observed cells, the share that would be located
   , answerDetails :: [(Key, Value)]   -- ^ further keys of the JSON form
   , answerExplained :: [String]        -- ^ in sentences
   }
@@ -100,13 +106,20 @@ locator choice surface array mask = case chosenRoad choice of
       Symbols p -> hard p
       Chances p -> soft p
     viaExact = (\(road, exact) p -> plain road p <$> exact p) <$> exactRoad choice surface array mask
-    plain road p outcome = Answer outcome road [] (counted outcome) (explainCells array mask (observedCells p) ++ explainOutcome outcome)
+    plain road p outcome = plainWith (exactChance [upright] surface array mask road p) road p outcome
+    plainWith worth road p outcome = Answer outcome road [] worth (counted outcome)
+      (explainCells array mask (observedCells p) ++ explainOutcome outcome)
     viaNearest shelf p
-      | fewer p = Right (plain NearestRoad p (Refused TooFewCells))
+      | fewer p =
+          let worth = atMost . chance . correcting 0 (radiusFor (chosenRadius choice) 0) <$> around p
+          in Right (plainWith worth NearestRoad p (Refused TooFewCells))
       | otherwise =
           let decision = nearest shelf (chosenRadius choice) p
-          in Right (Answer (decisionOutcome decision) NearestRoad (decisionWrong decision) (counted (decisionOutcome decision) ++ ofDecision decision)
+          in Right (Answer (decisionOutcome decision) NearestRoad (decisionWrong decision)
+               (chance . correcting (decisionDistance decision) (decisionRadius decision) <$> around p)
+               (counted (decisionOutcome decision) ++ ofDecision decision)
                (explainCells array mask (observedCells p) ++ explainDecision decision ++ explainOutcome (decisionOutcome decision)))
+    around p = spheres surface array [upright] (patchShape p) (map fst (observedCells p))
     -- Fewer cells than a window has never tell a position on the array's own surface.
     fewer p = length (observedCells p) < maskSize mask
     -- What is computed once for patches without holes of one shape, as it is first asked for.
@@ -116,17 +129,21 @@ locator choice surface array mask = case chosenRoad choice of
         Just (Right ready) | decoderOffsets ready == map fst (observedCells p) -> decodeWith ready (chosenRadius choice) p
         _ -> decodePatch algebra (chosenRadius choice) p
       let outcome = decodingOutcome decoded
-      pure (Answer outcome InformationSetsRoad (decodingWrong decoded) (counted outcome ++ ofDecoding decoded)
+      pure (Answer outcome InformationSetsRoad (decodingWrong decoded)
+        (chance . correcting (atLeast (decodingDistance decoded)) (decodingRadius decoded) <$> around p)
+        (counted outcome ++ ofDecoding decoded)
         (explainCells array mask (observedCells p) ++ explainDecoding decoded ++ explainOutcome outcome))
     viaSoft shelf p =
       let found = posterior shelf p
           outcome = decide (chosenDoubt choice) found
-      in Right (Answer outcome SoftRoad [] (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
+      in Right (Answer outcome SoftRoad [] (certainChance [upright] surface array p)
+           (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
 
     viaList algebra p = do
       found <- first algebraMessage (listPatch standardListing (chosenDoubt choice) algebra p)
       let outcome = decideListing (chosenDoubt choice) found
-      pure (Answer outcome ListRoad [] (counted outcome ++ ofListing found) (explainListing (chosenDoubt choice) found ++ explainOutcome outcome))
+      pure (Answer outcome ListRoad [] (certainChance [upright] surface array p)
+        (counted outcome ++ ofListing found) (explainListing (chosenDoubt choice) found ++ explainOutcome outcome))
 
 -- | The road on which nothing is corrected: the one chosen, or else algebra, or where that cannot be the table. 'Left' where it is impossible for the array.
 exactRoad :: KnownField k => Choice -> Surface -> PseudorandomArray k -> Mask -> Either String (Road, Patch k -> Either String Outcome)
@@ -138,6 +155,27 @@ exactRoad choice surface array mask = case chosenRoad choice of
   where
     table = (\made -> (TableRoad, Right . locatePatch made)) <$> first locateMessage (buildTable (chosenPacking choice) surface array mask)
     algebra = (\made -> (AlgebraRoad, first algebraMessage . algebraPatch made)) <$> first algebraMessage (prepareAlgebra surface array mask)
+
+-- | What an answer of a road on which nothing is corrected is worth, in one of these orientations. The table knows
+-- complete windows only.
+exactChance :: KnownField k => [Orientation] -> Surface -> PseudorandomArray k -> Mask -> Road -> Patch k -> Maybe Chance
+exactChance possible surface array mask road p =
+  limited . chance . correctingNothing differ <$> spheres surface array possible shape offsets
+  where
+    differ = candidatesDiffer surface array possible shape offsets
+    shape = patchShape p
+    offsets = map fst (observedCells p)
+    limited
+      | road == TableRoad && any (null . completeWindows mask . snd) (eachLaid possible p) = atMost
+      | otherwise = id
+
+-- | What an answer from probabilities is worth, in one of these orientations: only a cell that leaves no doubt keeps
+-- out a position.
+certainChance :: KnownField k => [Orientation] -> Surface -> PseudorandomArray k -> SoftPatch k -> Maybe Chance
+certainChance possible surface array p =
+  chance . amongCells certain <$> spheres surface array possible (softShape p) (map fst (softCells p))
+  where
+    certain = fromIntegral (length (filter (isCertain . snd) (softCells p)))
 
 -- | How many positions.
 counted :: Outcome -> [(Key, Value)]
@@ -188,4 +226,4 @@ ofListing found =
 
 -- | The first five positions of a ranking.
 likeliestFive :: [(Position, Double)] -> (Key, Value)
-likeliestFive ranking = ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= chance] | (place, chance) <- take 5 ranking])
+likeliestFive ranking = ("likeliest", toJSON [object ["position" .= positionValue place, "probability" .= probability] | (place, probability) <- take 5 ranking])

@@ -97,6 +97,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
     known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
     symbolLines = ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised")
       : [ "support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition] ]
+      ++ [ "chance    " ++ chanceText chance | Just chance <- [recognisedEvidence recognition >>= evidenceChance] ]
       ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
          | several paths, Just evidence <- [recognisedEvidence recognition], (i, path) <- zip [0 ..] paths, i `elem` evidenceInconsistent evidence ]
     several = not . null . drop 1

@@ -19,11 +19,13 @@ import qualified Test.Code.FieldStructure
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateBounded
+import qualified Test.Code.LocateChance
 import qualified Test.Code.LocateListing
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
+import qualified Test.Code.LocateSheet
 import qualified Test.Code.LocateSoft
 import qualified Test.Code.LocateTogether
 import qualified Test.Code.Polynomial
@@ -36,6 +38,7 @@ import qualified Test.Code.Sequence
 import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Chance
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Picture
@@ -96,6 +99,8 @@ main = hspec $ do
     describe "The roads to a position" Test.Code.LocateRoads.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
+    describe "Chance" Test.Code.LocateChance.spec
+    describe "Locating on the sheet" Test.Code.LocateSheet.spec
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
     describe "Locating from probabilities on large arrays" Test.Code.LocateListing.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
@@ -125,6 +130,7 @@ main = hspec $ do
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec
+  describe "The command line: what answers are worth" Test.CommandLine.Chance.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
   describe "The command line: pictures and truths" Test.CommandLine.Picture.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec

@@ -16,6 +16,7 @@ import ArrayChoice
 import Command.Prove (surfaceOption)
 import Described
 import Ending
+import Explain (explainChance)
 import Json
 import Json.Profile
 import Lines
@@ -26,6 +27,7 @@ import PatchText
 import PraTactile.Array (Position (..), Surface (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Locate
+import PraTactile.Locate.Chance (Chance)
 import PraTactile.Locate.Nearest (Radius (..))
 import PraTactile.Locate.Oriented (Candidate (..))
 import PraTactile.Profile
@@ -89,8 +91,20 @@ answering profile options locate = case source options of
     Right report -> do
       if asJson options
         then printJson (outcomeJson profile options report)
-        else putStr (unlines (answerText report : (if explain options then answerExplained (reportAnswer report) else [])))
+        else do
+          putStr (unlines (answerText report : (if explain options then explained (reportAnswer report) else [])))
+          mapM_ warn (worthLittle (reportAnswer report))
       pure (endingOf (answerOutcome (reportAnswer report)))
+
+-- | What the answer rests on, and what it is worth.
+explained :: Answer -> [String]
+explained answer = answerExplained answer ++ maybe [] explainChance (answerChance answer)
+
+-- | That a position would be told of random symbols as well.
+worthLittle :: Answer -> Maybe String
+worthLittle answer = case answerOutcome answer of
+  Located _ _ -> answerChance answer >>= chanceWarning
+  _ -> Nothing
 
 -- | One line after another, each answered at once; the worst ending of all.
 batch :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
@@ -138,7 +152,7 @@ outcomeText outcome = case outcome of
 
 outcomeJson :: Profile -> Options -> Report -> Series
 outcomeJson profile options report = base <> "road" .= roadName (answerRoad answer) <> mconcat [ key .= detail | (key, detail) <- answerDetails answer ]
-    <> (if explain options then "explanation" .= answerExplained answer else mempty)
+    <> (if explain options then "explanation" .= explained answer else mempty)
   where
     answer = reportAnswer report
     base = case answerOutcome answer of
@@ -146,13 +160,13 @@ outcomeJson profile options report = base <> "road" .= roadName (answerRoad answ
       Ambiguous places support -> form "ambiguous" Nothing places Nothing (answerText report) support
       AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (answerText report) []
       Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
-    form = answerJson profile
+    form = answerJson profile (answerChance answer)
 
 invalidJson :: Profile -> String -> Series
-invalidJson profile complaint = answerJson profile "invalid" Nothing [] (Just "bad-input") complaint []
+invalidJson profile complaint = answerJson profile Nothing "invalid" Nothing [] (Just "bad-input") complaint []
 
-answerJson :: Profile -> String -> Maybe Position -> [Position] -> Maybe String -> String -> [Position] -> Series
-answerJson profile outcome place places reason message support =
+answerJson :: Profile -> Maybe Chance -> String -> Maybe Position -> [Position] -> Maybe String -> String -> [Position] -> Series
+answerJson profile worth outcome place places reason message support =
   "schema" .= ("pra-tactile/locate/1" :: String)
     <> "profile" .= profileValue profile
     <> "outcome" .= outcome
@@ -161,3 +175,4 @@ answerJson profile outcome place places reason message support =
     <> "reason" .= reason
     <> "message" .= message
     <> "windows" .= map (toJSON . positionListValue) support
+    <> chanceSeries worth

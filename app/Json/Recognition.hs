@@ -36,6 +36,7 @@ recognitionJson profile paths nameOf robotAt recognition =
     <> "robot_mm" .= fmap (robotAt . windowSeenAt) window
     <> "orientation_deg" .= fmap orientationDegrees orientation
     <> "doubt" .= fmap evidenceDoubt evidence
+    <> chanceSeries (evidence >>= evidenceChance)
     <> "agreeing" .= fmap evidenceAgreeing evidence
     <> "wrong" .= fmap (length . evidenceWrong) evidence
     <> "inconsistent_sources" .= fmap evidenceInconsistent evidence

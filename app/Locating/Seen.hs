@@ -30,6 +30,7 @@ import PraTactile.Field (KnownField)
 import PraTactile.Locate
 import PraTactile.Locate.Algebra (prepareAlgebra)
 import PraTactile.Locate.Book
+import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Orientation
 import PraTactile.Locate.Oriented
@@ -115,16 +116,20 @@ reporter choice turning surface array mask = do
         Nothing -> pure ()
         Just _ -> Left "probabilities are for the comparison with all positions; leave out --road"
       shelf <- shelved
+      joined <- first locateMessage (joinSoftPatches given)
       together <- first locateMessage (posteriorTogetherOriented shelf possible (chosenDoubt choice) given)
-      pure (ofPosterior <$> together)
-    report outcome named wrong details explained = Report
-      (Answer (plainOutcome outcome) named wrong (countOf outcome : details ++ orientationDetails turning (candidatesOf outcome)) explained)
+      pure (ofPosterior joined <$> together)
+    report outcome named wrong worthOf details explained = Report
+      (Answer (plainOutcome outcome) named wrong worthOf (countOf outcome : details ++ orientationDetails turning (candidatesOf outcome)) explained)
       (if turning == Upright then Nothing else Just (candidatesOf outcome)) []
     ofDecision joined decision
-      | length (observedCells joined) < maskSize mask = report (OrientedNowhere TooFewCells) NearestRoad [] [] (cellsOf [] joined)
+      | length (observedCells joined) < maskSize mask =
+          let refusing = atMost . chance . correcting 0 (orientedRadius decision) <$> around joined
+          in report (OrientedNowhere TooFewCells) NearestRoad [] refusing [] (cellsOf [] joined)
       | otherwise = ofNearest NearestRoad [] joined decision
     ofBounded = ofNearest InformationSetsRoad [("minimum_distance_is", "at-least")]
     ofNearest named more joined decision = report (orientedOutcome decision) named (orientedWrong decision)
+      (chance . correcting (orientedMinimum decision) (orientedRadius decision) <$> around joined)
       ([ ("corrected", toJSON (map positionListValue (orientedWrong decision)))
        , ("nearest", maybeNumber (orientedNearest decision))
        , ("runner_up", maybeNumber (orientedRunnerUp decision))
@@ -132,15 +137,17 @@ reporter choice turning surface array mask = do
         ++ more ++ [ ("radius", naturalValue (orientedRadius decision)) ])
       (cellsOf (candidatesOf (orientedOutcome decision)) joined ++ explainOriented (turning == Upright) decision ++ explainOutcome (plainOutcome (orientedOutcome decision)))
     ofExact named joined outcome =
-      report outcome named [] [] (cellsOf (candidatesOf outcome) joined ++ explainOutcome (plainOutcome outcome))
-    ofPosterior found =
+      report outcome named [] (exactChance possible surface array mask named joined) []
+        (cellsOf (candidatesOf outcome) joined ++ explainOutcome (plainOutcome outcome))
+    ofPosterior joined found =
       let outcome = decideOriented (chosenDoubt choice) found
-      in report outcome SoftRoad []
+      in report outcome SoftRoad [] (certainChance possible surface array joined)
            [ ("doubt", toJSON (posteriorDoubt found))
-           , ("likeliest", toJSON [ object (("probability" .= chance) : candidateFields turning candidate) | (candidate, chance) <- take 5 (posteriorRanking found) ]) ]
+           , ("likeliest", toJSON [ object (("probability" .= probability) : candidateFields turning candidate) | (candidate, probability) <- take 5 (posteriorRanking found) ]) ]
            ([ "The probabilities of the candidates, positions in orientations:" | Just _ <- [posteriorBest found] ]
-             ++ [ printf "  %s %s: %.6g" (pairText (candidatePosition candidate)) (orientationText (candidateOrientation candidate)) chance | (candidate, chance) <- take 3 (posteriorRanking found) ]
+             ++ [ printf "  %s %s: %.6g" (pairText (candidatePosition candidate)) (orientationText (candidateOrientation candidate)) probability | (candidate, probability) <- take 3 (posteriorRanking found) ]
              ++ [ printf "The likeliest is wrong with probability %.3g; %.3g is tolerated." (posteriorDoubt found) (chosenDoubt choice) | Just _ <- [posteriorBest found] ])
+    around joined = spheres surface array possible (patchShape joined) (map fst (observedCells joined))
     -- The equations of the cells in the one orientation that is left, or in the first.
     cellsOf candidates joined =
       let seen = case nub (map candidateOrientation candidates) of

@@ -149,6 +149,8 @@ algebraMessage e = case e of
   AlgebraLogarithm (LogarithmInfeasible prime limit) -> "the position needs a discrete logarithm in a group whose order the prime " ++ show prime
     ++ " divides, which is infeasible beyond " ++ show limit
   AlgebraCells why -> windowMessage why
+  AlgebraSheet count -> "the observed cells leave " ++ show count ++ " positions of the torus, too many to tell"
+    ++ " which of them lie on the sheet; give more cells"
 
 decodingMessage :: DecodingError -> String
 decodingMessage e = case e of

@@ -23,8 +23,8 @@ spec = do
 codeSpec :: Spec
 codeSpec = describe "the code" $ do
   it "locate: the worked example, in codes and in powers" $ do
-    prints ["locate", "3 2 / 3 1"] ["row 6, column 5"]
-    prints ["locate", "A^2 A / A^2 1"] ["row 6, column 5"]
+    locates ["locate", "3 2 / 3 1"] ["row 6, column 5"]
+    locates ["locate", "A^2 A / A^2 1"] ["row 6, column 5"]
   it "locate --json: located with status 0, refused with status 1" $ do
     (located, out, _) <- pra ["locate", "--json", "3 2 / 3 1"]
     (located, key ["outcome"] out, key ["position", "row"] out, key ["position", "column"] out) `shouldBe` (0, Just "located", Just (Number 6), Just (Number 5))

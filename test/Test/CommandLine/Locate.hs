@@ -28,7 +28,7 @@ spec = do
         cells r c h w = [take w (drop c (words row)) | row <- take h (drop r rows)]
         wrongAt (i, j) patch = [[if (i, j) == (a, b) then (if cell == "0" then "1" else "0") else cell | (b, cell) <- zip [0 ..] row] | (a, row) <- zip [0 :: Int ..] patch] :: [[String]]
         damaged = foldr wrongAt (cells 4 3 4 4) [(0, 0), (1, 2), (2, 1), (3, 3 :: Int)]
-    prints ["locate", spelled damaged] ["row 4, column 3 (4 cells corrected)"]
+    locates ["locate", spelled damaged] ["row 4, column 3 (4 cells corrected)"]
     (refused, strict, _) <- pra ["locate", "--json", "--radius", "3", spelled damaged]
     (refused, key ["reason"] strict) `shouldBe` (1, Just "beyond-radius")
     for_ ["table", "search", "algebra"] $ \road -> do
@@ -72,7 +72,7 @@ spec = do
     (whole, sentences, _) <- soft ["--explain"] some
     (whole, lines sentences) `shouldSatisfy` \(status', said) -> status' == 0 && any ("at most" `isInfixOf`) said
   it "locate takes probabilities as JSON" $ do
-    prints ["locate", "--doubt", "0.2", "[[[0,0,0.1,0.9],2],[\"A^2\",1]]"] ["row 6, column 5"]
+    locates ["locate", "--doubt", "0.2", "[[[0,0,0.1,0.9],2],[\"A^2\",1]]"] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", "[[[0,0,0.1,0.9],2],[3,1]]"]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     for_ ["[[[0,0,0.1],2],[3,1]]", "[[[0,0,2,-1],2],[3,1]]", "[[3.5]]", "[[3],[]]", "[3", "[[true]]"] $ \patch -> complains ["locate", patch] ""
@@ -87,10 +87,10 @@ spec = do
       -- Every array of windows with two columns is its own mirror image, so that never only one of both is left.
       (ambiguous, any', _) <- pra ["locate", "--json", "--orientation", "any", spelled (map reverse (turned n))]
       (ambiguous, key ["orientation_deg"] any', fmap candidates (key ["candidates"] any')) `shouldBe` (1, Just Null, Just [((360 - 90 * n) `mod` 360, False), ((360 - 90 * n) `mod` 360, True)])
-    prints ["locate", "--orientation", "turned", spelled (turned 1)] ["row 6, column 5, turned by 90 degrees"]
-    prints ["locate", "--orientation", "turned", spelled (turned 0)] ["row 6, column 5, upright"]
-    prints ["locate", "--orientation", "upright", spelled (turned 0)] ["row 6, column 5"]
-    for_ ["table", "search", "algebra"] $ \road -> prints ["locate", "--orientation", "turned", "--road", road, spelled (turned 3)] ["row 6, column 5, turned by 270 degrees"]
+    locates ["locate", "--orientation", "turned", spelled (turned 1)] ["row 6, column 5, turned by 90 degrees"]
+    locates ["locate", "--orientation", "turned", spelled (turned 0)] ["row 6, column 5, upright"]
+    locates ["locate", "--orientation", "upright", spelled (turned 0)] ["row 6, column 5"]
+    for_ ["table", "search", "algebra"] $ \road -> locates ["locate", "--orientation", "turned", "--road", road, spelled (turned 3)] ["row 6, column 5, turned by 270 degrees"]
     (told, sentences, _) <- pra ["locate", "--orientation", "turned", "--explain", spelled (turned 2)]
     (told, filter ("turned by 180" `isInfixOf`) (lines sentences)) `shouldSatisfy` \(status, found) -> status == 0 && length found == 2
     complains ["locate", "--orientation", "turned", "--road", "table", "--radius", "1", spelled upright] "--radius"
@@ -99,12 +99,12 @@ spec = do
     let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
         text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
         astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
-    prints ["locate", text] ["row 6, column 4"]
+    locates ["locate", text] ["row 6, column 4"]
     (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
     (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
-    prints ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
-    prints ["locate", "--road", "algebra", text] ["row 6, column 4"]
-    prints ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
+    locates ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
+    locates ["locate", "--road", "algebra", text] ["row 6, column 4"]
+    locates ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", astray]
     (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
     (_, explained, _) <- pra ["locate", "--explain", astray]
@@ -113,7 +113,7 @@ spec = do
     (located, found, _) <- pra ["locate", "--json", encoded patches]
     (located, key ["position", "row"] found, key ["disputed"] found, fmap inconsistent (key ["patches"] found)) `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
     let chances = object ["patches" .= [object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]], object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]]]
-    prints ["locate", encoded chances] ["row 6, column 5"]
+    locates ["locate", encoded chances] ["row 6, column 5"]
     (batched, lines', _) <- praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
     (batched, map (key ["outcome"]) (lines lines')) `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
     for_ [("3 2 / 3 1 ;", "patch 2"), ("x,1: 3 2 / 3 1", "displacement"), ("1: 3 2", "displacement"), ("3 2 / 3 1 ; 0,3: 7", "patch 2")
@@ -125,14 +125,14 @@ spec = do
     chosenPolynomial <- (\(_, out, _) -> concat (take 1 (lines out))) <$> pra ["polynomials", "--q", "4", "--degree", "12", "--first"]
     let chosen = ["--q", "4", "--polynomial", chosenPolynomial, "--shape", "4095x4097"]
         cells (r, c) (h, w) = [[show (toCode (cellAt array (Position (r + i) (c + j)))) | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
-    prints (["locate", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (cells (4000, 4096) (6, 4))))]) ["row 4000, column 4096, turned by 90 degrees"]
-    prints (["locate"] ++ chosen ++ [spelled (cells (4000, 4096) (4, 4)) ++ "; 7,0: " ++ spelled (cells (4007, 4096) (3, 3))]) ["row 4000, column 4096"]
+    locates (["locate", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (cells (4000, 4096) (6, 4))))]) ["row 4000, column 4096, turned by 90 degrees"]
+    locates (["locate"] ++ chosen ++ [spelled (cells (4000, 4096) (4, 4)) ++ "; 7,0: " ++ spelled (cells (4007, 4096) (3, 3))]) ["row 4000, column 4096"]
     -- One wrong cell of 49, in any quarter turn.
     (status, out, _) <- pra (["locate", "--json", "--orientation", "turned"] ++ chosen ++ [spelled (transpose (reverse (disturbed (cells (4000, 4096) (7, 7)))))])
     (status, key ["road"] out, key ["position", "row"] out, key ["orientation_deg"] out, key ["corrected"] out, key ["minimum_distance_is"] out)
       `shouldBe` (0, Just "information-sets", Just (Number 4000), Just (Number 90), Just (toJSON [[0, 6 :: Int]]), Just "at-least")
     -- Neither could have one wrong cell alone, so that both are suspect; together they are located.
-    prints (["locate", "--radius", "2"] ++ chosen ++ [spelled (disturbed (cells (4000, 4096) (4, 4))) ++ "; 7,0: " ++ spelled (disturbed (cells (4007, 4096) (4, 4)))]) ["row 4000, column 4096 (2 cells corrected); inconsistent: patches 1, 2"]
+    locates (["locate", "--radius", "2"] ++ chosen ++ [spelled (disturbed (cells (4000, 4096) (4, 4))) ++ "; 7,0: " ++ spelled (disturbed (cells (4007, 4096) (4, 4)))]) ["row 4000, column 4096 (2 cells corrected); inconsistent: patches 1, 2"]
     complains (["locate", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"]) "16777215 cells"
  where
   spelled = intercalate " / " . map unwords

@@ -5,13 +5,14 @@ module Test.CommandLine.Run
   , praWith
   , key
   , prints
+  , locates
   , complains
   ) where
 
 import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.List (isInfixOf)
+import Data.List (isInfixOf, isPrefixOf)
 import System.Exit (ExitCode (..))
 import System.Process (readProcessWithExitCode)
 import Test.Hspec
@@ -38,6 +39,13 @@ key path line = decode (Lazy8.pack line) >>= go path
 -- | It prints exactly these lines, nothing on the standard error, and ends with status 0.
 prints :: [String] -> [String] -> Expectation
 prints arguments expected = pra arguments `shouldReturn` (0, unlines expected, "")
+
+-- | The same, but that a line may warn of how little the answer is worth.
+locates :: [String] -> [String] -> Expectation
+locates arguments expected = do
+  (status, out, err) <- pra arguments
+  (status, out) `shouldBe` (0, unlines expected)
+  filter (not . ("pra-tactile: warning: of random symbols " `isPrefixOf`)) (lines err) `shouldBe` []
 
 -- | It prints nothing, one line of complaint with this in it, and ends with status 2.
 complains :: [String] -> String -> Expectation

@@ -108,8 +108,8 @@ spec = do
       let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)
           cell r c = unwords (take 1 (drop ((c `mod` 17) :: Int) (concat (take 1 (drop ((r + c `div` 17) `mod` 15) cells)))))
           look r c = unwords [cell r c, cell r (c + 1), "/", cell (r + 1) c, cell (r + 1) (c + 1)]
-      prints ["locate", "--folding", "row-major", look 6 5] ["row 6, column 5"]
-      prints ["locate", "--folding", "row-major", look 6 16] ["row 6, column 16"]
+      locates ["locate", "--folding", "row-major", look 6 5] ["row 6, column 5"]
+      locates ["locate", "--folding", "row-major", look 6 16] ["row 6, column 16"]
     it "goes with no other name, nor beside a profile file" $ do
       (status, _, err) <- pra ["array", "--folding", "spiral"]
       (status, "diagonal or row-major" `isInfixOf` err) `shouldBe` (2, True)

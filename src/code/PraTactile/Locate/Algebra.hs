@@ -19,19 +19,25 @@ module PraTactile.Locate.Algebra
 
     -- * Its parts
   , algebraPlaces
+  , algebraVisits
+  , Listed (..)
+  , algebraListing
+  , algebraPositions
   , algebraNowhere
 
     -- * Refusals
   , AlgebraError (..)
   ) where
 
-import Data.List (sort)
-import Data.Maybe (isJust)
+import Data.List (genericDrop, genericTake, sort)
+import Data.Maybe (isJust, mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.DiscreteLog
+import PraTactile.Extension (Residue)
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
+import PraTactile.Locate.Compare (comparedShape, extentOf)
 import PraTactile.Locate.Equations
 import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
@@ -48,6 +54,8 @@ data AlgebraError
     AlgebraLogarithm LogarithmError
   | -- | There are too many observed cells.
     AlgebraCells WindowError
+  | -- | So many positions of the array agree, too many to tell which of them lie on the sheet with all cells.
+    AlgebraSheet Natural
   deriving stock (Eq, Show)
 
 -- | An array on a surface, with what is computed once for all patches.
@@ -73,6 +81,10 @@ prepareAlgebra surface array mask
  where
   natural = naturalSurface (arrayFolding array)
 
+-- | Positions, or that they are two at least and perhaps too many to list.
+data Listed = Listed [Position] | More
+  deriving stock (Eq, Show)
+
 -- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousCoset' tells the number.
 largestListing :: Natural
 largestListing = 1024
@@ -83,12 +95,12 @@ algebraPatch algebra observed
   | null cells = Right (Refused TooFewCells)
   | otherwise = do
       solutions <- solved algebra cells
-      if solutionCount solutions > largestListing
-        then Right (AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions))
-        else pure $ case algebraPlaces algebra (map fst cells) solutions of
-          [] -> Refused (algebraNowhere algebra observed)
-          [place] -> Located place support
-          places -> Ambiguous (sort places) support
+      found <- algebraListing algebra cells solutions
+      pure $ case found of
+        More -> AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions)
+        Listed [] -> Refused (algebraNowhere algebra observed)
+        Listed [place] -> Located place support
+        Listed several -> Ambiguous (sort several) support
  where
   cells = observedCells observed
   support = map fst (completeWindows (algebraMask algebra) observed)
@@ -98,23 +110,70 @@ algebraNowhere :: KnownField k => Algebra k -> Patch k -> Reason
 algebraNowhere algebra = nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
  where
   -- A window has as few cells as any mask.
-  occurring content = either (const []) (algebraPlaces algebra (map fst content)) (solved algebra content)
+  occurring content = either (const []) (algebraPlaces algebra content) (solved algebra content)
 
--- | The positions that solutions are, made as they are asked for: on the sheet those at which all cells,
--- by their offsets, lie on it.
-algebraPlaces :: KnownField k => Algebra k -> [Position] -> Solutions k -> [Position]
-algebraPlaces algebra offsets solutions =
-  [ place
-  | x <- solutionResidues (arrayPrimitive array) solutions
-  , -- Only zero has no logarithm, and it is no solution.
-  Right t <- [logarithmFrom (algebraLogarithms algebra) x]
-  , let place = positionOfIndex array t
-  , all (lies place) offsets
-  ]
+-- | The positions that the solutions for these cells are, made as they are asked for: on the sheet those at which all
+-- cells lie on it.
+algebraPlaces :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> [Position]
+algebraPlaces algebra cells solutions
+  | algebraVisits algebra offsets solutions == solutionCount solutions =
+      mapMaybe (algebraPlace algebra offsets) (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions)
+  | otherwise = filter (agreesAt algebra cells) (positionsOf algebra offsets)
  where
-  array = algebraArray algebra
-  lies (Position r c) (Position i j) =
-    isJust (canonicalPosition (algebraSurface algebra) (arrayShape array) (toInteger (r + i)) (toInteger (c + j)))
+  offsets = map fst cells
+
+-- | How many positions have to be looked at to list these: the solutions, or on the sheet, if these are fewer, the
+-- positions at which the cells, by their offsets, lie on it.
+algebraVisits :: KnownField k => Algebra k -> [Position] -> Solutions k -> Natural
+algebraVisits algebra offsets solutions = min (solutionCount solutions) (area (algebraPositions algebra offsets))
+
+-- | The same as a list, or that they are more than 'largestListing'. Where not all of the solutions lie on the sheet,
+-- which is told only by looking at them or at its positions, two of many must be found there: else 'AlgebraSheet'.
+algebraListing :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> Either AlgebraError Listed
+algebraListing algebra cells solutions
+  | count <= largestListing = Right (Listed (algebraPlaces algebra cells solutions))
+  | algebraSurface algebra /= Sheet = Right More
+  | area (algebraPositions algebra offsets) <= largestVisit = Right (if several largestListing onSheet then More else Listed onSheet)
+  | several 1 (mapMaybe (algebraPlace algebra offsets) (genericTake largestListing residues)) = Right More
+  | several 1 (filter (agreesAt algebra cells) (genericTake largestVisit (positionsOf algebra offsets))) = Right More
+  | otherwise = Left (AlgebraSheet count)
+ where
+  count = solutionCount solutions
+  offsets = map fst cells
+  residues = solutionResidues (arrayPrimitive (algebraArray algebra)) solutions
+  onSheet = filter (agreesAt algebra cells) (positionsOf algebra offsets)
+  several :: Natural -> [a] -> Bool
+  several n = not . null . genericDrop n
+
+-- | 2^14: the most positions of the sheet that are looked at to see whether cells agree there.
+largestVisit :: Natural
+largestVisit = 2 ^ (14 :: Int)
+
+-- | The rows and columns of the positions at which cells lie on the surface.
+algebraPositions :: Algebra k -> [Position] -> Shape
+algebraPositions algebra offsets = comparedShape (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
+
+-- | These positions, row by row.
+positionsOf :: Algebra k -> [Position] -> [Position]
+positionsOf algebra offsets = [Position r c | r <- below high, c <- below wide]
+ where
+  Shape high wide = algebraPositions algebra offsets
+  below n = takeWhile (< n) [0 ..]
+
+-- | Whether all cells agree with the array when the patch is there.
+agreesAt :: KnownField k => Algebra k -> [(Position, GF k)] -> Position -> Bool
+agreesAt algebra cells place = and [(cellAt (algebraArray algebra) <$> cellFrom algebra place offset) == Just a | (offset, a) <- cells]
+
+-- | The position that a solution is, if there all cells lie on the surface.
+algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position
+algebraPlace algebra offsets x = case logarithmFrom (algebraLogarithms algebra) x of
+  Right t | let place = positionOfIndex (algebraArray algebra) t, all (isJust . cellFrom algebra place) offsets -> Just place
+  -- Only zero has no logarithm, and it is no solution.
+  _ -> Nothing
+
+cellFrom :: Algebra k -> Position -> Position -> Maybe Position
+cellFrom algebra (Position r c) (Position i j) =
+  canonicalPosition (algebraSurface algebra) (arrayShape (algebraArray algebra)) (toInteger (r + i)) (toInteger (c + j))
 
 solved :: KnownField k => Algebra k -> [(Position, GF k)] -> Either AlgebraError (Solutions k)
 solved algebra cells =

@@ -77,12 +77,11 @@ comparedPosition (Comparison shape _) = placeOf shape
 -- | What the cells are worth at every position: of each its offset and what each symbol there is
 -- worth, by its code, q entries.
 compareWith :: (Primitive.Prim a, Num a) => Book k -> [(Position, Primitive.Vector a)] -> Comparison a
-compareWith shelf cells = Comparison (comparedShape surface grid extent) (totals surface grid extent cells)
+compareWith shelf cells = Comparison (comparedShape surface (gridShape grid) extent) (totals surface grid extent cells)
  where
   surface = bookSurface shelf
   grid = bookGrid shelf
-  -- The patch's own upper left must lie on the sheet, too.
-  extent = Shape (1 + maximum (0 : map (row . fst) cells)) (1 + maximum (0 : map (column . fst) cells))
+  extent = extentOf (map fst cells)
 {-# INLINE compareWith #-}
 
 -- | The minimum distance of the contents of the cells with these offsets, as they are on the array's

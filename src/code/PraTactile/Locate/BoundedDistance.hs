@@ -29,6 +29,7 @@ module PraTactile.Locate.BoundedDistance
   , DecodingError (..)
   ) where
 
+import Data.Bifunctor (first)
 import Data.List (foldl', sort)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
@@ -66,7 +67,7 @@ data Decoding = Decoding
   , decodingNearest :: Known
   -- ^ In how many cells the nearest position differs; one beyond the radius at least where none is within it.
   , decodingRunnerUp :: Maybe Known
-  -- ^ In how many any other one differs, if there is any; 'Nothing' where no nearest one was found.
+  -- ^ In how many any other one differs; 'Nothing' if there is one position only, or no nearest one was found.
   , decodingDistance :: Known
   -- ^ The minimum distance of the observed cells.
   , decodingRadius :: Natural
@@ -130,7 +131,7 @@ decoder effort algebra offsets = do
 -- 'largestListing' positions are equally near, because the cells do not tell them apart, 'AmbiguousCoset'.
 decodePatch :: KnownField k => Algebra k -> Radius -> Patch k -> Either DecodingError Decoding
 decodePatch algebra radius observed
-  | null cells = Right (Decoding (Refused TooFewCells) [] (AtLeast 0) Nothing (Exactly 0) (case radius of { Guaranteed -> 0; UpTo e -> e }))
+  | null cells = Right (Decoding (Refused TooFewCells) [] (AtLeast 0) Nothing (Exactly 0) (radiusFor radius 0))
   | otherwise = do
       prepared <- either (Left . DecodingAlgebra) Right (decoder standardEffort algebra (map fst cells))
       decodeWith prepared radius observed
@@ -147,19 +148,19 @@ decodeWith prepared stated observed
   algebra = codeAlgebra code
   cells = observedCells observed
   word = rowFromList (map snd cells)
-  radius = case stated of
-    Guaranteed -> guaranteedRadius (atLeast d)
-    UpTo e -> e
+  radius = radiusFor stated (atLeast d)
   d = decoderDistance prepared
   within = do
     found <- nearestWords prepared word radius
     pure $ case found of
-      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (Just (runnerUp e (outcome []))) d radius
+      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (runnerUp e (outcome [])) d radius
       Nothing -> Decoding (Refused reason) [] (AtLeast (radius + 1)) Nothing d radius
   -- Another position is beyond what was searched, and at least the distance away from this one.
   runnerUp e outcome = case outcome of
-    Located _ _ -> AtLeast (max (e + 1) (atLeast d `without` e))
-    _ -> Exactly e
+    Located _ _
+      | codePlaces code <= 1 -> Nothing
+      | otherwise -> Just (AtLeast (max (e + 1) (atLeast d `without` e)))
+    _ -> Just (Exactly e)
   without a b = if a < b then 0 else a - b
   reason
     | radius == 0 = algebraNowhere algebra observed
@@ -205,15 +206,17 @@ nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Se
     new = Map.fromList [(combinationFrom set word terms, w + n) | (n, terms) <- nearFound near]
   decided e words'
     | total == 0 = Right Nothing
-    | total > largestListing = case solved of
-        [(_, one')] -> found (AmbiguousCoset total (solutionFreedom one')) []
-        _ -> Left (DecodingTooMany (fromIntegral e))
-    | otherwise = case [(x, place) | (x, solutions) <- solved, place <- wordPlaces code solutions] of
-        [] -> Right Nothing
-        [(x, place)] -> Right (Just (fromIntegral e, Located place, differing x))
-        several -> Right (Just (fromIntegral e, Ambiguous (sort (map snd several)), []))
+    | total > largestListing, _ : _ : _ <- solved = Left (DecodingTooMany (fromIntegral e))
+    | otherwise = do
+        listed <- first DecodingAlgebra (traverse (wordListing code . fst) solved)
+        let found = [(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places]
+            tooMany = [only | ((_, only), More) <- zip solved listed]
+        pure $ case (found, tooMany) of
+          (_, only : _) -> Just (fromIntegral e, const (AmbiguousCoset (solutionCount only) (solutionFreedom only)), [])
+          ([], []) -> Nothing
+          ([(x, place)], []) -> Just (fromIntegral e, Located place, differing x)
+          (several, []) -> Just (fromIntegral e, Ambiguous (sort (map snd several)), [])
    where
     solved = [(x, solutions) | x <- words', let solutions = wordSolutions code x, solutionCount solutions > 0]
-    total = sum (map (solutionCount . snd) solved)
-    found outcome wrong = Right (Just (fromIntegral e, const outcome, wrong))
+    total = sum (map (wordVisits code . fst) solved)
   differing x = [offset | (offset, a, b) <- zip3 (codeOffsets code) (Primitive.toList x) (Primitive.toList word), a /= b]

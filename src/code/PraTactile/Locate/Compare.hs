@@ -6,6 +6,7 @@ module PraTactile.Locate.Compare
   ( Worth
   , totals
   , comparedShape
+  , extentOf
   , placeOf
   , indexOf
   ) where
@@ -20,16 +21,20 @@ import PraTactile.Grid
 -- | What each symbol is worth, by its code: as many entries as the grid's alphabet has symbols.
 type Worth a = Vector a
 
--- | The rows and columns at which a patch of this extent is compared: all of a torus; on the sheet
--- those from which the extent does not stick out.
-comparedShape :: Surface -> Grid -> Shape -> Shape
-comparedShape surface grid extent = case surface of
+-- | The rows and columns of an array of some shape at which a patch of this extent is compared: all of a torus; on
+-- the sheet those from which the extent does not stick out.
+comparedShape :: Surface -> Shape -> Shape -> Shape
+comparedShape surface shape extent = case surface of
   Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
   _ -> shape
  where
-  shape = gridShape grid
   within :: Natural -> Natural -> Natural
   within side size = if size > side then 0 else side + 1 - max 1 size
+
+-- | The extent of a patch of which the cells at these offsets are observed: from its upper left, which must lie on
+-- the sheet as well, to the last row and column that have one of them.
+extentOf :: [Position] -> Shape
+extentOf offsets = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
 -- | The position at an index of the totals, given the compared shape.
 placeOf :: Shape -> Int -> Position
@@ -47,7 +52,7 @@ totals surface grid extent cells = Primitive.create $ do
   mapM_ (addCell surface grid high wide sums) cells
   pure sums
  where
-  Shape h w = comparedShape surface grid extent
+  Shape h w = comparedShape surface (gridShape grid) extent
   high = fromIntegral h
   wide = fromIntegral w
 {-# INLINABLE totals #-}

@@ -17,6 +17,7 @@ module PraTactile.Locate.Nearest
 
     -- * The guaranteed radius
   , guaranteedRadius
+  , radiusFor
   ) where
 
 import Data.Proxy (Proxy (..))
@@ -66,6 +67,12 @@ data Decision = Decision
 guaranteedRadius :: Natural -> Natural
 guaranteedRadius d = if d == 0 then 0 else (d - 1) `div` 2
 
+-- | The radius that is meant where the minimum distance is this.
+radiusFor :: Radius -> Natural -> Natural
+radiusFor stated d = case stated of
+  Guaranteed -> guaranteedRadius d
+  UpTo e -> e
+
 -- | The nearest position within the radius. If there is none, the reason is 'ZeroWindow' where the
 -- patch is within the radius of all zeros, which stand nowhere; that of the exact search if nothing may be
 -- corrected; and else 'BeyondRadius'. Several positions equally near, which needs a radius beyond the
@@ -84,9 +91,7 @@ nearest shelf stated observed =
  where
   cells = observedCells observed
   d = observedDistance shelf (map fst cells)
-  radius = case stated of
-    Guaranteed -> guaranteedRadius d
-    UpTo e -> e
+  radius = radiusFor stated d
   comparison = compareWith shelf [(offset, otherThan a) | (offset, a) <- cells]
   distances = comparedTotals comparison
   size = Primitive.length distances

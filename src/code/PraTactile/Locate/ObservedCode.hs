@@ -15,10 +15,13 @@ module PraTactile.Locate.ObservedCode
   , codeOffsets
   , codeRank
   , codeRows
+  , codePlaces
 
     -- * From words to positions
   , wordSolutions
   , wordPlaces
+  , wordListing
+  , wordVisits
   , wordFreedom
   ) where
 
@@ -65,9 +68,23 @@ wordSolutions code word = solve n (zipWith valued (codeEquations code) (Primitiv
   n = primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code)))
   valued equation a = equation {equationValue = a}
 
--- | The positions that solutions are; on the sheet those at which all the cells lie on it.
-wordPlaces :: KnownField k => ObservedCode k -> Solutions k -> [Position]
-wordPlaces code = algebraPlaces (codeAlgebra code) (codeOffsets code)
+-- | The positions of a word; on the sheet those at which all the cells lie on it.
+wordPlaces :: KnownField k => ObservedCode k -> Row k -> [Position]
+wordPlaces code word =
+  algebraPlaces (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word)) (wordSolutions code word)
+
+-- | The same as a list, or that they are too many.
+wordListing :: KnownField k => ObservedCode k -> Row k -> Either AlgebraError Listed
+wordListing code word =
+  algebraListing (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word)) (wordSolutions code word)
+
+-- | How many positions have to be looked at to list the positions of a word.
+wordVisits :: KnownField k => ObservedCode k -> Row k -> Natural
+wordVisits code word = algebraVisits (codeAlgebra code) (codeOffsets code) (wordSolutions code word)
+
+-- | At how many positions the cells lie on the surface.
+codePlaces :: ObservedCode k -> Natural
+codePlaces code = area (algebraPositions (codeAlgebra code) (codeOffsets code))
 
 -- | Each codeword is at q to this power of positions, zero being one of them as well.
 wordFreedom :: ObservedCode k -> Natural

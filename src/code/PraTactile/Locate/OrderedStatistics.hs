@@ -217,7 +217,7 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
     -- How many positions it is at, which on the sheet has to be looked up; of very many whether there are any.
     fewest
       | not onSheet = each'
-      | otherwise = fromIntegral (length ((if each > fromIntegral largestListing then take 1 else id) (wordPlaces code (wordSolutions code word))))
+      | otherwise = fromIntegral (length ((if wordVisits code word > largestListing then take 1 else id) (wordPlaces code word)))
     counted = state {stateCount = stateCount state + 1}
     added = counted {stateWords = Map.insert (Down x, word) () (stateWords state)}
   finished beyond state
@@ -241,13 +241,15 @@ listed most tolerated onSheet code known ordered places = go start (State Map.em
     margin = stateBest state - maximum (stateForgotten state : maybe [] (pure . wordBound) beyond ++ take 1 lesser)
     entries = map (\((Down x, word), ()) -> (x, word)) (Map.toAscList (stateWords state))
     lesser = [x | (x, _) <- entries, x < stateBest state]
-    best = [wordSolutions code word | (x, word) <- takeWhile ((>= stateBest state) . fst) entries, x == stateBest state]
-    several = sum (map solutionCount best)
-    equal = if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
+    best = [word | (x, word) <- takeWhile ((>= stateBest state) . fst) entries, x == stateBest state]
+    several = sum (map (wordVisits code) best)
+    equal = case best of
+      [word] | Right (Listed places') <- wordListing code word -> sort places'
+      _ -> if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
     coset = case best of
-      [one'] | several > largestListing -> Just (several, solutionFreedom one')
+      [word] | Right More <- wordListing code word, let s = wordSolutions code word -> Just (solutionCount s, solutionFreedom s)
       _ -> Nothing
-    ranking = [(place, exp (x - stateBest state) / total) | (x, word) <- entries, place <- wordPlaces code (wordSolutions code word)]
+    ranking = [(place, exp (x - stateBest state) / total) | (x, word) <- entries, place <- wordPlaces code word]
 
 -- | 46: words are not kept whose likelihood is less than about 1e-20 of that of the best.
 faint :: Double

@@ -10,6 +10,7 @@ module PraTactile.Locate.Orientation
   , upright
   , rotations
   , orientations
+  , eachOnce
   , seenAs
   , seenAt
   , seenShape
@@ -17,6 +18,7 @@ module PraTactile.Locate.Orientation
 
     -- * What the code can tell
   , candidateDistance
+  , candidatesDiffer
   , orientedDistance
   , largestOrientedSearch
   ) where
@@ -51,6 +53,10 @@ rotations = map (Orientation False) [0 .. 3]
 -- | Those, and those of its mirror image.
 orientations :: [Orientation]
 orientations = rotations ++ map (Orientation True) [0 .. 3]
+
+-- | Each of some orientations once, turned by less than four quarter turns.
+eachOnce :: [Orientation] -> [Orientation]
+eachOnce possible = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
 
 -- | Rows of cells as they are seen in an orientation.
 --
@@ -110,20 +116,32 @@ undone (Orientation flipped turns)
 -- 'largestOrientedSearch' codewords for every two orientations and 4096 cells; beyond, it is a lower bound. See
 -- Note [Distance between orientations].
 candidateDistance :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Natural
-candidateDistance surface array possible shape offsets
-  | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] || null offsets = 0
-  | any ((< full) . dimension) codes = 0
-  | otherwise = minimumOr0 (map (fromIntegral . leastWeight largestOrientedSearch) codes)
+candidateDistance surface array possible shape offsets =
+  case map (fromIntegral . leastWeight largestOrientedSearch) <$> codesOfDifferences surface array possible shape offsets of
+    Just distances@(_ : _) -> minimum distances
+    _ -> 0
+
+-- | Whether that distance is above 0, so that any two candidates differ: by ranks alone.
+candidatesDiffer :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Bool
+candidatesDiffer surface array possible shape offsets =
+  maybe False (not . null) (codesOfDifferences surface array possible shape offsets)
+
+-- | The codes of Note [Distance between orientations], one for every two orientations, or that of the only one;
+-- 'Nothing' where one of them has not the full dimension, and where no distance is promised.
+codesOfDifferences
+  :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Maybe [LinearCode k]
+codesOfDifferences surface array possible shape offsets
+  | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] || null offsets = Nothing
+  | any ((< full) . dimension) codes = Nothing
+  | otherwise = Just codes
  where
-  asked = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
   used = take 4096 offsets
   n = primitiveDegree (arrayPrimitive array)
-  (full, codes) = case map words' asked of
+  (full, codes) = case map words' (eachOnce possible) of
     [only] -> (n, [spannedBy (length used) only])
     several -> (2 * n, [spannedBy (length used) (a ++ b) | (k, a) <- zip [1 ..] several, b <- drop k several])
   -- Codewords that span the code of an orientation.
   words' o = either (const []) (map rowFromList . transpose . windowVectors array) (maskFrom (map (seenAt (undone o) shape) used))
-  minimumOr0 distances = if null distances then 0 else minimum distances
 
 -- | 2^18: the most codewords that are looked at for two orientations.
 largestOrientedSearch :: Natural

@@ -16,13 +16,14 @@ module PraTactile.Locate.Oriented
     -- * Other roads
   , boundedOriented
   , eachOriented
+  , eachLaid
 
     -- * The likeliest
   , posteriorOriented
   , decideOriented
   ) where
 
-import Data.List (nub, sort)
+import Data.List (sort)
 import Data.Maybe (catMaybes, mapMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
@@ -84,7 +85,7 @@ nearestOriented shelf possible stated observed =
  where
   offsets = map fst (observedCells observed)
   -- In a single orientation all positions are compared for it, which is exact.
-  d = case asked possible of
+  d = case eachOnce possible of
     [only] -> observedDistance shelf (map (seenAt (undone only) (patchShape observed)) offsets)
     _ -> candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) offsets
   radius = radiusFor stated d
@@ -107,11 +108,6 @@ boundedOriented algebra possible stated observed = decided d radius Nothing <$> 
           Exactly e -> Just e
           AtLeast _ -> Nothing
     pure (o, patchShape laid, (decodingOutcome decoding, decodingWrong decoding, near, Nothing))
-
-radiusFor :: Radius -> Natural -> Natural
-radiusFor stated d = case stated of
-  Guaranteed -> guaranteedRadius d
-  UpTo e -> e
 
 -- | What orientations come to, each with the upright patch's shape, its outcome, the wrong cells, and in how many cells the nearest
 -- position and the next differ; by the distance, the radius and the runner-up of all.
@@ -150,13 +146,9 @@ eachOriented possible road observed = together <$> traverse answer (eachLaid pos
 -- | The patch upright again, by each orientation in which it may be seen.
 eachLaid :: [Orientation] -> Patch k -> [(Orientation, Patch k)]
 eachLaid possible observed =
-  [(o, rearranged (seenShape back shape) (seenAt back shape) observed) | o <- asked possible, let back = undone o]
+  [(o, rearranged (seenShape back shape) (seenAt back shape) observed) | o <- eachOnce possible, let back = undone o]
  where
   shape = patchShape observed
-
--- | Each orientation once.
-asked :: [Orientation] -> [Orientation]
-asked possible = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
 
 -- | The outcomes in several orientations, with the upright patch's shape, as one.
 together :: [(Orientation, Shape, Outcome)] -> OrientedOutcome
@@ -183,10 +175,8 @@ posteriorOriented :: Book k -> [Orientation] -> SoftPatch k -> PosteriorOver Can
 posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat [comparedTotals compared | (_, compared) <- comparisons])
  where
   -- In every orientation the cells are added up in the same order, so that what is equally likely is found equal.
-  comparisons = [(o, likelihoods shelf [(seenAt (undone o) shape offset, b) | (offset, b) <- softCells observed]) | o <- asked possible]
-  shape = case softRows observed of
-    cells@(first' : _) -> Shape (fromIntegral (length cells)) (fromIntegral (length first'))
-    [] -> Shape 0 0
+  comparisons = [(o, likelihoods shelf [(seenAt (undone o) shape offset, b) | (offset, b) <- softCells observed]) | o <- eachOnce possible]
+  shape = softShape observed
   candidateAt i = go i comparisons
   go i given = case given of
     (o, compared) : others

@@ -23,7 +23,8 @@ data Outcome
   | -- | All positions, two or more, that agree with every observed cell; and the offsets as above.
     Ambiguous [Position] [Position]
   | -- | So many positions agree with every observed cell, too many to list. They are the powers of
-    -- alpha in a coset of a space over GF(q) of this dimension, the second number.
+    -- alpha in a coset of a space over GF(q) of this dimension, the second number. Of the sheet that is
+    -- those of the torus that it is cut from; two of them at least lie on it.
     AmbiguousCoset Natural Natural
   | -- | No position, and why.
     Refused Reason

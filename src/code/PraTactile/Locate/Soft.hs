@@ -21,6 +21,7 @@ module PraTactile.Locate.Soft
   , likeliest
   , probabilities
   , possibleIn
+  , isCertain
   , BeliefError (..)
 
     -- * What is known of a patch
@@ -28,6 +29,7 @@ module PraTactile.Locate.Soft
   , softPatch
   , softRows
   , softCells
+  , softShape
   , hardened
 
     -- * Positions
@@ -113,6 +115,10 @@ probabilities (Belief numbers) = numbers
 possibleIn :: GF k -> Belief k -> Bool
 possibleIn a (Belief numbers) = maybe False (> 0) (numbers Primitive.!? toCode a)
 
+-- | Whether one symbol alone has a probability above 0.
+isCertain :: Belief k -> Bool
+isCertain (Belief numbers) = Primitive.length (Primitive.filter (> 0) numbers) == 1
+
 -- | A rectangle of cells of which something is known, and of such of which nothing is.
 data SoftPatch (k :: Field) = SoftPatch [[Maybe (Belief k)]] [(Position, Belief k)]
 
@@ -132,6 +138,12 @@ softRows (SoftPatch cells _) = cells
 -- | What is known of the cells, by their offsets, row by row.
 softCells :: SoftPatch k -> [(Position, Belief k)]
 softCells (SoftPatch _ known) = known
+
+-- | Its rows and columns.
+softShape :: SoftPatch k -> Shape
+softShape (SoftPatch cells _) = case cells of
+  line : _ -> Shape (fromIntegral (length cells)) (fromIntegral (length line))
+  [] -> Shape 0 0
 
 -- | The patch with the 'likeliest' symbol of each observed cell.
 hardened :: KnownField k => SoftPatch k -> Either LocateError (Patch k)

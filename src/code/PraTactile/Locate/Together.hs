@@ -19,6 +19,7 @@ module PraTactile.Locate.Together
     -- * Probabilities
   , posteriorTogether
   , posteriorTogetherOriented
+  , joinSoftPatches
   ) where
 
 import Data.Map.Strict (Map)
@@ -107,6 +108,14 @@ joinPatches given = do
   patch (rowsIn frame (knownIn sameSymbol frame displaced))
  where
   displaced = [(at, patchRows p) | (at, p) <- given]
+
+-- | The same of patches of probabilities, those of the same cell multiplied.
+joinSoftPatches :: [((Integer, Integer), SoftPatch k)] -> Either LocateError (SoftPatch k)
+joinSoftPatches given = do
+  frame <- frameAround displaced
+  softPatch (rowsIn frame (knownIn combined frame displaced))
+ where
+  displaced = [(at, softRows p) | (at, p) <- given]
 
 onlyCandidate :: OrientedOutcome -> Maybe Candidate
 onlyCandidate outcome = case outcome of

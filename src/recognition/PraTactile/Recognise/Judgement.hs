@@ -30,7 +30,9 @@ import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
 import PraTactile.Locate.Book
+import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
+import PraTactile.Locate.Orientation (upright)
 import PraTactile.Locate.Soft
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
@@ -64,6 +66,8 @@ data Evidence = Evidence
     -- ^ the minimum distance of the cells with a certain symbol
   , evidenceRadius :: Natural
     -- ^ how many of them may be wrong
+  , evidenceChance :: Maybe Chance
+    -- ^ of all contents of these cells, the share that would be located: at most this; 'Nothing' if no cell says anything
   }
   deriving stock (Eq, Show)
 
@@ -97,7 +101,8 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     known = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, Just (o, _) <- [certain s], o == orientation ]
     otherWayUp = [ s | here <- Map.elems cells, s <- here, Just (o, _) <- [certain s], o /= orientation ] ++ dissenters
     strays = filter (isJust . readClass) (gridStrays grid)
-    distance = observedDistance shelf (map offset (Set.toAscList (Set.fromList (map fst known))))
+    knownCells = Set.toAscList (Set.fromList (map fst known))
+    distance = observedDistance shelf (map offset knownCells)
     radius = case toleratedErrors tolerance of
       Guaranteed -> guaranteedRadius distance
       UpTo e -> e
@@ -120,6 +125,10 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
             [ source | (source, n) <- Map.toAscList (bySource wrong), n > Map.findWithDefault 0 source (bySource agreeing) ]
         , evidenceDistance = distance
         , evidenceRadius = radius
+        , evidenceChance = do
+            here <- either (const Nothing) Just likely
+            around <- spheres (bookSurface shelf) (bookArray shelf) [upright] (softShape here) (map fst (softCells here))
+            pure (chance (amongCells (fromIntegral (length knownCells)) (correcting distance radius around)))
         }
     exact = fromMaybe (Refused TooFewCells) (exactly cells)
     exactly some =
@@ -183,9 +192,9 @@ likeliestOrientation q cells
 -- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the product over the symbols, which were seen
 -- independently.
 chances :: Int -> Orientation -> [ReadSymbol] -> [Double]
-chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map chance here)
+chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map ofSymbol here)
   where
-    chance s = [ sum [ p | (what, p) <- readChances s, what == (orientation, c) ] | c <- [0 .. q - 1] ]
+    ofSymbol s = [ sum [ p | (what, p) <- readChances s, what == (orientation, c) ] | c <- [0 .. q - 1] ]
 
 -- | The probabilities of the classes in a cell.
 beliefIn :: KnownField k => Int -> Orientation -> [ReadSymbol] -> Maybe (Belief k)
