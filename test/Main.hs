@@ -1,7 +1,8 @@
 -- | All specifications, by hand, because hspec-discover is not everywhere to be had.
 module Main (main) where
 
-import Test.Hspec (describe, hspec)
+import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
+import Test.Hspec (Spec, describe, hspec)
 
 import qualified Test.Code.Advise
 import qualified Test.Code.Array
@@ -62,7 +63,13 @@ import qualified Test.Touch.Stitch
 import qualified Test.Touch.Train
 
 main :: IO ()
-main = hspec $ do
+main = do
+  -- Into a pipe or a file, too, each test is shown when it ends.
+  hSetBuffering stdout LineBuffering
+  hspec specs
+
+specs :: Spec
+specs = do
   describe "The house" Test.House.spec
   describe "The code" $ do
     describe "Fields" Test.Code.Field.spec

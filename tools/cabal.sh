@@ -21,12 +21,16 @@ suitable_tools() {
 libraries="aeson cassava criterion file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
            persistent-sqlite QuickCheck random reflection temporary vector"
 
-# Are all the libraries in GHC's own package database?
-libraries_installed() {
-  for library in $libraries; do
-    ghc-pkg --simple-output list "$library" 2>/dev/null | grep -q . || return 1
+# Are all these libraries in GHC's own package database?
+beside_ghc() {
+  installed=" $(ghc-pkg --simple-output --names-only list 2>/dev/null) "
+  for library in "$@"; do
+    case $installed in *" $library "*) ;; *) return 1 ;; esac
   done
 }
+
+# shellcheck disable=SC2086
+libraries_installed() { beside_ghc $libraries; }
 
 # Has cabal an index of a repository (has `cabal update` ever run here)?
 index_present() {
@@ -44,11 +48,16 @@ install_from_debian() {
     have sudo || { echo "pra-tactile: run once as root, or install sudo: the packages in tools/packages.txt are missing." >&2; exit 1; }
     as_root="sudo"
   fi
-  echo "pra-tactile: installing the packages of tools/packages.txt" >&2
-  $as_root apt-get update >&2
-  # shellcheck disable=SC2046
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-    $(grep -v '^#' tools/packages.txt) >&2
+  packages=$(grep -v '^#' tools/packages.txt)
+  tools/quietly.sh dist-newstyle/packages.log "asking Debian what is missing of tools/packages.txt" $as_root apt-get update
+  # --assume-no makes apt say what it would fetch and then give up, which is no failure here.
+  # shellcheck disable=SC2086
+  $as_root env LC_ALL=C apt-get install --assume-no --no-install-recommends $packages 2>/dev/null \
+    | sed -n -e 's/^.* upgraded, \([0-9]*\) newly installed.*/  \1 packages;/p' -e 's/^Need to get \(.* .B\).* of archives.*/  \1 to download;/p' \
+             -e 's/^After this operation, \(.* .B\) of additional.*/  \1 on the disk/p' || true
+  # shellcheck disable=SC2086
+  tools/quietly.sh dist-newstyle/packages.log "installing them (one to five minutes)" \
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages
 }
 
 if [ "${1:-}" = setup ]; then
@@ -59,13 +68,23 @@ fi
 
 # The examples in the documentation; the library that runs them is not needed for anything else.
 if [ "${1:-}" = doctests ]; then
-  if libraries_installed && [ -n "$(ghc-pkg --simple-output list doctest 2>/dev/null)" ]; then
+  if libraries_installed && beside_ghc doctest; then
     # shellcheck disable=SC2046
     exec runghc tools/Doctests.hs $(grep -rl '>>> ' src/code src/touch src/recognition)
   fi
   echo "pra-tactile: the examples in the documentation were not run: the library doctest is not beside GHC's" >&2
   exit 0
 fi
+
+# Everything that builds is given the same configuration, or cabal would build it all again when a build follows a test;
+# modules are compiled side by side, with room enough that the compiler seldom collects garbage.
+command=${1:-}
+case $command in
+  build | test | bench | run | list-bin | repl)
+    shift
+    set -- "$command" --enable-tests --enable-benchmarks \
+      "--ghc-options=-j +RTS -A64m -RTS" "$@" ;;
+esac
 
 if libraries_installed; then
   exec cabal --config-file=cabal/offline.config "$@"
