@@ -52,6 +52,7 @@ import qualified Test.Rates
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
 import qualified Test.Store
+import qualified Test.Tools
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
@@ -130,3 +131,4 @@ specs = do
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
+  describe "The tools" Test.Tools.spec

@@ -53,8 +53,8 @@ install_from_debian() {
   # --assume-no makes apt say what it would fetch and then give up, which is no failure here.
   # shellcheck disable=SC2086
   $as_root env LC_ALL=C apt-get install --assume-no --no-install-recommends $packages 2>/dev/null \
-    | sed -n -e 's/^.* upgraded, \([0-9]*\) newly installed.*/  \1 packages;/p' -e 's/^Need to get \(.* .B\).* of archives.*/  \1 to download;/p' \
-             -e 's/^After this operation, \(.* .B\) of additional.*/  \1 on the disk/p' || true
+    | awk '/ newly installed/ { n = $3 } /^Need to get/ { get = $4 " " $5 } /^After this/ { use = $4 " " $5 }
+           END { if (n) printf "  %s packages: %s to download, %s on the disk\n", n, get, use }' || true
   # shellcheck disable=SC2086
   tools/quietly.sh dist-newstyle/packages.log "installing them (one to five minutes)" \
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages

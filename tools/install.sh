@@ -1,8 +1,9 @@
 #!/bin/sh
-# Installs bin/pra-tactile with its manual pages and completions, or removes them again.
-# usage: [PREFIX=/usr/local] [DESTDIR=] tools/install.sh install|uninstall
+# Installs the program with its manual pages and completions, or removes them again.
+# usage: [PREFIX=/usr/local] [DESTDIR=] [PROGRAM=bin/pra-tactile] tools/install.sh install|uninstall
 set -eu
 cd "$(dirname "$0")/.."
+program=${PROGRAM:-bin/pra-tactile}
 top=${DESTDIR:-}${PREFIX:-/usr/local}
 manual=$top/share/man/man1
 bash=$top/share/bash-completion/completions
@@ -13,16 +14,16 @@ case ${1:-} in
 install)
   made=$(mktemp -d)
   trap 'rm -rf "$made"' EXIT
-  tools/manual.sh bin/pra-tactile "$made"
+  tools/manual.sh "$program" "$made"
   # Completions ask the program that stands on the PATH, so that they hold wherever it is moved to.
-  for shell in bash zsh fish; do bin/pra-tactile "--$shell-completion-script" pra-tactile > "$made/$shell"; done
+  for shell in bash zsh fish; do "$program" "--$shell-completion-script" pra-tactile > "$made/$shell"; done
   mkdir -p "$top/bin" "$manual" "$bash" "$zsh" "$fish"
-  install -m 755 bin/pra-tactile "$top/bin/pra-tactile"
+  install -m 755 "$program" "$top/bin/pra-tactile"
   install -m 644 "$made"/*.1 "$manual"
   install -m 644 "$made/bash" "$bash/pra-tactile"
   install -m 644 "$made/zsh" "$zsh/_pra-tactile"
   install -m 644 "$made/fish" "$fish/pra-tactile.fish"
-  echo "installed $top/bin/pra-tactile, $(ls "$made"/*.1 | wc -l) manual pages, and completions for bash, zsh and fish"
+  echo "installed $top/bin/pra-tactile, its manual pages, and completions for bash, zsh and fish"
   ;;
 uninstall)
   rm -f "$top/bin/pra-tactile" "$manual/pra-tactile.1" "$manual"/pra-tactile-*.1 \
