@@ -45,6 +45,7 @@ prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with ever
 	@PRA_TACTILE_EXHAUSTIVE=20 tools/test.sh --match "/The code/Exhaustive proofs/"
 
 bench: setup ## the benchmarks
+	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
 
 house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)

@@ -78,12 +78,14 @@ fi
 
 # Everything that builds is given the same configuration, or cabal would build it all again when a build follows a test;
 # modules are compiled side by side, with room enough that the compiler seldom collects garbage.
+cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+[ "$cores" -le 4 ] || cores=4
 command=${1:-}
 case $command in
   build | test | bench | run | list-bin | repl)
     shift
     set -- "$command" --enable-tests --enable-benchmarks \
-      "--ghc-options=-j +RTS -A64m -RTS" "$@" ;;
+      "--ghc-options=-j$cores +RTS -A64m -RTS" "$@" ;;
 esac
 
 if libraries_installed; then
