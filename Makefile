@@ -18,7 +18,7 @@ demo: build ## recognise an object by touch, from PGM frames on disk
 
 test: setup ## run the whole test suite (MATCH=... for a part of it)
 	@tools/build.sh test:spec
-	@tools/quietly.sh dist-newstyle/doctests.log "running the examples in the documentation; about half a minute" $(CABAL) doctests
+	@$(CABAL) doctests
 	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
 
 build: setup ## build the program, as bin/pra-tactile

@@ -10,8 +10,14 @@ mkdir -p "$(dirname "$log")"
 # What cabal says of public sublibraries at every step, and of having no repository, is true and of no use: two lines each.
 without_chatter() { awk '/^Warning: .*(experimental feature|No remote package servers)/ { getline; next } { print }' "$log"; }
 
-# Messages of the compiler of a kind, each up to the next empty line.
-messages() { awk -v kind="$1" '$0 ~ "^(<[a-z ]+>|[^ ]+:[0-9(][0-9:(),-]*): " kind { inside = 1 } inside { print } /^$/ { inside = 0 }' "$log"; }
+# Messages of the compiler of a kind: a line with a place, then indented lines and those with the source, as "75 | ...".
+messages() {
+  awk -v kind="$1" '
+    inside && !/^( |[0-9]+ \|)/ { inside = 0; print "" }
+    $0 ~ "^(<[a-z ]+>|[^ ]+:[0-9(][0-9:(),-]*): " kind { inside = 1 }
+    inside { print }
+    END { if (inside) print "" }' "$log"
+}
 
 duration() {
   if [ "$1" -ge 60 ]; then echo "$(($1 / 60)) min $(($1 % 60)) s"; else echo "$1 s"; fi
