@@ -1,54 +1,74 @@
-# pra-tactile: everything a newcomer types. `make demo` and `make test` install what they need.
+# pra-tactile: everything a newcomer types. `make help` says what there is; the first two install what they need.
+# A line of the help is what stands behind ## on a target's own line.
 CABAL = tools/cabal.sh
-.PHONY: all setup build demo test prove bench evaluate house shapes network check-network clean
+PREFIX = /usr/local
+DESTDIR =
+# Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
+MATCH =
+export PREFIX DESTDIR
+.PHONY: all help setup build demo test prove bench evaluate house shapes network check-network check-newer-ghc \
+        install uninstall clean
+# cabal holds one build at a time in dist-newstyle.
+.NOTPARALLEL:
 
 all: build
 
-setup:
-	@$(CABAL) setup
-
-# The executable, as bin/pra-tactile.
-build: setup
-	@$(CABAL) build -v1 exe:pra-tactile
-	@mkdir -p bin
-	@cp -f "$$($(CABAL) list-bin -v0 exe:pra-tactile)" bin/pra-tactile
-
-# Recognise an object by touch, from PGM frames on disk.
-demo: build
+demo: build ## recognise an object by touch, from PGM frames on disk
 	@sh tools/demo.sh
 
-test: setup build
+test: setup ## run the whole test suite (MATCH=... for a part of it)
+	@tools/build.sh test:spec
 	@$(CABAL) doctests
-	@$(CABAL) test -v1 --test-show-details=streaming test:spec
+	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
 
-# Every array to 2^20 cells by both roads; to 2^16 cells with every primitive polynomial (about four minutes).
-prove: setup build
-	@PRA_TACTILE_EXHAUSTIVE=20 $(CABAL) test -v1 --test-show-details=streaming test:spec \
-	  --test-option=--match --test-option="/The code/Exhaustive proofs/"
+build: setup ## build the program, as bin/pra-tactile
+	@tools/build.sh
 
-# The figure that matters: 1000 simulated presses, with and without stitching.
-evaluate: build
+install: bin/pra-tactile ## install program, manual pages and completions under PREFIX (/usr/local)
+	@tools/install.sh install
+
+uninstall: ## remove them again
+	@tools/install.sh uninstall
+
+setup: ## install Debian's packages, unless a suitable GHC and cabal are there
+	@$(CABAL) setup
+
+# `sudo make install` after `make build` builds nothing as root.
+bin/pra-tactile:
+	@$(MAKE) --no-print-directory build
+
+evaluate: build ## the figure that matters: 1000 simulated presses, with and without stitching
 	bin/pra-tactile evaluate --presses 1000 --seed 1
 
-bench: setup
+prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with every primitive polynomial (four minutes)
+	@tools/build.sh test:spec
+	@PRA_TACTILE_EXHAUSTIVE=20 tools/test.sh --match "/The code/Exhaustive proofs/"
+
+bench: setup ## the benchmarks
+	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
 
-# Draw the module graph (house.dot; house.svg where Graphviz is installed).
-house: setup
+house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
 	@runghc -itest tools/House.hs > house.dot
 	@if command -v dot >/dev/null 2>&1; then dot -Tsvg house.dot > house.svg && echo "wrote house.dot and house.svg"; \
 	 else echo "wrote house.dot (install Graphviz to have house.svg drawn)"; fi
 
-# Make the shipped data again from their seeds.
-shapes: build
+shapes: build ## design data/shapes.txt again from its seed
 	bin/pra-tactile shapes --design --output data/shapes.txt
-network: build
+
+network: build ## train data/network.txt again from its seed
 	bin/pra-tactile train --output data/network.txt
 
-# The trained weights are reproduced to the bit from their seed (about a minute; with the reference BLAS).
-check-network: build
+# About a minute; with the reference BLAS.
+check-network: build ## check that the trained weights are reproduced to the bit
 	bin/pra-tactile train --output dist-newstyle/network-again.txt
 	cmp data/network.txt dist-newstyle/network-again.txt && echo "data/network.txt is reproduced to the bit"
 
-clean:
+check-newer-ghc: ## demo and tests on a bare Debian with a newer GHC, in a chroot (root; SUITE=trixie)
+	@tools/newer-ghc.sh
+
+clean: ## remove what was built
 	rm -rf dist-newstyle bin demo-out house.dot house.svg
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' Makefile

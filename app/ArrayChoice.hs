@@ -52,8 +52,8 @@ arrayChoice = ArrayChoice
   <*> optional (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
   <*> optional (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"))
   <*> optional (option numbersReader (long "state" <> metavar "S0,S1,.." <> help "Initial state of the shift register as codes (default 0,..,0,1)"))
-  <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
-  <*> optional (strOption (long "profile" <> metavar "FILE" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
+  <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> completeWith (map foldingName [minBound ..]) <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
+  <*> optional (strOption (long "profile" <> metavar "FILE" <> action "file" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
 
 -- | @--q@.
 orderOption :: Parser Natural

@@ -28,7 +28,7 @@ maskOption = optional (option (eitherReader reading)
 -- | @--surface torus|twisted-torus|sheet@.
 surfaceOption :: Parser (Maybe Surface)
 surfaceOption = optional (option (eitherReader surfaceNamed)
-  (long "surface" <> metavar "SURFACE" <> help "torus, twisted-torus or sheet (default: the folding's own)"))
+  (long "surface" <> metavar "SURFACE" <> completeWith (map surfaceName [minBound ..]) <> help "torus, twisted-torus or sheet (default: the folding's own)"))
   where
     surfaceNamed name = case [ s | s <- [minBound ..], surfaceName s == name ] of
       s : _ -> Right s

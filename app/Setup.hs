@@ -31,7 +31,7 @@ shippedAlphabet = orUnusable shapeMessage paperAlphabet
 
 -- | @--network FILE@.
 networkOption :: Parser (Maybe FilePath)
-networkOption = optional (strOption (long "network" <> metavar "FILE" <> help "Use the weights in a file, as 'train' writes it (default: the shipped ones)"))
+networkOption = optional (strOption (long "network" <> metavar "FILE" <> action "file" <> help "Use the weights in a file, as 'train' writes it (default: the shipped ones)"))
 
 -- | The network in the file, or the shipped one.
 chosenNetwork :: Maybe FilePath -> IO Network

@@ -1,7 +1,8 @@
 -- | All specifications, by hand, because hspec-discover is not everywhere to be had.
 module Main (main) where
 
-import Test.Hspec (describe, hspec)
+import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
+import Test.Hspec (Spec, describe, hspec)
 
 import qualified Test.Code.Advise
 import qualified Test.Code.Array
@@ -58,6 +59,7 @@ import qualified Test.Rates
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
 import qualified Test.Store
+import qualified Test.Tools
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
@@ -70,7 +72,13 @@ import qualified Test.Touch.Train
 import qualified Test.Truth
 
 main :: IO ()
-main = hspec $ do
+main = do
+  -- Into a pipe or a file, too, each test is shown when it ends.
+  hSetBuffering stdout LineBuffering
+  hspec specs
+
+specs :: Spec
+specs = do
   describe "The house" Test.House.spec
   describe "The code" $ do
     describe "Fields" Test.Code.Field.spec
@@ -139,3 +147,4 @@ main = hspec $ do
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
+  describe "The tools" Test.Tools.spec

@@ -21,12 +21,16 @@ suitable_tools() {
 libraries="aeson base64-bytestring cassava criterion file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
            persistent-sqlite QuickCheck random reflection svg-builder temporary vector"
 
-# Are all the libraries in GHC's own package database?
-libraries_installed() {
-  for library in $libraries; do
-    ghc-pkg --simple-output list "$library" 2>/dev/null | grep -q . || return 1
+# Are all these libraries in GHC's own package database?
+beside_ghc() {
+  installed=" $(ghc-pkg --simple-output --names-only list 2>/dev/null) "
+  for library in "$@"; do
+    case $installed in *" $library "*) ;; *) return 1 ;; esac
   done
 }
+
+# shellcheck disable=SC2086
+libraries_installed() { beside_ghc $libraries; }
 
 # Has cabal an index of a repository (has `cabal update` ever run here)?
 index_present() {
@@ -44,11 +48,16 @@ install_from_debian() {
     have sudo || { echo "pra-tactile: run once as root, or install sudo: the packages in tools/packages.txt are missing." >&2; exit 1; }
     as_root="sudo"
   fi
-  echo "pra-tactile: installing the packages of tools/packages.txt" >&2
-  $as_root apt-get update >&2
-  # shellcheck disable=SC2046
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-    $(grep -v '^#' tools/packages.txt) >&2
+  packages=$(grep -v '^#' tools/packages.txt)
+  tools/quietly.sh dist-newstyle/packages.log "asking Debian what is missing of tools/packages.txt" $as_root apt-get update
+  # --assume-no makes apt say what it would fetch and then give up, which is no failure here.
+  # shellcheck disable=SC2086
+  $as_root env LC_ALL=C apt-get install --assume-no --no-install-recommends $packages 2>/dev/null \
+    | awk '/ newly installed/ { n = $3 } /^Need to get/ { get = $4 " " $5 } /^After this/ { use = $4 " " $5 }
+           END { if (n) printf "  %s packages: %s to download, %s on the disk\n", n, get, use }' || true
+  # shellcheck disable=SC2086
+  tools/quietly.sh dist-newstyle/packages.log "installing them (one to five minutes)" \
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages
 }
 
 if [ "${1:-}" = setup ]; then
@@ -57,15 +66,38 @@ if [ "${1:-}" = setup ]; then
   exit 0
 fi
 
-# The examples in the documentation; the library that runs them is not needed for anything else.
+# The examples in the documentation, unless they passed and nothing in src has changed since. The library that runs them is
+# not needed for anything else.
 if [ "${1:-}" = doctests ]; then
-  if libraries_installed && [ -n "$(ghc-pkg --simple-output list doctest 2>/dev/null)" ]; then
-    # shellcheck disable=SC2046
-    exec runghc tools/Doctests.hs $(grep -rl '>>> ' src/code src/touch src/recognition)
+  if ! { libraries_installed && beside_ghc doctest; }; then
+    echo "pra-tactile: the examples in the documentation were not run: the library doctest is not beside GHC's" >&2
+    exit 0
   fi
-  echo "pra-tactile: the examples in the documentation were not run: the library doctest is not beside GHC's" >&2
+  passed=dist-newstyle/doctests.passed
+  if [ -e "$passed" ] && [ -z "$(find src tools/Doctests.hs -newer "$passed" -print)" ]; then
+    echo "the examples in the documentation: passed, and nothing has changed since"
+    exit 0
+  fi
+  mkdir -p dist-newstyle
+  : > "$passed.part"
+  # shellcheck disable=SC2046
+  tools/quietly.sh dist-newstyle/doctests.log "running the examples in the documentation; about 20 s" \
+    runghc tools/Doctests.hs $(grep -rl '>>> ' src/code src/touch src/recognition)
+  mv -f "$passed.part" "$passed"
   exit 0
 fi
+
+# Everything that builds is given the same configuration, or cabal would build it all again when a build follows a test;
+# modules are compiled side by side, with room enough that the compiler seldom collects garbage.
+cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+[ "$cores" -le 4 ] || cores=4
+command=${1:-}
+case $command in
+  build | test | bench | run | list-bin | repl)
+    shift
+    set -- "$command" --enable-tests --enable-benchmarks \
+      "--ghc-options=-j$cores +RTS -A64m -RTS" "$@" ;;
+esac
 
 if libraries_installed; then
   exec cabal --config-file=cabal/offline.config "$@"

@@ -34,10 +34,10 @@ command :: Mod CommandFields (IO Ending)
 command = described "array" "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
   [ "pra-tactile array"
   , "pra-tactile array --format csv --q 2 --polynomial 1,1,0,0,1 --shape 3x5" ]
-  (run <$> arrayChoice <*> format <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output")))
+  (run <$> arrayChoice <*> format <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output")))
   where
     format = option (eitherReader formatNamed)
-      (long "format" <> metavar "FORMAT" <> value Text <> help "text, csv, json, pgm or svg (default: text)")
+      (long "format" <> metavar "FORMAT" <> completeWith ["text", "csv", "json", "pgm", "svg"] <> value Text <> help "text, csv, json, pgm or svg (default: text)")
     formatNamed name = case name of
       "text" -> Right Text
       "csv" -> Right Csv

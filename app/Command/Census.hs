@@ -48,10 +48,10 @@ command = described "census" "Every primitive polynomial of a degree, every shap
       <$> orderOption
       <*> optional modulusOption
       <*> option naturalReader (long "degree" <> metavar "N" <> help "Degree n of the polynomials: arrays of q^n - 1 cells")
-      <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> help "diagonal or row-major (default: both)"))
+      <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> completeWith (map foldingName [minBound ..]) <> help "diagonal or row-major (default: both)"))
       <*> many (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "A window, instead of all rectangles of n cells and those with one row or column more; may be repeated"))
       <*> option shardReader (long "shard" <> metavar "I/K" <> value (1, 1) <> help "Only the I-th of K parts, which 'merge' puts together")
-      <*> strOption (long "output" <> metavar "FILE" <> help "The file to write or to continue")
+      <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The file to write or to continue")
       <*> switch (long "json" <> help "Tell as JSON what was written")
 
 shardReader :: ReadM (Natural, Natural)

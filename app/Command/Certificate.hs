@@ -28,7 +28,7 @@ command = described "certificate" "Prove that the content of every window tells 
   [ "pra-tactile certificate --output paper.json"
   , "pra-tactile certificate --mask '##./.##' --surface sheet --enumeration --output sheet.json" ]
   (run <$> arrayChoice <*> maskOption <*> surfaceOption <*> road
-    <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
+    <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output"))
     <*> switch (long "json" <> help "With --output, tell as JSON what was written"))
   where
     road = flag' RankRoad (long "rank" <> help "Show the rank of the window's cells, at any size")

@@ -21,7 +21,7 @@ import PraTactile.Profile
 command :: Mod CommandFields (IO Ending)
 command = described "check" "Check a certificate step by step: the primes, the order of the polynomial's root, the fold, and the rank or the digest."
   [ "pra-tactile check paper.json" ]
-  (run <$> strArgument (metavar "FILE") <*> switch (long "json" <> help "Print the outcome as JSON"))
+  (run <$> strArgument (metavar "FILE" <> action "file") <*> switch (long "json" <> help "Print the outcome as JSON"))
 
 run :: FilePath -> Bool -> IO Ending
 run path asJson = do

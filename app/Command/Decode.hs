@@ -61,13 +61,13 @@ command = described "decode" "Recognise object, face and place from tactile imag
       <$> surfaceOption
       <*> assemblyOptions
       <*> networkOption
-      <*> optional (strOption (long "database" <> metavar "FILE" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
-      <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> help "Draw what was felt with the symbols over it, and where on the face that is (one source only); - is the standard output, in place of the answer"))
+      <*> optional (strOption (long "database" <> metavar "FILE" <> action "file" <> help "Look the position up in a database that 'objects --write' made (default: the mapping in memory)"))
+      <*> optional (strOption (long "picture" <> metavar "FILE.svg" <> action "file" <> help "Draw what was felt with the symbols over it, and where on the face that is (one source only); - is the standard output, in place of the answer"))
       <*> toleranceOptions
       <*> switch (long "together" <> help "All sources show one face, in the robot's coordinates: give one answer from all of them")
       <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
       <*> switch (long "json" <> help "Print one JSON answer a line")
-      <*> some (strArgument (metavar "PATH..."))
+      <*> some (strArgument (metavar "PATH..." <> action "file"))
     millimetres = do
       (x, y) <- pairReader ',' "76.2,0"
       if all finite [x, y] then pure (x, y) else readerError "a place is two finite numbers, as in 76.2,0"

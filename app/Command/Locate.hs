@@ -55,10 +55,10 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
   (run <$> arrayChoice <*> surfaceOption <*> options)
   where
     options = Options
-      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
+      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> completeWith (map roadName [TableRoad, AlgebraRoad, SearchRoad]) <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
       <*> radiusOption "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)"
       <*> option decimalReader (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
-      <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
+      <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> completeWith (map turningName [minBound ..]) <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
       <*> switch (long "explain" <> help "Say what the answer rests on: the cells, their equations, the distance to the next candidate")
       <*> switch (long "json" <> help "Print the answer as JSON")
       <*> (flag' Nothing (long "batch" <> help "Read one patch, or several parted by ';', a line from the standard input; print one JSON answer a line")

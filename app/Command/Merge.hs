@@ -18,8 +18,8 @@ import Json
 command :: Mod CommandFields (IO Ending)
 command = described "merge" "Put the shards of a census together: the file that the census would be if it had been made in one run. They must be of one census, complete, and have no entry in common."
   [ "pra-tactile merge part1.csv part2.csv part3.csv --output census.csv" ]
-  (run <$> some (strArgument (metavar "FILE..." <> help "Files of 'pra-tactile census --shard'"))
-    <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
+  (run <$> some (strArgument (metavar "FILE..." <> action "file" <> help "Files of 'pra-tactile census --shard'"))
+    <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output"))
     <*> switch (long "json" <> help "With --output, tell as JSON what was written"))
 
 run :: [FilePath] -> Maybe FilePath -> Bool -> IO Ending

@@ -41,8 +41,8 @@ command = described "objects" "List the objects and the place of their faces on 
   where
     options = Options
       <$> optional (option positionReader (long "at" <> metavar "ROW,COLUMN" <> help "Tell what lies at the window with this position"))
-      <*> optional (strOption (long "database" <> metavar "FILE" <> help "Ask this database instead of the mapping in memory"))
-      <*> optional (strOption (long "write" <> metavar "FILE" <> help "Write the mapping to an SQLite file"))
+      <*> optional (strOption (long "database" <> metavar "FILE" <> action "file" <> help "Ask this database instead of the mapping in memory"))
+      <*> optional (strOption (long "write" <> metavar "FILE" <> action "file" <> help "Write the mapping to an SQLite file"))
       <*> switch (long "json" <> help "Print as JSON")
 
 run :: ArrayChoice -> Options -> IO Ending

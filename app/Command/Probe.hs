@@ -55,20 +55,20 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
   (run <$> arrayChoice <*> options)
   where
     options = Options
-      <$> strOption (long "object" <> metavar "NAME" <> help "The object: cube or parallelepiped")
+      <$> strOption (long "object" <> metavar "NAME" <> completeWith ["cube", "parallelepiped"] <> help "The object: cube or parallelepiped")
       <*> optional (strOption (long "face" <> metavar "VERTICES" <> help "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)"))
       <*> optional (option (pairReader ',' "12.7,40") (long "at" <> metavar "X,Y" <> help "The region's upper left corner on the face, mm to the right and down from the face's upper left vertex (default: drawn by chance)"))
       <*> option (pairReader 'x' "40x52") (long "size" <> metavar "WIDTHxHEIGHT" <> value standardRegionSize <> help "The region in taxels (default 40x52)")
       <*> optional (flag' 0 (long "upright" <> help "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by chance)")
         <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
-        <|> option turnReader (long "turn" <> metavar "0|90|180|270" <> help "The face lies turned clockwise by so many degrees"))
+        <|> option turnReader (long "turn" <> metavar "0|90|180|270" <> completeWith [ show (90 * turns) | turns <- quarterTurns ] <> help "The face lies turned clockwise by so many degrees"))
       <*> option decimalReader (long "position-error" <> metavar "SIGMA" <> value (sensorPositionError standardSensor) <> showDefault <> help "Standard deviation of each frame's position, taxels, on both axes")
       <*> option decimalReader (long "noise" <> metavar "SD" <> value (sensorNoise standardSensor) <> showDefault <> help "Standard deviation of the noise, as a share of full scale")
       <*> option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw")
       <*> option (pairReader ',' "12.7,40") (long "origin" <> metavar "X,Y" <> value (0, 0) <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)")
       <*> switch (long "tell" <> help "Print the true place")
-      <*> optional (strOption (long "truth" <> metavar "FILE" <> help "Write the true place as JSON, for 'compare'"))
-      <*> strOption (long "output" <> metavar "FOLDER" <> help "A folder that is new or empty")
+      <*> optional (strOption (long "truth" <> metavar "FILE" <> action "file" <> help "Write the true place as JSON, for 'compare'"))
+      <*> strOption (long "output" <> metavar "FOLDER" <> action "directory" <> help "A folder that is new or empty")
 
 -- | Degrees as quarter turns.
 turnReader :: ReadM Int

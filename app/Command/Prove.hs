@@ -33,7 +33,7 @@ command = described "prove" "Prove or refute that the content of every window te
   , "pra-tactile prove --mask '##./.##'"
   , "pra-tactile prove array.csv --window 2x2" ]
   (run <$> arrayChoice <*> maskOption <*> surfaceOption <*> switch (long "json" <> help "Print the verdict as JSON")
-    <*> optional (strArgument (metavar "FILE" <> help "A CSV file of codes, one row a line, instead of a pseudorandom array; needs --window or --mask; --q is the largest code and one more unless given")))
+    <*> optional (strArgument (metavar "FILE" <> action "file" <> help "A CSV file of codes, one row a line, instead of a pseudorandom array; needs --window or --mask; --q is the largest code and one more unless given")))
 
 run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> Bool -> Maybe FilePath -> IO Ending
 run choice drawn on asJson source = do

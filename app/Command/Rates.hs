@@ -66,8 +66,8 @@ command = described "rates"
       <*> radiusOption "Hard decoding corrects up to N wrong cells (default: as many as the observed cells guarantee)"
       <*> option intReader (long "trials" <> metavar "N" <> value 10000 <> showDefault <> help "Trials a line of the table")
       <*> option intReader (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
-      <*> option formReader (long "format" <> metavar "text|csv|json" <> value Text <> help "The form of the table (default text)")
-      <*> optional (strOption (long "plot" <> metavar "FILE.svg" <> help "Draw the table as well, into an SVG file; - is the standard output, in place of the table"))
+      <*> option formReader (long "format" <> metavar "text|csv|json" <> completeWith ["text", "csv", "json"] <> value Text <> help "The form of the table (default text)")
+      <*> optional (strOption (long "plot" <> metavar "FILE.svg" <> action "file" <> help "Draw the table as well, into an SVG file; - is the standard output, in place of the table"))
     several standard one = some one <|> pure standard
     formReader = eitherReader $ \name -> case lookup name [("text", Text), ("csv", Csv), ("json", Json)] of
       Just known -> Right known

@@ -38,7 +38,7 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
       <$> switch (long "design" <> help "Run the search again (about a minute) and write the alphabet it finds")
       <*> option intReader (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
       <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
-      <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
+      <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output"))
 
 run :: Options -> IO Ending
 run options

@@ -27,8 +27,8 @@ command :: Mod CommandFields (IO Ending)
 command = described "stitch" "Assemble the frames of a folder into one composite image, correcting their positions by cross-correlation."
   [ "pra-tactile stitch frames --output composite.pgm" ]
   (run <$> assemblyOptions
-       <*> strArgument (metavar "FOLDER")
-       <*> strOption (long "output" <> metavar "FILE" <> help "The composite, .pgm or .png"))
+       <*> strArgument (metavar "FOLDER" <> action "directory")
+       <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The composite, .pgm or .png"))
 
 -- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
 type Assembly = Maybe Registration

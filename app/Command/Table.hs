@@ -34,9 +34,9 @@ command :: Mod CommandFields (IO Ending)
 command = described "table" "Print the memory table: each packed window's position, as CSV, as a C array, or as a memory image for $readmemh."
   [ "pra-tactile table --format csv"
   , "pra-tactile table --format c > table.h" ]
-  (run <$> arrayChoice <*> surfaceOption <*> format <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output")))
+  (run <$> arrayChoice <*> surfaceOption <*> format <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output")))
   where
-    format = option (eitherReader formatNamed) (long "format" <> metavar "FORMAT" <> value Csv <> help "csv, c or mem (default: csv)")
+    format = option (eitherReader formatNamed) (long "format" <> metavar "FORMAT" <> completeWith ["csv", "c", "mem"] <> value Csv <> help "csv, c or mem (default: csv)")
     formatNamed name = case map toLower name of
       "csv" -> Right Csv
       "c" -> Right C

@@ -23,7 +23,7 @@ command :: Mod CommandFields (IO Ending)
 command = described "train" "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default seed gives the shipped weights."
   [ "pra-tactile train --output network.txt" ]
   (run <$> option intReader (long "seed" <> metavar "N" <> value shippedSeed <> showDefault <> help "Seed of every random draw")
-       <*> strOption (long "output" <> metavar "FILE" <> help "The file of weights"))
+       <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The file of weights"))
 
 run :: Int -> FilePath -> IO Ending
 run seed output = do
