@@ -20,6 +20,7 @@ import Numeric.Natural (Natural)
 import Options.Applicative
 
 import Ending
+import Json (foldingName)
 import Json.Profile (readProfile)
 import Message (profileMessage)
 import PraTactile.Array (Folding, Shape (..))
