@@ -4,33 +4,64 @@ module Command.Merge
   ( command
   ) where
 
+import Control.Monad (filterM, forM_, unless, when)
 import Data.Aeson ((.=))
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import qualified Data.Map.Strict as Map
 import Options.Applicative hiding (command)
 
 import CensusFile
+import CensusFile.Merge
+import CensusFile.Row
+import CensusFile.Verdict (toldProved)
 import Described
 import Ending
 import Files (readBytes, writeWhole)
 import Json
+import Message.Census
+import SameFile
 
 command :: Mod CommandFields (IO Ending)
-command = described "merge" "Put the shards of a census together: the file that the census would be if it had been made in one run. They must be of one census, complete, and have no entry in common."
+command = described "merge" "Put the shards of a census together: the file that the census would be if it had been made in one run. They must be of one census, complete, undamaged, and have no entry in common. If one of them is of the old form, whose rows carry no check, so is what is written."
   [ "pra-tactile merge part1.csv part2.csv part3.csv --output census.csv" ]
   (run <$> some (strArgument (metavar "FILE..." <> help "Files of 'pra-tactile census --shard'"))
-    <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
+    <*> switch (long "keep-whole" <> help "Of damaged files, take the rows that are whole; entries that are then missing are told")
+    <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file, which is none of the shards, instead of the standard output"))
     <*> switch (long "json" <> help "With --output, tell as JSON what was written"))
 
-run :: [FilePath] -> Maybe FilePath -> Bool -> IO Ending
-run files output asJson = do
-  shards <- mapM (\file -> readBytes file >>= fmap ((,) file) . orUnusable ((file ++ ": ") ++) . readLines) files
-  merged <- orUnusable id (mergeShards shards)
-  let text = Lazy8.unlines (map Lazy8.fromStrict (censusHeader : merged))
+run :: [FilePath] -> Bool -> Maybe FilePath -> Bool -> IO Ending
+run files keepWhole output asJson = do
+  forM_ output $ \file -> do
+    inputs <- filterM (sameFile file) files
+    forM_ (take 1 inputs) $ \input ->
+      unusable ("the output " ++ file ++ " is the shard " ++ input ++ ", which would be lost; give another --output")
+  shards <- mapM (shard keepWhole) files
+  (form, merged) <- orUnusable mergeFaultMessage (mergeShards shards)
+  let text = Lazy8.unlines (map Lazy8.fromStrict (headerOf form : map (inForm form . rowText) merged))
   maybe (Lazy8.putStr text) (`writeWhole` text) output
-  maybe (pure ()) (report (length merged) (provedLines merged)) output
+  maybe (pure ()) (report (length merged) (length (filter (toldProved . rowTold) merged))) output
   pure Answered
   where
     report entries provedOnes file
       | asJson = printJson ("schema" .= ("pra-tactile/census/1" :: String) <> "file" .= file
           <> "entries" .= entries <> "proved" .= provedOnes)
       | otherwise = putStrLn ("wrote " ++ file ++ ": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")
+
+-- | The rows of a file: all of them, or those that are whole if that is asked for. Leaves with status 2 if it is damaged.
+shard :: Bool -> FilePath -> IO Shard
+shard keepWhole file = do
+  bytes <- readBytes file
+  contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
+  when (contentsForm contents == Unchecked) (warn (uncheckedMessage file))
+  let cutOff = not (Bytes.null (contentsRest contents))
+      (kept, left) = keptRows contents
+  rows <- if keepWhole
+    then do
+      let lost = left + length [ () | cutOff ]
+      unless (lost == 0 && contentsHeaderWhole contents) (warn (keptMessage file (Map.size kept) lost))
+      pure [ (line, row) | (line, Right row) <- contentsLines contents, Map.member (rowEntry row) kept ]
+    else orUnusable (fileFaultMessage file) (do
+      found <- wholeRows contents
+      if cutOff then Left CutOff else Right found)
+  pure (Shard file (contentsForm contents) (if keepWhole then Map.elems (Map.fromList [ (rowEntry row, (line, row)) | (line, row) <- rows ]) else rows))

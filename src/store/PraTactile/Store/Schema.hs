@@ -18,6 +18,7 @@
 -- reads them.
 module PraTactile.Store.Schema
   ( schemaVersion
+  , tableNames
   , migrateAll
     -- * Tables
   , Metadata (..)
@@ -48,7 +49,11 @@ import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSe
 
 -- | The version of these tables; it changes whenever they do.
 schemaVersion :: Int
-schemaVersion = 1
+schemaVersion = 2
+
+-- | The tables' names, which every version has.
+tableNames :: [Text]
+tableNames = ["metadata", "object", "vertex", "face", "corner", "edge", "laying", "cell"]
 
 share [mkPersist sqlSettings, mkMigrate "migrateAll"] [persistLowerCase|
 Metadata sql=metadata
@@ -58,6 +63,7 @@ Metadata sql=metadata
   arrayColumns Int64
   pitchRightUm Int64
   pitchDownUm Int64
+  contents Text
   UniqueSchema schemaVersion
 StoredObject sql=object
   name Text
