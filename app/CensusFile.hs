@@ -8,6 +8,7 @@ module CensusFile
   , beginsHeader
     -- * What is kept of it
   , wholeRows
+  , completeRows
   , keptRows
   , FileFault (..)
   ) where
@@ -64,10 +65,16 @@ wholeRows contents
       let descent = find (\((_, a), (_, b)) -> rowEntry b <= rowEntry a) (zip rows (drop 1 rows))
       maybe (Right rows) (\(_, (number, _)) -> Left (OutOfOrder number)) descent
 
--- | The rows that are whole, by their entries, and how many lines are not among them. An entry with two different rows
+-- | As 'wholeRows', where the last line must have an end.
+completeRows :: Contents -> Either FileFault [(Int, Row)]
+completeRows contents = do
+  rows <- wholeRows contents
+  if Bytes.null (contentsRest contents) then Right rows else Left CutOff
+
+-- | The rows that are whole, with their lines, by their entries, and how many lines are not among them. An entry with two different rows
 -- has neither.
-keptRows :: Contents -> (Map.Map Natural Row, Int)
+keptRows :: Contents -> (Map.Map Natural (Int, Row), Int)
 keptRows contents = (kept, length (contentsLines contents) - Map.size kept)
   where
-    kept = Map.mapMaybe id (Map.fromListWith same [ (rowEntry row, Just row) | Right row <- map snd (contentsLines contents) ])
-    same a b = if a == b then a else Nothing
+    kept = Map.mapMaybe id (Map.fromListWith same [ (rowEntry row, Just (line, row)) | (line, Right row) <- contentsLines contents ])
+    same a b = if fmap snd a == fmap snd b then a else Nothing

@@ -68,7 +68,7 @@ keptOfDamaged wanted contents
     reached = maybe [] (\(final, _) -> takeWhile ((<= final) . entryNumber . fst) (wantedInOrder wanted)) (Map.lookupMax found)
     upToLast = dropWhileEnd (isLeft . snd)
       [ (entry, case Map.lookup (entryNumber entry) found of
-          Just row | ofCensus wanted row && isRowOf wanted entry row -> Right row
+          Just (_, row) | ofCensus wanted row && isRowOf wanted entry row -> Right row
           _ -> Left body)
       | (entry, body) <- reached ]
     whole = rights (map snd upToLast)

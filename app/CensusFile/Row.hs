@@ -28,7 +28,7 @@ import Numeric.Natural (Natural)
 
 import CensusFile.Verdict
 import Json
-import PraTactile.Array (Folding, Shape (..))
+import PraTactile.Array (Folding, Shape (..), area)
 import PraTactile.Census
 import PraTactile.Certificate.Digest (sha256, sha256OfText)
 import PraTactile.Window.Distance

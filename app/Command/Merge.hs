@@ -4,7 +4,7 @@ module Command.Merge
   ( command
   ) where
 
-import Control.Monad (filterM, forM_, unless, when)
+import Control.Monad (filterM, forM_, when)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
@@ -54,14 +54,10 @@ shard keepWhole file = do
   bytes <- readBytes file
   contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
   when (contentsForm contents == Unchecked) (warn (uncheckedMessage file))
-  let cutOff = not (Bytes.null (contentsRest contents))
-      (kept, left) = keptRows contents
-  rows <- if keepWhole
-    then do
-      let lost = left + length [ () | cutOff ]
-      unless (lost == 0 && contentsHeaderWhole contents) (warn (keptMessage file (Map.size kept) lost))
-      pure [ (line, row) | (line, Right row) <- contentsLines contents, Map.member (rowEntry row) kept ]
-    else orUnusable (fileFaultMessage file) (do
-      found <- wholeRows contents
-      if cutOff then Left CutOff else Right found)
-  pure (Shard file (contentsForm contents) (if keepWhole then Map.elems (Map.fromList [ (rowEntry row, (line, row)) | (line, row) <- rows ]) else rows))
+  case completeRows contents of
+    Right rows -> pure (Shard file (contentsForm contents) rows)
+    Left _ | keepWhole -> do
+      let (kept, left) = keptRows contents
+      warn (keptMessage file (Map.size kept) (left + length [ () | not (Bytes.null (contentsRest contents)) ]))
+      pure (Shard file (contentsForm contents) (Map.elems kept))
+    Left fault -> unusable (fileFaultMessage file fault)
