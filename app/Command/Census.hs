@@ -97,11 +97,11 @@ continued keepWhole file wanted = do
   bytes <- if there then readBytes file else pure ""
   if not there || beginsHeader bytes then pure (Kept Checked 0 0 0) else do
     contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
-    when (contentsForm contents == Unchecked) (warn (uncheckedMessage file))
-    case keptInOrder wanted bytes contents of
+    kept <- case keptInOrder wanted bytes contents of
       Right kept -> pure kept
       Left _ | keepWhole -> repaired file wanted contents
       Left fault -> unusable (fileFaultMessage file fault)
+    kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
 -- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so that nothing that was
 -- kept is lost if this is interrupted.

@@ -4,7 +4,7 @@ module Command.Merge
   ( command
   ) where
 
-import Control.Monad (filterM, forM_, when)
+import Control.Monad (filterM, forM_)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
@@ -36,8 +36,9 @@ run files keepWhole output asJson = do
     inputs <- filterM (sameFile file) files
     forM_ (take 1 inputs) $ \input ->
       unusable ("the output " ++ file ++ " is the shard " ++ input ++ ", which would be lost; give another --output")
-  shards <- mapM (shard keepWhole) files
+  (shards, notes) <- unzip <$> mapM (shard keepWhole) files
   (form, merged) <- orUnusable mergeFaultMessage (mergeShards shards)
+  mapM_ warn (concat notes)
   let text = Lazy8.unlines (map Lazy8.fromStrict (headerOf form : map (inForm form . rowText) merged))
   maybe (Lazy8.putStr text) (`writeWhole` text) output
   maybe (pure ()) (report (length merged) (length (filter (toldProved . rowTold) merged))) output
@@ -48,16 +49,18 @@ run files keepWhole output asJson = do
           <> "entries" .= entries <> "proved" .= provedOnes)
       | otherwise = putStrLn ("wrote " ++ file ++ ": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")
 
--- | The rows of a file: all of them, or those that are whole if that is asked for. Leaves with status 2 if it is damaged.
-shard :: Bool -> FilePath -> IO Shard
+-- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to be said of them.
+-- Leaves with status 2 if it is damaged.
+shard :: Bool -> FilePath -> IO (Shard, [String])
 shard keepWhole file = do
   bytes <- readBytes file
   contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
-  when (contentsForm contents == Unchecked) (warn (uncheckedMessage file))
+  let form = contentsForm contents
+      unchecked = [ uncheckedMessage file | form == Unchecked ]
   case completeRows contents of
-    Right rows -> pure (Shard file (contentsForm contents) rows)
-    Left _ | keepWhole -> do
+    Right rows -> pure (Shard file form rows, unchecked)
+    Left _ | keepWhole ->
       let (kept, left) = keptRows contents
-      warn (keptMessage file (Map.size kept) (left + length [ () | not (Bytes.null (contentsRest contents)) ]))
-      pure (Shard file (contentsForm contents) (Map.elems kept))
+          lost = left + length [ () | not (Bytes.null (contentsRest contents)) ]
+      in pure (Shard file form (Map.elems kept), unchecked ++ [keptMessage file (Map.size kept) lost])
     Left fault -> unusable (fileFaultMessage file fault)

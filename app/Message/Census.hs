@@ -54,4 +54,4 @@ uncheckedMessage file = file ++ ": its rows carry no check, as in files of older
 
 -- | What is said where damaged lines are left out: of the rows, so many are kept, and so many lines not.
 keptMessage :: FilePath -> Int -> Int -> String
-keptMessage file kept left = file ++ ": " ++ show kept ++ " whole rows are kept, and " ++ show left ++ " damaged or repeated lines are not"
+keptMessage file kept left = file ++ ": whole rows kept: " ++ show kept ++ "; damaged or repeated lines left out: " ++ show left
