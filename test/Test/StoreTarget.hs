@@ -49,7 +49,7 @@ spec = describe "create" $ do
       foreigners <- mapM (Bytes.readFile . (folder </>)) ["other", "wal"]
       create (folder </> "a.sqlite") "one" place `shouldReturn` Right ()
       cut <- Bytes.take 5000 <$> Bytes.readFile (folder </> "a.sqlite")
-      before <- listDirectory folder
+      there <- listDirectory folder
       forM_ (["precious\n", "", "SQLite format 3", "SQLite format 3\0", cut] ++ foreigners) $ \content -> do
         Bytes.writeFile path content
         create path "two" place `shouldReturn` Left (Occupied path NoStore)
@@ -58,7 +58,7 @@ spec = describe "create" $ do
         create (path ++ ".link") "two" place `shouldReturn` Left (Occupied (path ++ ".link") NoStore)
         Bytes.readFile path `shouldReturn` content
         removeLink (path ++ ".link")
-      sort <$> listDirectory folder `shouldReturn` sort ("mine" : before)
+      sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
   it "refuses a folder, a pipe, a device, a link to any of them and a link to nothing, and opens none" $
     inFolder $ \folder place -> do
       createDirectory (folder </> "folder")
@@ -69,14 +69,14 @@ spec = describe "create" $ do
       user <- getEffectiveUserID
       -- The device that takes everything, under a name of its own.
       when (user == 0) $ createDevice (folder </> "device") (characterSpecialMode + 0o600) 0x103
-      before <- sort <$> listDirectory folder
+      there <- sort <$> listDirectory folder
       create (folder </> "folder") "one" place `shouldReturn` Left (IsDirectory (folder </> "folder"))
       forM_ (["pipe", "to-pipe"] ++ ["device" | user == 0]) $ \name -> do
         create (folder </> name) "one" place `shouldReturn` Left (Occupied (folder </> name) NoRegularFile)
         withStore (folder </> name) Nothing (const (pure ())) `shouldReturn` Left (NotADatabase (folder </> name))
       create (folder </> "to-nothing") "one" place `shouldReturn` Left (Occupied (folder </> "to-nothing") DanglingLink)
       create (folder </> "round") "one" place >>= (`shouldSatisfy` either (const True) (const False))
-      sort <$> listDirectory folder `shouldReturn` before
+      sort <$> listDirectory folder `shouldReturn` there
       when (user == 0) $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True

@@ -129,7 +129,7 @@ scopeWindowsOf scope (Shape n1 n2)
 -- has the one with index i modulo their number. Refuses as 'censusSize' does.
 --
 -- >>> length <$> (standardScope 4 4 >>= scopePlaces)
--- Right 121
+-- Right 104
 scopePlaces :: Scope -> Either CensusError [(Folding, Shape, Shape)]
 scopePlaces scope = overField scope (placesOver scope)
 

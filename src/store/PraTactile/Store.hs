@@ -49,7 +49,7 @@ import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
-import PraTactile.Store.Schema (migrateAll, schemaVersion, tableNames)
+import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns)
 import PraTactile.Store.Target
 
 -- | An open store, good while 'withStore' runs.
@@ -89,7 +89,7 @@ isStore path = do
       modes <- withBinaryFile path ReadMode (\handle -> hSeek handle AbsoluteSeek 18 >> sequence [hGetChar handle, hGetChar handle])
       if modes /= "\1\1" then pure False else do
         tables <- withBackend path (runSqlConn (rawSql (Text.pack "SELECT name FROM sqlite_master WHERE type = 'table'") []))
-        pure (all (`elem` map unSingle tables) tableNames)))
+        pure (all (`elem` map unSingle tables) (map fst tableColumns))))
 
 -- | Open a store, check that its file is whole, that its tables are of this version, that it was made for the profile
 -- expected (if one is), and that its rows make a placement ('placementOf'), and go on with it. Exceptions of what goes on
@@ -126,6 +126,10 @@ open path expected backend = do
   when (null (tables :: [Text])) (throwE (NotAStore path))
   versions <- ask "SELECT schema_version FROM metadata" `orElse` NotAStore path
   for_ (take 1 (filter (/= schemaVersion) versions)) (throwE . (`WrongSchemaVersion` schemaVersion))
+  -- SQLite takes the name of a column that is missing for a text.
+  for_ tableColumns $ \(name, columns) -> do
+    there <- ask ("SELECT name FROM pragma_table_info('" ++ Text.unpack name ++ "') ORDER BY cid")
+    unless (there == columns) (throwE (TablesDiffer path))
   rows <- asking path (runSqlConn selectRows backend)
   (profile, given) <- except (fromRows rows)
   for_ expected $ \wanted -> unless (profile == wanted) (throwE (ForeignProfile profile wanted))

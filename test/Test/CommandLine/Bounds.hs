@@ -50,7 +50,7 @@ spec = do
       forM_ [[], ["--json"], ["--database", "none.sqlite"], ["--database", "none.sqlite", "--json"]] $ \options ->
         complains (["objects", "--at", at] ++ options) "no cell at row"
   it "objects --at: the last cell is a position" $
-    prints ["objects", "--at", "14,16"] ["no object"]
+    prints ["objects", "--at", "14,16"] ["on no object: the window straddles cube, face C2 C6 C7 C3 and parallelepiped, face P1 P2 P3 P4 and parallelepiped, face P3 P7 P8 P4"]
  where
   -- Generous: other work may go on beside the tests.
   atOnce action = timeout 10000000 action >>= maybe (expectationFailure "this took longer than ten seconds") pure

@@ -64,14 +64,14 @@ spec = do
   it "of a larger file, any byte changed at random is refused" $ do
     let wanted = wantedOf 3 3
         file = fileOf Checked wanted
-    property $ forAll (choose (0, Octets.length file - 1)) $ \i -> forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
+    property $ forAllShrink (choose (0, Octets.length file - 1)) shrink $ \i -> forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
       let changed = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
        in counterexample (show (Octets.take 60 (Octets.drop (i - 30) changed))) (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
   it "no row of a census contradicts itself, with distances that are known and that are not" $ do
     forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
-      let rows = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
-      length rows `shouldBe` length (wantedInOrder wanted)
-      [fault | Left fault <- rows] `shouldBe` []
+      let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
+      length found `shouldBe` length (wantedInOrder wanted)
+      [fault | Left fault <- found] `shouldBe` []
     let ranged = told {toldDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
   it "in an old file, a verdict that contradicts itself or the rest is refused, by the definition of the columns" $
@@ -130,8 +130,8 @@ fileOf form wanted = Bytes.unlines (headerOf form : [inForm form body | (_, Righ
 merge :: ByteString -> Either String [ByteString]
 merge bytes = do
   contents <- maybe (Left "no census") Right (contentsOf bytes)
-  rows <- first show (completeRows contents)
-  (form, merged) <- first show (mergeShards [Shard "file" (contentsForm contents) rows])
+  found <- first show (completeRows contents)
+  (form, merged) <- first show (mergeShards [Shard "file" (contentsForm contents) found])
   pure (headerOf form : map (inForm form . rowText) merged)
 
 -- | How many rows are kept of a file, as the command does.

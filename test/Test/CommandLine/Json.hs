@@ -23,15 +23,14 @@ spec = do
     it "is the key that one object has twice, in any nesting and however it is written" $
       forM_ twice $ \(text, name) -> (text, repeatedKey text) `shouldBe` (text, Just name)
     it "is nothing where keys repeat in different objects only, or are values" $
-      forM_ once $ \text -> do
+      forM_ single $ \text -> do
         (text, repeatedKey text) `shouldBe` (text, Nothing)
         either (const False) (const True) (readJson text) `shouldBe` True
     it "is nothing for whatever aeson writes" $
-      property $ forAll document $ \d -> repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
+      property $ forAllShrink document shrunk $ \d -> repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
     it "finds the key that was repeated in any one object of a document" $
-      property $ forAll document $ \d -> forAll (oneOf (repetitions d)) $ \found -> case found of
-        Nothing -> label "no object with a key" True
-        Just (text, name) -> counterexample text (repeatedKey (Text.encodeUtf8 (Text.pack text)) === Just (Text.pack name))
+      property $ forAllShrink (document `suchThat` (not . null . repetitions)) shrunk $ \d -> conjoin
+        [ counterexample text (repeatedKey (Text.encodeUtf8 (Text.pack text)) === Just (Text.pack name)) | (text, name) <- repetitions d ]
   describe "commands" $ do
     it "a profile" $ inFolder $ \folder -> do
       (_, profile, _) <- pra ["profile"]
@@ -55,13 +54,12 @@ spec = do
     [ ("{\"a\":1,\"a\":1}", "a"), ("{\"a\":1,\"b\":{\"a\":1},\"a\" \n\t\r:2}", "a"), ("[{\"b\":[{\"a\":1,\"a\":2}]}]", "a")
     , ("{\"a\":1,\"\\u0061\":2}", "a"), ("{\"\\\"\":1,\"\\u0022\":2}", "\""), ("{\"\":1,\"\":2}", "")
     , ("{\"\\\\\":1,\"x\":\"\\\\\",\"\\u005C\":2}", "\\"), ("{\"a\":[1,{\"a\":3}],\"c\":\"}\",\"a\":1}", "a") ]
-  once =
+  single =
     [ "{}", "[]", "1", "\"a\"", "[\"a\",\"a\"]", "{\"a\":\"a\",\"b\":\"a\"}", "{\"a\":{\"a\":{\"a\":1}}}", "[{\"a\":1},{\"a\":1}]"
     , "{\"a\":\"\\\"a\\\":\",\"b\":\"{\\\"b\\\":1}\"}", "{\"a\":1,\"A\":2}" ]
   replaced from to text
     | take (length from) text == from = to ++ drop (length from) text
     | otherwise = take 1 text ++ replaced from to (drop 1 text)
-  oneOf choices = if null choices then pure Nothing else Just <$> elements choices
   inFolder = withSystemTempDirectory "pra-tactile"
 
 -- | A JSON document whose objects keep their order.
@@ -79,6 +77,13 @@ document = sized go
         , Fields . distinct <$> (choose (0, 4) >>= \n -> vectorOf n ((,) <$> word <*> go (size `div` 3))) ]
   word = choose (0, 3) >>= \n -> vectorOf n (elements "ab\"\\{}[]:,\n\233")
   distinct fields = [(k, d) | (i, (k, d)) <- zip [0 :: Int ..] fields, k `notElem` map fst (take i fields)]
+
+-- | Its parts, and itself with fewer or smaller ones.
+shrunk :: Document -> [Document]
+shrunk d = case d of
+  Text' text -> map Text' (shrinkList (const []) text)
+  List ds -> ds ++ map List (shrinkList shrunk ds)
+  Fields fields -> map snd fields ++ map Fields (shrinkList (\(k, v) -> map ((,) k) (shrunk v)) fields)
 
 valueOf :: Document -> Value
 valueOf d = case d of

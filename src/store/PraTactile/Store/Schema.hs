@@ -18,7 +18,7 @@
 -- reads them.
 module PraTactile.Store.Schema
   ( schemaVersion
-  , tableNames
+  , tableColumns
   , migrateAll
     -- * Tables
   , Metadata (..)
@@ -51,9 +51,18 @@ import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSe
 schemaVersion :: Int
 schemaVersion = 2
 
--- | The tables' names, which every version has.
-tableNames :: [Text]
-tableNames = ["metadata", "object", "vertex", "face", "corner", "edge", "laying", "cell"]
+-- | The tables, which every version has, each with its columns in their order: what the declarations below become in SQL.
+tableColumns :: [(Text, [Text])]
+tableColumns =
+  [ ("metadata", ["id", "schema_version", "profile", "array_rows", "array_columns", "pitch_right_um", "pitch_down_um", "contents"])
+  , ("object", ["id", "name"])
+  , ("vertex", ["id", "object", "name", "x_um", "y_um", "z_um"])
+  , ("face", ["id", "object", "name"])
+  , ("corner", ["id", "face", "number", "vertex"])
+  , ("edge", ["id", "object", "start_vertex", "end_vertex", "left_face", "right_face"])
+  , ("laying", ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
+  , ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
+  ]
 
 share [mkPersist sqlSettings, mkMigrate "migrateAll"] [persistLowerCase|
 Metadata sql=metadata
