@@ -33,6 +33,7 @@ import Control.Monad.Trans.Reader (ReaderT)
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
 import Data.Functor.Identity (Identity (..))
+import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Database.Persist.Sql (Single (..), SqlBackend, rawSql, runMigrationQuiet, runSqlConn)
@@ -49,7 +50,7 @@ import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
-import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns)
+import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns, textColumns)
 import PraTactile.Store.Target
 
 -- | An open store, good while 'withStore' runs.
@@ -126,10 +127,14 @@ open path expected backend = do
   when (null (tables :: [Text])) (throwE (NotAStore path))
   versions <- ask "SELECT schema_version FROM metadata" `orElse` NotAStore path
   for_ (take 1 (filter (/= schemaVersion) versions)) (throwE . (`WrongSchemaVersion` schemaVersion))
-  -- SQLite takes the name of a column that is missing for a text.
+  -- SQLite takes the name of a column that is missing for a text, holds values of any type in any column, and the binding
+  -- rounds numbers.
   for_ tableColumns $ \(name, columns) -> do
     there <- ask ("SELECT name FROM pragma_table_info('" ++ Text.unpack name ++ "') ORDER BY cid")
     unless (there == columns) (throwE (TablesDiffer path))
+    let typed column = "typeof(" ++ Text.unpack column ++ ") <> '" ++ (if column `elem` textColumns then "text" else "integer") ++ "'"
+    foreigners <- ask ("SELECT COUNT(*) FROM " ++ Text.unpack name ++ " WHERE " ++ intercalate " OR " (map typed columns))
+    unless (foreigners == [0 :: Int]) (throwE (DamagedFile path ForeignValue))
   rows <- asking path (runSqlConn selectRows backend)
   (profile, given) <- except (fromRows rows)
   for_ expected $ \wanted -> unless (profile == wanted) (throwE (ForeignProfile profile wanted))

@@ -19,6 +19,7 @@
 module PraTactile.Store.Schema
   ( schemaVersion
   , tableColumns
+  , textColumns
   , migrateAll
     -- * Tables
   , Metadata (..)
@@ -63,6 +64,10 @@ tableColumns =
   , ("laying", ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
   , ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
   ]
+
+-- | The columns, of whatever table, whose values are text; those of all others are integers.
+textColumns :: [Text]
+textColumns = ["name", "profile", "contents"]
 
 share [mkPersist sqlSettings, mkMigrate "migrateAll"] [persistLowerCase|
 Metadata sql=metadata
