@@ -15,6 +15,7 @@ module CensusFile
 
 import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import Data.Either (isRight)
 import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
@@ -38,15 +39,17 @@ data FileFault
   | NotOfThis                   -- ^ it is of another census or shard
   | EntryMissing Int Natural    -- ^ before the row on this line this entry is missing
   | NotThisEntry Int            -- ^ the row on this line is not of the entry whose number it has
-  | NotContinued Int            -- ^ the last line, which has no end, is not the beginning of the row that belongs there
+  | NotContinued Int
+    -- ^ the last line, which has no end, is not the beginning of the row that belongs there
   deriving stock (Eq, Show)
 
 -- | What is in a file. Of which form it is, its header says. With another first line it is still the damaged file of a
 -- census if there is a row with a good check in it; 'Nothing' is any other file.
 contentsOf :: ByteString -> Maybe Contents
 contentsOf bytes = case Bytes.lines whole of
-  header : others | Just form <- formOf header -> Just (contents form True others)
-                  | damaged <- contents Checked False others, any (either (const False) (const True) . snd) (contentsLines damaged) -> Just damaged
+  header : others
+    | Just form <- formOf header -> Just (contents form True others)
+    | damaged <- contents Checked False others, any (isRight . snd) (contentsLines damaged) -> Just damaged
   _ -> Nothing
   where
     (whole, rest) = Bytes.spanEnd (/= '\n') bytes
@@ -61,9 +64,11 @@ wholeRows :: Contents -> Either FileFault [(Int, Row)]
 wholeRows contents
   | not (contentsHeaderWhole contents) = Left NoCensus
   | otherwise = do
-      rows <- traverse (\(number, line) -> either (Left . DamagedLine number) (Right . (,) number) line) (contentsLines contents)
+      rows <- traverse whole (contentsLines contents)
       let descent = find (\((_, a), (_, b)) -> rowEntry b <= rowEntry a) (zip rows (drop 1 rows))
       maybe (Right rows) (\(_, (number, _)) -> Left (OutOfOrder number)) descent
+  where
+    whole (number, line) = either (Left . DamagedLine number) (Right . (,) number) line
 
 -- | As 'wholeRows', where the last line must have an end.
 completeRows :: Contents -> Either FileFault [(Int, Row)]
@@ -76,5 +81,6 @@ completeRows contents = do
 keptRows :: Contents -> (Map.Map Natural (Int, Row), Int)
 keptRows contents = (kept, length (contentsLines contents) - Map.size kept)
   where
-    kept = Map.mapMaybe id (Map.fromListWith same [ (rowEntry row, Just (line, row)) | (line, Right row) <- contentsLines contents ])
+    kept = Map.mapMaybe id (Map.fromListWith same
+      [ (rowEntry row, Just (line, row)) | (line, Right row) <- contentsLines contents ])
     same a b = if fmap snd a == fmap snd b then a else Nothing

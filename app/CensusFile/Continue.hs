@@ -24,7 +24,8 @@ import PraTactile.Window.Proof (ProofError)
 data Wanted = Wanted
   { wantedScope :: Scope
   , wantedEntries :: Natural
-  , wantedInOrder :: [(Entry, Either ProofError ByteString)]   -- ^ with the rows' bodies, which are not looked at without need
+  , wantedInOrder :: [(Entry, Either ProofError ByteString)]
+    -- ^ with the rows' bodies, which are not looked at without need
   }
 
 -- | What is kept of a file.
@@ -53,8 +54,10 @@ keptInOrder wanted bytes contents = do
     go [] others = Right others
     go ((line, row) : rows) ((entry, _) : others)
       | not (ofCensus wanted row) = Left NotOfThis
-      | rowEntry row == entryNumber entry = if isRowOf wanted entry row then go rows others else Left (NotThisEntry line)
-      | rowEntry row `elem` takeWhile (<= rowEntry row) (map (entryNumber . fst) others) = Left (EntryMissing line (entryNumber entry))
+      | rowEntry row == entryNumber entry =
+          if isRowOf wanted entry row then go rows others else Left (NotThisEntry line)
+      | rowEntry row `elem` takeWhile (<= rowEntry row) (map (entryNumber . fst) others) =
+          Left (EntryMissing line (entryNumber entry))
     go _ _ = Left NotOfThis
 
 -- | For the entries up to the last that has a whole row in the file: that row, or the body of the one to be made
@@ -65,7 +68,9 @@ keptOfDamaged wanted contents
   | otherwise = Right (upToLast, length (contentsLines contents) - length whole)
   where
     (found, _) = keptRows contents
-    reached = maybe [] (\(final, _) -> takeWhile ((<= final) . entryNumber . fst) (wantedInOrder wanted)) (Map.lookupMax found)
+    reached = case Map.lookupMax found of
+      Just (final, _) -> takeWhile ((<= final) . entryNumber . fst) (wantedInOrder wanted)
+      Nothing -> []
     upToLast = dropWhileEnd (isLeft . snd)
       [ (entry, case Map.lookup (entryNumber entry) found of
           Just (_, row) | ofCensus wanted row && isRowOf wanted entry row -> Right row
@@ -74,7 +79,8 @@ keptOfDamaged wanted contents
     whole = rights (map snd upToLast)
 
 ofCensus :: Wanted -> Row -> Bool
-ofCensus wanted row = Bytes.unpack (rowCensus row) == censusName (wantedScope wanted) && rowEntries row == wantedEntries wanted
+ofCensus wanted row =
+  Bytes.unpack (rowCensus row) == censusName (wantedScope wanted) && rowEntries row == wantedEntries wanted
 
 isRowOf :: Wanted -> Entry -> Row -> Bool
 isRowOf wanted = agrees (wantedScope wanted) (wantedEntries wanted)

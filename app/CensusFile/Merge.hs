@@ -54,7 +54,9 @@ mergeShards shards = case [ (shardFile shard, row) | shard <- shards, row <- sha
     unless (null missing) (Left (EntriesMissing (rowEntries one) missing))
     pure (if all ((== Checked) . shardForm) shards then Checked else Unchecked, map snd (Map.elems merged))
   where
-    identity row = (rowCensus row, rowEntries row, subjectOrder (rowSubject row), subjectModulus (rowSubject row), length (subjectPolynomial (rowSubject row)))
+    identity row =
+      ( (rowCensus row, rowEntries row)
+      , (subjectOrder (rowSubject row), subjectModulus (rowSubject row), length (subjectPolynomial (rowSubject row))) )
     standard one = standardPlace (rowCensus one) (rowEntries one) (rowSubject one)
     isPlacedAt row placed = placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
       where s = rowSubject row
@@ -78,6 +80,7 @@ standardPlace name entries subject = do
     size <- first (const ()) (censusSize scope)
     places <- Vector.fromList <$> first (const ()) (scopePlaces scope)
     when (Vector.null places) (Left ())
-    pure (\i -> if size /= entries then Nothing else places Vector.!? fromIntegral (i `mod` fromIntegral (Vector.length places)))
+    let index i = fromIntegral (i `mod` fromIntegral (Vector.length places))
+    pure (\i -> if size == entries then places Vector.!? index i else Nothing)
   where
     n = fromIntegral (max 1 (length (subjectPolynomial subject)) - 1)

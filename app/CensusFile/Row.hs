@@ -46,7 +46,8 @@ headerOf form = Bytes.intercalate "," (columnsOf form)
 
 columnsOf :: Form -> [ByteString]
 columnsOf form =
-  ["census", "entry", "entries", "q", "modulus", "polynomial", "folding", "shape", "window", "proved", "enumeration", "rank_road", "rank", "needed", "windows", "different", "distance"]
+  [ "census", "entry", "entries", "q", "modulus", "polynomial", "folding", "shape", "window"
+  , "proved", "enumeration", "rank_road", "rank", "needed", "windows", "different", "distance" ]
     ++ [ "check" | form == Checked ]
 
 -- | The form that a first line announces.

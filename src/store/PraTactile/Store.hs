@@ -87,7 +87,9 @@ isStore path = do
   journal <- doesPathExist (path ++ "-journal")
   if begins /= Right (Just True) || journal || not (speakable path) then pure False else
     either (const False) id <$> runExceptT (guarded (do
-      modes <- withBinaryFile path ReadMode (\handle -> hSeek handle AbsoluteSeek 18 >> sequence [hGetChar handle, hGetChar handle])
+      modes <- withBinaryFile path ReadMode $ \handle -> do
+        hSeek handle AbsoluteSeek 18
+        sequence [hGetChar handle, hGetChar handle]
       if modes /= "\1\1" then pure False else do
         tables <- withBackend path (runSqlConn (rawSql (Text.pack "SELECT name FROM sqlite_master WHERE type = 'table'") []))
         pure (all (`elem` map unSingle tables) (map fst tableColumns))))
@@ -132,7 +134,8 @@ open path expected backend = do
   for_ tableColumns $ \(name, columns) -> do
     there <- ask ("SELECT name FROM pragma_table_info('" ++ Text.unpack name ++ "') ORDER BY cid")
     unless (there == columns) (throwE (TablesDiffer path))
-    let typed column = "typeof(" ++ Text.unpack column ++ ") <> '" ++ (if column `elem` textColumns then "text" else "integer") ++ "'"
+    let typeOf column = if column `elem` textColumns then "text" else "integer"
+        typed column = "typeof(" ++ Text.unpack column ++ ") <> '" ++ typeOf column ++ "'"
     foreigners <- ask ("SELECT COUNT(*) FROM " ++ Text.unpack name ++ " WHERE " ++ intercalate " OR " (map typed columns))
     unless (foreigners == [0 :: Int]) (throwE (DamagedFile path ForeignValue))
   rows <- asking path (runSqlConn selectRows backend)
