@@ -42,8 +42,11 @@ import qualified Test.CommandLine
 import qualified Test.CommandLine.Chance
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
+import qualified Test.CommandLine.Bounds
 import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.Census
+import qualified Test.CommandLine.CensusFile
+import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
@@ -60,6 +63,7 @@ import qualified Test.Recognise
 import qualified Test.RecogniseDamage
 import qualified Test.Store
 import qualified Test.Tools
+import qualified Test.StoreTarget
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
@@ -129,6 +133,7 @@ specs = do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
   describe "Store" Test.Store.spec
+  describe "Store" Test.StoreTarget.spec
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
@@ -148,3 +153,6 @@ specs = do
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec
+  describe "The command line: census files" Test.CommandLine.CensusFile.spec
+  describe "The command line: JSON" Test.CommandLine.Json.spec
+  describe "The command line: bounds" Test.CommandLine.Bounds.spec

@@ -4,11 +4,15 @@ module Command.Census
   ( command
   ) where
 
-import Control.Exception (IOException, try)
-import Control.Monad (foldM_, when)
+import Control.Exception (try)
+import Control.Monad (foldM, unless, when)
 import Control.Parallel.Strategies (parBuffer, rdeepseq, withStrategy)
 import Data.Aeson ((.=))
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
+import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.Either (rights)
 import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (command)
@@ -17,14 +21,21 @@ import System.IO
 
 import ArrayChoice
 import CensusFile
+import CensusFile.Continue
+import CensusFile.Row
+import CensusFile.Verdict (toldProved)
 import Described
 import Ending
 import Files (readBytes)
 import Json
 import Message (censusMessage, proofMessage)
+import Message.Census
+import Output
 import PraTactile.Array (Folding, Shape)
 import PraTactile.Census
+import PraTactile.Window.Proof (Verdict (..))
 import Progress
+import Visible
 
 -- | What the command line says.
 data Asked = Asked
@@ -34,12 +45,13 @@ data Asked = Asked
   , askedFolding :: Maybe Folding
   , askedWindows :: [Shape]
   , askedShard :: (Natural, Natural)
+  , askedKeepWhole :: Bool
   , askedOutput :: FilePath
   , askedJson :: Bool
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "census" "Every primitive polynomial of a degree, every shape that its sequence fills, and every window: whether the windows are distinct, by both roads, and their minimum distance, as a CSV file. Running it again continues an unfinished file."
+command = described "census" "Every primitive polynomial of a degree, every shape that its sequence fills, and every window: whether the windows are distinct, by both roads, and their minimum distance, as a CSV file. Running it again continues an unfinished file. Each row ends with a check, the first digits of the SHA-256 of the rest of it, so that a damaged file is refused; a file of the old form, without checks, is continued as it is."
   [ "pra-tactile census --q 4 --degree 4 --output census.csv"
   , "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv" ]
   (run <$> asked)
@@ -51,6 +63,7 @@ command = described "census" "Every primitive polynomial of a degree, every shap
       <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> completeWith (map foldingName [minBound ..]) <> help "diagonal or row-major (default: both)"))
       <*> many (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "A window, instead of all rectangles of n cells and those with one row or column more; may be repeated"))
       <*> option shardReader (long "shard" <> metavar "I/K" <> value (1, 1) <> help "Only the I-th of K parts, which 'merge' puts together")
+      <*> switch (long "keep-whole" <> help "Continue a damaged file too: rows that are whole are kept, the others made again")
       <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The file to write or to continue")
       <*> switch (long "json" <> help "Tell as JSON what was written")
 
@@ -66,48 +79,79 @@ run asked = do
         , scopeFoldings = maybe (scopeFoldings standard) pure (askedFolding asked)
         , scopeWindows = askedWindows asked }
       (i, k) = askedShard asked
-      inShard number = number `mod` k == i - 1
-      numbers entries = takeWhile (< entries) [i - 1, i - 1 + k ..]
   entries <- orUnusable censusMessage (censusSize scope)
-  Kept kept bytes <- continued (askedOutput asked) (\line -> Bytes.unpack (lineCensus line) == censusName scope && lineEntries line == entries) (numbers entries)
-  let start = fromIntegral (length kept) :: Natural
-  found <- orUnusable censusMessage (census (\number -> inShard number && number >= i - 1 + k * start) scope)
+  found <- orUnusable censusMessage (census (\number -> number `mod` k == i - 1) scope)
   let shardSize = if entries < i then 0 else (entries - i) `div` k + 1
-      rendered = withStrategy (parBuffer 64 rdeepseq) (map (either (Left . proofMessage) Right . entryLine scope entries) found)
-  append (askedOutput asked) bytes (toInteger shardSize) (toInteger start) rendered
-  written <- Bytes.lines <$> readBytes (askedOutput asked)
-  report asked shardSize (provedLines (drop 1 written))
+      rendered = [ (entry, rowBody scope entries entry) | entry <- found ]
+  target <- targetOf (askedOutput asked) >>= orUnusable id
+  kept <- case target of
+    Regular _ _ -> continued (askedKeepWhole asked) (askedOutput asked) (Wanted scope entries rendered)
+    _ -> pure (Kept Checked 0 0 0)
+  let made = withStrategy (parBuffer 64 rdeepseq)
+        [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body | (entry, body) <- drop (keptCount kept) rendered ]
+      writing = case target of
+        Regular _ _ -> append
+        _ -> const . writtenTo
+  provedOnes <- writing (askedOutput asked) kept (rowsAfter (toInteger shardSize) kept made)
+  report asked shardSize provedOnes
   pure Answered
 
--- | What is in the file already: nothing, or the first of the lines that it is to have. Leaves with status 2 if it is
--- anything else, and does not touch it.
-continued :: FilePath -> (Line -> Bool) -> [Natural] -> IO Kept
-continued file ofThis numbers = do
+-- | What is in the file already: nothing, or the first of the rows that it is to have. Leaves with status 2 if it is
+-- anything else, and does not touch it; unless it is damaged and what is whole is to be kept: then the damaged rows are
+-- made again first.
+continued :: Bool -> FilePath -> Wanted -> IO Kept
+continued keepWhole file wanted = do
   there <- doesPathExist file
-  if not there then pure (Kept [] 0) else do
-    Kept kept bytes <- readBytes file >>= orUnusable ((file ++ ": ") ++) . wholeLines
-    when (not (all ofThis kept) || not (and (zipWith (==) (map lineEntry kept) numbers)) || length kept > length (zip kept numbers))
-      (unusable (file ++ " is not an unfinished file of this census or shard; give another --output"))
-    pure (Kept kept bytes)
+  bytes <- if there then readBytes file else pure ""
+  if not there || beginsHeader bytes then pure (Kept Checked 0 0 0) else do
+    contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
+    kept <- case keptInOrder wanted bytes contents of
+      Right kept -> pure kept
+      Left _ | keepWhole -> repaired file wanted contents
+      Left fault -> unusable (fileFaultMessage file fault)
+    kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
--- | Cut the file to so many bytes and write the lines after them, each at once and whole.
-append :: FilePath -> Int -> Integer -> Integer -> [Either String String] -> IO ()
-append file bytes total start rendered = do
+-- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so that nothing that was
+-- kept is lost if this is interrupted.
+repaired :: FilePath -> Wanted -> Contents -> IO Kept
+repaired file wanted contents = do
+  (parts, left) <- orUnusable (fileFaultMessage file) (keptOfDamaged wanted contents)
+  rows <- traverse (either (orUnusable proofMessage) (pure . rowText) . snd) parts
+  let form = contentsForm contents
+      text = Lazy8.unlines (map Lazy8.fromStrict (headerOf form : map (inForm form) rows))
+      provedOnes = length [ () | (entry, part) <- parts, either (const (isProved entry)) (toldProved . rowTold) part ]
+  warn (keptMessage file (length (rights (map snd parts))) left)
+  writeWhole file text
+  pure (Kept form (length rows) provedOnes (fromIntegral (Lazy8.length text)))
+
+isProved :: Entry -> Bool
+isProved = either (const False) proved . entryVerdict
+
+-- | Cut the file to what is kept of it and write after that.
+append :: FilePath -> Kept -> (Handle -> IO a) -> IO a
+append file kept write = do
   outcome <- try $ withBinaryFile file ReadWriteMode $ \handle -> do
-    hSetFileSize handle (fromIntegral bytes)
+    hSetFileSize handle (fromIntegral (keptBytes kept))
     hSeek handle SeekFromEnd 0
-    when (bytes == 0) (Bytes.hPutStr handle (censusHeader <> "\n"))
-    withProgress total start $ \tell -> do
-      let put done line = do
-            text <- orUnusable id line
-            Bytes.hPutStr handle (Bytes.pack (text ++ "\n"))
-            hFlush handle
-            done + 1 <$ tell (done + 1)
-      foldM_ put start rendered
-  either (\problem -> unusable ("cannot write " ++ file ++ ": " ++ show (problem :: IOException))) pure outcome
+    write handle
+  either (unusable . writeMessage file) pure outcome
+
+-- | Write the rows after those that are kept, each at once and whole; the number of rows, of so many in all, that say that the
+-- windows are distinct.
+rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
+rowsAfter total kept made handle = do
+  when (keptBytes kept == 0) (Bytes.hPutStr handle (headerOf (keptForm kept) <> "\n"))
+  withProgress total (toInteger (keptCount kept)) $ \tell -> do
+    let put (done, provedOnes) row = do
+          (yes, text) <- orUnusable id row
+          Bytes.hPutStr handle (text <> "\n")
+          hFlush handle
+          tell (done + 1)
+          pure $! ((,) $! done + 1) $! if yes then provedOnes + 1 else provedOnes
+    snd <$> foldM put (toInteger (keptCount kept), keptProved kept) made
 
 report :: Asked -> Natural -> Int -> IO ()
 report asked entries provedOnes
-  | askedJson asked = printJson ("schema" .= ("pra-tactile/census/1" :: String) <> "file" .= askedOutput asked
+  | askedJson asked = unless (askedOutput asked == "-") $ printJson ("schema" .= ("pra-tactile/census/1" :: String) <> "file" .= nameInJson (askedOutput asked)
       <> "entries" .= naturalValue entries <> "proved" .= provedOnes)
-  | otherwise = putStrLn ("wrote " ++ askedOutput asked ++ ": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")
+  | otherwise = sayWritten (askedOutput asked) (": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")

@@ -4,6 +4,7 @@ module Command.Objects
   ( command
   ) where
 
+import Control.Monad (unless)
 import Data.Aeson (Series, object, (.=))
 import Data.List (intercalate)
 import Data.String (fromString)
@@ -17,7 +18,7 @@ import Json.Profile
 import Json.Recognition (whereaboutsPairs)
 import Message
 import Output
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
@@ -40,9 +41,9 @@ command = described "objects" "List the objects and the place of their faces on 
   (run <$> arrayChoice <*> options)
   where
     options = Options
-      <$> optional (option positionReader (long "at" <> metavar "ROW,COLUMN" <> help "Tell what lies at the window with this position"))
+      <$> optional (option positionReader (long "at" <> metavar "ROW,COLUMN" <> help "Tell what lies at the window whose upper left cell is here, counted from 0"))
       <*> optional (strOption (long "database" <> metavar "FILE" <> action "file" <> help "Ask this database instead of the mapping in memory"))
-      <*> optional (strOption (long "write" <> metavar "FILE" <> action "file" <> help "Write the mapping to an SQLite file"))
+      <*> optional (strOption (long "write" <> metavar "FILE" <> action "file" <> help "Write the mapping to an SQLite file: a new one, or one that this command made, which is replaced"))
       <*> switch (long "json" <> help "Print as JSON")
 
 run :: ArrayChoice -> Options -> IO Ending
@@ -66,6 +67,9 @@ run choice options = do
 -- | What lies at a position, from memory or from the database.
 lookUp :: Profile -> Placement -> Options -> Position -> IO Ending
 lookUp profile layout options position = do
+  unless (row position < high && column position < wide) (unusable
+    ("the array has no cell at row " ++ show (row position) ++ ", column " ++ show (column position) ++ ": its "
+      ++ shapeText (profileShape profile) ++ " cells are counted from 0"))
   place <- case database options of
     Nothing -> pure (whereabouts layout window position)
     Just file ->
@@ -78,6 +82,7 @@ lookUp profile layout options position = do
   pure Answered
   where
     window = profileWindow profile
+    Shape high wide = profileShape profile
 
 listText :: Placement -> [String]
 listText layout = concatMap object' (placementSolids layout)

@@ -42,7 +42,7 @@ command = described "polynomials" "Print the primitive or the irreducible polyno
     kind = flag' PrimitiveOnes (long "primitive" <> help "The primitive ones: their root has order q^n - 1 (the default)")
       <|> flag' IrreducibleOnes (long "irreducible" <> help "The irreducible ones: no product of two of lower degree")
       <|> pure PrimitiveOnes
-    wanted = flag' Count (long "count" <> help "Only how many there are, by formula")
+    wanted = flag' Count (long "count" <> help "Only how many there are, by formula; of primitive ones it needs the factors of q^n - 1, to 2^1024")
       <|> flag' First (long "first" <> help "Only the first")
       <|> flag' FewestTerms (long "fewest-terms" <> help "Only the first of those with the fewest terms")
       <|> Random <$> option (fromInteger <$> seed) (long "random" <> metavar "SEED" <> help "Only one, drawn with equal chances; the same for the same seed")

@@ -79,15 +79,16 @@ search _ symbols = do
     , foundPolynomial = map codeOf (coefficients h)
     , foundLength = synthesisLength result
     , foundDetermined = synthesisDetermined result
-    , foundPrimitive = if synthesisLength result > 256 then Nothing else primitivity (checkPrimitive h)
+    , foundPrimitive = if synthesisLength result > 256 then Nothing else primitivity h (checkPrimitive h)
     , foundState = map codeOf (take (synthesisLength result) terms)
     }
   where
     element (i, text) = first (\e -> "symbol " ++ show i ++ ": " ++ fieldMessage e) (parseElement text)
     codeOf = fromIntegral . toCode :: GF k -> Natural
-    primitivity checked = case checked of
+    primitivity h checked = case checked of
       Right _ -> Just True
-      Left (OrderNotFactored _) -> Nothing
+      -- Beyond what is factored, a polynomial with a factor is not primitive all the same.
+      Left (OrderNotFactored _) -> if isIrreducible h then Nothing else Just False
       Left _ -> Just False
 
 foundText :: Found -> String

@@ -12,7 +12,7 @@ import Data.Aeson
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (Parser, parseEither)
-import qualified Data.ByteString.Lazy as Lazy
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (toList)
 import Data.List (intercalate, sortOn)
@@ -22,6 +22,7 @@ import Numeric.Natural (Natural)
 import Ending
 import Files (readBytes)
 import Json
+import JsonInput
 import Json.Profile
 import PraTactile.Array (Position (..))
 import PraTactile.Certificate
@@ -87,7 +88,7 @@ data CertificateFile = CertificateFile
 readCertificate :: FilePath -> IO CertificateFile
 readCertificate file = do
   bytes <- readBytes file
-  orUnusable inWords (eitherDecode (Lazy.fromStrict bytes) >>= parseEither parseFile)
+  orUnusable inWords (first jsonFaultMessage (readJson bytes) >>= parseEither parseFile)
   where
     inWords why = file ++ " is not a certificate as 'pra-tactile certificate' writes it: " ++ why
 

@@ -12,7 +12,7 @@ module Json.Profile
 import Control.Monad (unless)
 import Data.Aeson
 import Data.Aeson.Types (Parser, parseEither)
-import qualified Data.ByteString.Lazy as Lazy
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Char (isDigit)
 import Data.Scientific (Scientific, floatingOrInteger)
@@ -22,6 +22,7 @@ import Numeric.Natural (Natural)
 import Ending
 import Files (readBytes)
 import Json
+import JsonInput
 import Message (profileMessage)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Profile
@@ -67,7 +68,7 @@ packingName packing = case packing of
 readProfile :: FilePath -> IO Profile
 readProfile file = do
   bytes <- readBytes file
-  profile <- orUnusable inWords (eitherDecode (Lazy.fromStrict bytes) >>= parseEither parseProfile)
+  profile <- orUnusable inWords (first jsonFaultMessage (readJson bytes) >>= parseEither parseProfile)
   orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
   pure profile
   where

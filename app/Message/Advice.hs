@@ -9,15 +9,17 @@ module Message.Advice
 import Data.List (intercalate)
 
 import Json (foldingName, shapeText, surfaceName)
-import Message.Code (factorMessage, fieldMessage)
+import Message.Code (factorMessage, fieldMessage, numeral, windowMessage)
 import PraTactile.Advise
 import PraTactile.Array
+import PraTactile.Window (WindowError (..))
 
 adviceErrorMessage :: AdviceError -> String
 adviceErrorMessage e = case e of
   AdviceField why -> fieldMessage why
-  AdviceWindowEmpty -> "the window has no cells"
-  AdviceTooLarge cells -> show cells ++ " cells are wanted; the adviser goes up to 2^128"
+  AdviceWindowEmpty -> windowMessage WindowEmpty
+  AdviceWindowTooLarge cells -> windowMessage (WindowTooLarge cells)
+  AdviceTooLarge cells -> numeral cells ++ " cells are wanted; the adviser goes up to 2^128"
 
 -- | What is possible, what is not, and what to type next.
 adviceLines :: Request -> Advice -> [String]

@@ -3,6 +3,7 @@ module Message.Code
   ( fieldMessage
   , polynomialMessage
   , factorMessage
+  , numeral
   , foldMessage
   , windowMessage
   , gridMessage
@@ -61,7 +62,7 @@ polynomialMessage e = case e of
   ConstantTermZero -> "the polynomial's constant term is 0, so it is not primitive"
   PolynomialReducible -> "the polynomial factors over the field, so it is not primitive"
   PolynomialNotPrimitive order -> "the polynomial is irreducible but not primitive: its root has order " ++ show order
-  OrderNotFactored why -> "whether the polynomial is primitive is not known: " ++ factorMessage why
+  OrderNotFactored why -> "which polynomials of this degree are primitive is not known: " ++ factorMessage why
   NoPrimitivePolynomial n -> "no primitive polynomial of degree " ++ show n ++ " was found"
 
 factorMessage :: FactorError -> String
@@ -69,6 +70,15 @@ factorMessage e = case e of
   FactorisationOfZero -> "zero has no factorisation"
   FactorNotFound n -> "the factor " ++ show n ++ " of q^n - 1 could not be split"
   PrimalityUndecided n -> "the factor " ++ show n ++ " of q^n - 1 could not be proved prime"
+  PowerTooLarge b n -> "the factors of " ++ numeral b ++ "^" ++ numeral n ++ " - 1 are needed, and numbers beyond 2^1024 are not factored"
+
+-- | A number in digits, or how many it has if these would fill the line.
+numeral :: Natural -> String
+numeral n
+  | length digits <= 80 = digits
+  | otherwise = "(a number of " ++ show (length digits) ++ " digits)"
+  where
+    digits = show n
 
 sequenceMessage :: SequenceError -> String
 sequenceMessage e = case e of
@@ -79,15 +89,16 @@ foldMessage :: FoldError -> String
 foldMessage e = case e of
   NotCoprime n1 n2 g -> "the diagonal fold of " ++ shapeText (Shape n1 n2) ++ " does not fill the array: both sides are divisible by "
     ++ show g ++ ", so it reaches only every " ++ ordinal g ++ " cell; 'pra-tactile advise' tells what to do instead"
-  WrongArea shape terms -> "the shape " ++ shapeText shape ++ " has " ++ show (area shape) ++ " cells, but the sequence has q^n - 1 = " ++ show terms ++ " terms"
-  TooManyCells cells limit -> "the array has " ++ show cells ++ " cells; at most " ++ show limit ++ " are held in memory"
+  WrongArea shape@(Shape high wide) terms -> "the shape " ++ numeral high ++ "x" ++ numeral wide ++ " has " ++ numeral (area shape)
+    ++ " cells, but the sequence has q^n - 1 = " ++ numeral terms ++ " terms"
+  TooManyCells cells limit -> "the array has " ++ numeral cells ++ " cells; at most " ++ show limit ++ " are held in memory"
   where
     ordinal n = show n ++ (case n `mod` 10 of { 2 | n `mod` 100 /= 12 -> "nd"; 3 | n `mod` 100 /= 13 -> "rd"; 1 | n `mod` 100 /= 11 -> "st"; _ -> "th" })
 
 windowMessage :: WindowError -> String
 windowMessage e = case e of
   WindowEmpty -> "the window has no cells"
-  WindowTooLarge cells -> "the window has " ++ show cells ++ " cells, more than 4096"
+  WindowTooLarge cells -> "the window has " ++ numeral cells ++ " cells, more than 4096"
   OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
   DrawingCharacter c -> "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; " ++ show c ++ " is none of them"
   DrawingRagged i given needs -> "row " ++ show (i + 1) ++ " of the mask has " ++ show given ++ " cells, the first has " ++ show needs
@@ -109,14 +120,14 @@ profileMessage e = case e of
   ProfileState why -> sequenceMessage why
   ProfileFold why -> foldMessage why
   ProfileWindow why -> windowMessage why
-  WindowNotInferred n1 n -> "the window cannot be inferred: the number of rows, " ++ show n1 ++ ", is not q^k1 - 1 for a divisor k1 of the degree "
+  WindowNotInferred n1 n -> "the window cannot be inferred: the number of rows, " ++ numeral n1 ++ ", is not q^k1 - 1 for a divisor k1 of the degree "
     ++ show n ++ "; give --window ROWSxCOLUMNS"
 
 proofMessage :: ProofError -> String
 proofMessage e = case e of
   NoWindowOnSheet -> "no window of this shape lies on the sheet"
   ArrayTooLarge why -> foldMessage why ++ ", and the rank decides nothing here"
-  WindowsTooMany contents places -> "visiting every window needs too much memory (" ++ show contents ++ " contents at " ++ show places
+  WindowsTooMany contents places -> "visiting every window needs too much memory (" ++ numeral contents ++ " contents at " ++ numeral places
     ++ " positions), and the rank decides nothing here"
   RoadsDisagree verdict -> "enumeration and rank contradict each other on the " ++ surfaceName (surface verdict) ++ ": a defect of this program; please report it"
 
@@ -126,10 +137,11 @@ censusMessage e = case e of
   CensusModulus given needs -> profileMessage (ModulusDegree given needs)
   CensusPolynomial why -> polynomialMessage why
   CensusWindow why -> windowMessage why
+  CensusTooManyShapes shapes limit -> "q^n - 1 has " ++ numeral shapes ++ " divisors, and each is the number of rows of an array; a census goes through at most " ++ show limit
 
 locateMessage :: LocateError -> String
 locateMessage e = case e of
-  TableTooLarge entries limit -> "the memory table would have " ++ show entries ++ " entries, more than " ++ show limit
+  TableTooLarge entries limit -> "the memory table would have " ++ numeral entries ++ " entries, more than " ++ show limit
   TableArray why -> foldMessage why
   PatchEmpty -> "the patch has no cells"
   PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs

@@ -14,11 +14,11 @@ import Message.Touch (shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
-import PraTactile.Object.Relation (RelationError (..))
+import PraTactile.Object.Relation (RelationError (..), Table (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
-import PraTactile.Store (StoreError (..))
+import PraTactile.Store (Damage (..), Failure (..), Occupant (..), StoreError (..))
 
 objectMessage :: ObjectError -> String
 objectMessage e = case e of
@@ -69,25 +69,54 @@ storeMessage :: StoreError -> String
 storeMessage e = case e of
   NoSuchFile file -> "there is no database " ++ file ++ "; 'pra-tactile objects --write FILE' makes one"
   IsDirectory file -> file ++ " is a folder; a database file is needed here"
-  CannotRead file why -> "cannot read " ++ file ++ ": " ++ why
-  CannotWrite file why -> "cannot write " ++ file ++ ": " ++ why
+  CannotRead file why -> "cannot read " ++ file ++ ": " ++ failureMessage why
+  CannotWrite file why -> "cannot write " ++ file ++ ": " ++ failureMessage why
+  Occupied file DanglingLink -> file ++ " is a link to nothing; " ++ elsewhere
+  Occupied file NoRegularFile -> file ++ " is no regular file, and a database needs one; " ++ elsewhere
+  Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
   NotADatabase file -> file ++ " is not an SQLite database"
-  DamagedFile file why -> file ++ " is damaged: " ++ why
+  DamagedFile file BrokenPages -> file ++ " is damaged: parts of it are overwritten or missing; write the database again"
+  DamagedFile file ForeignValue -> file ++ " is damaged: a value is not of its column's type; write the database again"
+  TablesDiffer file -> file ++ " is damaged: a table or a column is missing; write the database again"
   NotAStore file -> file ++ " is a database, but not one that 'pra-tactile objects --write' made"
   WrongSchemaVersion found expected -> "the database has version " ++ show found ++ " of its tables, this program has " ++ show expected ++ "; write it again"
   ForeignProfile _ _ -> "the database was made for another profile; choose the array it was made for, or write it again"
-  UnreadableRow table -> "a row of the table " ++ show table ++ " cannot be read; write the database again"
+  UnreadableRow table -> "a row of the table " ++ tableName table ++ " cannot be read; write the database again"
   InconsistentRows why -> "the database contradicts itself: " ++ relationMessage why
+  ChangedRows -> "the database was changed after it was written; write it again"
   NotStorable length' -> show (fromRational length' :: Double) ++ " mm cannot be stored"
   TooLarge n -> show n ++ " is too large for the database"
   NotInStore why -> placementMessage why
-  DatabaseFailed why -> "the database failed: " ++ why
+  DatabaseFailed why -> "the database cannot be used: " ++ failureMessage why
+  where
+    elsewhere = "name a new file, or a database that 'pra-tactile objects --write' made"
+
+failureMessage :: Failure -> String
+failureMessage why = case why of
+  InUse -> "another program is using it"
+  NotPermitted -> "no permission"
+  NoRoom -> "there is no room"
+  NoFolder -> "its folder does not exist or cannot be used"
+  NameNotText -> "its name is not valid text"
+  SystemRefuses -> "the system refuses"
+
+-- | As the database has it.
+tableName :: Table -> String
+tableName table = case table of
+  MetadataTable -> "metadata"
+  ObjectTable -> "object"
+  VertexTable -> "vertex"
+  FaceTable -> "face"
+  CornerTable -> "corner"
+  EdgeTable -> "edge"
+  LayingTable -> "laying"
+  CellTable -> "cell"
 
 relationMessage :: RelationError -> String
 relationMessage e = case e of
   NotSolid object why -> objectText object ++ ": " ++ objectMessage why
   NotPlaced why -> placementMessage why
-  RowsDisagree table -> "the rows of " ++ show table ++ " are not those that the others imply"
+  RowsDisagree table -> "the rows of the table " ++ tableName table ++ " are not those that the others imply"
 
 recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of

@@ -102,7 +102,7 @@ allowances =
   , ("library", ["base", "containers", "random", "vector", "pra-tactile:code", "pra-tactile:touch"])
   , ("library store"
     , [ "base", "containers", "directory", "filepath", "monad-logger", "mtl", "persistent", "persistent-sqlite"
-      , "resourcet", "text", "transformers", "pra-tactile", "pra-tactile:code" ])
+      , "resourcet", "text", "transformers", "unix", "pra-tactile", "pra-tactile:code" ])
   , ("library conformance"
     , ["base", "containers", "QuickCheck", "transformers", "vector", "pra-tactile", "pra-tactile:code", "pra-tactile:touch"])
   ]

@@ -6,9 +6,12 @@ import Control.Exception (bracket, evaluate, try)
 import Control.Monad (void)
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
+import Data.List (isInfixOf, nub)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Database.Persist.Sqlite (PersistValue (..))
 import qualified Database.Sqlite as Sqlite
+import Message.Objects (storeMessage)
 import System.Directory
   ( copyFile, createDirectory, getFileSize, getTemporaryDirectory, listDirectory, removeFile, removePathForcibly )
 import System.FilePath ((</>))
@@ -115,6 +118,7 @@ spec = describe "store" $ do
           for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
             storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
         void (evaluate (length (show outcome)))
+        either plain (const (pure ())) outcome
     it "a database of something else" $ inDirectory $ \directory -> do
       let path = directory </> "other.sqlite"
       execute path "CREATE TABLE shopping (item TEXT)"
@@ -127,7 +131,28 @@ spec = describe "store" $ do
       it sentence $ tampered statement $ \_ outcome -> outcome `shouldBe` Left expected
     it "words where numbers should be" $ tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
       outcome `shouldSatisfy` isDamaged path
-    it "a table that is missing" $ tampered "DROP TABLE edge" $ \_ outcome -> outcome `shouldSatisfy` isFailed
+    it "a table that is missing" $ tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that is missing" $ tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
+      outcome `shouldBe` Left (TablesDiffer path)
+    it "an object, a vertex or a face by another name, with the rows that refer to it" $ do
+      tampered "UPDATE object SET name = 'box' WHERE name = 'cube'" $ \_ outcome -> outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE metadata SET profile = profile || ' '" $ \_ outcome -> outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE metadata SET contents = 'f' || substr(contents, 2)" $ \_ outcome ->
+        outcome `shouldSatisfy` (`elem` [Left ChangedRows, Right ()])
+    it "any cell of any table changed: other numbers, other words, and values of other types, without a foreign word" $
+      withCanonical $ \_ path -> do
+        changes <- concat <$> traverse (changesOf path) tableNames
+        length changes `shouldSatisfy` (> 600)
+        for_ changes $ \change -> do
+          changed <- copied path (path ++ ".changed")
+          applied <- try (execute changed change)
+          outcome <- opening changed
+          case applied of
+            -- What a key or a column does not take is not there.
+            Left fault -> Sqlite.seError fault `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
+            Right () -> do
+              (change, outcome) `shouldSatisfy` (/= Right ()) . snd
+              either plain (const (pure ())) outcome
 
   describe "has keys" $ for_ duplicates $ \(table, columns_) ->
     it ("no row of " ++ Text.unpack table ++ " twice") $ withCanonical $ \_ path -> do
@@ -135,6 +160,46 @@ spec = describe "store" $ do
           doubling = ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
       outcome <- try (execute path (Text.unwords doubling))
       first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
+
+-- One cell at a time of the first row, one in the middle and the last, keys included, each with another value of its type
+-- and with values of other types.
+changesOf :: FilePath -> Text -> IO [Text]
+changesOf path table = do
+  columns_ <- asking (Text.unwords ["SELECT name FROM pragma_table_info('" <> table <> "')"])
+  counted <- asking ("SELECT COUNT(*) FROM " <> table)
+  let count = sum (map (read . Text.unpack) counted) :: Int
+      which = nub [1, (count + 1) `div` 2, count]
+  pure
+    [ Text.unwords ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", Text.pack (show at)]
+    | column_ <- columns_, at <- which, to <- values ]
+  where
+    values =
+      [ \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN " <> c <> " || 'x' ELSE " <> c <> " + 1 END"
+      , \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN '' ELSE -1 - " <> c <> " END"
+      , const "'word'", const "x'ff00'", const "CAST(x'ff' AS TEXT)", const "1.5", const "9223372036854775807" ]
+    asking question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+      bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->
+        let rows_ = Sqlite.step statement >>= \more -> case more of
+              Sqlite.Row -> do
+                values_ <- Sqlite.columns statement
+                (map shown (take 1 values_) ++) <$> rows_
+              Sqlite.Done -> pure []
+        in rows_
+    shown value = case value of
+      PersistText text -> text
+      PersistInt64 n -> Text.pack (show n)
+      other -> Text.pack (show other)
+
+tableNames :: [Text]
+tableNames = ["metadata", "object", "vertex", "face", "corner", "edge", "laying", "cell"]
+
+-- What is said is said in this program's own words.
+plain :: StoreError -> Expectation
+plain fault = do
+  let said = storeMessage fault
+  length (lines said) `shouldBe` 1
+  filter (`isInfixOf` said) ["Persist", "Haskell", "parse", "openBinaryFile", "hClose", "SQLite3", "Table", "Int64", "ByteString", "exception", "UTF-8", "decode"]
+    `shouldBe` []
 
 profileText :: String
 profileText = "any text, \"quoted\"; with ' and \955\n"
@@ -180,11 +245,9 @@ duplicates =
   , ("cell", ["array_row", "array_column", "laying", "local_row", "local_column"])
   ]
 
-isCannotWrite, isFailed :: Either StoreError () -> Bool
+isCannotWrite :: Either StoreError () -> Bool
 isCannotWrite (Left (CannotWrite _ _)) = True
 isCannotWrite _ = False
-isFailed (Left (DatabaseFailed _)) = True
-isFailed _ = False
 
 isDamaged :: FilePath -> Either StoreError () -> Bool
 isDamaged path (Left (DamagedFile named _)) = named == path

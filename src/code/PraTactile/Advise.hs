@@ -33,6 +33,7 @@ import PraTactile.Factorisation
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Polynomial
+import PraTactile.Window
 
 -- | What is wanted.
 data Request = Request
@@ -53,6 +54,8 @@ data AdviceError
     AdviceField FieldError
   | -- | The window has no cells.
     AdviceWindowEmpty
+  | -- | The window has this many cells, more than windows may have.
+    AdviceWindowTooLarge Natural
   | -- | So many cells are wanted, more than 2^128: q^n - 1 might not be factored for want of time.
     AdviceTooLarge Natural
   deriving stock (Eq, Show)
@@ -110,11 +113,12 @@ obstacleDegree obstacle = case obstacle of
 -- | What is possible and what is not, from the least degree n with enough terms up to the first that gives one
 -- array on a plain torus, or beyond which the window has too few cells; at most 16 degrees. Several arrays
 -- are listed for a degree only if it gives no single one on a plain torus. Polynomials are over the field
--- with the default modulus. Refuses a q that is no prime power up to 256, a window without cells, and more
--- than 2^128 cells.
+-- with the default modulus. Refuses a q that is no prime power up to 256, a window without cells or with more
+-- than 4096, and more than 2^128 cells.
 advise :: Request -> Either AdviceError Advice
 advise request
   | fmap area (requestWindow request) == Just 0 = Left AdviceWindowEmpty
+  | Just (Left (WindowTooLarge cells)) <- rectangle <$> requestWindow request = Left (AdviceWindowTooLarge cells)
   | wantedArea request > 2 ^ (128 :: Int) = Left (AdviceTooLarge (wantedArea request))
   | otherwise = first AdviceField $ do
       (p, modulus) <- conwayModulus q

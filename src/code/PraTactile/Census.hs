@@ -15,6 +15,8 @@ module PraTactile.Census
   , scopeText
   , scopeShapes
   , scopeWindowsOf
+  , scopePlaces
+  , largestShapes
   , CensusError (..)
 
     -- * What there is
@@ -94,6 +96,8 @@ data CensusError
     CensusPolynomial PolynomialError
   | -- | There is no such window.
     CensusWindow WindowError
+  | -- | Each sequence folds into this many shapes, more than the second number, 'largestShapes'.
+    CensusTooManyShapes Natural Natural
   deriving stock (Eq, Show)
 
 -- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by increasing
@@ -121,6 +125,19 @@ scopeWindowsOf scope (Shape n1 n2)
   sides = [(a, n `div` a) | a <- takeWhile (<= n) [1 ..], n `mod` a == 0]
   fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
 
+-- | The foldings, shapes and windows that every polynomial is taken with, in their order: entry i of a census
+-- has the one with index i modulo their number. Refuses as 'censusSize' does.
+--
+-- >>> length <$> (standardScope 4 4 >>= scopePlaces)
+-- Right 104
+scopePlaces :: Scope -> Either CensusError [(Folding, Shape, Shape)]
+scopePlaces scope = overField scope (placesOver scope)
+
+placesOver :: KnownField k => Scope -> Proxy k -> Either CensusError [(Folding, Shape, Shape)]
+placesOver scope k = do
+  shapes <- shapesOf k scope
+  pure [(folding, shape, window) | (folding, shape) <- shapes, window <- scopeWindowsOf scope shape]
+
 -- | An array and a window, and what was found of them.
 data Entry = Entry
   { entryNumber :: Natural
@@ -140,13 +157,13 @@ data Entry = Entry
 -- | How many entries a census has. Refuses as 'census' does.
 censusSize :: Scope -> Either CensusError Natural
 censusSize scope = overField scope $ \k -> do
-  shapes <- shapesOf k scope
+  places <- placesOver scope k
   polynomials <- first CensusPolynomial (countPrimitive k (scopeDegree scope))
-  pure (polynomials * fromIntegral (sum [length (scopeWindowsOf scope shape) | (_, shape) <- shapes]))
+  pure (polynomials * fromIntegral (length places))
 
 -- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by polynomial, by
 -- folding, by shape, by window. Refuses alphabets that there are not, degree 0, degrees for which q^n - 1 is not
--- factored, and windows that are none.
+-- factored or has too many divisors, and windows that are none.
 census :: (Natural -> Bool) -> Scope -> Either CensusError [Entry]
 census wanted scope = overField scope (\k -> entriesOver k wanted scope)
 
@@ -181,11 +198,17 @@ entriesOver k wanted scope = do
       , entryDistance = minimumDistance array mask
       }
 
+-- | 2^16: the most divisors of q^n - 1 that are gone through.
+largestShapes :: Natural
+largestShapes = 2 ^ (16 :: Int)
+
 -- | The foldings with the shapes that they fill.
 shapesOf :: KnownField k => Proxy k -> Scope -> Either CensusError [(Folding, Shape)]
 shapesOf k scope = do
   when (scopeDegree scope == 0) (Left (CensusPolynomial PolynomialConstant))
   factors <- first (CensusPolynomial . OrderNotFactored) (factorisePowerMinusOne p (m * scopeDegree scope))
+  let shapes = product [e + 1 | (_, e) <- factors]
+  when (shapes > largestShapes) (Left (CensusTooManyShapes shapes largestShapes))
   pure [(folding, shape) | folding <- foldingsOf scope, shape <- scopeShapes folding factors]
  where
   p = fromIntegral (fieldCharacteristic k)

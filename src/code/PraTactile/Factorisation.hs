@@ -7,6 +7,8 @@ module PraTactile.Factorisation
   ( -- * Factorisation
     factorise
   , factorisePowerMinusOne
+  , checkPower
+  , largestPower
   , cyclotomicValues
   , FactorError (..)
 
@@ -33,14 +35,27 @@ factorise 0 = Left FactorisationOfZero
 factorise n = collect <$> primeFactors n
 
 -- | The factorisation of b^n - 1 by way of its algebraic factors, the 'cyclotomicValues' at b of the
--- divisors of n. Refuses b < 2 or n = 0 (the number is 0) and as 'factorise' does.
+-- divisors of n. Refuses b < 2 or n = 0 (the number is 0), at once what 'checkPower' does, and as 'factorise' does.
 --
 -- >>> factorisePowerMinusOne 4 4
 -- Right [(3,1),(5,1),(17,1)]
 factorisePowerMinusOne :: Natural -> Natural -> Either FactorError [(Natural, Natural)]
 factorisePowerMinusOne b n
   | b < 2 || n == 0 = Left FactorisationOfZero
-  | otherwise = collect . concat <$> mapM (primeFactors . snd) (cyclotomicValues b n)
+  | otherwise = checkPower b n >> collect . concat <$> mapM (primeFactors . snd) (cyclotomicValues b n)
+
+-- | Refuses b and n at once if b^n exceeds 'largestPower'.
+--
+-- >>> checkPower 2 1000000
+-- Left (PowerTooLarge 2 1000000)
+checkPower :: Natural -> Natural -> Either FactorError ()
+checkPower b n
+  | b > 1 && (n > 1024 || b ^ n > largestPower) = Left (PowerTooLarge b n)
+  | otherwise = Right ()
+
+-- | 2^1024: beyond it b^n - 1 has parts for which the effort hardly ever suffices.
+largestPower :: Natural
+largestPower = 2 ^ (1024 :: Int)
 
 -- | The divisors d of n >= 1, ascending, each with the value at b >= 2 of the d-th cyclotomic
 -- polynomial. Their product is b^n - 1, for every divisor in the place of n.

@@ -17,11 +17,14 @@ module PraTactile.Store
   , storedPosition
     -- * What can go wrong
   , StoreError (..)
+  , Damage (..)
+  , Failure (..)
+  , Occupant (..)
     -- * Tables
   , schemaVersion
   ) where
 
-import Control.Exception (ErrorCall, Handler (..), IOException, SomeException, catches, onException, throwIO, try)
+import Control.Exception (SomeException, onException, throwIO, try)
 import Control.Monad (unless, when)
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Logger (runNoLoggingT)
@@ -30,23 +33,25 @@ import Control.Monad.Trans.Reader (ReaderT)
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
 import Data.Functor.Identity (Identity (..))
+import Data.List (intercalate)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Database.Persist.Sql (PersistException, Single (..), SqlBackend, rawSql, runMigrationQuiet, runSqlConn)
+import Database.Persist.Sql (Single (..), SqlBackend, rawSql, runMigrationQuiet, runSqlConn)
 import Database.Persist.Sqlite (SqliteConnectionInfo, mkSqliteConnectionInfo, walEnabled, withSqliteConnInfo)
-import Database.Sqlite (Error (..), SqliteException (..))
-import System.Directory (doesDirectoryExist, doesFileExist, removeFile, renameFile)
-import System.FilePath (isRelative, takeDirectory, takeFileName, (</>))
-import System.IO (IOMode (..), hClose, hGetChar, openBinaryTempFileWithDefaultPermissions, withBinaryFile)
-import System.IO.Error (ioeGetErrorString, isEOFError, isUserError)
+import System.Directory (doesDirectoryExist, doesPathExist, renameFile)
+import System.FilePath (isRelative, (</>))
+import System.IO (IOMode (..), SeekMode (..), hGetChar, hSeek, withBinaryFile)
 
 import PraTactile.Array (Position, Shape)
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (placementOf, relation)
+import PraTactile.Store.Contents (isSealed, sealed)
 import PraTactile.Store.Error
+import PraTactile.Store.Guard
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
-import PraTactile.Store.Schema (migrateAll, schemaVersion)
+import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns, textColumns)
+import PraTactile.Store.Target
 
 -- | An open store, good while 'withStore' runs.
 data Store = Store
@@ -58,23 +63,36 @@ data Store = Store
     -- ^ the placement that the store's rows describe
   }
 
--- | Write a placement to a file, with the text of the profile it belongs to. A file that is there already is replaced,
--- whole or not at all: the rows go to another file beside it, which takes its name once it is complete.
+-- | Write a placement to a file, with the text of the profile it belongs to. The path is a new name, or that of a store,
+-- perhaps through a link, which is replaced, whole or not at all: the rows go to a file beside it, named likewise with
+-- @.part@ after it, which takes its name once it is complete. Anything else that is there is refused and stays.
 create :: FilePath -> String -> Placement -> IO (Either StoreError ())
 create path profile place = runExceptT $ do
-  rows <- except (toRows profile (relation place))
-  directory <- liftIO (doesDirectoryExist path)
-  when directory (throwE (IsDirectory path))
-  unless (speakable path) (throwE (CannotWrite path "the file's name is not valid text"))
-  withExceptT (CannotWrite path . reason) (guarded (written rows))
+  rows <- except (sealed <$> toRows profile (relation place))
+  unless (speakable path) (throwE (CannotWrite path NameNotText))
+  file <- target isStore path
+  let part = partOf file
+  unless (speakable part) (throwE (CannotWrite path NameNotText))
+  clearPart part
+  withExceptT (CannotWrite path . failureIn) (guarded (written rows part file))
   where
-    written rows = do
-      (part, handle) <- openBinaryTempFileWithDefaultPermissions (takeDirectory path) (takeFileName path ++ ".part")
-      fill part handle rows `onException` removeFile part
-    fill part handle rows = do
-      hClose handle
-      withBackend part (runSqlConn (runMigrationQuiet migrateAll >> insertRows rows))
-      renameFile part path
+    written rows part file = (fill rows part >> renameFile part file) `onException` discardPart part
+    fill rows part = withBackend part (runSqlConn (runMigrationQuiet migrateAll >> insertRows rows))
+
+-- | Whether a regular file is a store, of whatever version. It is not opened as a database if that could change it:
+-- when it is in SQLite's write-ahead mode, or has a journal beside it, neither of which a store has.
+isStore :: FilePath -> IO Bool
+isStore path = do
+  begins <- beginsAsDatabase path
+  journal <- doesPathExist (path ++ "-journal")
+  if begins /= Right (Just True) || journal || not (speakable path) then pure False else
+    either (const False) id <$> runExceptT (guarded (do
+      modes <- withBinaryFile path ReadMode $ \handle -> do
+        hSeek handle AbsoluteSeek 18
+        sequence [hGetChar handle, hGetChar handle]
+      if modes /= "\1\1" then pure False else do
+        tables <- withBackend path (runSqlConn (rawSql (Text.pack "SELECT name FROM sqlite_master WHERE type = 'table'") []))
+        pure (all (`elem` map unSingle tables) (map fst tableColumns))))
 
 -- | Open a store, check that its file is whole, that its tables are of this version, that it was made for the profile
 -- expected (if one is), and that its rows make a placement ('placementOf'), and go on with it. Exceptions of what goes on
@@ -95,33 +113,40 @@ checkFile :: FilePath -> ExceptT StoreError IO ()
 checkFile path = do
   directory <- liftIO (doesDirectoryExist path)
   when directory (throwE (IsDirectory path))
-  there <- liftIO (doesFileExist path)
+  there <- liftIO (doesPathExist path)
   unless (there && speakable path) (throwE (NoSuchFile path))
-  withExceptT unreadable (ExceptT (try (withBinaryFile path ReadMode (for_ magic . expect))))
-  where
-    magic = "SQLite format 3\0"
-    expect handle letter = do
-      found <- hGetChar handle
-      unless (found == letter) (ioError (userError "not a database"))
-    unreadable fault
-      | isEOFError fault || isUserError fault = NotADatabase path
-      | otherwise = CannotRead path (ioeGetErrorString fault)
+  -- A pipe would be waited for, and a device read from.
+  regular <- liftIO (isRegular path)
+  unless regular (throwE (NotADatabase path))
+  begins <- withExceptT (CannotRead path . failureOf) (ExceptT (beginsAsDatabase path))
+  unless (begins == Just True) (throwE (NotADatabase path))
 
 open :: FilePath -> Maybe String -> SqlBackend -> ExceptT StoreError IO Store
 open path expected backend = do
   verdict <- ask "PRAGMA integrity_check"
-  for_ (take 1 (filter (/= Text.pack "ok") verdict)) (throwE . DamagedFile path . oneLine)
+  unless (take 1 verdict == [Text.pack "ok"]) (throwE (DamagedFile path BrokenPages))
   tables <- ask "SELECT name FROM sqlite_master WHERE type = 'table' AND name = 'metadata'"
   when (null (tables :: [Text])) (throwE (NotAStore path))
-  versions <- ask "SELECT schema_version FROM metadata"
+  versions <- ask "SELECT schema_version FROM metadata" `orElse` NotAStore path
   for_ (take 1 (filter (/= schemaVersion) versions)) (throwE . (`WrongSchemaVersion` schemaVersion))
+  -- SQLite takes the name of a column that is missing for a text, holds values of any type in any column, and the binding
+  -- rounds numbers.
+  for_ tableColumns $ \(name, columns) -> do
+    there <- ask ("SELECT name FROM pragma_table_info('" ++ Text.unpack name ++ "') ORDER BY cid")
+    unless (there == columns) (throwE (TablesDiffer path))
+    let typeOf column = if column `elem` textColumns then "text" else "integer"
+        typed column = "typeof(" ++ Text.unpack column ++ ") <> '" ++ typeOf column ++ "'"
+    foreigners <- ask ("SELECT COUNT(*) FROM " ++ Text.unpack name ++ " WHERE " ++ intercalate " OR " (map typed columns))
+    unless (foreigners == [0 :: Int]) (throwE (DamagedFile path ForeignValue))
   rows <- asking path (runSqlConn selectRows backend)
   (profile, given) <- except (fromRows rows)
   for_ expected $ \wanted -> unless (profile == wanted) (throwE (ForeignProfile profile wanted))
-  Store path backend profile <$> except (first InconsistentRows (placementOf given))
+  place <- except (first InconsistentRows (placementOf given))
+  unless (isSealed rows) (throwE ChangedRows)
+  pure (Store path backend profile place)
   where
     ask sql = map unSingle <$> asking path (runSqlConn (rawSql (Text.pack sql) []) backend)
-    oneLine = unwords . lines . Text.unpack
+    orElse question other = withExceptT (\why -> if why == TablesDiffer path then other else why) question
 
 -- | Where the window of the given shape at the given position is, by the database alone; as 'whereabouts' answers.
 storedWhereabouts :: Store -> Shape -> Position -> IO (Either StoreError Whereabouts)
@@ -149,35 +174,9 @@ connection path = runIdentity (walEnabled (const (Identity False)) (mkSqliteConn
 speakable :: FilePath -> Bool
 speakable path = Text.unpack (Text.pack path) == path && '\0' `notElem` path
 
--- What the database or the system objects, as they put it.
-data Objection
-  = Damaged String
-  | Failed String
-  | System String
-
-reason :: Objection -> String
-reason (Damaged why) = why
-reason (Failed why) = why
-reason (System why) = why
-
--- Note [SQLite's error codes]
--- The binding calls SQLite's code 26, "not a database", ErrorNotAConnection; it takes the codes 11, "corrupt", and 12,
--- "not found", for each other; and on a code that it does not know it throws an ErrorCall. Nothing asked here can be
--- "not found", so both count as damage.
-guarded :: IO a -> ExceptT Objection IO a
-guarded action = ExceptT $ (Right <$> action) `catches`
-  [ Handler $ \fault -> pure . Left $
-      (if seError fault `elem` [ErrorCorrupt, ErrorNotFound, ErrorNotAConnection] then Damaged else Failed) (saying fault)
-  , Handler $ \fault -> pure (Left (Damaged (show (fault :: PersistException))))
-  , Handler $ \fault -> pure (Left (Failed (show (fault :: ErrorCall))))
-  , Handler $ \fault -> pure . Left $
-      (if isUserError fault then Damaged else System) (ioeGetErrorString (fault :: IOException))
-  ]
-  where saying = Text.unpack . Text.dropWhile (`elem` ": ") . seDetails
-
 asking :: FilePath -> IO a -> ExceptT StoreError IO a
 asking path = withExceptT objection . guarded
   where
-    objection (Damaged why) = DamagedFile path why
-    objection (Failed why) = DatabaseFailed why
-    objection (System why) = CannotRead path why
+    objection (Damaged damage) = DamagedFile path damage
+    objection Unknown = TablesDiffer path
+    objection (Failed failure) = DatabaseFailed failure

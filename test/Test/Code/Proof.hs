@@ -152,6 +152,10 @@ spec = do
       grid <- right (gridFromRows 2 [[0, 1, 0]])
       m <- right (rectangle (Shape 2 1))
       proveGrid Sheet grid m `shouldBe` Left NoWindowOnSheet
+    it "refuses many windows of many cells that the first cells do not tell apart, instead of comparing them all for hours" $ do
+      grid <- right (gridFromRows 2 (replicate 1024 (replicate 1024 0)))
+      m <- right (rectangle (Shape 64 64))
+      proveGrid Torus grid m `shouldBe` Left (WindowsTooMany (2 ^ (4096 :: Int)) (2 ^ (20 :: Int)))
  where
   awkward = mask [(0, 0), (0, 9), (11, 8)]
   paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)

@@ -4,8 +4,11 @@ module Test.CommandLine.Census (spec) where
 
 import Control.Monad (forM_)
 import Data.Aeson (Value (..))
+import Data.List (intercalate)
+import System.Directory (createFileLink, doesPathExist)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
+import System.Posix.Files (createLink)
 import Test.CommandLine.Run
 import Test.Hspec
 
@@ -18,19 +21,100 @@ spec = do
     (status, key ["entries"] out, key ["proved"] out, err) `shouldBe` (0, Just (Number 384), Just (Number 256), "")
     whole <- lines <$> readFile (folder </> "c.csv")
     length whole `shouldBe` 385
-    [drop 1 line | line <- map fields (drop 1 whole), take 2 (drop 7 line) `elem` [["15x17", "2x2"], ["15x17", "2x3"]], drop 5 (take 6 line) == ["3 2 1 0 1"]]
+    -- The check at the end is that of the rest, by a definition of its own in "Test.Code.Certificate".
+    [take 16 (drop 1 line) | line <- map fields (drop 1 whole), take 2 (drop 7 line) `elem` [["15x17", "2x2"], ["15x17", "2x3"]], drop 5 (take 6 line) == ["3 2 1 0 1"]]
       `shouldBe` [ words' "4;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x2;yes;yes;yes;4;4;255;255;1"
                  , words' "5;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x3;yes;yes;yes;4;4;255;255;2" ]
   it "census: cut off anywhere, it is continued to the same bytes; complete, it stays as it is" $ inFolder $ \folder -> do
     _ <- pra (census folder "whole.csv")
     whole <- readFile (folder </> "whole.csv")
     let file = folder </> "cut.csv"
-        ends = length whole : [0, 1, 100, 131, 132, 133, 1000, length whole - 1]
+        ends = length whole : [0, 1, 100, 137, 138, 139, 1000, length whole - 1]
     forM_ ends $ \end -> do
       writeFile file (take end whole)
       (status, _, _) <- pra (census folder "cut.csv")
       again <- readFile file
       (end, status, again == whole) `shouldBe` (end, 0, True)
+  it "census, merge: a row says yes,yes,yes; changed to no,yes,yes it is refused, in a new file and in an old one" $ inFolder $ \folder -> do
+    _ <- pra (small folder "c.csv")
+    whole <- readFile (folder </> "c.csv")
+    forM_ [("new.csv", whole, "its check does not fit"), ("old.csv", olden whole, "proved, rank_road contradict")] $ \(name, text, about) -> do
+      let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines text))
+          file = folder </> name
+      writeFile file changed
+      changed `shouldNotBe` text
+      complains ["merge", file] about
+      complains ["merge", file] "line 3"
+      complains (small folder name) "line 3"
+      readFile file `shouldReturn` changed
+  it "census --keep-whole: damaged, lost, swapped and repeated lines are made good, in the file's own form" $ inFolder $ \folder -> do
+    _ <- pra (small folder "c.csv")
+    checked <- readFile (folder </> "c.csv")
+    forM_ [checked, olden checked] $ \whole -> do
+      let file = folder </> "d.csv"
+          ls = lines whole
+          damaged =
+            [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls), unlines (take 4 ls ++ drop 5 ls)
+            , unlines (take 4 ls ++ drop 3 ls), unlines (take 3 ls ++ reverse (drop 3 ls)), take (length whole - 40) whole ++ "Z"
+            , unlines (take 4 ls ++ ["x"] ++ take 2 (drop 4 ls)) ]
+      forM_ damaged $ \text -> do
+        writeFile file text
+        (status, _, err) <- pra (small folder "d.csv")
+        (status, length (lines err)) `shouldBe` (2, 1)
+        readFile file `shouldReturn` text
+        (kept, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+        again <- readFile file
+        (kept, again) `shouldBe` (0, whole)
+    writeFile (folder </> "mine") "precious\n"
+    complains (small folder "mine" ++ ["--keep-whole"]) "first line"
+    writeFile (folder </> "other.csv") checked
+    complains ["census", "--q", "2", "--degree", "4", "--output", folder </> "other.csv", "--keep-whole"] "not an unfinished file"
+    readFile (folder </> "other.csv") `shouldReturn` checked
+  it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $ inFolder $ \folder -> do
+    _ <- pra (small folder "c.csv")
+    whole <- readFile (folder </> "c.csv")
+    writeFile (folder </> "d.csv") ('C' : drop 1 whole)
+    complains (small folder "d.csv") "first line"
+    (status, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+    again <- readFile (folder </> "d.csv")
+    (status, again) `shouldBe` (0, whole)
+  it "merge --keep-whole: takes the rows that are whole, and tells which are missing" $ inFolder $ \folder -> do
+    let file name = folder </> name
+    forM_ [1, 2 :: Int] $ \i -> pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
+    whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
+    part <- readFile (file "part1")
+    writeFile (file "bad") (unlines (onLine 3 (replaced "yes" "no") (lines part)))
+    complains ["merge", "--keep-whole", file "bad", file "part2"] "entries are missing: 2;"
+    writeFile (file "bad") (unlines (lines part ++ ["garbage"]))
+    complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
+    (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
+    (status, out, length (lines err)) `shouldBe` (0, whole, 1)
+  it "merge: old files, without checks, are read and said to be unchecked; with new ones they make an old one" $ inFolder $ \folder -> do
+    let file name = folder </> name
+    forM_ [1, 2 :: Int] $ \i -> pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
+    whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
+    parts <- mapM (readFile . file) ["part1", "part2"]
+    forM_ (zip [1 :: Int ..] parts) $ \(i, text) -> writeFile (file ("old" ++ show i)) (olden text)
+    forM_ [["old1", "old2"], ["old1", "part2"], ["part1", "old2"]] $ \names -> do
+      (status, out, err) <- pra ("merge" : map file names)
+      (status, out, length (lines err)) `shouldBe` (0, olden whole, length (filter ((== "old") . take 3) names))
+    writeFile (file "old") (take 400 (olden whole))
+    (status, _, err) <- pra (small folder "old")
+    again <- readFile (file "old")
+    (status, again, length (lines err)) `shouldBe` (0, olden whole, 1)
+    -- Of which form a file is, its first line says, not its rows.
+    writeFile (file "mixed") (unlines (take 3 (lines whole) ++ drop 3 (lines (olden whole))))
+    complains ["merge", file "mixed"] "line 4 is damaged: it has 17 fields, not 18"
+  it "merge: the output is none of the shards, however it is spelt" $ inFolder $ \folder -> do
+    let file name = folder </> name
+    _ <- pra (small folder "c.csv")
+    whole <- readFile (file "c.csv")
+    createFileLink (file "c.csv") (file "soft.csv")
+    createLink (file "c.csv") (file "hard.csv")
+    forM_ [file "c.csv", folder </> "." </> "c.csv", file "soft.csv", file "hard.csv"] $ \output -> do
+      complains ["merge", file "c.csv", "--output", output] "is the shard"
+      complains ["merge", file "soft.csv", "--output", output] "is the shard"
+      readFile (file "c.csv") `shouldReturn` whole
   it "census: another census's file, or any other file, is refused and not touched" $ inFolder $ \folder -> do
     _ <- pra (census folder "whole.csv")
     whole <- readFile (folder </> "whole.csv")
@@ -72,10 +156,22 @@ spec = do
     complains ["census", "--q", "4", "--degree", "0", "--output", folder </> "x"] "degree 0"
     complains ["census", "--q", "4", "--modulus", "1,0,1", "--degree", "2", "--output", folder </> "x"] "factors"
     complains ["census", "--q", "2", "--degree", "3", "--output", folder </> "no" </> "x"] "cannot write"
+    complains ["census", "--q", "2", "--degree", "1000000", "--output", folder </> "x"] "2^1000000 - 1"
+    complains ["census", "--q", "4", "--degree", "100", "--output", folder </> "x"] "524288 divisors"
+    doesPathExist (folder </> "x") `shouldReturn` False
     forM_ ["0/2", "3/2", "1", "a/b"] $ \shard -> do
       (status, out, _) <- pra (census folder "x" ++ ["--shard", shard])
       (status, out) `shouldBe` (2, "")
  where
+  small folder name = words "census --q 2 --degree 3 --output" ++ [folder </> name]
+  -- As files were before rows had a check.
+  olden = unlines . map (intercalate "," . take 17 . fields) . lines
+  onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 :: Int ..] ls]
+  replaced from to text
+    | take (length from) text == from = to ++ drop (length from) text
+    | otherwise = case text of
+        c : rest -> c : replaced from to rest
+        [] -> []
   census folder name = words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output" ++ [folder </> name]
   inFolder = withSystemTempDirectory "pra-tactile"
   fields line = words' (map (\c -> if c == ',' then ';' else c) line)

@@ -25,6 +25,8 @@ data FactorError
     FactorNotFound Natural
   | -- | This number passes the test for primes, but was not proved to be one.
     PrimalityUndecided Natural
+  | -- | b^n - 1, for this b and n, exceeds 2^1024, so that factoring it is not even tried.
+    PowerTooLarge Natural Natural
   deriving stock (Eq, Show)
 
 -- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone;

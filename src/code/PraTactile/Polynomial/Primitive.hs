@@ -23,6 +23,7 @@ module PraTactile.Polynomial.Primitive
   , PolynomialError (..)
   ) where
 
+import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.Function (on)
 import Data.List (foldl')
@@ -94,19 +95,22 @@ reciprocal h = maybe h (Primitive reversed (periodFactors h)) (modulusOf reverse
 
 -- | Check that a polynomial is primitive. Refuses, each with its own 'PolynomialError', polynomials
 -- of degree 0, not monic, divisible by x, reducible, or with a root of lower order; and those of a
--- degree so large that q^n - 1 is not factored.
+-- degree so large that q^n - 1 is not factored, at once and whatever else they are if q^n is beyond 'largestPower'.
 checkPrimitive :: forall k. KnownField k => Polynomial k -> Either PolynomialError (Primitive k)
 checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
   (Just modulus, Just leading)
     | leading /= one -> Left (PolynomialNotMonic (fromIntegral (toCode leading)))
     | valueAt h zero == zero -> Left ConstantTermZero
-    | not (isIrreducible h) -> Left PolynomialReducible
     | otherwise -> do
-        factors <- orderFactors (Proxy :: Proxy k) (fromIntegral (modulusDegree modulus))
+        first OrderNotFactored (uncurry checkPower (characteristicPower k (fromIntegral (modulusDegree modulus))))
+        unless (isIrreducible h) (Left PolynomialReducible)
+        factors <- orderFactors k (fromIntegral (modulusDegree modulus))
         if rootGenerates factors modulus
           then Right (Primitive h factors modulus)
           else Left (PolynomialNotPrimitive (rootOrder factors modulus))
   _ -> Left PolynomialConstant
+ where
+  k = Proxy :: Proxy k
 
 -- | Those of the candidates that are monic, of degree n >= 1 and primitive, in their order, found as
 -- they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored.
@@ -167,10 +171,11 @@ fullPeriod modulus = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ modulusDegre
 
 -- | The factors of q^n - 1 = p^(m n) - 1.
 orderFactors :: KnownField k => Proxy k -> Natural -> Either PolynomialError [(Natural, Natural)]
-orderFactors k n = first OrderNotFactored (factorisePowerMinusOne p (m * n))
- where
-  p = fromIntegral (fieldCharacteristic k)
-  m = fromIntegral (fieldDegree k)
+orderFactors k n = first OrderNotFactored (uncurry factorisePowerMinusOne (characteristicPower k n))
+
+-- | p and m n, so that q^n = p^(m n).
+characteristicPower :: KnownField k => Proxy k -> Natural -> (Natural, Natural)
+characteristicPower k n = (fromIntegral (fieldCharacteristic k), fromIntegral (fieldDegree k) * n)
 
 -- | How many primitive polynomials of degree n there are: phi(q^n - 1) / n, phi being Euler's
 -- function. Refuses as 'primitiveAmong' does.

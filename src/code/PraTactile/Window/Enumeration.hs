@@ -6,6 +6,7 @@
 -- assumed of how the matrix was made.
 module PraTactile.Window.Enumeration
   ( enumerate
+  , enumerable
   , Enumeration (..)
   , allDistinct
   , EnumerationError (..)
@@ -53,7 +54,7 @@ data EnumerationError
   = -- | No window of this shape lies on the sheet.
     NoWindow
   | -- | There are this many possible contents, too many for a bit each, and this many positions, too many
-    -- to be sorted ('largestSort'; 'largestMap' where a content fits no machine integer).
+    -- to be sorted ('largestSort'; 'largestMap' and 'largestReading' where a content fits no machine integer).
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
@@ -71,15 +72,19 @@ largestSort = 2 ^ (26 :: Int)
 largestMap :: Natural
 largestMap = 2 ^ (20 :: Int)
 
+-- | 2^26: so many cells are read for that map at most, all windows together.
+largestReading :: Natural
+largestReading = 2 ^ (26 :: Int)
+
 -- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
 -- find the partner. Refuses when there is no window, or no memory for what was seen.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | count == 0 = Left NoWindow
-  | Just windows <- visited, spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count)) = Right (byBits surface grid mask windows)
+  | Just windows <- visited, bitsSuffice spanned count = Right (byBits surface grid mask windows)
   | Just windows <- visited, count <= largestSort = Right (bySorting windows)
   | Just seen <- byFewerCells = Right seen
-  | count <= largestMap = Right (byOrder (packedWindows packing surface grid mask))
+  | mapSuffices count mask = Right (byOrder (packedWindows packing surface grid mask))
   | otherwise = Left (TooManyWindows spanned count)
  where
   spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
@@ -89,14 +94,40 @@ enumerate surface grid mask
   -- If the cells that fit a machine integer tell all windows apart, so do all cells. On the sheet fewer cells may
   -- have more positions, where the others stick out: all of them are asked for, which is more than need be.
   byFewerCells = do
-    fewer <- either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
+    fewer <- fittingCells (gridAlphabet grid) mask
     windows <- if area (visitedShape surface (gridShape grid) fewer) <= largestSort then visit packing surface grid fewer else Nothing
     let seen = bySorting windows
         isZero p = packedAt packing surface grid mask p == Just 0
     if allDistinct seen
       then Just seen {visitedWindows = count, differentWindows = count, zeroPosition = find isZero (zeroPosition seen)}
       else Nothing
-  fitting = length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral (gridAlphabet grid)) (1 :: Natural))) - 1
+
+-- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with so many symbols and of this shape.
+enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
+enumerable surface q shape mask
+  | count == 0 = Left NoWindow
+  | packs && (bitsSuffice spanned count || count <= largestSort) = Right ()
+  | Just fewer <- fittingCells q mask, area (visitedShape surface shape fewer) <= largestSort = Right ()
+  | mapSuffices count mask = Right ()
+  | otherwise = Left (TooManyWindows spanned count)
+ where
+  packs = spanned <= 2 ^ (62 :: Int)
+  spanned = fromIntegral q ^ maskSize mask
+  count = area (visitedShape surface shape mask)
+
+-- | Whether a bit for each of so many possible contents of windows at so many positions is worth its memory.
+bitsSuffice :: Natural -> Natural -> Bool
+bitsSuffice spanned count = spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count))
+
+-- | Whether the contents of the mask at so many positions fit an ordered map.
+mapSuffices :: Natural -> Mask -> Bool
+mapSuffices count mask = count <= largestMap && count * fromIntegral (maskSize mask) <= largestReading
+
+-- | The first cells of a mask, as many as fit a machine integer with so many symbols.
+fittingCells :: Int -> Mask -> Maybe Mask
+fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
+ where
+  fitting = length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral q) (1 :: Natural))) - 1
 
 -- | One bit a content. Where the content that was seen before and the zero window stand is looked
 -- for afterwards, if there are any.

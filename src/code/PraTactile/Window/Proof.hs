@@ -30,6 +30,7 @@ module PraTactile.Window.Proof
   , rankOf
   ) where
 
+import Data.Bifunctor (first)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -108,7 +109,10 @@ prove on array mask
       _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
  where
   visits = visitedShape on (arrayShape array) mask
-  visited = either (Left . ArrayTooLarge) (\grid -> visitAll on grid mask) (toGrid array)
+  -- An array that fits into memory is not made if its windows cannot be visited anyway.
+  visited = case enumerable on (fieldOrder array) (arrayShape array) mask of
+    Left refusal | area (arrayShape array) <= largestGrid -> Left (refused refusal)
+    _ -> either (Left . ArrayTooLarge) (\grid -> visitAll on grid mask) (toGrid array)
   r = windowRank array mask
   n = fromIntegral (primitiveDegree (arrayPrimitive array))
   ownSurface = on == naturalSurface (arrayFolding array)
@@ -132,10 +136,12 @@ proveGrid :: Surface -> Grid -> Mask -> Either ProofError Verdict
 proveGrid on grid mask = verdictOf on <$> visitAll on grid mask
 
 visitAll :: Surface -> Grid -> Mask -> Either ProofError Enumeration
-visitAll on grid mask = case enumerate on grid mask of
-  Left NoWindow -> Left NoWindowOnSheet
-  Left (TooManyWindows contents positions) -> Left (WindowsTooMany contents positions)
-  Right seen -> Right seen
+visitAll on grid mask = first refused (enumerate on grid mask)
+
+refused :: EnumerationError -> ProofError
+refused e = case e of
+  NoWindow -> NoWindowOnSheet
+  TooManyWindows contents positions -> WindowsTooMany contents positions
 
 verdictOf :: Surface -> Enumeration -> Verdict
 verdictOf on seen =

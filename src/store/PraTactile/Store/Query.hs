@@ -24,6 +24,7 @@ import Database.Persist.Sql (PersistValue (..), Single (..), SqlBackend, rawSql)
 
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Placement (Face (..), Place (..), PlacementError (..), Spot (..), Whereabouts (..))
+import PraTactile.Object.Relation (Table (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error (StoreError (..))
 
@@ -67,7 +68,7 @@ selectPlace window laying r c = do
   nearest <- rawSql nearestSql
     [PersistInt64 c, number (columns window), PersistInt64 r, number (rows window), PersistInt64 laying]
   pure $ case nearest of
-    [] -> Left (DatabaseFailed "a laid face has no corners")
+    [] -> Left (UnreadableRow CornerTable)
     (_, Single right, Single down) : _ -> Right Place
       { placeFace = face
       , placeCell = Position (fromIntegral r) (fromIntegral c)

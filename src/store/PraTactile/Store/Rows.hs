@@ -3,7 +3,7 @@
 -- | Between the pure rows of a placement ("PraTactile.Object.Relation") and the rows of the database, for every back end
 -- that persistent has.
 module PraTactile.Store.Rows
-  ( Rows
+  ( Rows (..)
   , toRows
   , fromRows
     -- * In the database
@@ -41,7 +41,8 @@ data Rows = Rows
   , cells :: [Entity StoredCell]
   }
 
--- | The rows that hold a relation, under this profile; refuses lengths and numbers that the columns cannot hold.
+-- | The rows that hold a relation, under this profile, as yet without a digest of their contents; refuses lengths and
+-- numbers that the columns cannot hold.
 toRows :: String -> Relation -> Either StoreError Rows
 toRows profile given = do
   Rows
@@ -60,7 +61,7 @@ toRows profile given = do
     layingKey = keys LayingTable (map layingFace (layingRows given))
     sheet (SheetRow shape between) = Metadata schemaVersion (Text.pack profile)
       <$> whole (rows shape) <*> whole (columns shape)
-      <*> micrometres (pitchRight between) <*> micrometres (pitchDown between)
+      <*> micrometres (pitchRight between) <*> micrometres (pitchDown between) <*> pure Text.empty
     vertex (VertexRow object named (Point x y z)) = StoredVertex
       <$> objectKey object <*> pure (Text.pack (vertexText named))
       <*> micrometres x <*> micrometres y <*> micrometres z

@@ -18,6 +18,8 @@
 -- reads them.
 module PraTactile.Store.Schema
   ( schemaVersion
+  , tableColumns
+  , textColumns
   , migrateAll
     -- * Tables
   , Metadata (..)
@@ -48,7 +50,24 @@ import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSe
 
 -- | The version of these tables; it changes whenever they do.
 schemaVersion :: Int
-schemaVersion = 1
+schemaVersion = 2
+
+-- | The tables, which every version has, each with its columns in their order: what the declarations below become in SQL.
+tableColumns :: [(Text, [Text])]
+tableColumns =
+  [ ("metadata", ["id", "schema_version", "profile", "array_rows", "array_columns", "pitch_right_um", "pitch_down_um", "contents"])
+  , ("object", ["id", "name"])
+  , ("vertex", ["id", "object", "name", "x_um", "y_um", "z_um"])
+  , ("face", ["id", "object", "name"])
+  , ("corner", ["id", "face", "number", "vertex"])
+  , ("edge", ["id", "object", "start_vertex", "end_vertex", "left_face", "right_face"])
+  , ("laying", ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
+  , ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
+  ]
+
+-- | The columns, of whatever table, whose values are text; those of all others are integers.
+textColumns :: [Text]
+textColumns = ["name", "profile", "contents"]
 
 share [mkPersist sqlSettings, mkMigrate "migrateAll"] [persistLowerCase|
 Metadata sql=metadata
@@ -58,6 +77,7 @@ Metadata sql=metadata
   arrayColumns Int64
   pitchRightUm Int64
   pitchDownUm Int64
+  contents Text
   UniqueSchema schemaVersion
 StoredObject sql=object
   name Text

@@ -1,0 +1,187 @@
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE OverloadedStrings #-}
+-- | A row of a census file: how it is written, and what shows that it is whole. The last column is a check, digits of the
+-- SHA-256 of what stands before it; old files have none, and their header line says so.
+module CensusFile.Row
+  ( -- * Forms
+    Form (..)
+  , headerOf
+  , formOf
+    -- * Writing
+  , censusName
+  , rowBody
+  , inForm
+    -- * Reading
+  , Row (..)
+  , RowFault (..)
+  , readRow
+  , agrees
+  ) where
+
+import Control.Monad (when)
+import qualified Data.ByteString as Octets
+import qualified Data.ByteString.Char8 as Bytes
+import Data.ByteString.Char8 (ByteString)
+import Data.Char (isDigit)
+import Data.List (find, intercalate)
+import Numeric.Natural (Natural)
+
+import CensusFile.Verdict
+import Json
+import PraTactile.Array (Folding, Shape (..), area)
+import PraTactile.Census
+import PraTactile.Certificate.Digest (sha256, sha256OfText)
+import PraTactile.Window.Distance
+import PraTactile.Window.Proof (ProofError, Verdict (..))
+
+-- | The two forms of a file.
+data Form
+  = Checked    -- ^ every row ends with its check
+  | Unchecked  -- ^ the old one, without
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | The first line of a file, without its end.
+headerOf :: Form -> ByteString
+headerOf form = Bytes.intercalate "," (columnsOf form)
+
+columnsOf :: Form -> [ByteString]
+columnsOf form =
+  [ "census", "entry", "entries", "q", "modulus", "polynomial", "folding", "shape", "window"
+  , "proved", "enumeration", "rank_road", "rank", "needed", "windows", "different", "distance" ]
+    ++ [ "check" | form == Checked ]
+
+-- | The form that a first line announces.
+formOf :: ByteString -> Maybe Form
+formOf line = find ((== line) . headerOf) [minBound ..]
+
+-- | A short name for a scope: files of different censuses differ in it.
+censusName :: Scope -> String
+censusName = take 12 . sha256OfText . scopeText
+
+-- | An entry as a row, without check and end of line; or the refusal that a census should never meet.
+rowBody :: Scope -> Natural -> Entry -> Either ProofError ByteString
+rowBody scope entries entry = line <$> entryVerdict entry
+  where
+    line verdict = Bytes.intercalate "," (keyFields scope entries entry ++ map Bytes.pack
+      [ yesOrNo (Just (proved verdict))
+      , yesOrNo (enumeration verdict)
+      , yesOrNo (rankRoad verdict)
+      , maybe "" show (rank verdict)
+      , maybe "" show (needed verdict)
+      , show (area (entryShape entry))
+      , maybe "" show (distinctWindows verdict)
+      , either atMost (show . distance) (entryDistance entry)
+      ])
+    yesOrNo = maybe "" (\told -> if told then "yes" else "no")
+    atMost e = case e of
+      DistanceBetween low high -> show low ++ ".." ++ show high
+      TooManyCodewords _ -> ""
+
+-- | The columns that say of what an entry is.
+keyFields :: Scope -> Natural -> Entry -> [ByteString]
+keyFields scope entries entry = map Bytes.pack
+  [ censusName scope
+  , show (entryNumber entry)
+  , show entries
+  , show (scopeOrder scope)
+  , codes (scopeModulus scope)
+  , codes (entryPolynomial entry)
+  , foldingName (entryFolding entry)
+  , shapeText (entryShape entry)
+  , shapeText (entryWindow entry)
+  ]
+  where
+    codes = intercalate " " . map show
+
+-- | A row's body as it stands in a file of a form.
+inForm :: Form -> ByteString -> ByteString
+inForm form body = case form of
+  Checked -> body <> "," <> checkOf body
+  Unchecked -> body
+
+-- | The first 16 digits of the SHA-256 of a row's body.
+checkOf :: ByteString -> ByteString
+checkOf body = Bytes.pack (take 16 (sha256 (Octets.length body) (Octets.index body)))
+
+-- | A row that was read.
+data Row = Row
+  { rowCensus :: ByteString
+  , rowEntry :: Natural
+  , rowEntries :: Natural
+  , rowSubject :: Subject
+  , rowTold :: Told
+  , rowText :: ByteString   -- ^ without the check
+  }
+  deriving stock (Eq, Show)
+
+-- | Why a line is no whole row.
+data RowFault
+  = FieldCount Int Int                -- ^ so many fields instead of so many
+  | CheckFails                        -- ^ the check is not that of the row
+  | FieldForm ByteString ByteString   -- ^ this column has this text, which it cannot have
+  | Contradicting [ByteString]        -- ^ what these columns say cannot all be true
+  deriving stock (Eq, Show)
+
+-- | The row in a line of a file of a form. Refuses another number of fields, a wrong check, fields not written as
+-- 'rowBody' writes them, and a row that contradicts itself.
+readRow :: Form -> ByteString -> Either RowFault Row
+readRow form line = do
+  when (length fields /= columns') (Left (FieldCount (length fields) columns'))
+  when (inForm form body /= line) (Left CheckFails)
+  row <- parsed
+  maybe (Right row) (Left . Contradicting) (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowTold row))
+  where
+    fields = Bytes.split ',' line
+    columns' = length (columnsOf form)
+    body = case form of
+      Checked -> let before = Bytes.dropWhileEnd (/= ',') line in Bytes.take (Bytes.length before - 1) before
+      Unchecked -> line
+    parsed = Row
+      <$> field "census" Just
+      <*> field "entry" natural
+      <*> field "entries" natural
+      <*> (Subject <$> field "q" natural <*> field "modulus" naturals <*> field "polynomial" naturals
+            <*> field "folding" folding <*> field "shape" shape <*> field "window" shape)
+      <*> (Told <$> field "proved" yes <*> field "enumeration" maybeYes <*> field "rank_road" yes <*> field "rank" natural
+            <*> field "needed" natural <*> field "windows" natural <*> field "different" natural <*> field "distance" between)
+      <*> pure body
+    named = zip (columnsOf form) fields
+    field :: ByteString -> (ByteString -> Maybe a) -> Either RowFault a
+    field name reading = case lookup name named of
+      Just text -> maybe (Left (FieldForm name text)) Right (reading text)
+      Nothing -> Left (FieldForm name "")
+
+-- | Whether a row is of this entry of this census, by all columns that say of what it is.
+agrees :: Scope -> Natural -> Entry -> Row -> Bool
+agrees scope entries entry row = take (length keys) (Bytes.split ',' (rowText row)) == keys
+  where
+    keys = keyFields scope entries entry
+
+-- | Digits without zeros before them.
+natural :: ByteString -> Maybe Natural
+natural text
+  | Bytes.null text || not (Bytes.all isDigit text) || ("0" `Bytes.isPrefixOf` text && text /= "0") = Nothing
+  | otherwise = fromInteger . fst <$> Bytes.readInteger text
+
+naturals :: ByteString -> Maybe [Natural]
+naturals = traverse natural . Bytes.split ' '
+
+shape :: ByteString -> Maybe Shape
+shape text = case Bytes.split 'x' text of
+  [high, wide] -> Shape <$> natural high <*> natural wide
+  _ -> Nothing
+
+folding :: ByteString -> Maybe Folding
+folding name = find ((== name) . Bytes.pack . foldingName) [minBound ..]
+
+yes :: ByteString -> Maybe Bool
+yes text = lookup text [("yes", True), ("no", False)]
+
+maybeYes :: ByteString -> Maybe (Maybe Bool)
+maybeYes text = if Bytes.null text then Just Nothing else Just <$> yes text
+
+-- | A number, or two with two dots between them.
+between :: ByteString -> Maybe (Natural, Maybe Natural)
+between text = case Bytes.breakSubstring ".." text of
+  (low, high) | Bytes.null high -> flip (,) Nothing <$> natural low
+              | otherwise -> (\a b -> (a, Just b)) <$> natural low <*> natural (Bytes.drop 2 high)

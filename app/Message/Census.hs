@@ -1,0 +1,57 @@
+-- | What is wrong with census files, in words.
+module Message.Census
+  ( fileFaultMessage
+  , mergeFaultMessage
+  , uncheckedMessage
+  , keptMessage
+  ) where
+
+import qualified Data.ByteString.Char8 as Bytes
+import Data.List (intercalate)
+
+import CensusFile
+import CensusFile.Merge
+import CensusFile.Row
+import Message.Code (numeral)
+
+-- | What is wrong with a file, which stands before it.
+fileFaultMessage :: FilePath -> FileFault -> String
+fileFaultMessage file fault = case fault of
+  NoCensus -> file ++ ": its first line is not that of a census"
+  DamagedLine line why -> file ++ ": line " ++ show line ++ " is damaged: " ++ rowFaultMessage why ++ "; --keep-whole keeps the other lines"
+  OutOfOrder line -> file ++ ": line " ++ show line ++ " is out of order, or there twice; --keep-whole puts the lines in order"
+  CutOff -> file ++ ": its last line is cut off; run its census again to finish it"
+  NotOfThis -> file ++ " is not an unfinished file of this census or shard; give another --output"
+  EntryMissing line entry -> file ++ ": entry " ++ numeral entry ++ " is missing before line " ++ show line ++ "; --keep-whole makes it again"
+  NotThisEntry line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the polynomial, folding, shape and window of its entry; --keep-whole keeps the other lines"
+  NotContinued line -> file ++ ": line " ++ show line ++ " has no end and is not the beginning of the row that belongs there; --keep-whole keeps the lines before it"
+
+rowFaultMessage :: RowFault -> String
+rowFaultMessage fault = case fault of
+  FieldCount there needs -> "it has " ++ show there ++ " fields, not " ++ show needs
+  CheckFails -> "its check does not fit the rest"
+  FieldForm column text -> "it has " ++ show (Bytes.unpack (Bytes.take 40 text)) ++ " in the column " ++ Bytes.unpack column
+  Contradicting columns -> "its columns " ++ intercalate ", " (map Bytes.unpack columns) ++ " contradict each other"
+
+-- | Why shards are not merged.
+mergeFaultMessage :: MergeFault -> String
+mergeFaultMessage fault = case fault of
+  NoEntries -> "there are no entries in these files"
+  DifferentCensuses a b
+    | a == b -> a ++ " has rows of different censuses"
+    | otherwise -> a ++ " and " ++ b ++ " are of different censuses"
+  EntryTwice entry a b -> "entry " ++ show entry ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
+  EntriesMissing entries missing -> numeral (sum [ b - a + 1 | (a, b) <- missing ]) ++ " of " ++ numeral entries ++ " entries are missing: "
+    ++ intercalate ", " (map run (take 8 missing) ++ [ "and others" | not (null (drop 8 missing)) ]) ++ "; run the other shards, or finish these"
+  NotAsNumbered file line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the folding, shape and window of its entry"
+  where
+    run (a, b) | a == b = numeral a
+               | otherwise = numeral a ++ " to " ++ numeral b
+
+-- | What is said of a file of the old form.
+uncheckedMessage :: FilePath -> String
+uncheckedMessage file = file ++ ": its rows carry no check, as in files of older versions, so that a change in them may go unnoticed"
+
+-- | What is said where damaged lines are left out: of the rows, so many are kept, and so many lines not.
+keptMessage :: FilePath -> Int -> Int -> String
+keptMessage file kept left = file ++ ": whole rows kept: " ++ show kept ++ "; damaged or repeated lines left out: " ++ show left

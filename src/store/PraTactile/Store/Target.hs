@@ -1,0 +1,96 @@
+-- | Where a store may be written: under a new name, or in the place of a store. What else is there stays as it is.
+module PraTactile.Store.Target
+  ( target
+  , isRegular
+  , beginsAsDatabase
+    -- * Beside it
+  , partOf
+  , clearPart
+  , discardPart
+  ) where
+
+import Control.Exception (IOException, try)
+import Control.Monad (unless, when)
+import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Trans.Except (ExceptT (..), throwE, withExceptT)
+import Data.Foldable (for_)
+import System.Directory (canonicalizePath, removeFile)
+import System.IO (IOMode (..), hGetChar, hIsEOF, withBinaryFile)
+import System.IO.Error (isDoesNotExistError)
+import System.Posix.Files (FileStatus, getFileStatus, getSymbolicLinkStatus, isDirectory, isRegularFile, isSymbolicLink)
+
+import PraTactile.Store.Error
+import PraTactile.Store.Guard (failureOf)
+
+-- | The file to write for a path: the path itself if nothing is there, or if a file is there that the action knows as a
+-- store; what a link leads to if that is such a file. Refuses all else. Devices and pipes are not opened.
+target :: (FilePath -> IO Bool) -> FilePath -> ExceptT StoreError IO FilePath
+target isStore path = do
+  itself <- status path (getSymbolicLinkStatus path)
+  case itself of
+    Nothing -> pure path
+    Just entry -> do
+      end <- status path (getFileStatus path) >>= maybe (throwE (Occupied path DanglingLink)) pure
+      when (isDirectory end) (throwE (IsDirectory path))
+      unless (isRegularFile end) (throwE (Occupied path NoRegularFile))
+      file <- if isSymbolicLink entry then system path (canonicalizePath path) else pure path
+      known <- liftIO (isStore file)
+      unless known (throwE (Occupied path NoStore))
+      pure file
+
+-- | Whether there is a regular file under this path, or under what it is a link to.
+isRegular :: FilePath -> IO Bool
+isRegular path = either nothing isRegularFile <$> try (getFileStatus path)
+  where
+    nothing :: IOException -> Bool
+    nothing = const False
+
+-- | What there is under a path; 'Nothing' if there is nothing.
+status :: FilePath -> IO FileStatus -> ExceptT StoreError IO (Maybe FileStatus)
+status path ask = do
+  outcome <- liftIO (try ask)
+  case outcome of
+    Right found -> pure (Just found)
+    Left fault | isDoesNotExistError fault -> pure Nothing
+               | otherwise -> throwE (CannotWrite path (failureOf fault))
+
+system :: FilePath -> IO a -> ExceptT StoreError IO a
+system path = withExceptT (CannotWrite path . failureOf) . ExceptT . try
+
+-- | Whether a regular file begins with the 16 bytes of every SQLite database; 'Nothing' if it is shorter, but begins so
+-- as far as it goes.
+beginsAsDatabase :: FilePath -> IO (Either IOException (Maybe Bool))
+beginsAsDatabase path = try (withBinaryFile path ReadMode (expect "SQLite format 3\0"))
+  where
+    expect [] _ = pure (Just True)
+    expect (letter : others) handle = do
+      ended <- hIsEOF handle
+      if ended then pure Nothing else do
+        found <- hGetChar handle
+        if found == letter then expect others handle else pure (Just False)
+
+-- | Where a store is written first: beside the file that it becomes, under a name that the next run finds.
+partOf :: FilePath -> FilePath
+partOf = (++ ".part")
+
+-- | Remove what an interrupted run left behind of a part; refuses anything else that has its name. The journal goes
+-- first, for SQLite would apply it to the next part.
+clearPart :: FilePath -> ExceptT StoreError IO ()
+clearPart part = for_ (journalsOf part ++ [part]) $ \file -> do
+  there <- status file (getSymbolicLinkStatus file)
+  for_ there $ \entry -> do
+    unless (isRegularFile entry) (throwE (Occupied file NoRegularFile))
+    when (file == part) $ do
+      begins <- withExceptT (CannotWrite file . failureOf) (ExceptT (beginsAsDatabase file))
+      when (begins == Just False) (throwE (Occupied file NoStore))
+    system file (removeFile file)
+
+-- | Remove a part that did not become a store.
+discardPart :: FilePath -> IO ()
+discardPart part = for_ (journalsOf part ++ [part]) (\file -> try (removeFile file) >>= ignored)
+  where
+    ignored :: Either IOException () -> IO ()
+    ignored _ = pure ()
+
+journalsOf :: FilePath -> [FilePath]
+journalsOf file = map (file ++) ["-journal", "-wal", "-shm"]

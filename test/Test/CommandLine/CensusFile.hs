@@ -1,0 +1,143 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | Census files that were changed, in process: every change of a byte is noticed, by merge and on continuing.
+module Test.CommandLine.CensusFile (spec) where
+
+import CensusFile
+import CensusFile.Continue
+import CensusFile.Merge
+import CensusFile.Row
+import CensusFile.Verdict
+import Control.Monad (forM_)
+import Data.Bifunctor (first)
+import qualified Data.ByteString as Octets
+import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Either (isRight)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Census
+import Test.Hspec
+import Test.QuickCheck
+
+spec :: Spec
+spec = do
+  it "a file is merged, and kept whole, as it is" $ forM_ [wantedOf 2 1, wantedOf 4 2] $ \wanted -> do
+    let file = fileOf Checked wanted
+    merge file `shouldBe` Right (Bytes.lines file)
+    continue wanted file `shouldBe` Right (length (wantedInOrder wanted))
+  it "every byte replaced by every other byte is refused: by merge, and on continuing" $ do
+    let wanted = wantedOf 2 1
+        file = fileOf Checked wanted
+        changes = [(i, b) | i <- [0 .. Octets.length file - 1], b <- [minBound .. maxBound], b /= Octets.index file i]
+        replaced (i, b) = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
+    length changes `shouldBe` 255 * Octets.length file
+    filter (isRight . merge . replaced) changes `shouldBe` []
+    filter (isRight . continue wanted . replaced) changes `shouldBe` []
+  it "every byte left out is refused, and every byte inserted; but an unfinished last line is continued" $ do
+    let wanted = wantedOf 2 1
+        file = fileOf Checked wanted
+        size = Octets.length file
+        without i = Octets.take i file <> Octets.drop (i + 1) file
+        inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
+        insertions = [(i, b) | i <- [0 .. size], b <- map (fromIntegral . fromEnum) (" ,\n0y" :: String)]
+    filter (isRight . merge . without) [0 .. size - 1] `shouldBe` []
+    filter (isRight . continue wanted . without) [0 .. size - 1] `shouldBe` [size - 1]
+    filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
+    -- A byte after the last end of line that begins no row.
+    filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
+  it "lines left out, swapped and repeated are refused" $ do
+    let wanted = wantedOf 4 2
+        file = Bytes.lines (fileOf Checked wanted)
+        count = length file
+        is = [1 .. count - 1]
+        changed = [take i file ++ drop (i + 1) file | i <- is] ++ [take (i + 1) file ++ drop i file | i <- is]
+          ++ [take i file ++ [file !! (i + 1), file !! i] ++ drop (i + 2) file | i <- is, i + 1 < count]
+    forM_ changed $ \ls -> merge (Bytes.unlines ls) `shouldSatisfy` (not . isRight)
+    -- Without its last line a file is unfinished.
+    [i | (i, ls) <- zip [1 ..] changed, isRight (continue wanted (Bytes.unlines ls))] `shouldBe` [count - 1]
+  it "cut off anywhere a file is refused by merge, and continued" $ do
+    let wanted = wantedOf 4 2
+        file = fileOf Checked wanted
+    forM_ [0 .. Bytes.length file - 1] $ \end -> do
+      (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
+      (end, first show (continue wanted (Bytes.take end file))) `shouldSatisfy` (isRight . snd)
+  it "of a larger file, any byte changed at random is refused" $ do
+    let wanted = wantedOf 3 3
+        file = fileOf Checked wanted
+    property $ forAllShrink (choose (0, Octets.length file - 1)) shrink $ \i -> forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
+      let changed = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
+       in counterexample (show (Octets.take 60 (Octets.drop (i - 30) changed))) (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
+  it "no row of a census contradicts itself, with distances that are known and that are not" $ do
+    forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
+      let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
+      length found `shouldBe` length (wantedInOrder wanted)
+      [fault | Left fault <- found] `shouldBe` []
+    let ranged = told {toldDistance = (2, Just 3)}
+    (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
+  it "in an old file, a verdict that contradicts itself or the rest is refused, by the definition of the columns" $
+    forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
+  it "in an old file of standard windows, a row with another entry's number or of another census is refused" $ do
+    let wanted = wantedOf 4 2
+        file = Bytes.lines (fileOf Unchecked wanted)
+        renumbered i line = let fields = Bytes.split ',' line in Bytes.intercalate "," (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
+        swapped = take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
+    merge (Bytes.unlines file) `shouldBe` Right file
+    merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+    continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+ where
+  -- The paper's array with a window of 2 x 3.
+  subject = Subject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
+  told = Told True (Just True) True 4 4 255 255 (2, Nothing)
+  wrong =
+    [ (subject {subjectModulus = [1, 1]}, told, ["q", "modulus"])
+    , (subject {subjectOrder = 6}, told, ["q", "modulus"])
+    , (subject {subjectPolynomial = [0, 2, 1, 0, 1]}, told, ["q", "polynomial"])
+    , (subject {subjectPolynomial = [4, 2, 1, 0, 1]}, told, ["q", "polynomial"])
+    , (subject {subjectPolynomial = [3, 2, 1, 1]}, told, ["q", "polynomial", "shape"])
+    , (subject {subjectShape = Shape 15 16}, told, ["q", "polynomial", "shape"])
+    , (subject {subjectPolynomial = [3, 1], subjectShape = Shape 0 3}, told, ["q", "polynomial", "shape"])
+    , (subject {subjectPolynomial = [2, 0, 0, 0, 0, 0, 1], subjectShape = Shape 15 273}, told, ["folding", "shape"])
+    , (subject {subjectWindow = Shape 16 2}, told, ["shape", "window"])
+    , (subject {subjectWindow = Shape 0 3}, told, ["shape", "window"])
+    , (subject, told {toldWindows = 254}, ["shape", "windows"])
+    , (subject, told {toldNeeded = 3}, ["polynomial", "needed"])
+    , (subject, told {toldRank = 5}, ["window", "rank", "needed"])
+    , (subject, told {toldRank = 0}, ["window", "rank", "needed"])
+    , (subject, told {toldRank = 3}, ["rank_road", "rank", "needed"])
+    , (subject, told {toldRankRoad = False}, ["rank_road", "rank", "needed"])
+    , (subject, told {toldProved = False}, ["proved", "rank_road"])
+    , (subject, told {toldEnumeration = Just False}, ["proved", "enumeration"])
+    , (subject, told {toldDifferent = 256}, ["rank", "needed", "different"])
+    , (subject, told {toldDistance = (0, Nothing)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {toldDistance = (4, Nothing)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {toldDistance = (3, Just 2)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {toldProved = False, toldRankRoad = False, toldEnumeration = Nothing, toldRank = 3, toldDifferent = 64}, ["proved", "window", "needed", "distance"])
+    ]
+
+-- | The whole census of q and n.
+wantedOf :: Natural -> Natural -> Wanted
+wantedOf q n = either (error . show) id $ do
+  scope <- standardScope q n
+  entries <- censusSize scope
+  found <- census (const True) scope
+  pure (Wanted scope entries [(entry, rowBody scope entries entry) | entry <- found])
+
+-- | Its file, as it is written.
+fileOf :: Form -> Wanted -> ByteString
+fileOf form wanted = Bytes.unlines (headerOf form : [inForm form body | (_, Right body) <- wantedInOrder wanted])
+
+-- | The lines that merge makes of a file, as the command does.
+merge :: ByteString -> Either String [ByteString]
+merge bytes = do
+  contents <- maybe (Left "no census") Right (contentsOf bytes)
+  found <- first show (completeRows contents)
+  (form, merged) <- first show (mergeShards [Shard "file" (contentsForm contents) found])
+  pure (headerOf form : map (inForm form . rowText) merged)
+
+-- | How many rows are kept of a file, as the command does.
+continue :: Wanted -> ByteString -> Either FileFault Int
+continue wanted bytes
+  | beginsHeader bytes = Right 0
+  | otherwise = do
+      contents <- maybe (Left NoCensus) Right (contentsOf bytes)
+      keptCount <$> keptInOrder wanted bytes contents
