@@ -2,11 +2,13 @@
 module Message
   ( module Message.Certificate
   , module Message.Code
+  , module Message.Files
   , module Message.Objects
   , module Message.Touch
   ) where
 
 import Message.Certificate
 import Message.Code
+import Message.Files
 import Message.Objects
 import Message.Touch

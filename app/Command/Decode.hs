@@ -96,7 +96,7 @@ run choice options
       case (found, picture options) of
         (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
         _ -> pure ()
-      composites <- forM found (loadSource (assemble (assembly options)))
+      composites <- loadSources (assemble (assembly options)) found
       if together options
         then placed (places options) (zip found composites) >>= readAs (map sourcePath found)
         else do

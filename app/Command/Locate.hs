@@ -9,6 +9,8 @@ import Data.Aeson.Encoding (Series)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import qualified Data.Text.IO as Text
 import Options.Applicative hiding (command)
 import System.IO (hFlush, isEOF, stdout)
 
@@ -81,7 +83,7 @@ run choice chosen options
 answering :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
 answering profile options locate = case source options of
   Nothing -> batch profile options locate Answered
-  Just text -> case readPatches text >>= locate of
+  Just text -> case readPatches (Text.pack text) >>= locate of
     Left complaint -> unusable complaint
     Right report -> do
       if asJson options
@@ -94,7 +96,7 @@ batch :: KnownField k => Profile -> Options -> (Written k -> Either String Repor
 batch profile options locate worst = do
   done <- isEOF
   if done then pure worst else do
-    line <- getLine
+    line <- Text.getLine
     let answer = readPatches line >>= locate
     Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
     hFlush stdout

@@ -18,6 +18,8 @@ import Message
 import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
+import PraTactile.Steps (Steps (..))
+import Progress
 import Setup
 
 data Options = Options
@@ -35,7 +37,7 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
   (run <$> options)
   where
     options = Options
-      <$> switch (long "design" <> help "Run the search again (about a minute) and write the alphabet it finds")
+      <$> switch (long "design" <> help "Run the search again (some seconds) and write the alphabet it finds")
       <*> option intReader (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
       <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
       <*> optional (strOption (long "output" <> metavar "FILE" <> help "Write to a file instead of the standard output"))
@@ -43,7 +45,7 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
 run :: Options -> IO Ending
 run options
   | designing options = do
-      (found, report) <- orUnusable shapeMessage (design (seed options) paperParameters)
+      (found, report) <- orUnusable shapeMessage =<< searching (designSteps (seed options) paperParameters)
       write (renderAlphabet found)
       maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
       pure Answered
@@ -52,5 +54,8 @@ run options
       write (if svg options then alphabetSvg shipped else drawAlphabet shipped <> Text.singleton '\n' <> distanceTable shipped)
       pure Answered
   where
+    searching steps = case steps of
+      Step first _ -> withProgress (toInteger (searchedOf first)) 0 (`follow` steps)
+      Done found -> pure found
     write :: Text -> IO ()
     write text = maybe (Text.putStr text) (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text))) (output options)

@@ -5,7 +5,6 @@ import qualified Data.ByteString as B
 import Data.Either (isLeft)
 import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
-import qualified Data.Vector.Storable as V
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

@@ -10,6 +10,8 @@ module PraTactile.Shape.Design
   , paperSeed
   , design
   , Report (..)
+  , designSteps
+  , Searched (..)
 
     -- * The steps
   , admissible
@@ -28,6 +30,7 @@ import System.Random (StdGen, mkStdGen)
 import PraTactile.Random (uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Distance
+import PraTactile.Steps
 
 -- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that wherever the taxels of the sensor
 -- fall, every embossed block wholly covers at least one of them.
@@ -70,16 +73,36 @@ data Report = Report
 -- changes when a shape is turned by 180 degrees or mirrored, nor when classes are exchanged: these the seed chooses. Refuses
 -- ('NoAlphabet') parameters that no alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
-design seed parameters = case dropWhile (null . snd) [(d, alphabetsApart d) | d <- [taxels, taxels - 1 .. 1]] of
-  (d, found@(first : others)) : _ -> do
-    let (_, best) = foldl' lessLike (featureLikeness first, first) others
-    a <- alphabet (zip (designNames parameters) (arranged seed best))
-    Right (a, Report seed (length every) (length candidates) d (length found))
-  _ -> Left NoAlphabet
+design seed parameters = result (designSteps seed parameters)
+
+-- | How far the search is: what it has done, of the most that it may have to do.
+data Searched = Searched
+  { searchedDone :: !Int
+  -- ^ Shapes measured, and separations tried, from the greatest.
+  , searchedOf :: !Int
+  -- ^ All shapes, and all separations.
+  }
+  deriving stock (Eq, Show)
+
+-- | The same search step by step, to look on at.
+designSteps :: Int -> Parameters -> Steps Searched (Either ShapeError (Alphabet, Report))
+designSteps seed parameters = foldr measure (try count taxels) (zip [1 ..] candidates)
  where
   taxels = symbolWidth * symbolHeight
   every = admissible parameters
   candidates = [(selfDistance b, (b, prepared b)) | b <- every, Set.lookupMin (family b) == Just b]
+  count = length candidates
+  step done = Step (Searched done (count + taxels))
+  measure (i, (self, _)) rest = self `seq` step i rest
+  try done d
+    | d < 1 = Done (Left NoAlphabet)
+    | otherwise = case alphabetsApart d of
+        [] -> step (done + 1) (try (done + 1) (d - 1))
+        first : others -> Done (chosen d first others)
+  chosen d first others = do
+    let (_, best) = foldl' lessLike (featureLikeness first, first) others
+    a <- alphabet (zip (designNames parameters) (arranged seed best))
+    Right (a, Report seed (length every) count d (1 + length others))
   alphabetsApart d =
     map (map fst) $
       cliques (length (designNames parameters)) (\(_, a) (_, b) -> farApart d a b) [c | (self, c) <- candidates, self >= d]
