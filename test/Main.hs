@@ -38,6 +38,8 @@ import qualified Test.Code.Window
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
+import qualified Test.CommandLine.LongWork
+import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
@@ -48,8 +50,10 @@ import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Rates
+import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
+import qualified Test.Source
 import qualified Test.Store
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
@@ -114,10 +118,14 @@ main = hspec $ do
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
+  describe "Sources" Test.Source.spec
+  describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: decoding" Test.CommandLine.Decode.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
+  describe "The command line: large patches" Test.CommandLine.Patches.spec
+  describe "The command line: long work" Test.CommandLine.LongWork.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec

@@ -17,7 +17,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
 import System.Directory (doesDirectoryExist, doesPathExist)
 import System.FilePath ((</>))
-import System.IO (IOMode (..), withBinaryFile)
+import System.IO (IOMode (..), hFileSize, withBinaryFile)
 import System.IO.Error (ioeGetErrorString, isDoesNotExistError, isPermissionError)
 
 import PraTactile.Source (Folder (..), manifestName, namedImages)
@@ -85,10 +85,13 @@ readBytes limit file = do
     outcome <- try (withBinaryFile file ReadMode bytesOf)
     pure (either (Left . problemOf) id outcome)
   where
-    -- The size is not asked for beforehand, so that pipes can be read too.
     bytesOf handle = do
-      bytes <- Lazy.hGet handle (limit + 1)
-      pure (if Lazy.length bytes > fromIntegral limit then Left (TooLarge file limit) else Right (Lazy.toStrict bytes))
+      -- A pipe has no size to be asked for; it is read as far as it may go.
+      size <- either unknown id <$> try (hFileSize handle)
+      bytes <- if size > toInteger limit then pure Lazy.empty else Lazy.hGet handle (limit + 1)
+      pure (if size > toInteger limit || Lazy.length bytes > fromIntegral limit then Left (TooLarge file limit) else Right (Lazy.toStrict bytes))
+    unknown :: IOException -> Integer
+    unknown _ = 0
     problemOf :: IOException -> FilesError
     problemOf problem
       | isDoesNotExistError problem = NoSuchFile file

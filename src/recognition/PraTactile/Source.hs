@@ -34,7 +34,7 @@ data Folder = Folder
   { folderManifest :: ByteString
   , folderImages :: Map FilePath ByteString
   }
-  deriving stock (Eq)
+  deriving stock (Eq, Show)
 
 -- | Why a source holds no frames.
 data SourceError
