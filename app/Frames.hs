@@ -1,4 +1,5 @@
--- | Frames and composites on disk: a folder with a manifest and PGM files, or a PGM file that is a whole composite.
+-- | Frames and composites on disk: a folder with a manifest and PGM files, or a PGM file that is a whole
+-- composite.
 module Frames
   ( -- * What a path holds
     Source (..)
@@ -41,8 +42,8 @@ sourcePath source = case source of
   Chosen folder _ -> folder
   CompositeFile file -> file
 
--- | Sort paths into sources: folders and composite images each by itself; files that the manifest beside them lists
--- belong together. Leaves with status 2 where a path does not exist.
+-- | Sort paths into sources: folders and composite images each by itself; files that the manifest beside them
+-- lists belong together. Leaves with status 2 where a path does not exist.
 sources :: [FilePath] -> IO [Source]
 sources paths = do
   found <- traverse sourceOf paths
@@ -65,8 +66,8 @@ sources paths = do
               pure (if takeFileName path `elem` map entryFile entries then Nothing else Just (CompositeFile path))
           | otherwise -> pure (Just (CompositeFile path))
 
--- | The composites of sources, stitched from their frames by the function where they are not composites already. Says so where images
--- of a frame's size are taken for composites, because they stand in no manifest.
+-- | The composites of sources, stitched from their frames by the function where they are not composites
+-- already. Says so where images of a frame's size are taken for composites, because they stand in no manifest.
 loadSources :: ([Frame] -> Either StitchError Composite) -> [Source] -> IO [Composite]
 loadSources assemble given = do
   composites <- traverse (loadSource assemble) given

@@ -1,5 +1,5 @@
--- | How large a written patch may be, told from its text before anything is built of it: so a line takes memory in proportion to
--- its length, whatever is in it.
+-- | How large a written patch may be, told from its text before anything is built of it: so a line takes
+-- memory in proportion to its length, whatever is in it.
 module PatchBound
   ( largestPatch
   , oversized
@@ -11,13 +11,13 @@ import Data.Char (isSpace)
 import Data.Text (Text)
 import qualified Data.Text as Text
 
--- | 2^16 cells. The largest composite that frames are assembled to, of 2^22 taxels, has room for 13107 symbols of 16 x 20 taxels: no
--- touch tells more than that.
+-- | 2^16 cells. The largest composite that frames are assembled to, of 2^22 taxels, has room for 13107 symbols
+-- of 16 x 20 taxels: no touch tells more than that.
 largestPatch :: Int
 largestPatch = 65536
 
--- | What is wrong with a text that has more than 'largestPatch' cells, or so much else that it can be no patch over an alphabet of so
--- many symbols; one pass, in constant memory.
+-- | What is wrong with a text that has more than 'largestPatch' cells, or so much else that it can be no patch
+-- over an alphabet of so many symbols; one pass, in constant memory.
 oversized :: Int -> Text -> Maybe String
 oversized symbols text = case Text.uncons (Text.stripStart text) of
   Just ('[', _) -> ofJson 2
@@ -38,8 +38,8 @@ oversized symbols text = case Text.uncons (Text.stripStart text) of
     tooManyCells = "the patch has more than " ++ show largestPatch ++ " cells, which is more than can be felt at a time"
     tooManyParts = "the patch has too many parts to be one of up to " ++ show largestPatch ++ " cells"
 
--- | Cells of the patches before, words since the last semicolon, marks, and whether a word goes on. Words before a colon are no
--- cells but a displacement.
+-- | Cells of the patches before, words since the last semicolon, marks, and whether a word goes on. Words
+-- before a colon are no cells but a displacement.
 data Written = Written { writtenCells :: !Int, sinceSemicolon :: !Int, writtenMarks :: !Int, _inWord :: !Bool }
 
 writing :: Written -> Char -> Written

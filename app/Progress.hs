@@ -16,7 +16,8 @@ import System.IO.Unsafe (unsafeInterleaveIO)
 
 import PraTactile.Steps (Steps (..))
 
--- | Run an action that tells, each time something more is done, how much is done of so much; so much was done before.
+-- | Run an action that tells, each time something more is done, how much is done of so much; so much was done
+-- before.
 withProgress :: Integer -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 withProgress total before action = do
   shown <- hIsTerminalDevice stderr
@@ -33,8 +34,8 @@ withProgress total before action = do
   when shown (draw (bar total before before 0))
   action tell `finally` when shown (draw "")
 
--- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and a bar on one terminal would run
--- into each other.
+-- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and a bar on
+-- one terminal would run into each other.
 besideOutput :: Bool -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 besideOutput printing total action = do
   mixed <- if printing then hIsTerminalDevice stdout else pure False
@@ -48,13 +49,11 @@ tellingAsRead tell = fmap Lazy.concat . go
       [] -> pure []
       (done, bytes) : more -> unsafeInterleaveIO (tell done >> (bytes :) <$> go more)
 
--- | The result of a computation in steps, telling after each how many are done.
-follow :: (Integer -> IO ()) -> Steps s a -> IO a
-follow tell = go 1
-  where
-    go n steps = case steps of
-      Step _ more -> tell n >> go (n + 1) more
-      Done a -> pure a
+-- | The result of a computation in steps, each of which is how much is done.
+follow :: Integral n => (Integer -> IO ()) -> Steps n a -> IO a
+follow tell steps = case steps of
+  Step done more -> tell (toInteger done) >> follow tell more
+  Done a -> pure a
 
 -- | One line of less than 80 characters.
 bar :: Integer -> Integer -> Integer -> Double -> String

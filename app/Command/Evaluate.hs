@@ -80,14 +80,15 @@ run choice options
       measured <- orUnusable profileMessage (withProfile profile prepared)
       either unusable id measured
 
--- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts. Trials are made as they are
--- needed and let go once counted, so that any number takes the same memory.
+-- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts. Trials
+-- are made as they are needed and let go once counted, so that any number takes the same memory.
 measure :: KnownField k => Profile -> Options -> Recogniser k -> [(LaidFace, HeightMap)] -> IO Ending
 measure profile options reader faces = do
   _ <- orUnusable probeMessage (planScan frameSpacing (0, 0) (size options))
   unless (fitting (turns options) (size options) (map fst faces) (seed options) (presses options)) (unusable tooLarge)
   (stitched, unstitched) <- withProgress (toInteger (presses options)) 0 $ \tell ->
-    foldM (count tell) (noResults, noResults) (zip [1 ..] (withStrategy (parBuffer 32 rseq) (map run' (take (presses options) started))))
+    foldM (count tell) (noResults, noResults)
+      (zip [1 ..] (withStrategy (parBuffer 32 rseq) (map run' (take (presses options) started))))
   let counts = [ ("stitching", stitched), ("no-stitching", unstitched) ]
   if asJson options
     then printJson ("schema" .= ("pra-tactile/evaluate/1" :: String) <> "profile" .= profileValue profile

@@ -18,7 +18,6 @@ import Message
 import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
-import PraTactile.Steps (Steps (..))
 import Progress
 import Setup
 
@@ -45,7 +44,8 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
 run :: Options -> IO Ending
 run options
   | designing options = do
-      (found, report) <- orUnusable shapeMessage =<< searching (designSteps (seed options) paperParameters)
+      (found, report) <- orUnusable shapeMessage =<<
+        withProgress (toInteger searchLength) 0 (`follow` designSteps (seed options) paperParameters)
       write (renderAlphabet found)
       maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
       pure Answered
@@ -54,8 +54,5 @@ run options
       write (if svg options then alphabetSvg shipped else drawAlphabet shipped <> Text.singleton '\n' <> distanceTable shipped)
       pure Answered
   where
-    searching steps = case steps of
-      Step first _ -> withProgress (toInteger (searchedOf first)) 0 (`follow` steps)
-      Done found -> pure found
     write :: Text -> IO ()
     write text = maybe (Text.putStr text) (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text))) (output options)

@@ -49,7 +49,8 @@ run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO Ending
 run choice chosen format output = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
-      built array mask = (\table -> (tableSize table, rendered format profile on table)) <$> buildTable (profilePacking profile) on array mask
+      told table = (tableSize table, rendered format profile on table)
+      built array mask = told <$> buildTable (profilePacking profile) on array mask
   (size, rendering) <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
   (heading, rows', end) <- maybe (unusable repeated) pure rendering
   besideOutput (output `elem` [Nothing, Just "-"]) (toInteger size) $ \tell -> do
@@ -67,15 +68,17 @@ type Row = (Natural, Builder)
 inPieces :: [Row] -> [(Integer, Lazy.ByteString)]
 inPieces given = case splitAt 4096 given of
   ([], _) -> []
-  (piece, more) -> (toInteger (maximum (map fst piece)) + 1, Builder.toLazyByteString (foldMap snd piece)) : inPieces more
+  (piece, more) ->
+    (toInteger (maximum (map fst piece)) + 1, Builder.toLazyByteString (foldMap snd piece)) : inPieces more
 
--- | The table before its rows, the rows, and what follows them; positions are linear, row * columns + column, where a word must hold
--- them. 'Nothing' where a word would have to hold several.
+-- | The table before its rows, the rows, and what follows them; positions are linear, row * columns + column,
+-- where a word must hold them. 'Nothing' where a word would have to hold several.
 rendered :: Format -> Profile -> Surface -> Table k -> Maybe (Builder, [Row], Builder)
 rendered format profile on table = case format of
   Csv -> Just
     ( line "window,row,column"
-    , [ (packed, line (show packed ++ "," ++ show r ++ "," ++ show c)) | (packed, places) <- tableEntries table, Position r c <- places ]
+    , [ (packed, line (show packed ++ "," ++ show r ++ "," ++ show c))
+      | (packed, places) <- tableEntries table, Position r c <- places ]
     , mempty )
   _ | Vector.elem severalCode positions -> Nothing
   C -> Just
@@ -91,7 +94,9 @@ rendered format profile on table = case format of
     Shape high wide = profileShape profile
     positions = tableUnique noneCode severalCode table
     (noneCode, severalCode) = (-1, -2)
-    addresses = [ (packed, if at < 0 then Nothing else Just (fromIntegral at)) | (packed, at) <- zip [0 ..] (Vector.toList positions) ]
+    addresses =
+      [ (packed, if at < 0 then Nothing else Just (fromIntegral at))
+      | (packed, at) <- zip [0 ..] (Vector.toList positions) ]
     -- The all-ones word of the least whole number of bytes that exceeds every position.
     none = until (>= high * wide) (\n -> 256 * n + 255) 255
     digits = length (showHex none "")

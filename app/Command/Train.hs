@@ -17,7 +17,7 @@ import Message
 import PraTactile.Classify.Network.File (renderNetwork)
 import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
 import PraTactile.Classify.Train (Progress (..))
-import PraTactile.Steps (stepsDone)
+import PraTactile.Steps (counted, stepsDone)
 import Progress
 import Setup
 
@@ -31,7 +31,7 @@ run :: Int -> FilePath -> IO Ending
 run seed output = do
   alphabet <- shippedAlphabet
   let training = trainingRounds shippedRegimen alphabet seed
-  network <- orUnusable networkMessage =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` training)
+  network <- orUnusable networkMessage =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` counted training)
   writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
   forM_ (zip [1 :: Int ..] (stepsDone training)) $ \(i, stage) ->
     putStrLn (printf "stage %d: %d epochs, squared error %.4f -> %.4f" i (progressEpochs stage) (errorBefore stage) (errorAfter stage))

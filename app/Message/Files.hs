@@ -22,9 +22,12 @@ filesMessage e = case e of
   NoSuchFolder folder -> "there is no folder " ++ folder
   IsFolder file -> file ++ " is a folder; a file is needed here"
   IsFile file -> file ++ " is a file; a folder of frames with its " ++ manifestName ++ " is needed here"
-  NoManifest folder -> folder ++ " holds no " ++ manifestName ++ ", so the frames' positions are not known; 'pra-tactile probe' shows the form, and its first line is " ++ header
+  NoManifest folder ->
+    folder ++ " holds no " ++ manifestName ++ ", so the frames' positions are not known; 'pra-tactile probe' shows the form, "
+      ++ "and its first line is " ++ header
   NotPermitted file -> "no permission to read " ++ file
-  TooLarge path limit -> path ++ " is larger than " ++ show (limit `div` (1024 * 1024)) ++ " MiB, which no input of this kind needs"
+  TooLarge path limit ->
+    path ++ " is larger than " ++ show (limit `div` (1024 * 1024)) ++ " MiB, which no input of this kind needs"
   Unreadable path why -> "cannot read " ++ path ++ ": " ++ why
   where
     header = intercalate "," (map Text.unpack manifestHeader)
@@ -43,10 +46,11 @@ sourceMessage folder e = case e of
 fileMessage :: FilePath -> ImageError -> String
 fileMessage file why = file ++ ": " ++ imageMessage why
 
--- | Of so many images in a folder with a manifest or without, which have the size of a frame but stand in no manifest.
+-- | Of so many images in a folder with a manifest or without, which have the size of a frame but stand in no
+-- manifest.
 loneFramesMessage :: FilePath -> Bool -> Int -> String
 loneFramesMessage folder hasManifest count =
-  folder ++ (if hasManifest then "/" ++ manifestName ++ " does not list " else " holds no " ++ manifestName ++ " for ")
+  (if hasManifest then (folder </> manifestName) ++ " does not list " else folder ++ " holds no " ++ manifestName ++ " for ")
     ++ (if count == 1 then "an image" else show count ++ " images")
     ++ " of 16 x 16 taxels, the size of a frame; without positions "
     ++ (if count == 1 then "it was" else "each was") ++ " decoded as a whole composite"

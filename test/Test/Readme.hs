@@ -13,13 +13,14 @@ import House.Source (readText)
 
 spec :: Spec
 spec = beforeAll (library <$> readText "README.md") $ do
-  it "the program is of ten lines or less, and prints what is printed there" $ \text -> withSystemTempDirectory "pra-tactile" $ \folder -> do
+  it "the program is of ten lines or less, and prints what is printed there" $ \text -> inFolder $ \folder -> do
     let (program, below) = fenced "```haskell" text
     length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
     writeFile (folder </> "Readme.hs") (unlines program)
-    cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"] `shouldReturn` (ExitSuccess, unlines (indented below), "")
-  it "a package that has the lines for cabal.project and build-depends is planned with the libraries that they name" $ \text ->
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
+      `shouldReturn` (ExitSuccess, unlines (indented below), "")
+  it "a package with the lines for cabal.project and build-depends is planned with the libraries that they name" $
+    \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
       let (project, below) = fenced "```cabal-project" text
           (depends, _) = fenced "```cabal" below
@@ -28,14 +29,17 @@ spec = beforeAll (library <$> readText "README.md") $ do
       writeFile (folder </> "cabal.project") (unlines (map found project))
       writeFile (folder </> "Main.hs") "main :: IO ()\nmain = pure ()\n"
       writeFile (folder </> "example.cabal") (unlines
-        (["cabal-version: 3.0", "name: example", "version: 0", "executable example", "  default-language: Haskell2010", "  main-is: Main.hs"]
+        ([ "cabal-version: 3.0", "name: example", "version: 0"
+         , "executable example", "  default-language: Haskell2010", "  main-is: Main.hs" ]
           ++ map ("  " ++) depends))
-      (code, out, _) <- cabal ["build", "-v1", "--dry-run", "--project-file=" ++ (folder </> "cabal.project"), "example"]
+      let planning = ["build", "-v1", "--dry-run", "--project-file=" ++ (folder </> "cabal.project"), "example"]
+      (code, out, _) <- cabal planning
       code `shouldBe` ExitSuccess
       -- Those to be built, of this package: the libraries named, and what they rest on.
       [ part | "-" : package : part : _ <- map words (lines out), "pra-tactile-" `isPrefixOf` package ]
         `shouldMatchList` ["(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
   where
+    inFolder = withSystemTempDirectory "pra-tactile"
     library = dropWhile (/= "## The library") . lines
     cabal arguments = readProcessWithExitCode "tools/cabal.sh" arguments ""
 

@@ -35,12 +35,15 @@ bytesSpec = do
     property $ forAll (listOf1 frame) $ \frames ->
       fmap folderFrames (framesFolder frames) === Right (Right frames)
   it "chosen frames do not need the images of the others" $
-    fmap length (chosenFrames (== "b.pgm") (Folder (manifest ["a.pgm", "b.pgm"]) (Map.singleton "b.pgm" flat))) `shouldBe` Right 1
+    fmap length (chosenFrames (== "b.pgm") (Folder (manifest ["a.pgm", "b.pgm"]) (Map.singleton "b.pgm" flat)))
+      `shouldBe` Right 1
   it "a name that leads out of the folder is refused, even if there are bytes for it" $
-    [ folderFrames (Folder (manifest [name]) (Map.singleton name flat)) | name <- elsewhere ] `shouldBe` map (Left . ImageElsewhere) elsewhere
+    [ folderFrames (Folder (manifest [name]) (Map.singleton name flat)) | name <- elsewhere ]
+      `shouldBe` map (Left . ImageElsewhere) elsewhere
   it "an image that is not there, or none, is refused by its name; and so is what is no manifest" $ do
     folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
-    folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6"))) `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
+    folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
+      `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
     folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
   it "the images to be read are those in the folder, each once" $ do
     namedImages (manifest (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere)) `shouldBe` ["b.pgm", "sub/a.pgm"]
@@ -92,16 +95,20 @@ decodeSpec = do
     folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
     image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
     let decodings = [ canonicalDecoder >>= (`decodeFolder` folder), canonicalDecoder >>= (`decodeImage` image) ]
-    map (fmap place) decodings `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
+    map (fmap place) decodings
+      `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalDecoder >>= (`decodeImage` flat)) `shouldBe` Right ["refused: no-symbols"]
   it "what is no image, and no folder of frames, is an error of its own" $ do
-    errorOf (canonicalDecoder >>= (`decodeImage` Bytes8.pack "P7")) `shouldBe` Just (FileRefused (NotPgm (Bytes8.pack "P7")))
-    errorOf (canonicalDecoder >>= (`decodeFolder` Folder Bytes.empty Map.empty)) `shouldBe` Just (FolderRefused (ManifestRefused EmptyManifest))
+    errorOf (canonicalDecoder >>= (`decodeImage` Bytes8.pack "P7"))
+      `shouldBe` Just (FileRefused (NotPgm (Bytes8.pack "P7")))
+    errorOf (canonicalDecoder >>= (`decodeFolder` Folder Bytes.empty Map.empty))
+      `shouldBe` Just (FolderRefused (ManifestRefused EmptyManifest))
     errorOf (canonicalDecoder >>= (`decodeFrames` [])) `shouldSatisfy` maybe False (isPrefixOf "FramesRefused" . show)
   where
     place recognition = case recognisedAnswer recognition of
       Right (Found found) | OnFace on <- windowWhereabouts (foundWindow found) ->
-        Just (windowPosition (foundWindow found), faceText (faceName (placeFace on)), map vertexText (placeCorners on), spotMillimetres (placeCentre on))
+        Just ( windowPosition (foundWindow found), faceText (faceName (placeFace on)), map vertexText (placeCorners on)
+             , spotMillimetres (placeCentre on) )
       _ -> Nothing
     errorOf = either Just (const Nothing)

@@ -1,5 +1,6 @@
 {-# LANGUAGE DerivingStrategies #-}
--- | Reading folders of frames and images from disk. Only bytes are read here: what they hold is for "PraTactile.Source" to say.
+-- | Reading folders of frames and images from disk. Only bytes are read here: what they hold is for
+-- "PraTactile.Source" to say.
 module PraTactile.Files
   ( -- * Reading
     readFolder
@@ -42,13 +43,13 @@ data FilesError
     Unreadable FilePath String
   deriving stock (Eq, Show)
 
--- | 256 MiB: the largest image or manifest that is read, and the most that the images of one folder may be together. A frame is
--- some hundred bytes.
+-- | 256 MiB: the largest image or manifest that is read, and the most that the images of one folder may be
+-- together. A frame is some hundred bytes.
 largestInput :: Int
 largestInput = 256 * 1024 * 1024
 
--- | A folder's manifest, and the images that it names. Names that lead out of the folder are not read, nor is anything if the
--- manifest is wrong: 'PraTactile.Source.folderFrames' refuses such a folder and says why.
+-- | A folder's manifest, and the images that it names. Names that lead out of the folder are not read, nor is
+-- anything if the manifest is wrong: 'PraTactile.Source.folderFrames' refuses such a folder and says why.
 readFolder :: FilePath -> IO (Either FilesError Folder)
 readFolder = readChosen (const True)
 
@@ -64,7 +65,8 @@ readChosen wanted folder = do
       | isSomething -> pure (Left (IsFile folder))
       | otherwise -> pure (Left (NoSuchFolder folder))
   where
-    named manifest = fmap (Folder manifest . Map.fromList) <$> images largestInput (filter wanted (namedImages manifest))
+    named manifest =
+      fmap (Folder manifest . Map.fromList) <$> images largestInput (filter wanted (namedImages manifest))
     images _ [] = pure (Right [])
     images room (name : names) = do
       read' <- readBytes room (folder </> name)
@@ -88,8 +90,10 @@ readBytes limit file = do
     bytesOf handle = do
       -- A pipe has no size to be asked for; it is read as far as it may go.
       size <- either unknown id <$> try (hFileSize handle)
-      bytes <- if size > toInteger limit then pure Lazy.empty else Lazy.hGet handle (limit + 1)
-      pure (if size > toInteger limit || Lazy.length bytes > fromIntegral limit then Left (TooLarge file limit) else Right (Lazy.toStrict bytes))
+      bytes <- if size > toInteger limit then pure Nothing else Just <$> Lazy.hGet handle (limit + 1)
+      pure $ case bytes of
+        Just whole | Lazy.length whole <= fromIntegral limit -> Right (Lazy.toStrict whole)
+        _ -> Left (TooLarge file limit)
     unknown :: IOException -> Integer
     unknown _ = 0
     problemOf :: IOException -> FilesError

@@ -1,6 +1,6 @@
 {-# LANGUAGE DerivingStrategies #-}
--- | Bytes in, recognition out, with everything chosen: the shortest way through the library. "PraTactile.Recognise" has the same
--- with every part in the caller's hands.
+-- | Bytes in, recognition out, with everything chosen: the shortest way through the library.
+-- "PraTactile.Recognise" has the same with every part in the caller's hands.
 module PraTactile.Decode
   ( -- * Decoders
     Decoder
@@ -33,7 +33,8 @@ import PraTactile.Stitch
 -- | A recogniser whose field need not be known: of composites of one face, what they show together.
 newtype Decoder = Decoder (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
--- | Why there is no recognition. A composite that is read but not understood is no error: its 'Recognition' has a 'Refusal'.
+-- | Why there is no recognition. A composite that is read but not understood is no error: its 'Recognition'
+-- has a 'Refusal'.
 data DecodeError
   = -- | The profile has no array.
     ArrayRefused ProfileError
@@ -53,15 +54,18 @@ data DecodeError
     FramesRefused StitchError
   deriving stock (Eq, Show)
 
--- | The decoder of a profile's array on its own surface, with objects laid on it, shapes and a network. Refuses parts that are
--- impossible or do not fit each other.
+-- | The decoder of a profile's array on its own surface, with objects laid on it, shapes and a network.
+-- Refuses parts that are impossible or do not fit each other.
 decoder :: Profile -> Placement -> Alphabet -> Network -> Either DecodeError Decoder
 decoder profile layout alphabet network = do
   made <- first ArrayRefused (withProfile profile (\array window ->
-    (\reader -> Decoder (`recogniseWith` reader)) <$> recogniser (profileSurface profile) array window layout alphabet network))
+    decoding <$> recogniser (profileSurface profile) array window layout alphabet network))
   first PartsRefused made
+  where
+    decoding reader = Decoder (`recogniseWith` reader)
 
--- | The decoder for the paper's array with the shipped placement, shapes and network. It is always 'Right': the tests build it.
+-- | The decoder for the paper's array with the shipped placement, shapes and network. It is always 'Right':
+-- the tests build it.
 canonicalDecoder :: Either DecodeError Decoder
 canonicalDecoder = do
   layout <- first PlacementRefused canonicalPlacement
@@ -69,8 +73,8 @@ canonicalDecoder = do
   network <- first NetworkRefused shippedNetwork
   decoder canonicalProfile layout alphabet network
 
--- | What the frames of a folder show, stitched with 'standardRegistration', by 'standardTolerance'. Refuses what 'folderFrames'
--- and 'stitch' refuse.
+-- | What the frames of a folder show, stitched with 'standardRegistration', by 'standardTolerance'. Refuses
+-- what 'folderFrames' and 'stitch' refuse.
 decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = first FolderRefused (folderFrames folder) >>= decodeFrames with
 

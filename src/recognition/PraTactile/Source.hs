@@ -1,6 +1,6 @@
 {-# LANGUAGE DerivingStrategies #-}
--- | Where images come from, as bytes: a folder of frames with its manifest, or one image that is a whole composite. Nothing is
--- read here; the sublibrary @files@ reads ("PraTactile.Files").
+-- | Where images come from, as bytes: a folder of frames with its manifest, or one image that is a whole
+-- composite. Nothing is read here; the sublibrary @files@ reads ("PraTactile.Files").
 module PraTactile.Source
   ( -- * Folders of frames
     Folder (..)
@@ -19,6 +19,7 @@ import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
 
@@ -52,17 +53,17 @@ data SourceError
 manifestName :: FilePath
 manifestName = "manifest.csv"
 
--- | The files that a manifest names, as far as they lie in its folder, each once: those to be read. None if it cannot be
--- read; 'folderFrames' then tells why.
+-- | The files that a manifest names, as far as they lie in its folder, each once: those to be read. None if it
+-- cannot be read; 'folderFrames' then tells why.
 namedImages :: ByteString -> [FilePath]
-namedImages = Map.keys . Map.fromList . map (\name -> (name, ())) . filter inside . either (const []) (map entryFile) . parseManifest
+namedImages = Set.toAscList . Set.fromList . filter inside . either (const []) (map entryFile) . parseManifest
 
 -- | Whether a name stays within the folder that it is relative to.
 inside :: FilePath -> Bool
 inside name = not (isAbsolute name) && ".." `notElem` splitDirectories name
 
--- | All frames of a folder, in the manifest's order. Refuses, naming the file, a manifest and images that cannot be read, names
--- that lead out of the folder, and images that are not there.
+-- | All frames of a folder, in the manifest's order. Refuses, naming the file, a manifest and images that
+-- cannot be read, names that lead out of the folder, and images that are not there.
 folderFrames :: Folder -> Either SourceError [Frame]
 folderFrames = chosenFrames (const True)
 
@@ -75,7 +76,9 @@ chosenFrames wanted folder = do
     frame entry = Frame (entryPose entry) (entryForce entry) <$> image (entryFile entry)
     image name
       | not (inside name) = Left (ImageElsewhere name)
-      | otherwise = maybe (Left (ImageAbsent name)) (first (ImageRefused name) . intensities) (Map.lookup name (folderImages folder))
+      | otherwise = do
+          bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name (folderImages folder))
+          first (ImageRefused name) (intensities bytes)
 
 -- | The folder of these frames, each an 8-bit binary PGM. Refuses what has no such image ('pgmFromIntensity').
 framesFolder :: [Frame] -> Either ImageError Folder

@@ -17,13 +17,15 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
 
--- | Object, face and corner; the place on the face and how it lies; the position in the array; the doubt. Or, of a refusal, its
--- name and the doubt of the likeliest position, if there is one. No line ends in a line break.
+-- | Object, face and corner; the place on the face and how it lies; the position in the array; the doubt. Or,
+-- of a refusal, its name and the doubt of the likeliest position, if there is one. No line ends in a line
+-- break.
 summary :: Recognition -> [String]
 summary recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused: " ++ refusalName refusal) : doubted
   Right (Several orientation positions) ->
-    ("ambiguous: " ++ show (length positions) ++ " positions fit: " ++ positionsText positions ++ "; " ++ orientationText orientation) : doubted
+    [ "ambiguous: " ++ show (length positions) ++ " positions fit: " ++ positionsText positions
+    , orientationText orientation ++ " in the composite" ] ++ doubted
   Right (Found found) ->
     let window = foundWindow found
         Position r c = windowPosition window
@@ -49,8 +51,9 @@ whereText place = case place of
 
 -- | Where a window's centre is on the face, from its upper left vertex.
 centreText :: Place -> String
-centreText place = printf "%.2f mm to the right of and %.2f mm below %s" x y (concatMap vertexText (take 1 (faceVertices (faceName (placeFace place)))))
+centreText place = printf "%.2f mm to the right of and %.2f mm below %s" x y upperLeft
   where
+    upperLeft = concatMap vertexText (take 1 (faceVertices (faceName (placeFace place))))
     (x, y) = spotMillimetres (placeCentre place)
 
 -- | How the face lies in the composite.
