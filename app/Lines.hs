@@ -8,13 +8,13 @@ module Lines
 
 import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
-import qualified Data.Text as Text
+import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8')
 import System.IO (stdin)
 
 -- | A line, without its end.
 data Line
-  = Line String
+  = Line Text
   | NotUtf8            -- ^ it holds bytes that are no UTF-8
   | TooLong Integer    -- ^ it has so many bytes, more than 'largestLine'
   deriving stock (Eq, Show)
@@ -55,6 +55,6 @@ forLines step = awaited [] 0
 line :: [ByteString] -> Line
 line chunks
   | Bytes.length whole > largestLine = TooLong (toInteger (Bytes.length whole))
-  | otherwise = either (const NotUtf8) (Line . Text.unpack) (decodeUtf8' whole)
+  | otherwise = either (const NotUtf8) Line (decodeUtf8' whole)
   where
     whole = Bytes.concat chunks

@@ -3,6 +3,7 @@ module Message
   ( module Message.Certificate
   , module Message.Chance
   , module Message.Code
+  , module Message.Files
   , module Message.Objects
   , module Message.Touch
   ) where
@@ -10,5 +11,6 @@ module Message
 import Message.Certificate
 import Message.Chance
 import Message.Code
+import Message.Files
 import Message.Objects
 import Message.Touch

@@ -2,6 +2,7 @@
 {-# LANGUAGE DataKinds #-}
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 -- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities; and several of them, each with its displacement.
 module PatchText
   ( Observed (..)
@@ -17,16 +18,19 @@ import Data.Bifunctor (first)
 import Data.Char (isSpace)
 import Data.Foldable (toList)
 import Data.Maybe (catMaybes)
+import Data.Proxy (Proxy (..))
 import qualified Data.Scientific as Scientific
+import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
-import Text.Read (readMaybe)
 
 import JsonInput
 import Message
+import PatchBound
 import PraTactile.Field
 import PraTactile.Locate (Patch, patch)
 import PraTactile.Locate.Soft
+import Readers
 
 -- | What was observed: symbols, or the probabilities of symbols.
 data Observed (k :: Field) = Symbols (Patch k) | Chances (SoftPatch k)
@@ -50,35 +54,43 @@ type Cell k = Maybe (Either (GF k) (Belief k))
 -- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with a bracket is JSON: a list of rows, each a list of
 -- cells; a cell is a code, an element as text, null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that begins with a
 -- brace is a JSON object with a list of patches. In other text patches are parted by semicolons, and a displacement stands before a colon.
-readPatches :: KnownField k => String -> Either String (Written k)
-readPatches text = case dropWhile isSpace text of
-  '[' : _ -> do
+-- Refuses more than 'largestPatch' cells before it reads them.
+readPatches :: forall k. KnownField k => Text -> Either String (Written k)
+readPatches text = case (oversized (fieldOrder (Proxy :: Proxy k)) text, Text.uncons (Text.stripStart text)) of
+  (Just complaint, _) -> Left complaint
+  (Nothing, Just ('[', _)) -> do
     value <- json "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not observed" text
     jsonRows value >>= fmap Alone . observed
-  '{' : _ -> do
+  (Nothing, Just ('{', _)) -> do
     value <- json "the patches are no JSON; write them as {\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}]}" text
     given <- only ["patches"] "the object has the key \"patches\" alone" value >>= maybe (Left "the object has the key \"patches\"") Right . lookup "patches" >>= list "\"patches\" is a list"
     numbered (map jsonPatch given) >>= displaced
-  _ | any (`elem` text) [';', ':'] -> numbered (map textPatch (partedBy ';' text)) >>= displaced
+  _ | Text.any (`elem` [';', ':']) text -> numbered (map textPatch (Text.split (== ';') text)) >>= displaced
     | otherwise -> textRows text >>= fmap Alone . observed
 
 -- | The complaints about patches tell which one it is, from 1.
 numbered :: [Either String a] -> Either String [a]
 numbered given = sequence [first (\complaint -> "patch " ++ show i ++ ": " ++ complaint) given' | (i, given') <- zip [1 :: Int ..] given]
 
-textRows :: KnownField k => String -> Either String [[Cell k]]
-textRows = traverse (traverse textCell . words) . rowsOf
+textRows :: KnownField k => Text -> Either String [[Cell k]]
+textRows = traverse (traverse textCell . Text.words) . rowsOf
   where
     textCell "?" = Right Nothing
     textCell word = Just . Left <$> element word
-    element = first fieldMessage . parseElement
 
-textPatch :: KnownField k => String -> Either String (Displaced [[Cell k]])
-textPatch text = case break (== ':') text of
-  (before, _ : cells)
-    | [r, c] <- partedBy ',' before, Just at <- (,) <$> readMaybe r <*> readMaybe c -> (,) at <$> textRows cells
-    | otherwise -> Left ("before the colon stands a displacement, ROW,COLUMN; " ++ show before ++ " is none")
-  (cells, []) -> (,) (0, 0) <$> textRows cells
+element :: KnownField k => Text -> Either String (GF k)
+element word
+  | Text.length word < longestWord = first fieldMessage (parseElement (Text.unpack word))
+  | otherwise = Left (fieldMessage (ElementUnreadable (excerpt word)))
+
+textPatch :: KnownField k => Text -> Either String (Displaced [[Cell k]])
+textPatch text = case Text.break (== ':') text of
+  (cells, "") -> (,) (0, 0) <$> textRows cells
+  (before, rest)
+    | [r, c] <- Text.split (== ',') before, Just at <- (,) <$> whole r <*> whole c -> (,) at <$> textRows (Text.drop 1 rest)
+    | otherwise -> Left ("before the colon stands a displacement, ROW,COLUMN; " ++ show (excerpt before) ++ " is none")
+  where
+    whole digits = if Text.length digits < longestWord then either (const Nothing) Just (readDecimal (Text.unpack (Text.strip digits))) else Nothing
 
 jsonPatch :: KnownField k => Value -> Either String (Displaced [[Cell k]])
 jsonPatch value = do
@@ -93,13 +105,13 @@ jsonPatch value = do
     whole n = toInteger <$> (Scientific.toBoundedInteger n :: Maybe Int)
 
 -- | The fields of an object that has no others than these.
-only :: [Text.Text] -> String -> Value -> Either String [(Text.Text, Value)]
+only :: [Text] -> String -> Value -> Either String [(Text, Value)]
 only keys complaint value = case value of
   Object fields | all ((`elem` keys) . Key.toText . fst) (KeyMap.toList fields) -> Right [(Key.toText name, field) | (name, field) <- KeyMap.toList fields]
   _ -> Left complaint
 
-json :: String -> String -> Either String Value
-json complaint text = first inWords (readJson (Text.encodeUtf8 (Text.pack text)))
+json :: String -> Text -> Either String Value
+json complaint = first inWords . readJson . Text.encodeUtf8
   where
     inWords fault = case fault of
       NoJson _ -> complaint
@@ -112,7 +124,7 @@ jsonCell :: KnownField k => Value -> Either String (Cell k)
 jsonCell value = case value of
   Null -> Right Nothing
   String "?" -> Right Nothing
-  String name -> Just . Left <$> first fieldMessage (parseElement (Text.unpack name))
+  String name -> Just . Left <$> element name
   Number code -> case Scientific.toBoundedInteger code of
     Just n -> Just . Left <$> first fieldMessage (fromCode n)
     Nothing -> Left "a code is a whole number"
@@ -151,13 +163,7 @@ hard :: [[Cell k]] -> Either String (Patch k)
 hard = first locateMessage . patch . map (map (>>= either Just (const Nothing)))
 
 -- | The rows, parted by @/@; none in an empty line.
-rowsOf :: String -> [String]
+rowsOf :: Text -> [Text]
 rowsOf text
-  | all isSpace text = []
-  | otherwise = partedBy '/' text
-
--- | The parts between the separators, one more than there are of these.
-partedBy :: Char -> String -> [String]
-partedBy separator text = case break (== separator) text of
-  (part, _ : more) -> part : partedBy separator more
-  (part, []) -> [part]
+  | Text.all isSpace text = []
+  | otherwise = Text.split (== '/') text

@@ -21,6 +21,7 @@ import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
+import PraTactile.Recognise.Summary (upperLeftVertex)
 import Recognised
 
 -- | The parts of the picture, each where it is on the page.

@@ -1,15 +1,23 @@
 -- | A progress bar on the standard error, where that is a terminal; nothing anywhere else.
 module Progress
   ( withProgress
+  , follow
+  , tellingAsRead
+  , besideOutput
   ) where
 
 import Control.Exception (finally)
 import Control.Monad (when)
+import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import GHC.Clock (getMonotonicTime)
-import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
+import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr, stdout)
+import System.IO.Unsafe (unsafeInterleaveIO)
 
--- | Run an action that tells, each time something more is done, how much is done of so much; so much was done before.
+import PraTactile.Steps (Steps (..))
+
+-- | Run an action that tells, each time something more is done, how much is done of so much; so much was done
+-- before.
 withProgress :: Integer -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 withProgress total before action = do
   shown <- hIsTerminalDevice stderr
@@ -23,7 +31,29 @@ withProgress total before action = do
           writeIORef drawn now
           draw (bar total before done (now - start))
       draw line = hPutStr stderr ('\r' : line ++ "\ESC[K") >> hFlush stderr
+  when shown (draw (bar total before before 0))
   action tell `finally` when shown (draw "")
+
+-- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and a bar on
+-- one terminal would run into each other.
+besideOutput :: Bool -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
+besideOutput printing total action = do
+  mixed <- if printing then hIsTerminalDevice stdout else pure False
+  if mixed then action (const (pure ())) else withProgress total 0 action
+
+-- | Pieces of output as one, each telling how much is done when it comes to be written.
+tellingAsRead :: (Integer -> IO ()) -> [(Integer, Lazy.ByteString)] -> IO Lazy.ByteString
+tellingAsRead tell = fmap Lazy.concat . go
+  where
+    go pieces = case pieces of
+      [] -> pure []
+      (done, bytes) : more -> unsafeInterleaveIO (tell done >> (bytes :) <$> go more)
+
+-- | The result of a computation in steps, each of which is how much is done.
+follow :: Integral n => (Integer -> IO ()) -> Steps n a -> IO a
+follow tell steps = case steps of
+  Step done more -> tell (toInteger done) >> follow tell more
+  Done a -> pure a
 
 -- | One line of less than 80 characters.
 bar :: Integer -> Integer -> Integer -> Double -> String

@@ -5,24 +5,21 @@ module Recognised
   , recognitionMessage
   , elementNames
   , orientationText
-  , turnText
   , windowText
   , whereText
-  , upperLeftVertex
   , fromDatabase
   ) where
 
 import Data.Bifunctor (first)
 import Data.List (intercalate)
-import Text.Printf (printf)
 
 import Ending
 import Message
 import PraTactile.Array (Position (..), Shape)
 import PraTactile.Field (GF, KnownField, fromCode, showElement)
 import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
+import PraTactile.Recognise.Summary
 import PraTactile.Store
 import Visible
 
@@ -44,38 +41,12 @@ recognitionMessage :: Recognition -> String
 recognitionMessage recognition = case recognisedAnswer recognition of
   Left refusal -> refusalMessage refusal
   Right (Several _ places) -> show (length places) ++ " positions fit what was recognised: "
-    ++ unwords [ show r ++ "," ++ show c | Position r c <- places ]
+    ++ positionsText places
   Right (Found found) -> whereText (windowWhereabouts (foundWindow found))
-
--- | How the face lies in the composite, in words.
-orientationText :: Orientation -> String
-orientationText = turnText . orientationDegrees
-
--- | How a face lies that is turned clockwise by so many degrees.
-turnText :: Int -> String
-turnText degrees
-  | degrees == 0 = "upright"
-  | otherwise = "turned by " ++ show degrees ++ " degrees"
 
 -- | The elements of a window, row by row.
 windowText :: (Int -> String) -> ReadWindow -> String
 windowText nameOf = intercalate " / " . map (unwords . map (maybe "?" nameOf)) . windowClasses
-
--- | What lies at a position, in words.
-whereText :: Whereabouts -> String
-whereText place = case place of
-  OnFace on -> faceOf (placeFace on) ++ ", " ++ cornerText (placeCorners on)
-  Straddles faces -> "on no object: the window straddles " ++ intercalate " and " (map faceOf faces)
-  OnNoObject -> "on no object: no face has this window"
-  where
-    faceOf (Face object named) = objectText object ++ ", face " ++ faceText named
-    cornerText nearest = case nearest of
-      [only] -> "corner " ++ vertexText only
-      _ -> "as near to " ++ intercalate " as to " (map vertexText nearest)
-
--- | The name of a face's upper left vertex, from which places on it are measured.
-upperLeftVertex :: Face -> String
-upperLeftVertex = concatMap vertexText . take 1 . faceVertices . faceName
 
 -- | The whole answer, line by line.
 recognitionText :: (Int -> String) -> [FilePath] -> Recognition -> [String]
@@ -87,9 +58,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
     in recognitionMessage recognition
       : symbolLines
       ++ windowLine window
-      : [ printf "centre    %.2f mm to the right of and %.2f mm below %s" x y corner0
-        | OnFace on <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre on)
-        , let corner0 = upperLeftVertex (placeFace on) ]
+      : [ "centre    " ++ centreText on | OnFace on <- [windowWhereabouts window] ]
       ++ [ "composite " ++ orientationText (foundOrientation found) ++ " on the face" ]
       ++ [ "also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found) ]
   where
@@ -109,7 +78,7 @@ supportText :: Evidence -> String
 supportText evidence =
   counted (evidenceAgreeing evidence) "certain symbol or part agrees" "certain symbols and parts agree" ++ ", "
     ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict"
-    ++ " (" ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence)) ++ " may); doubt " ++ (if evidenceDoubt evidence > 0 then printf "%.1e" (evidenceDoubt evidence) else "below 1e-300")
+    ++ " (" ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence)) ++ " may); doubt " ++ doubtText (evidenceDoubt evidence)
   where
     counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 

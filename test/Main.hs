@@ -44,6 +44,8 @@ import qualified Test.CommandLine.Decode
 import qualified Test.CommandLine.Locate
 import qualified Test.CommandLine.Bounds
 import qualified Test.CommandLine.Picture
+import qualified Test.CommandLine.LongWork
+import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.CensusFile
 import qualified Test.CommandLine.Json
@@ -59,8 +61,10 @@ import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
 import qualified Test.Rates
+import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
+import qualified Test.Source
 import qualified Test.Store
 import qualified Test.Tools
 import qualified Test.StoreTarget
@@ -139,6 +143,8 @@ specs = do
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Truths" Test.Truth.spec
   describe "Pictures" Test.Picture.spec
+  describe "Sources" Test.Source.spec
+  describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
@@ -147,6 +153,8 @@ specs = do
   describe "The command line: decoding" Test.CommandLine.Decode.spec
   describe "The command line: pictures and truths" Test.CommandLine.Picture.spec
   describe "The command line: locating" Test.CommandLine.Locate.spec
+  describe "The command line: large patches" Test.CommandLine.Patches.spec
+  describe "The command line: long work" Test.CommandLine.LongWork.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec

@@ -18,7 +18,7 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Truth
-import Recognised (turnText, upperLeftVertex)
+import PraTactile.Recognise.Summary (turnText, upperLeftVertex)
 
 command :: Mod CommandFields (IO Ending)
 command = described "compare"

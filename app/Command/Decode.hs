@@ -67,7 +67,7 @@ command = described "decode" "Recognise object, face and place from tactile imag
       <*> switch (long "together" <> help "All sources show one face, in the robot's coordinates: give one answer from all of them")
       <*> many (option millimetres (long "at" <> metavar "X,Y" <> help "With --together: where the upper left pixel of a whole image is, in millimetres; once for each whole image, in order"))
       <*> switch (long "json" <> help "Print one JSON answer a line")
-      <*> some (strArgument (metavar "PATH..." <> action "file"))
+      <*> some (strArgument (metavar "PATH..." <> action "file" <> help "Images, folders of frames, or frames; - is an image on the standard input"))
     millimetres = do
       (x, y) <- pairReader ',' "76.2,0"
       if all finite [x, y] then pure (x, y) else readerError "a place is two finite numbers, as in 76.2,0"
@@ -102,7 +102,7 @@ run choice options
       case (found, picture options) of
         (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
         _ -> pure ()
-      composites <- forM found (loadSource (assemble (assembly options)))
+      composites <- loadSources (assemble (assembly options)) found
       if together options
         then placed (places options) (zip found composites) >>= readAs (map sourcePath found)
         else do

@@ -4,12 +4,13 @@ module Command.Evaluate
   ( command
   ) where
 
-import Control.Monad (forM_, when)
+import Control.Monad (foldM, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson (Value, object, (.=))
+import qualified Data.Map.Strict as Map
+import Data.Maybe (catMaybes)
 import Data.String (fromString)
 import Options.Applicative hiding (command)
-import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr)
 import Text.Printf (printf)
 
 import ArrayChoice
@@ -24,10 +25,12 @@ import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
+import PraTactile.Probe (planScan)
 import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
+import Progress
 import Setup
 
 data Options = Options
@@ -77,17 +80,16 @@ run choice options
       measured <- orUnusable profileMessage (withProfile profile prepared)
       either unusable id measured
 
--- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts.
+-- | Run the trials on all cores, saying how far it is where a person looks on, and print the two counts. Trials
+-- are made as they are needed and let go once counted, so that any number takes the same memory.
 measure :: KnownField k => Profile -> Options -> Recogniser k -> [(LaidFace, HeightMap)] -> IO Ending
 measure profile options reader faces = do
-  started <- traverse (maybe (unusable tooLarge) pure) (take (presses options) (trials sensor (turns options) (size options) faces (seed options)))
-  let results = withStrategy (parBuffer 64 rdeepseq') (map (runTrial (tolerance options) reader (registrationFor (positionError options) (noise options))) started)
-  watched <- hIsTerminalDevice stderr
-  forM_ (zip [1 :: Int ..] results) $ \(i, result) -> do
-    () <- result `seq` pure ()
-    when (watched && (i `mod` 10 == 0 || i == presses options)) $
-      hPutStr stderr (printf "\r%d of %d presses%s" i (presses options) (if i == presses options then "\n" else "" :: String)) >> hFlush stderr
-  let counts = [ ("stitching", tally (map withStitching results)), ("no-stitching", tally (map withoutStitching results)) ]
+  _ <- orUnusable probeMessage (planScan frameSpacing (0, 0) (size options))
+  unless (fitting (turns options) (size options) (map fst faces) (seed options) (presses options)) (unusable tooLarge)
+  (stitched, unstitched) <- withProgress (toInteger (presses options)) 0 $ \tell ->
+    foldM (count tell) (noResults, noResults)
+      (zip [1 ..] (withStrategy (parBuffer 32 rseq) (map run' (take (presses options) started))))
+  let counts = [ ("stitching", stitched), ("no-stitching", unstitched) ]
   if asJson options
     then printJson ("schema" .= ("pra-tactile/evaluate/1" :: String) <> "profile" .= profileValue profile
       <> "presses" .= presses options <> "seed" .= seed options
@@ -97,7 +99,13 @@ measure profile options reader faces = do
   pure Answered
   where
     sensor = standardSensor { sensorPositionError = positionError options, sensorNoise = noise options }
-    rdeepseq' result = rseq (withStitching result `seq` withoutStitching result `seq` result)
+    started = catMaybes (trials sensor (turns options) (size options) faces (seed options))
+    run' = runTrial (tolerance options) reader (registrationFor (positionError options) (noise options))
+    count :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
+    count tell (stitched, unstitched) (i, outcome) =
+      let stitched' = counting stitched (withStitching outcome)
+          unstitched' = counting unstitched (withoutStitching outcome)
+      in stitched' `seq` unstitched' `seq` tell i >> pure (stitched', unstitched')
     underscore c = if c == '-' then '_' else c
     tooLarge = printf "a region of %d x %d taxels does not lie on every face; choose a smaller --size" (fst (size options)) (snd (size options))
     heading = printf "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g of full scale"
@@ -105,9 +113,9 @@ measure profile options reader faces = do
 
 tallyText :: String -> Tally -> String
 tallyText name counted = printf "%-13s right %d  wrong %d (expected: %.2g)  refused %d (%.1f %%)%s" name (tallyRight counted) (tallyWrong counted) (tallyExpected counted) refused share
-  (concat [ printf "%s %s %d" (if i == 0 then ":" else "," :: String) reason n | (i, (reason, n)) <- zip [0 :: Int ..] (tallyRefused counted) ] :: String)
+  (concat [ printf "%s %s %d" (if i == 0 then ":" else "," :: String) reason n | (i, (reason, n)) <- zip [0 :: Int ..] (Map.toAscList (tallyRefused counted)) ] :: String)
   where
-    refused = sum (map snd (tallyRefused counted))
+    refused = sum (tallyRefused counted)
     share = 100 * fromIntegral refused / fromIntegral (max 1 (refused + tallyRight counted + tallyWrong counted)) :: Double
 
 tallyValue :: Tally -> Value
@@ -115,6 +123,6 @@ tallyValue counted = object
   [ "right" .= tallyRight counted
   , "wrong" .= tallyWrong counted
   , "wrong_expected" .= tallyExpected counted
-  , "refused" .= sum (map snd (tallyRefused counted))
-  , "reasons" .= object [ fromString reason .= n | (reason, n) <- tallyRefused counted ]
+  , "refused" .= sum (tallyRefused counted)
+  , "reasons" .= object [ fromString reason .= n | (reason, n) <- Map.toAscList (tallyRefused counted) ]
   ]

@@ -9,6 +9,7 @@ import Data.Aeson.Encoding (Series)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
 import Options.Applicative hiding (command)
 import System.IO (hFlush, stdout)
 
@@ -86,7 +87,7 @@ run choice chosen options
 answering :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
 answering profile options locate = case source options of
   Nothing -> batch profile options locate
-  Just given -> case readPatches (unwords given) >>= locate of
+  Just given -> case readPatches (Text.pack (unwords given)) >>= locate of
     Left complaint -> unusable complaint
     Right report -> do
       if asJson options

@@ -28,7 +28,7 @@ import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Relief
 import PraTactile.Truth (Truth (..))
-import Recognised (turnText)
+import PraTactile.Recognise.Summary (turnText)
 import Setup
 import Visible
 

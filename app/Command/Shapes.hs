@@ -18,6 +18,7 @@ import Message
 import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
+import Progress
 import Setup
 
 data Options = Options
@@ -35,7 +36,7 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
   (run <$> options)
   where
     options = Options
-      <$> switch (long "design" <> help "Run the search again (about a minute) and write the alphabet it finds")
+      <$> switch (long "design" <> help "Run the search again (some seconds) and write the alphabet it finds")
       <*> option intReader (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
       <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
       <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output"))
@@ -43,7 +44,8 @@ command = described "shapes" "Draw the four embossed shapes with the table of th
 run :: Options -> IO Ending
 run options
   | designing options = do
-      (found, report) <- orUnusable shapeMessage (design (seed options) paperParameters)
+      (found, report) <- orUnusable shapeMessage =<<
+        withProgress (toInteger searchLength) 0 (`follow` designSteps (seed options) paperParameters)
       write (renderAlphabet found)
       maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
       pure Answered

@@ -55,7 +55,7 @@ run way folder output = do
     ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
     ".png" -> pure (Right . rasterPng)
     _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
-  composite <- loadSource (assemble way) (Folder folder)
+  composite <- loadSource (assemble way) (FrameFolder folder)
   writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
   sayWritten output (": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
     ++ show (rasterHeight (compositeImage composite)) ++ " taxels from " ++ show (length (compositeDisplacements composite)) ++ " frames")

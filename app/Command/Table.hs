@@ -6,10 +6,11 @@ module Command.Table
 
 import qualified Data.ByteString.Builder as Builder
 import Data.ByteString.Builder (Builder)
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import qualified Data.Map.Strict as Map
-import Numeric (showHex)
 import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Primitive as Vector
+import Numeric (showHex)
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (command)
 import System.IO (stdout)
@@ -25,6 +26,7 @@ import Message
 import PraTactile.Array (Position (..), Shape (..), Surface (..))
 import PraTactile.Locate
 import PraTactile.Profile
+import Progress
 
 -- | The forms the table can take.
 data Format = Csv | C | Mem
@@ -47,29 +49,54 @@ run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO Ending
 run choice chosen format output = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
-      built array mask = (\table -> (tableSize table, tableEntries table)) <$> buildTable (profilePacking profile) on array mask
-  (size, entries) <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
-  case [ () | format /= Csv, (_, _ : _ : _) <- entries ] of
-    [] -> maybe (Builder.hPutBuilder stdout) (\file -> writeWhole file . Builder.toLazyByteString) output
-            (render format profile on size entries)
-    _ -> unusable "some windows occur more than once, which only --format csv can list; 'pra-tactile prove' shows where"
+      told table = (tableSize table, rendered format profile on table)
+      built array mask = told <$> buildTable (profilePacking profile) on array mask
+  (size, rendering) <- orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
+  (heading, rows', end) <- maybe (unusable repeated) pure rendering
+  besideOutput (output `elem` [Nothing, Just "-"]) (toInteger size) $ \tell -> do
+    body <- tellingAsRead tell (inPieces rows')
+    let text = Builder.toLazyByteString heading <> body <> Builder.toLazyByteString end
+    maybe (Lazy.hPutStr stdout) writeWhole output text
   pure Answered
+  where
+    repeated = "some windows occur more than once, which only --format csv can list; 'pra-tactile prove' shows where"
 
--- | The table; positions are linear, row * columns + column, where a word must hold them.
-render :: Format -> Profile -> Surface -> Natural -> [(Natural, [Position])] -> Builder
-render format profile on size entries = case format of
-  Csv -> line "window,row,column"
-    <> mconcat [ line (show packed ++ "," ++ show r ++ "," ++ show c) | (packed, places) <- entries, Position r c <- places ]
-  C -> mconcat (map line heading)
-    <> mconcat [ line ("  " ++ maybe (macro ++ "_NONE") show (Map.lookup packed linear) ++ ",") | packed <- addresses ]
-    <> line "};"
-  Mem -> mconcat (map (line . ("// " ++)) description)
-    <> mconcat [ line (hex (Map.findWithDefault none packed linear)) | packed <- addresses ]
+-- | What is written for a packed window.
+type Row = (Natural, Builder)
+
+-- | Rows by the thousand, each piece with how many addresses it reaches to.
+inPieces :: [Row] -> [(Integer, Lazy.ByteString)]
+inPieces given = case splitAt 4096 given of
+  ([], _) -> []
+  (piece, more) ->
+    (toInteger (maximum (map fst piece)) + 1, Builder.toLazyByteString (foldMap snd piece)) : inPieces more
+
+-- | The table before its rows, the rows, and what follows them; positions are linear, row * columns + column,
+-- where a word must hold them. 'Nothing' where a word would have to hold several.
+rendered :: Format -> Profile -> Surface -> Table k -> Maybe (Builder, [Row], Builder)
+rendered format profile on table = case format of
+  Csv -> Just
+    ( line "window,row,column"
+    , [ (packed, line (show packed ++ "," ++ show r ++ "," ++ show c))
+      | (packed, places) <- tableEntries table, Position r c <- places ]
+    , mempty )
+  _ | Vector.elem severalCode positions -> Nothing
+  C -> Just
+    ( foldMap line heading
+    , [ (packed, line ("  " ++ maybe (macro ++ "_NONE") show at ++ ",")) | (packed, at) <- addresses ]
+    , line "};" )
+  Mem -> Just
+    ( foldMap (line . ("// " ++)) description
+    , [ (packed, line (hex (fromMaybe none at))) | (packed, at) <- addresses ]
+    , mempty )
   where
     line text = Builder.stringUtf8 text <> Builder.char7 '\n'
     Shape high wide = profileShape profile
-    addresses = takeWhile (< size) [0 ..]
-    linear = Map.fromList [ (packed, r * wide + c) | (packed, Position r c : _) <- entries ]
+    positions = tableUnique noneCode severalCode table
+    (noneCode, severalCode) = (-1, -2)
+    addresses =
+      [ (packed, if at < 0 then Nothing else Just (fromIntegral at))
+      | (packed, at) <- zip [0 ..] (Vector.toList positions) ]
     -- The all-ones word of the least whole number of bytes that exceeds every position.
     none = until (>= high * wide) (\n -> 256 * n + 255) 255
     digits = length (showHex none "")
@@ -84,4 +111,4 @@ render format profile on size entries = case format of
       ++ [ "#include <stdint.h>"
          , "#define " ++ macro ++ "_NONE 0x" ++ showHex none "" ++ "u"
          , "#define " ++ macro ++ "_COLUMNS " ++ show wide
-         , "static const uint" ++ show bits ++ "_t pra_table[" ++ show size ++ "] = {" ]
+         , "static const uint" ++ show bits ++ "_t pra_table[" ++ show (tableSize table) ++ "] = {" ]

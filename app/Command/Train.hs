@@ -15,8 +15,10 @@ import Ending
 import Output
 import Message
 import PraTactile.Classify.Network.File (renderNetwork)
-import PraTactile.Classify.Regimen (shippedSeed, trainShipped)
+import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
 import PraTactile.Classify.Train (Progress (..))
+import PraTactile.Steps (counted, stepsDone)
+import Progress
 import Setup
 
 command :: Mod CommandFields (IO Ending)
@@ -28,9 +30,10 @@ command = described "train" "Train the 96-8-4 network on rendered symbols from a
 run :: Int -> FilePath -> IO Ending
 run seed output = do
   alphabet <- shippedAlphabet
-  (network, stages) <- orUnusable networkMessage (trainShipped alphabet seed)
+  let training = trainingRounds shippedRegimen alphabet seed
+  network <- orUnusable networkMessage =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` counted training)
   writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
-  forM_ (zip [1 :: Int ..] stages) $ \(i, stage) ->
+  forM_ (zip [1 :: Int ..] (stepsDone training)) $ \(i, stage) ->
     putStrLn (printf "stage %d: %d epochs, squared error %.4f -> %.4f" i (progressEpochs stage) (errorBefore stage) (errorAfter stage))
   sayWritten output ""
   pure Answered

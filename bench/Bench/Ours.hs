@@ -163,5 +163,5 @@ evaluate100 = pure $ withPaper $ \array layout reader -> do
       run = withStrategy (parBuffer 64 rseq) . map (forced . runTrial standardTolerance reader standardRegistration)
       forced r = withStitching r `seq` withoutStitching r `seq` r
   (seconds, counts) <- timed results 1
-  let refused = sum (map snd (tallyRefused counts))
+  let refused = sum (tallyRefused counts)
   pure (Measurement seconds Seconds (unwords ["right", show (tallyRight counts), "wrong", show (tallyWrong counts), "refused", show refused]))

@@ -1,12 +1,25 @@
 -- | pra-tactile: a reference decoder for objects whose faces carry a pseudorandom array of embossed symbols (Petriu, Yeung,
 -- Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
 --
--- This module is the short way through it, in reading order; the modules that it takes from have the rest. From images to a
--- place: 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of frames,
--- and 'recognise' says what it shows.
+-- This module is the short way through it, in reading order; the modules that it takes from have the rest. From bytes to a
+-- place with everything chosen: 'canonicalDecoder', then 'decodeFolder' or 'decodeImage', and 'summary' of what they find. With one's own
+-- choice: 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of
+-- frames, and 'recognise' says what it shows.
 module PraTactile
-  ( -- * The array: "PraTactile.Profile", "PraTactile.Array"
-    Profile (..)
+  ( -- * Decoding: "PraTactile.Decode", "PraTactile.Source"
+    Decoder
+  , canonicalDecoder
+  , decodeFolder
+  , decodeImage
+  , decodeFrames
+  , DecodeError (..)
+  , Folder (..)
+  , folderFrames
+  , imageComposite
+  , SourceError (..)
+  , summary
+    -- * The array: "PraTactile.Profile", "PraTactile.Array"
+  , Profile (..)
   , canonicalProfile
   , withProfile
   , PseudorandomArray
@@ -59,6 +72,7 @@ module PraTactile
 
 import PraTactile.Array
 import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Decode
 import PraTactile.Image (Raster)
 import PraTactile.Locate
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -66,7 +80,9 @@ import PraTactile.Object.Placement
 import PraTactile.Probe
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.Summary (summary)
 import PraTactile.Shape (paperAlphabet)
+import PraTactile.Source
 import PraTactile.Stitch
 import PraTactile.Window
 import PraTactile.Window.Proof

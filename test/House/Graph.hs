@@ -51,6 +51,7 @@ allowed wing = case wing of
   Code -> [Code]
   Touch -> [Touch]
   Recognition -> [Code, Touch, Recognition]
+  Files -> [Code, Touch, Recognition, Files]
   Store -> [Code, Recognition, Store]
   Conformance -> [Code, Touch, Recognition, Conformance]
   App -> [minBound ..]
@@ -170,6 +171,7 @@ dot house = unlines $
       Code -> "#dbe9f6"
       Touch -> "#fbe6d4"
       Recognition -> "#e3f1dd"
+      Files -> "#f3e3ea"
       Store -> "#ece3f3"
       Conformance -> "#f6f0d2"
       App -> "#eeeeee"

@@ -22,7 +22,7 @@ import System.FilePath ((</>))
 import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 
 -- | The parts of the house.
-data Wing = Code | Touch | Recognition | Store | Conformance | App
+data Wing = Code | Touch | Recognition | Files | Store | Conformance | App
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a wing is called where the house is drawn.
@@ -31,6 +31,7 @@ wingName wing = case wing of
   Code -> "code"
   Touch -> "touch"
   Recognition -> "recognition"
+  Files -> "files"
   Store -> "store"
   Conformance -> "conformance"
   App -> "app"

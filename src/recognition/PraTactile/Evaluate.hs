@@ -6,6 +6,7 @@ module PraTactile.Evaluate
     Trial (..)
   , trial
   , trials
+  , fitting
     -- * Its results
   , Result (..)
   , TrialResult (..)
@@ -13,11 +14,14 @@ module PraTactile.Evaluate
     -- * Counts
   , Tally (..)
   , tally
+  , noResults
+  , counting
   ) where
 
 import Data.Either (isRight)
-import Data.List (unfoldr)
+import Data.List (foldl', unfoldr)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
 import System.Random (StdGen, mkStdGen, split)
 
 import PraTactile.Explore
@@ -48,17 +52,26 @@ trial sensor turns size (face, heights) generator = do
 trials :: Sensor -> [Int] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
 trials sensor turns size faces seed = zipWith (trial sensor turns size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
--- | What became of a trial.
+-- | Whether so many 'trials' all find room on their faces; costs next to nothing beside running them.
+fitting :: [Int] -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
+fitting turns size faces seed count = go count (cycle faces) (mkStdGen seed)
+  where
+    go n (face : others) generator | n > 0 =
+      let (own, next) = split generator
+      in isJust (randomRegion turns size face own) && go (n - 1) others next
+    go _ _ _ = True
+
+-- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
 data Result
-  = Correct Double        -- ^ object, face, orientation and place are the true ones; with the answer's doubt
-  | Mistaken Double       -- ^ an answer, but not the true one; likewise
-  | NoAnswer String       -- ^ no answer, with the stable name of the refusal
+  = Correct !Double       -- ^ object, face, orientation and place are the true ones; with the answer's doubt
+  | Mistaken !Double      -- ^ an answer, but not the true one; likewise
+  | NoAnswer !String      -- ^ no answer, with the stable name of the refusal
   deriving stock (Eq, Ord, Show)
 
 -- | The same frames decoded twice.
 data TrialResult = TrialResult
-  { withStitching :: Result
-  , withoutStitching :: Result
+  { withStitching :: !Result
+  , withoutStitching :: !Result
   }
   deriving stock (Eq, Show)
 
@@ -97,22 +110,22 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
 data Tally = Tally
   { tallyRight :: !Int
   , tallyWrong :: !Int
-  , tallyExpected :: !Double           -- ^ how many wrong ones the answers' doubts add up to
-  , tallyRefused :: ![(String, Int)]   -- ^ by the refusal's name
+  , tallyExpected :: !Double                -- ^ how many wrong ones the answers' doubts add up to
+  , tallyRefused :: !(Map.Map String Int)   -- ^ by the refusal's name
   }
   deriving stock (Eq, Show)
 
--- | Count results.
+-- | The tally of no results.
+noResults :: Tally
+noResults = Tally 0 0 0 Map.empty
+
+-- | Count one more result, in constant memory.
+counting :: Tally -> Result -> Tally
+counting counted r = case r of
+  Correct doubt -> counted { tallyRight = tallyRight counted + 1, tallyExpected = tallyExpected counted + doubt }
+  Mistaken doubt -> counted { tallyWrong = tallyWrong counted + 1, tallyExpected = tallyExpected counted + doubt }
+  NoAnswer name -> counted { tallyRefused = Map.insertWith (+) name 1 (tallyRefused counted) }
+
+-- | Count results; the doubts are added up in their order.
 tally :: [Result] -> Tally
-tally results = Tally
-  { tallyRight = length [ () | Correct _ <- results ]
-  , tallyWrong = length [ () | Mistaken _ <- results ]
-  , tallyExpected = sum [ doubt | r <- results, Just doubt <- [answered r] ]
-  , tallyRefused = count [ name | NoAnswer name <- results ]
-  }
-  where
-    answered r = case r of
-      Correct doubt -> Just doubt
-      Mistaken doubt -> Just doubt
-      NoAnswer _ -> Nothing
-    count names = Map.toAscList (Map.fromListWith (+) [ (name, 1) | name <- names ])
+tally = foldl' counting noResults

@@ -5,6 +5,7 @@ module Test.CommandLine.Decode (spec) where
 import Data.Aeson
 import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
+import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
 import qualified Data.Text as Text
 import System.FilePath ((</>))
@@ -68,6 +69,18 @@ spec = do
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     (sheet, onSheet, _) <- pra ["decode", "--json", "--surface", "sheet", worked]
     (sheet, key ["position"] onSheet) `shouldBe` (0, Just workedExample)
+  inFolder "frames without a manifest: what is missing is said in one line" $ \folder -> do
+    let copied = folder </> "frame_000.pgm"
+    Bytes.readFile "data/worked-example/frames/frame_000.pgm" >>= Bytes.writeFile copied
+    complains ["decode", folder] "holds no manifest.csv"
+    complains ["stitch", folder, "--output", folder </> "out.pgm"] "holds no manifest.csv"
+    complains ["stitch", copied, "--output", folder </> "out.pgm"] "is a file; a folder of frames"
+    complains ["stitch", folder </> "none", "--output", folder </> "out.pgm"] "there is no folder"
+    (status, out, err) <- pra ["decode", "--json", copied]
+    (status, key ["reason"] out, length (lines err)) `shouldBe` (1, Just "no-symbols", 1)
+    err `shouldSatisfy` ((folder ++ " holds no manifest.csv for an image of 16 x 16 taxels") `isInfixOf`)
+    (_, _, silent) <- pra ["decode", "--json", worked]
+    silent `shouldBe` ""
   it "bad input: one line, status 2" $ do
     complains ["decode", "--doubt", "1", worked] "--doubt"
     complains ["decode", "--at", "0,0", worked] "--together"

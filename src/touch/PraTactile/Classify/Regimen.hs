@@ -7,8 +7,10 @@ module PraTactile.Classify.Regimen
   , Stage (..)
   , shippedRegimen
   , shippedSeed
+  , regimenRounds
   , trainShipped
   , trainWith
+  , trainingRounds
   , roundImages
   ) where
 
@@ -21,6 +23,7 @@ import PraTactile.Classify.Specimens
 import PraTactile.Classify.Train
 import PraTactile.Image (Raster)
 import PraTactile.Shape
+import PraTactile.Steps
 
 -- | A training in stages, each with images of its own.
 data Regimen = Regimen
@@ -72,16 +75,25 @@ trainShipped = trainWith shippedRegimen
 
 -- | Trains a network for an alphabet by a regimen, from a seed; with what each round did.
 trainWith :: Regimen -> Alphabet -> Int -> Either NetworkError (Network, [Progress])
-trainWith regimen a seed = do
-  (start, g) <- initialNetwork (hiddenLayerSize regimen) (alphabetSize a) (mkStdGen seed)
-  go start g (concat [replicate (stageRounds stage) stage | stage <- stages regimen])
+trainWith regimen a seed = (\n -> (n, stepsDone training)) <$> result training
  where
-  go n _ [] = Right (n, [])
-  go n g (stage : rest) = do
+  training = trainingRounds regimen a seed
+
+-- | How many rounds a regimen has.
+regimenRounds :: Regimen -> Int
+regimenRounds = sum . map stageRounds . stages
+
+-- | The same training round by round, to look on at.
+trainingRounds :: Regimen -> Alphabet -> Int -> Steps Progress (Either NetworkError Network)
+trainingRounds regimen a seed = either (Done . Left) start (initialNetwork (hiddenLayerSize regimen) (alphabetSize a) (mkStdGen seed))
+ where
+  start (n, g) = go n g (concat [replicate (stageRounds stage) stage | stage <- stages regimen])
+  go n _ [] = Done (Right n)
+  go n g (stage : rest) =
     let (labelled, g') = roundImages (composition regimen) (stageNoise stage) a g
-    images <- batch (alphabetSize a) labelled
-    (n', progress) <- train (roundDescent stage) images n
-    fmap (progress :) <$> go n' g' rest
+     in case batch (alphabetSize a) labelled >>= \images -> train (roundDescent stage) images n of
+          Left refusal -> Done (Left refusal)
+          Right (n', progress) -> Step progress (go n' g' rest)
 
 -- | The images of a round, each with its class if it has one.
 roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)

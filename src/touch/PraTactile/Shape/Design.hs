@@ -10,6 +10,8 @@ module PraTactile.Shape.Design
   , paperSeed
   , design
   , Report (..)
+  , designSteps
+  , searchLength
 
     -- * The steps
   , admissible
@@ -21,6 +23,7 @@ import Data.Bits (popCount, setBit, shiftL, shiftR, testBit, (.&.), (.|.))
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.IntSet as IntSet
 import Data.List (foldl')
+import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import System.Random (StdGen, mkStdGen)
@@ -28,6 +31,7 @@ import System.Random (StdGen, mkStdGen)
 import PraTactile.Random (uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Distance
+import PraTactile.Steps
 
 -- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that wherever the taxels of the sensor
 -- fall, every embossed block wholly covers at least one of them.
@@ -70,16 +74,29 @@ data Report = Report
 -- changes when a shape is turned by 180 degrees or mirrored, nor when classes are exchanged: these the seed chooses. Refuses
 -- ('NoAlphabet') parameters that no alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
-design seed parameters = case dropWhile (null . snd) [(d, alphabetsApart d) | d <- [taxels, taxels - 1 .. 1]] of
-  (d, found@(first : others)) : _ -> do
+design seed parameters = result (designSteps seed parameters)
+
+-- | How many drawings the search goes through, and separations from the greatest down, at the most.
+searchLength :: Int
+searchLength = drawings + symbolWidth * symbolHeight
+
+-- | The same search step by step, to look on at: each step is how much of 'searchLength' is done.
+designSteps :: Int -> Parameters -> Steps Int (Either ShapeError (Alphabet, Report))
+designSteps seed parameters = foldr measure (try drawings (symbolWidth * symbolHeight)) measured
+ where
+  measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
+  candidate b = if Set.lookupMin (family b) == Just b then Just (selfDistance b, (b, prepared b)) else Nothing
+  candidates = mapMaybe snd measured
+  measure (i, shape) rest = maybe 0 fst shape `seq` Step i rest
+  try done d
+    | d < 1 = Done (Left NoAlphabet)
+    | otherwise = case alphabetsApart d of
+        [] -> Step (done + 1) (try (done + 1) (d - 1))
+        first : others -> Done (chosen d first others)
+  chosen d first others = do
     let (_, best) = foldl' lessLike (featureLikeness first, first) others
     a <- alphabet (zip (designNames parameters) (arranged seed best))
-    Right (a, Report seed (length every) (length candidates) d (length found))
-  _ -> Left NoAlphabet
- where
-  taxels = symbolWidth * symbolHeight
-  every = admissible parameters
-  candidates = [(selfDistance b, (b, prepared b)) | b <- every, Set.lookupMin (family b) == Just b]
+    Right (a, Report seed (length measured) (length candidates) d (1 + length others))
   alphabetsApart d =
     map (map fst) $
       cliques (length (designNames parameters)) (\(_, a) (_, b) -> farApart d a b) [c | (self, c) <- candidates, self >= d]
@@ -123,9 +140,13 @@ cliques size related items = map (concatMap (\i -> maybe [] pure (IntMap.lookup 
 -- side enough, hang together by whole sides of blocks, have no two blocks that meet at a corner only (neither embossed nor flat: such a
 -- contact comes and goes with the phase of the taxels), and enclose nothing.
 admissible :: Parameters -> [Bitmap]
-admissible parameters =
-  [ fromBlocks raised
-  | raised <- map stacked (stacks gridHeight)
+admissible = map snd . numberedShapes
+
+-- | The same, each with its number among all stacks of rows, from 1.
+numberedShapes :: Parameters -> [(Int, Bitmap)]
+numberedShapes parameters =
+  [ (i, fromBlocks raised)
+  | (i, raised) <- zip [1 ..] (map stacked (stacks gridHeight))
   , popCount raised >= leastBlocks parameters && popCount raised <= mostBlocks parameters
   , all (\side -> popCount (raised .&. side) >= leastContact parameters) sides
   , flooded raised (raised .&. negate raised) == raised
@@ -139,10 +160,20 @@ admissible parameters =
 -- two blocks meet at a corner only.
 stacks :: Int -> [[Int]]
 stacks 1 = map pure rowsOfBlocks
-stacks n = [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, row .&. next /= 0, not (cornersOnly row next)]
+stacks n = [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, mayLieOn row next]
+
+-- | Whether a row may lie on a row.
+mayLieOn :: Int -> Int -> Bool
+mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gridWidth - 2]])
  where
-  cornersOnly a b = or [bit a x /= bit a (x + 1) && bit b x /= bit b (x + 1) && bit a x /= bit b x | x <- [0 .. gridWidth - 2]]
-  bit = testBit
+  cornersOnly x = testBit row x /= testBit row (x + 1) && testBit next x /= testBit next (x + 1) && testBit row x /= testBit next x
+
+-- | How many stacks of 'gridHeight' rows there are, counted by their uppermost row without making them.
+drawings :: Int
+drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (gridHeight - 1)))
+ where
+  upwards counts = [(row, sum [n | (next, n) <- counts, mayLieOn row next]) | row <- rowsOfBlocks]
+  at list n = concat (take 1 (drop n list))
 
 -- | Every row with a block in it; bit x is the block of column x.
 rowsOfBlocks :: [Int]
