@@ -22,7 +22,7 @@ import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 
 -- | The files whose commands are run.
 documents :: [FilePath]
-documents = ["README.md", "docs/locating.md", "docs/benchmarks.md"]
+documents = ["README.md", "docs/cli.md", "docs/json.md", "docs/locating.md", "docs/evaluation.md", "docs/benchmarks.md"]
 
 -- | A part of a document.
 data Piece

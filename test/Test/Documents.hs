@@ -87,6 +87,7 @@ scratch :: (FilePath -> IO a) -> IO a
 scratch act = withSystemTempDirectory "pra-tactile" $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
+  createDirectory (folder </> "docs")
   act folder
 
 -- | The files that examples speak of, made by the commands that make such files, where the example does not make it itself.

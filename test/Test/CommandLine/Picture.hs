@@ -42,7 +42,7 @@ spec = do
     (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture) `shouldBe` (1, False, True)
   it "docs/demo.svg is what the command beside it in the README draws" $ do
     readme <- lines <$> readFile "README.md"
-    case [ words command | l <- readme, Just command <- [stripPrefix "    pra-tactile " l], "docs/demo.svg" `isInfixOf` command ] of
+    case [ words command | l <- readme, Just command <- [stripPrefix "pra-tactile " l], "docs/demo.svg" `isInfixOf` command ] of
       [arguments] -> do
         (status, drawn, _) <- pra [ if argument == "docs/demo.svg" then "-" else argument | argument <- arguments ]
         kept <- readFile "docs/demo.svg"
