@@ -8,6 +8,9 @@ cd "$(dirname "$0")/.."
 suite=${SUITE:-trixie}
 folder=${CHROOT:-/var/tmp/pra-tactile-$suite}
 sources=/root/pra-tactile
+# A root that came from su may lack these, where debootstrap and chroot are.
+PATH=$PATH:/usr/sbin:/sbin
+export PATH
 
 refuse() { echo "pra-tactile: $*" >&2; exit 2; }
 
