@@ -93,7 +93,7 @@ cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 [ "$cores" -le 4 ] || cores=4
 command=${1:-}
 case $command in
-  build | test | bench | run | list-bin | repl)
+  build | test | bench | run | exec | list-bin | repl)
     shift
     set -- "$command" --enable-tests --enable-benchmarks \
       "--ghc-options=-j$cores +RTS -A64m -RTS" "$@" ;;

@@ -103,6 +103,8 @@ furnish folder line = forM_ files $ \(name, command) -> do
       , ("paper.json", "pra-tactile certificate --output paper.json")
       , ("patches.txt", "printf '3 2 / 3 1\\n0 0 / 0 0\\n' > patches.txt")
       , ("frames", "pra-tactile probe --object cube --seed 7 --output frames")
+      , ("truth.json", "pra-tactile probe --object cube --seed 7 --truth truth.json --output pressed")
+      , ("answer.json", "pra-tactile decode --json pressed > answer.json")
       , ("left.pgm", half "left" "0,19.05")
       , ("right.pgm", half "right" "76.2,19.05") ]
         ++ [ (name, "pra-tactile census --q 4 --degree 4 --shard " ++ show i ++ "/3 --output " ++ name)

@@ -17,13 +17,13 @@ import Test.CommandLine.Run
 
 spec :: Spec
 spec = do
-  inFolder "a picture is an SVG file or is refused, before any work is done" $ \folder -> do
-    for_ ["picture.png", "picture", "picture.svg.png"] $ \name -> do
+  inFolder "a picture whose name says that it is none of SVG is refused, before any work is done" $ \folder -> do
+    for_ ["picture.png", "picture.PDF", "picture.svg.png"] $ \name -> do
       -- The input is not even looked for.
       complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
       complains ["rates", "--trials", "1000000000", "--plot", folder </> name] ".svg"
     listDirectory folder `shouldReturn` []
-    for_ ["picture.svg", "PICTURE.SVG"] $ \name -> do
+    for_ ["picture.svg", "PICTURE.SVG", "picture"] $ \name -> do
       answer <- pra ["decode", worked]
       pra ["decode", worked, "--picture", folder </> name] `shouldReturn` answer
       picture <- readFile (folder </> name)

@@ -95,8 +95,8 @@ spec = do
     let with options about = complains ("rates" : words options) about
     with "--trials 0" "--trials"
     with "--trials -3" "--trials"
-    forM_ ["-1", "75", "80", "NaN", "Infinity"] $ \p -> with ("--errors " ++ p) "below 75"
-    forM_ ["-1", "100", "NaN"] $ \s -> with ("--erasures " ++ s) "below 100"
+    forM_ ["-1", "75", "80"] $ \p -> with ("--errors " ++ p) "below 75"
+    forM_ ["-1", "100"] $ \s -> with ("--erasures " ++ s) "below 100"
     with "--q 2 --polynomial 1,1,0,0,1 --shape 3x5 --errors 50" "below 50"
     with "--size 0x3" "no cells"
     with "--size 100x100" "4096"
@@ -109,7 +109,7 @@ spec = do
     length (exact page) `shouldBe` 32
     exact page `shouldBe` exact (lines out)
   it "rates: a number that is too large, or no number, is usage with status 2" $
-    forM_ ["--trials 18446744073709551617", "--seed 99999999999999999999", "--trials 1.5", "--errors x", "--size 3", "--format xml"] $ \options -> do
+    forM_ ["--trials 18446744073709551617", "--seed 99999999999999999999", "--trials 1.5", "--errors x", "--errors NaN", "--errors Infinity", "--erasures NaN", "--size 3", "--format xml"] $ \options -> do
       (status, out, err) <- pra ("rates" : words options)
       (status, out, null err) `shouldBe` (2, "", False)
  where
