@@ -10,7 +10,7 @@ module PatchText
   , readPatches
   ) where
 
-import Data.Aeson (Value (..), eitherDecodeStrict')
+import Data.Aeson (Value (..))
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Bifunctor (first)
@@ -22,6 +22,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Text.Read (readMaybe)
 
+import Json.Decode (jsonValue)
 import Message
 import PraTactile.Field
 import PraTactile.Locate (Patch, patch)
@@ -98,7 +99,7 @@ only keys complaint value = case value of
   _ -> Left complaint
 
 json :: String -> String -> Either String Value
-json complaint text = first (const complaint) (eitherDecodeStrict' (Text.encodeUtf8 (Text.pack text)))
+json complaint text = first (const complaint) (jsonValue (Text.encodeUtf8 (Text.pack text)))
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

@@ -1,0 +1,80 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | What is asked of every answer to a hostile input: that there is one, soon, in little memory, in words of our own; and of
+-- what was accepted, that the laws hold that hold for valid inputs.
+module Test.Hostile.Judgement
+  ( Judged (..)
+  , judgedBy
+  , internals
+  , shareOf
+  ) where
+
+import Control.Exception
+import Data.List (isInfixOf)
+import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
+import System.Environment (lookupEnv)
+import System.Timeout (timeout)
+import Test.QuickCheck
+import Text.Read (readMaybe)
+
+import Visible
+
+-- | What became of an input.
+data Judged
+  = Refused String                       -- ^ for this reason
+  | Accepted [(String, Bool)] String     -- ^ with laws by name, and everything that may be printed of it
+  deriving stock (Eq, Show)
+
+-- | That the answer comes within two seconds and with less than 300 MB allocated in all, freed or not, whatever is looked at of
+-- it; that a refusal is one line of our own words; that of what was accepted the laws hold.
+judgedBy :: Judged -> Property
+judgedBy answer = ioProperty $ do
+  outcome <- withinBounds (weight answer)
+  pure $ case (outcome, answer) of
+    (Left problem, _) -> counterexample problem False
+    (Right _, Refused why) -> classify True "refused" (oneLine why)
+    (Right _, Accepted laws said) -> classify True "accepted" (conjoin (counterexample said (withoutInternals said) : [ counterexample ("not: " ++ law) holds | (law, holds) <- laws ]))
+
+-- | All characters that an answer has, so that nothing of it is left unevaluated.
+weight :: Judged -> Int
+weight answer = case answer of
+  Refused why -> length why
+  Accepted laws said -> length (filter snd laws) + length said
+
+withinBounds :: Int -> IO (Either String Int)
+withinBounds value = limited `catches` [ Handler tooMuch, Handler failed ]
+  where
+    limited = do
+      setAllocationCounter (300 * 1000 * 1000)
+      enableAllocationLimit
+      found <- timeout 2000000 (evaluate value) `finally` disableAllocationLimit
+      pure (maybe (Left "no answer within two seconds") Right found)
+    tooMuch AllocationLimitExceeded = pure (Left "more than 300 MB were allocated")
+    -- QuickCheck's own interruptions go on.
+    failed problem = case fromException problem of
+      Just asynchronous -> throwIO (asynchronous :: SomeAsyncException)
+      Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
+
+oneLine :: String -> Property
+oneLine why = counterexample (show why) $
+  conjoin [ counterexample "it is empty" (not (null why)), counterexample "it is more than a line" (length (lines (visibleLine why)) == 1)
+          , counterexample "it is too long" (length (visibleLine why) <= 2200), withoutInternals why ]
+
+withoutInternals :: String -> Property
+withoutInternals said = conjoin [ counterexample ("it says " ++ show word) False | word <- internals, word `isInfixOf` said ]
+
+-- | Words that GHC, its runtime system and the libraries used here say of their own failures, and that mean nothing to a user.
+internals :: [String]
+internals =
+  [ "openBinaryFile", "openFile:", "withBinaryFile", "withFile", "hClose", "hGetBuf", "hPutBuf", "hGetContents", "commitBuffer", "invalid byte sequence"
+  , "Prelude.", "CallStack", "HasCallStack", "fromJust", "user error", "Non-exhaustive", "Irrefutable", "arithmetic overflow", "arithmetic underflow", "divide by zero"
+  , "stack overflow", "Heap exhausted", "heap overflow", "<<loop>>", "thread blocked", "no parse", "bad argument", "index out of bounds", "index too large"
+  , "PersistMarshalError", "SqliteException", "Failed to parse Haskell type", "persistent", "Error in $", "parsing Natural", "parsing Double", "parse error", "encountered Object"
+  , "encountered Array", "encountered String", "expected Array", "but encountered", "keyOrFail", "endOfInput", "attoparsec", "not enough input", "Failed reading"
+  , "conversion error", "expected Double", "cannot unpack", "Cannot decode", "Data.Text", "Data.Vector", "Data.Map", "Data.Aeson", "./Data/", "RTS", "ExitFailure", "this should not have happened" ]
+
+-- | A count in thousandths of all hostile inputs, of which there are 100 000 unless PRA_TACTILE_HOSTILE says how many.
+shareOf :: Int -> IO Int
+shareOf thousandths = do
+  given <- lookupEnv "PRA_TACTILE_HOSTILE"
+  pure (max 1 (maybe 100000 (max 1) (given >>= readMaybe) * thousandths `div` 1000))
+
