@@ -45,6 +45,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
+import qualified Test.Hostile
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
@@ -125,3 +126,4 @@ main = hspec $ do
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
+  describe "Hostile inputs" Test.Hostile.spec

@@ -12,7 +12,6 @@ import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
-import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Text.Read (readMaybe)

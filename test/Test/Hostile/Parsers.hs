@@ -1,0 +1,173 @@
+{-# LANGUAGE OverloadedStrings #-}
+-- | The parsers under hostile inputs, and what is done with what they accept.
+module Test.Hostile.Parsers
+  ( Kind (..)
+  , kinds
+  ) where
+
+import Data.Aeson ((.=))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes8
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.List (intercalate)
+import qualified Data.Text as Text
+import Data.Text.Encoding (decodeUtf8', encodeUtf8)
+import qualified Data.Vector.Primitive as Primitive
+
+import CensusFile
+import CsvGrid
+import Json
+import Json.Certificate
+import Json.Profile
+import Locating
+import Locating.Seen
+import Message
+import PatchText
+import PraTactile.Array
+import PraTactile.Certificate
+import PraTactile.Certificate.Check
+import PraTactile.Classify.Network.File
+import PraTactile.Field
+import PraTactile.Grid (gridRows)
+import PraTactile.Image.Pgm
+import PraTactile.Locate.Nearest (Radius (..))
+import PraTactile.Locate.Patch (patchRows)
+import PraTactile.Locate.Soft
+import PraTactile.Probe.Manifest
+import PraTactile.Profile
+import PraTactile.Shape (parseAlphabet, renderAlphabet)
+import PraTactile.Window
+import PraTactile.Window.Proof
+import Test.Hostile.Judgement
+import Test.Hostile.Specimens
+
+-- | A kind of input: what it is called, what share of all inputs it gets, in thousandths, valid ones, and what becomes of one.
+data Kind = Kind
+  { kindName :: String
+  , kindShare :: Int
+  , kindSpecimens :: [ByteString]
+  , kindJudged :: ByteString -> Judged
+  }
+
+kinds :: [Kind]
+kinds =
+  [ Kind "PGM files" 140 pgms judgedPgm
+  , Kind "manifests" 110 manifests judgedManifest
+  , Kind "patches" 160 patches judgedPatch
+  , Kind "patches in unknown orientation" 40 patches judgedTurned
+  , Kind "certificates" 110 certificates judgedCertificate
+  , Kind "census files" 80 censuses judgedCensus
+  , Kind "profiles" 100 profiles judgedProfile
+  , Kind "arrays as CSV" 70 grids judgedGrid
+  , Kind "networks" 20 networks judgedNetwork
+  , Kind "drawings of shapes" 20 drawings judgedDrawing ]
+
+judgedPgm :: ByteString -> Judged
+judgedPgm bytes = case decodePgm bytes of
+  Left why -> Refused (imageMessage why)
+  Right image -> Accepted [ ("decode . encode is the identity", decodePgm (encodePgm format image) == Right image) | format <- [Plain, Binary] ] (show image)
+
+judgedManifest :: ByteString -> Judged
+judgedManifest bytes = case parseManifest bytes of
+  Left why -> Refused (manifestMessage why)
+  Right entries -> Accepted [("parse . render is the identity", parseManifest (renderManifest entries) == Right entries)] (show entries)
+
+-- | A text as the command line has it.
+asText :: ByteString -> (String -> Judged) -> Judged
+asText bytes use = either (const (Refused "it is not UTF-8 text")) (use . Text.unpack) (decodeUtf8' bytes)
+
+judgedPatch, judgedTurned :: ByteString -> Judged
+judgedPatch = patchJudge Upright
+judgedTurned = patchJudge Any
+
+-- | Patches on the paper's array, with everything that is said of them. What is prepared for the array is so once.
+patchJudge :: Turning -> ByteString -> Judged
+patchJudge turning = (`asText` answered)
+  where
+    answered = either (const (const (Refused "there is no array"))) id (withProfile canonicalProfile answering)
+    answering :: KnownField k => PseudorandomArray k -> Mask -> String -> Judged
+    answering array mask = case reporter (Choice Nothing Guaranteed 0.001 MostSignificantFirst) turning Torus array mask of
+      Left why -> const (Refused why)
+      Right locate -> \text -> case readPatches text >>= \written -> (,) written <$> locate written of
+        Left why -> Refused why
+        Right (written, report) -> Accepted
+          [("read . render is the identity", fmap shown (either (const Nothing) Just (readPatches (rendered written) `asTypeOf` Right written)) == Just (shown written))]
+          (said report)
+    said report = unlines (show (answerOutcome answer) : show (answerCorrected answer)
+      : Lazy8.unpack (encodeLine (mconcat [ key .= value | (key, value) <- answerDetails answer ])) : answerExplained answer ++ reportTogether report)
+      where answer = reportAnswer report
+
+-- | Patches in the form in which they can be read again.
+rendered :: KnownField k => Written k -> String
+rendered written = case written of
+  Alone (Symbols p) -> ofSymbols p
+  Alone (Chances p) -> ofChances p
+  DisplacedSymbols given -> intercalate " ; " [ show r ++ "," ++ show c ++ ": " ++ ofSymbols p | ((r, c), p) <- given ]
+  DisplacedChances given -> "{\"patches\":[" ++ intercalate "," [ "{\"at\":[" ++ show r ++ "," ++ show c ++ "],\"cells\":" ++ ofChances p ++ "}" | ((r, c), p) <- given ] ++ "]}"
+  where
+    ofSymbols p = intercalate " / " [ unwords (map (maybe "?" showElement) line) | line <- patchRows p ]
+    ofChances p = "[" ++ intercalate "," [ "[" ++ intercalate "," (map (maybe "null" (show . Primitive.toList . probabilities)) line) ++ "]" | line <- softRows p ] ++ "]"
+
+-- | The same for comparison: probabilities, which are made to add up to 1 again, to nine decimals.
+shown :: Written k -> ([(Integer, Integer)], [[[Maybe [Integer]]]])
+shown written = case written of
+  Alone (Symbols p) -> ([], [ofSymbols p])
+  Alone (Chances p) -> ([], [ofChances p])
+  DisplacedSymbols given -> (map fst given, map (ofSymbols . snd) given)
+  DisplacedChances given -> (map fst given, map (ofChances . snd) given)
+  where
+    ofSymbols = map (map (fmap (pure . toInteger . toCode))) . patchRows
+    ofChances = map (map (fmap (map (round . (* (1e9 :: Double))) . Primitive.toList . probabilities))) . softRows
+
+-- | A certificate that is found good, whatever its seal says, must be right: the windows are visited.
+judgedCertificate :: ByteString -> Judged
+judgedCertificate bytes = case decodeCertificate bytes of
+  Left why -> Refused why
+  Right (CertificateFile certificate isSealed) -> case checkCertificate certificate of
+    Left fault -> Refused ((if isSealed then "sealed: " else "") ++ faultMessage fault)
+    Right () -> Accepted
+      [ ("all windows are distinct", windowsAreDistinct certificate)
+      , ("decode . encode is the identity", fmap fileCertificate (decodeCertificate (Bytes8.pack (certificateText certificate))) == Right certificate) ]
+      (show certificate)
+  where
+    windowsAreDistinct certificate = either (const False) id $ do
+      mask <- either (const (Left ())) Right (maskFrom (certificateMask certificate))
+      let visited on array _ = proved . fst <$> prove on array mask
+      either (const (Left ())) (either (const (Left ())) Right)
+        (withProfile (certificateProfile certificate) (visited (profileSurface (certificateProfile certificate))))
+
+-- | Lines of a census as one file, cut off or not, and merged with nothing else.
+judgedCensus :: ByteString -> Judged
+judgedCensus bytes = case readLines bytes >>= \found -> mergeShards [("a.csv", found)] of
+  Left why -> either Refused (const (Refused why)) (wholeLines bytes >>= \(Kept found size) -> if length found > size then Left "" else Right ())
+  Right merged -> Accepted
+    [ ("every row of the whole census was there", all (`elem` Bytes8.lines bytes) merged)
+    , ("its entries are 0, 1, 2, ...", fmap (map lineEntry) again == Right (zipWith const [0 ..] merged))
+    , ("all entries are there", fmap (map lineEntries) again == Right (map (const (fromIntegral (length merged))) merged)) ]
+    (show merged ++ show (provedLines merged))
+    where again = readLines (Bytes8.unlines (censusHeader : merged))
+
+judgedProfile :: ByteString -> Judged
+judgedProfile bytes = case decodeProfile bytes of
+  Left why -> Refused why
+  Right profile -> case withProfile profile (\array _ -> map (cellAt array) [Position 0 0, Position 1 1] `seq` ()) of
+    Left why -> Refused (profileMessage why)
+    Right () -> Accepted [("decode . encode is the identity", decodeProfile (Bytes8.pack (profileText profile)) == Right profile)] (profileText profile)
+
+-- | An array, and the verdict on its windows of 2 x 2.
+judgedGrid :: ByteString -> Judged
+judgedGrid bytes = case parseGrid Nothing bytes of
+  Left why -> Refused why
+  Right grid -> Accepted
+    [("parse . render is the identity", parseGrid Nothing (Bytes8.pack (unlines [ intercalate "," (map show line) | line <- gridRows grid ])) == Right grid)]
+    (either windowMessage (\mask -> either proofMessage show (proveGrid Torus grid mask)) (rectangle (Shape 2 2)))
+
+judgedNetwork :: ByteString -> Judged
+judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text) of
+  Left why -> Refused (networkMessage why)
+  Right found -> Accepted [("parse . render is the identity", parseNetwork (renderNetwork found) == Right found)] (Bytes8.unpack (encodeUtf8 (renderNetwork found)))
+
+judgedDrawing :: ByteString -> Judged
+judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text) of
+  Left why -> Refused (shapeMessage why)
+  Right found -> Accepted [("parse . render is the identity", parseAlphabet (renderAlphabet found) == Right found)] (Bytes8.unpack (encodeUtf8 (renderAlphabet found)))
