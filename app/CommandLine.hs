@@ -71,10 +71,12 @@ misunderstood :: String -> ParserFailure ParserHelp -> Either [String] String
 misunderstood name failure = case execFailure failure name of
   (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
   (explained, ExitFailure _, _)
-    | null (text mempty { helpError = helpError explained }) -> Left []
+    | null complaint -> Left []
     | otherwise -> Left
-        [ text mempty { helpError = helpError explained, helpSuggestions = helpSuggestions explained }
+        [ if null (drop 500 complaint) then text mempty { helpError = helpError explained, helpSuggestions = helpSuggestions explained } else complaint
         , "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'" ]
+    -- The words that are near to one that is longer would be sought for in a time and a memory that grow with it, for nothing.
+    where complaint = text mempty { helpError = helpError explained }
   where
     text = unwords . words . renderHelp 100000
     -- The usage begins with the words of the command.

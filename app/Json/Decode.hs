@@ -4,6 +4,8 @@
 module Json.Decode
   ( -- * Text
     jsonValue
+  , JsonFault (..)
+  , jsonFaultMessage
   , deepest
   , decodeWith
     -- * Values
@@ -40,14 +42,29 @@ import Numeric.Natural (Natural)
 
 import Visible
 
--- | The value that a text stands for; 'Left' says why it is none. Nesting is bounded, because what is nested takes many times
--- its own size in memory.
-jsonValue :: ByteString -> Either String Value
+-- | The value that a text stands for. Nesting is bounded, because what is nested takes many times its own size in memory.
+jsonValue :: ByteString -> Either JsonFault Value
 jsonValue bytes
-  | Bytes.all (`elem` [9, 10, 13, 32]) bytes = Left "it is empty"
-  | nesting bytes > deepest = Left ("it has more than " ++ show deepest ++ " brackets within each other")
-  | Left _ <- decodeUtf8' bytes = Left "it is not UTF-8 text"
-  | otherwise = maybe (Left "it is not JSON") Right (decodeStrict' bytes)
+  | Bytes.all (`elem` [9, 10, 13, 32]) bytes = Left NoText
+  | nesting bytes > deepest = Left TooDeep
+  | Left _ <- decodeUtf8' bytes = Left NotUtf8
+  | otherwise = maybe (Left NotJson) Right (decodeStrict' bytes)
+
+-- | Why a text is no JSON that is read.
+data JsonFault
+  = NoText     -- ^ it is empty
+  | TooDeep    -- ^ more brackets are within each other than 'deepest'
+  | NotUtf8
+  | NotJson
+  deriving stock (Eq, Show)
+
+-- | What is wrong, as a clause.
+jsonFaultMessage :: JsonFault -> String
+jsonFaultMessage fault = case fault of
+  NoText -> "it is empty"
+  TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
+  NotUtf8 -> "it is not UTF-8 text"
+  NotJson -> "it is not JSON"
 
 -- | How many brackets may stand within each other: 64.
 deepest :: Int
@@ -75,7 +92,7 @@ nesting bytes = outside 0 0 0
 
 -- | From text to what it says; 'Left' is a clause that says what is wrong.
 decodeWith :: Decoder a -> ByteString -> Either String a
-decodeWith decoder bytes = jsonValue bytes >>= first complaintText . decoder
+decodeWith decoder bytes = first jsonFaultMessage (jsonValue bytes) >>= first complaintText . decoder
 
 -- | From a value to what it says.
 type Decoder a = Value -> Either Complaint a

@@ -137,5 +137,5 @@ judgedArguments arguments = case execParserPure preferences commandLine argument
   Failure failure -> case misunderstood "pra-tactile" failure of
     Right help -> Accepted [] help
     -- The help that is shown where nothing was said.
-    Left [] -> Accepted [("there was nothing to complain about", length arguments <= 1)] ""
+    Left [] -> Accepted [("there was nothing to complain about", length (filter (/= "--") arguments) <= 1)] ""
     Left complaints -> Refused (intercalate "; " complaints)

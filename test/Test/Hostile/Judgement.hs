@@ -70,7 +70,7 @@ internals =
   , "stack overflow", "Heap exhausted", "heap overflow", "<<loop>>", "thread blocked", "no parse", "bad argument", "index out of bounds", "index too large"
   , "PersistMarshalError", "SqliteException", "Failed to parse Haskell type", "persistent", "Error in $", "parsing Natural", "parsing Double", "parse error", "encountered Object"
   , "encountered Array", "encountered String", "expected Array", "but encountered", "keyOrFail", "endOfInput", "attoparsec", "not enough input", "Failed reading"
-  , "conversion error", "expected Double", "cannot unpack", "Cannot decode", "Data.Text", "Data.Vector", "Data.Map", "Data.Aeson", "./Data/", "RTS", "ExitFailure", "this should not have happened" ]
+  , "conversion error", "expected Double", "cannot unpack", "Cannot decode", "Data.Text", "Data.Vector", "Data.Map", "Data.Aeson", "./Data/", "-rtsopts", "maximum heap size", "ExitFailure", "this should not have happened" ]
 
 -- | A count in thousandths of all hostile inputs, of which there are 100 000 unless PRA_TACTILE_HOSTILE says how many.
 shareOf :: Int -> IO Int

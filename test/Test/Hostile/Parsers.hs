@@ -14,7 +14,6 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8', encodeUtf8)
 import qualified Data.Vector.Primitive as Primitive
 
-import CensusFile
 import CsvGrid
 import Json
 import Json.Certificate
@@ -38,6 +37,7 @@ import PraTactile.Profile
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Window
 import PraTactile.Window.Proof
+import Test.Hostile.Census
 import Test.Hostile.Judgement
 import Test.Hostile.Specimens
 
@@ -56,7 +56,8 @@ kinds =
   , Kind "patches" 160 patches judgedPatch
   , Kind "patches in unknown orientation" 40 patches judgedTurned
   , Kind "certificates" 110 certificates judgedCertificate
-  , Kind "census files" 80 censuses judgedCensus
+  , Kind "census files" 50 censuses judgedCensus
+  , Kind "shards of a census" 30 (take 1 shards) judgedShard
   , Kind "profiles" 100 profiles judgedProfile
   , Kind "arrays as CSV" 70 grids judgedGrid
   , Kind "networks" 20 networks judgedNetwork
@@ -135,17 +136,6 @@ judgedCertificate bytes = case decodeCertificate bytes of
       let visited on array _ = proved . fst <$> prove on array mask
       either (const (Left ())) (either (const (Left ())) Right)
         (withProfile (certificateProfile certificate) (visited (profileSurface (certificateProfile certificate))))
-
--- | Lines of a census as one file, cut off or not, and merged with nothing else.
-judgedCensus :: ByteString -> Judged
-judgedCensus bytes = case readLines bytes >>= \found -> mergeShards [("a.csv", found)] of
-  Left why -> either Refused (const (Refused why)) (wholeLines bytes >>= \(Kept found size) -> if length found > size then Left "" else Right ())
-  Right merged -> Accepted
-    [ ("every row of the whole census was there", all (`elem` Bytes8.lines bytes) merged)
-    , ("its entries are 0, 1, 2, ...", fmap (map lineEntry) again == Right (zipWith const [0 ..] merged))
-    , ("all entries are there", fmap (map lineEntries) again == Right (map (const (fromIntegral (length merged))) merged)) ]
-    (show merged ++ show (provedLines merged))
-    where again = readLines (Bytes8.unlines (censusHeader : merged))
 
 judgedProfile :: ByteString -> Judged
 judgedProfile bytes = case decodeProfile bytes of

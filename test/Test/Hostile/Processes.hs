@@ -63,7 +63,7 @@ runKinds =
   , RunKind "certificates" 100 (const certificates) (\e bytes -> oneof [onFile ["check input", "check --json input"] e bytes, onInput ["check -"] bytes])
   , RunKind "arrays as CSV" 80 (const grids) $ onFile
       [ "prove input --window 2x2", "prove input --mask ##./.## --json", "prove input --window 1x2 --surface sheet --q 4" ]
-  , RunKind "census files" 100 (const censuses) $ onFile
+  , RunKind "census files" 100 (const (censuses ++ shards)) $ onFile
       [ "merge input", "merge input input", "merge input --output out.csv --json", "census --q 2 --degree 4 --output input" ]
   , RunKind "profiles" 100 (const profiles) $ onFile
       [ "array --profile input", "locate --profile input 1", "sequence --profile input --length 9", "profile --profile input", "objects --profile input" ]

@@ -76,12 +76,12 @@ judgedRun run = ioProperty $ do
   let said = Bytes8.unpack (ranError found)
       refused = ranStatus found == Just 2
       -- Without arguments, the help is all that is to be said.
-      helped = length (runArguments run) <= 1
+      helped = length (filter (/= "--") (runArguments run)) <= 1
   pure $ classify True (maybe "no end" (("status " ++) . show) (ranStatus found)) $ counterexample (show (found { ranOutput = Bytes.take 300 (ranOutput found) })) $ conjoin
     [ counterexample "it ends within 20 seconds with status 0, 1 or 2" (ranStatus found `elem` map Just [0, 1, 2])
     , counterexample "bad input: nothing is answered" (not refused || Bytes.null (ranOutput found) || "--batch" `elem` runArguments run)
     , counterexample "bad input: a line or two" (not refused || helped || "--batch" `elem` runArguments run || length (lines said) `elem` [1, 2])
     , counterexample "bad input: the line names the program" (not refused || helped || "--batch" `elem` runArguments run || all ((== "pra-tactile: ") . take 13) (lines said))
     , counterexample "otherwise: a line at most" (refused || length (lines said) <= 1)
-    , counterexample "in words of our own" (not (any (`isInfixOf` said) internals) || "RTS" `isInfixOf` concat (runArguments run))
+    , counterexample "in words of our own" (not (any (`isInfixOf` said) internals))
     , counterexample "nothing half written is left" (not (any (".part" `isSuffixOf`) (ranFiles found))) ]

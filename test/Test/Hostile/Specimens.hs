@@ -6,6 +6,7 @@ module Test.Hostile.Specimens
   , patches
   , certificates
   , censuses
+  , shards
   , profiles
   , grids
   , networks
@@ -20,6 +21,7 @@ import Data.Either (rights)
 import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as Storable
 import Numeric.LinearAlgebra (reshape)
+import Numeric.Natural (Natural)
 
 import CensusFile
 import Json.Certificate
@@ -48,7 +50,7 @@ pgms = ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
 manifests :: [ByteString]
 manifests =
   [ renderManifest [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5 | i <- [0 .. 2 :: Int] ]
-  , "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, b.pgm\",0,1e1,90,2\r\n\r\n\"\",1,2,3,4\r\n" ]
+  , "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n" ]
 
 -- | Patches as text and as JSON, alone and several, of symbols and of probabilities.
 patches :: [ByteString]
@@ -70,12 +72,18 @@ certificates =
 smallProfile :: Either ProfileError Profile
 smallProfile = chooseProfile 2 Nothing [1, 1, 0, 0, 1] (Shape 3 5) Nothing Nothing
 
--- | The census of the arrays of 15 cells over GF(2), whole and in two shards.
+-- | The censuses of the arrays of 7 cells over GF(2) and of 8 over GF(3).
 censuses :: [ByteString]
-censuses = [ Bytes8.unlines (censusHeader : map Bytes8.pack (rights rows')) | rows' <- every ]
-  where
-    every = [ map (entryLine scope entries) found
-            | Right scope <- [standardScope 2 4], Right entries <- [censusSize scope], within <- [const True, even, odd], Right found <- [census within scope] ]
+censuses = concat [ censusOf q n (const True) | (q, n) <- [(2, 3), (3, 2)] ]
+
+-- | The first of these in two shards.
+shards :: [ByteString]
+shards = concatMap (censusOf 2 3) [even, odd]
+
+censusOf :: Natural -> Natural -> (Natural -> Bool) -> [ByteString]
+censusOf q n wanted =
+  [ Bytes8.unlines (censusHeader : map Bytes8.pack (rights (map (entryLine scope entries) found)))
+  | Right scope <- [standardScope q n], Right entries <- [censusSize scope], Right found <- [census wanted scope] ]
 
 -- | Profiles of the paper's array, of a small one, and of one that is laid row by row.
 profiles :: [ByteString]
@@ -87,8 +95,8 @@ grids = ["0,1,1\n1,0,1\n0,0,1\n", "0, 1 ,2,3\r\n3,2,1,0\r\n", "\xef\xbb\xbf\&7\n
 
 -- | A network of one hidden unit and two outputs.
 networks :: [ByteString]
-networks = [ encodeUtf8 (renderNetwork found) | Right found <- [network (weights 97) (weights 2 <> weights 2)] ]
-  where weights n = reshape n (Storable.generate n (\i -> fromIntegral i * 0.25 - 3))
+networks = [ encodeUtf8 (renderNetwork found) | Right found <- [network (weights 1 97) (weights 2 2)] ]
+  where weights units n = reshape n (Storable.generate (units * n) (\i -> fromIntegral i * 0.25 - 3))
 
 -- | The shipped shapes.
 drawings :: [ByteString]

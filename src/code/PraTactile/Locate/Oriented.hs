@@ -184,9 +184,7 @@ posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat
  where
   -- In every orientation the cells are added up in the same order, so that what is equally likely is found equal.
   comparisons = [(o, likelihoods shelf [(seenAt (undone o) shape offset, b) | (offset, b) <- softCells observed]) | o <- asked possible]
-  shape = case softRows observed of
-    cells@(first' : _) -> Shape (fromIntegral (length cells)) (fromIntegral (length first'))
-    [] -> Shape 0 0
+  shape = softShape observed
   candidateAt i = go i comparisons
   go i given = case given of
     (o, compared) : others

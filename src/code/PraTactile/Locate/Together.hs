@@ -104,7 +104,7 @@ togetherBy surface array road located =
 joinPatches :: [((Integer, Integer), Patch k)] -> Either LocateError (Patch k)
 joinPatches given = do
   frame <- frameAround displaced
-  patch (rowsIn frame (knownIn sameSymbol frame displaced))
+  pure (patchWith (frameShape frame) (Map.toAscList (knownIn sameSymbol frame displaced)))
  where
   displaced = [(at, patchRows p) | (at, p) <- given]
 
@@ -127,7 +127,7 @@ symbolsTogether surface array ownRadiusOf locate located credible given =
   joined
     Joining
       { agreed = sameSymbol
-      , whole = patch
+      , whole = \frame known -> patchWith (frameShape frame) (Map.toAscList known)
       , wrongAt = \candidate shape cells -> map fst (filter (differs candidate shape) cells)
       , belongs = \candidate shape cells ->
           let laid = [seenAt (undone (candidateOrientation candidate)) shape offset | (offset, _) <- cells]
@@ -169,7 +169,7 @@ chancesTogether shelf tolerated locate located given =
   joined
     Joining
       { agreed = combined
-      , whole = softPatch
+      , whole = \frame known -> softPatchWith (frameShape frame) (Map.toAscList known)
       , wrongAt = \candidate shape cells -> [offset | (offset, b) <- cells, symbolOf candidate shape offset /= Just (likeliest b)]
       , belongs = \candidate shape cells ->
           all (\(offset, b) -> maybe False (`possibleIn` b) (symbolOf candidate shape offset)) cells
@@ -196,8 +196,8 @@ symbolAt surface array (Candidate orientation (Position r c)) shape offset =
 data Joining cell patch = Joining
   { agreed :: [cell] -> Maybe cell
   -- ^ What several looks at a cell say together; 'Nothing' if they are in dispute.
-  , whole :: [[Maybe cell]] -> Either LocateError patch
-  -- ^ The patch with these rows.
+  , whole :: Frame -> Map Position cell -> patch
+  -- ^ The patch of this rectangle with these cells.
   , wrongAt :: Candidate -> Shape -> [(Position, cell)] -> [Position]
   -- ^ Which of these cells are wrong there, of a patch with this shape.
   , belongs :: Candidate -> Shape -> [(Position, cell)] -> Bool
@@ -214,10 +214,10 @@ joined
 joined joining locate located credible given = do
   frame <- frameAround given
   let shape = frameShape frame
-      rowsWith = rowsIn frame . knownIn (agreed joining) frame
+      together = whole joining frame . knownIn (agreed joining) frame
       cellsOf = cellsIn frame
-  decision <- locate <$> whole joining (rowsWith given)
-  let place = located decision
+      decision = locate (together given)
+      place = located decision
       known = Map.toList (knownIn (agreed joining) frame given)
       wrong = maybe Set.empty (\candidate -> Set.fromList (wrongAt joining candidate shape known)) place
   pure
@@ -230,7 +230,7 @@ joined joining locate located credible given = do
           Just candidate -> [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
           Nothing ->
             let subsets = [[g] | g <- given] ++ [[other | (j, other) <- indexed, j /= i] | (i, _) <- indexed]
-                places = Set.fromList [candidate | some <- subsets, Right p <- [whole joining (rowsWith some)], Just candidate <- [credible (locate p)]]
+                places = Set.fromList [candidate | some <- subsets, not (null some), Just candidate <- [credible (locate (together some))]]
                 strays candidate = Set.fromList [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
              in case Set.toList (Set.map (\strayed -> (Set.size strayed, strayed)) (Set.map strays places)) of
                   fewest@((count, _) : _) -> Set.toAscList (Set.unions (map snd (takeWhile ((== count) . fst) fewest)))
@@ -275,12 +275,6 @@ looksIn agreeing frame given = agreeing <$> Map.fromListWith (flip (++)) [(at, [
 -- | The same without the cells in dispute.
 knownIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position cell
 knownIn agreeing frame = Map.mapMaybe id . looksIn agreeing frame
-
--- | The rows of the frame with these cells.
-rowsIn :: Frame -> Map Position cell -> [[Maybe cell]]
-rowsIn frame known = [[Map.lookup (Position i j) known | j <- below (columns (frameShape frame))] | i <- below (rows (frameShape frame))]
- where
-  below n = takeWhile (< n) [0 ..]
 
 -- | The symbol, if all looks saw the same one.
 sameSymbol :: Eq a => [a] -> Maybe a
