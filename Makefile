@@ -1,6 +1,6 @@
 # pra-tactile: everything a newcomer types. `make demo` and `make test` install what they need.
 CABAL = tools/cabal.sh
-.PHONY: all setup build demo test prove bench evaluate house shapes network check-network clean
+.PHONY: all setup build demo test fuzz prove bench evaluate house shapes network check-network clean
 
 all: build
 
@@ -20,6 +20,12 @@ demo: build
 test: setup build
 	@$(CABAL) doctests
 	@$(CABAL) test -v1 --test-show-details=streaming test:spec
+
+# A million hostile inputs through the parsers and ten thousand through the program (about half an hour; the test suite has a
+# tenth of them). What is found is printed with the seed that finds it again.
+fuzz: setup build
+	@PRA_TACTILE_HOSTILE=1000000 $(CABAL) test -v1 --test-show-details=streaming test:spec \
+	  --test-option=--match --test-option="/Hostile inputs/"
 
 # Every array to 2^20 cells by both roads; to 2^16 cells with every primitive polynomial (about four minutes).
 prove: setup build

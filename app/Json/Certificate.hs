@@ -19,7 +19,7 @@ import Data.List (intercalate, sortOn)
 import Data.Scientific (floatingOrInteger)
 
 import Ending
-import Files (readBytes)
+import Files (readBytesUpTo)
 import Json
 import Json.Decode
 import Json.Profile
@@ -87,7 +87,8 @@ data CertificateFile = CertificateFile
 -- | The certificate in a file; leaves with status 2 and the reason where there is none.
 readCertificate :: FilePath -> IO CertificateFile
 readCertificate file = do
-  bytes <- readBytes file
+  -- A window has at most 4096 cells; JSON in memory takes up to seventy times its size on disk.
+  bytes <- readBytesUpTo (4 * 1024 * 1024) file
   orUnusable inWords (decodeCertificate bytes)
   where
     inWords why = file ++ " is not a certificate as 'pra-tactile certificate' writes it: " ++ why

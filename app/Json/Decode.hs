@@ -7,6 +7,7 @@ module Json.Decode
   , JsonFault (..)
   , jsonFaultMessage
   , deepest
+  , longestNumber
   , decodeWith
     -- * Values
   , Decoder
@@ -42,18 +43,20 @@ import Numeric.Natural (Natural)
 
 import Visible
 
--- | The value that a text stands for. Nesting is bounded, because what is nested takes many times its own size in memory.
+-- | The value that a text stands for. What takes a parser far more time or memory than the text has bytes is refused before: deep
+-- nesting, and numbers of very many digits, which aeson reads in a time that grows with their square.
 jsonValue :: ByteString -> Either JsonFault Value
 jsonValue bytes
   | Bytes.all (`elem` [9, 10, 13, 32]) bytes = Left NoText
-  | nesting bytes > deepest = Left TooDeep
+  | Just fault <- excess bytes = Left fault
   | Left _ <- decodeUtf8' bytes = Left NotUtf8
   | otherwise = maybe (Left NotJson) Right (decodeStrict' bytes)
 
 -- | Why a text is no JSON that is read.
 data JsonFault
-  = NoText     -- ^ it is empty
-  | TooDeep    -- ^ more brackets are within each other than 'deepest'
+  = NoText      -- ^ it is empty
+  | TooDeep     -- ^ more brackets are within each other than 'deepest'
+  | TooLong     -- ^ a number has more digits on end than 'longestNumber'
   | NotUtf8
   | NotJson
   deriving stock (Eq, Show)
@@ -63,6 +66,7 @@ jsonFaultMessage :: JsonFault -> String
 jsonFaultMessage fault = case fault of
   NoText -> "it is empty"
   TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
+  TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
   NotUtf8 -> "it is not UTF-8 text"
   NotJson -> "it is not JSON"
 
@@ -70,25 +74,32 @@ jsonFaultMessage fault = case fault of
 deepest :: Int
 deepest = 64
 
--- | How many brackets at most are open at once, those within strings aside; it stops counting once there are too many.
-nesting :: ByteString -> Int
-nesting bytes = outside 0 0 0
+-- | How many digits a number may have, before or after its point, that is no string: 1000.
+longestNumber :: Int
+longestNumber = 1000
+
+-- | Whether more brackets are open at once, or more digits stand on end, than may; what is within strings does not count.
+excess :: ByteString -> Maybe JsonFault
+excess bytes = outside 0 0 0
   where
-    outside :: Int -> Int -> Int -> Int
-    outside most open i
-      | most `seq` open > deepest = open
-      | otherwise = case at i of
-          Nothing -> most
-          Just 0x22 -> inside most open (i + 1)
-          Just c | c == 0x5B || c == 0x7B -> outside (max most (open + 1)) (open + 1) (i + 1)
-                 | c == 0x5D || c == 0x7D -> outside most (open - 1) (i + 1)
-                 | otherwise -> outside most open (i + 1)
-    inside most open i = case at i of
-      Nothing -> most
-      Just 0x22 -> outside most open (i + 1)
-      Just 0x5C -> inside most open (i + 2)
-      Just _ -> inside most open (i + 1)
-    at i = if i < Bytes.length bytes then Just (Bytes.index bytes i) else Nothing
+    -- How many brackets are open, how many digits have just been, and where this is.
+    outside :: Int -> Int -> Int -> Maybe JsonFault
+    outside open digits i
+      | open > deepest = Just TooDeep
+      | digits > longestNumber = Just TooLong
+      | i >= Bytes.length bytes = Nothing
+      | otherwise = case Bytes.index bytes i of
+          0x22 -> inside open (i + 1)
+          c | c == 0x5B || c == 0x7B -> outside (open + 1) 0 (i + 1)
+            | c == 0x5D || c == 0x7D -> outside (open - 1) 0 (i + 1)
+            | 0x30 <= c && c <= 0x39 -> outside open (digits + 1) (i + 1)
+            | otherwise -> outside open 0 (i + 1)
+    inside open i
+      | i >= Bytes.length bytes = Nothing
+      | otherwise = case Bytes.index bytes i of
+          0x22 -> outside open 0 (i + 1)
+          0x5C -> inside open (i + 2)
+          _ -> inside open (i + 1)
 
 -- | From text to what it says; 'Left' is a clause that says what is wrong.
 decodeWith :: Decoder a -> ByteString -> Either String a

@@ -15,7 +15,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 
 import Ending
-import Files (readBytes)
+import Files (readBytesUpTo)
 import Json
 import Json.Decode
 import Message (profileMessage)
@@ -62,7 +62,7 @@ packingName packing = case packing of
 -- | The profile in a file; leaves with status 2 and the reason where there is none, or where it names no array.
 readProfile :: FilePath -> IO Profile
 readProfile file = do
-  bytes <- readBytes file
+  bytes <- readBytesUpTo (1 * 1024 * 1024) file
   found <- orUnusable inWords (decodeProfile bytes)
   found <$ orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile found (\_ _ -> ()))
   where
