@@ -73,14 +73,17 @@ misunderstood name failure = case execFailure failure name of
   (explained, ExitFailure _, _)
     | null complaint -> Left []
     | otherwise -> Left
-        [ if null (drop 500 complaint) then text mempty { helpError = helpError explained, helpSuggestions = helpSuggestions explained } else complaint
+        [ text mempty { helpError = helpError explained, helpSuggestions = if brief then helpSuggestions explained else mempty }
         , "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'" ]
-    -- The words that are near to one that is longer would be sought for in a time and a memory that grow with it, for nothing.
-    where complaint = text mempty { helpError = helpError explained }
+    where
+      complaint = text mempty { helpError = helpError explained }
+      -- The words near to a longer one would be sought in a time and a memory that grow with it, for nothing.
+      brief = null (drop 500 complaint)
   where
     text = unwords . words . renderHelp 100000
     -- The usage begins with the words of the command.
-    commandOf usage = takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
+    commandOf usage =
+      takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
 
 commandLine :: ParserInfo (IO Ending)
 commandLine = info (commands <**> helper <**> versionOption) $

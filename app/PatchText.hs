@@ -22,7 +22,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import Text.Read (readMaybe)
 
-import Json.Decode (JsonFault (..), jsonFaultMessage, jsonValue)
+import JsonInput
 import Message
 import PraTactile.Field
 import PraTactile.Locate (Patch, patch)
@@ -99,8 +99,8 @@ only keys complaint value = case value of
   _ -> Left complaint
 
 json :: String -> String -> Either String Value
-json complaint text = first inWords (jsonValue (Text.encodeUtf8 (Text.pack text)))
-  where inWords fault = if fault == NotJson then complaint else "the patch is not read: " ++ jsonFaultMessage fault
+json complaint text = first inWords (readJson (Text.encodeUtf8 (Text.pack text)))
+  where inWords fault = if fault == NoJson then complaint else "the patch is not read: " ++ jsonFaultMessage fault
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

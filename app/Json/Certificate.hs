@@ -119,7 +119,10 @@ certificateFile value = do
 
 factor :: Decoder OrderFactor
 factor value = object value >>= \fields ->
-  OrderFactor <$> field "prime" number fields <*> field "exponent" number fields <*> field "residue" (listOf number) fields
+  OrderFactor
+    <$> field "prime" number fields
+    <*> field "exponent" number fields
+    <*> field "residue" (listOf number) fields
 
 prime :: Decoder PrimeProof
 prime value = object value >>= \fields ->
@@ -134,7 +137,9 @@ evidence value = do
   fields <- object value
   road <- field "road" text fields
   case road of
-    "rank" -> fmap ByRank (RankEvidence <$> field "vectors" (listOf (listOf number)) fields <*> field "cells" (listOf number) fields
-      <*> field "inverse" (listOf (listOf number)) fields)
+    "rank" -> fmap ByRank $ RankEvidence
+      <$> field "vectors" (listOf (listOf number)) fields
+      <*> field "cells" (listOf number) fields
+      <*> field "inverse" (listOf (listOf number)) fields
     "enumeration" -> ByEnumeration <$> field "sha256" text fields
     _ -> refuse ("the evidence's road is " ++ quoted road ++ ", not rank or enumeration")

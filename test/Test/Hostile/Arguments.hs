@@ -42,10 +42,12 @@ data Option = Option
 
 -- | All commands as the help has them: each begins a line, two spaces in; and its usage has its options and arguments.
 commandsOfHelp :: [Command]
-commandsOfHelp = [ uncurry (Command name) (inUsage (drop 3 (usageOf name))) | line <- lines (helpOf ["--help"]), Just name <- [nameOn line] ]
+commandsOfHelp =
+  [ uncurry (Command name) (inUsage (drop 3 (usageOf name))) | line <- lines (helpOf ["--help"]), Just name <- [nameOn line] ]
   where
     nameOn line = case words line of
-      name : _ : _ | "  " `isPrefixOf` line, take 3 line /= "   ", all (\c -> isLower c || c == '-') name, any isLower (take 1 name) -> Just name
+      name : _ : _
+        | "  " `isPrefixOf` line, take 3 line /= "   ", all (\c -> isLower c || c == '-') name, any isLower (take 1 name) -> Just name
       _ -> Nothing
     usageOf name = case lines (helpOf [name, "--help"]) of
       usage : others -> words (unwords (usage : takeWhile ("   " `isPrefixOf`) others))
@@ -77,12 +79,14 @@ argumentList values given = do
   named <- frequency [(30, pure (commandName command)), (1, word)]
   chosen <- sublistOf (commandOptions command) >>= shuffle >>= \options -> flip take options <$> choose (0, 5)
   options <- concat <$> traverse option chosen
-  arguments <- traverse values (commandArguments command) >>= \found -> frequency [(3, pure found), (1, pure (take 1 found)), (1, pure (found ++ found))]
+  arguments <- traverse values (commandArguments command)
+    >>= \found -> frequency [(3, pure found), (1, pure (take 1 found)), (1, pure (found ++ found))]
   spoilt . (named :) =<< frequency [(4, pure (options ++ arguments)), (1, pure (arguments ++ options))]
   where
     option (Option name value) = case value of
       Nothing -> pure [name]
-      Just called -> values called >>= \text -> frequency [(4, pure [name, text]), (1, pure [name ++ "=" ++ text]), (1, pure [name])]
+      Just called -> values called
+        >>= \text -> frequency [(4, pure [name, text]), (1, pure [name ++ "=" ++ text]), (1, pure [name])]
     spoilt list = frequency
       [ (8, pure list)
       , (2, at list >>= \i -> pure (take i list ++ drop (i + 1) list))
@@ -123,7 +127,9 @@ word :: Gen String
 word = oneof
   [ asArgument <$> elements (hostileNumbers ++ hostileWords)
   , intercalate "," <$> parts, intercalate "x" <$> parts, intercalate "/" <$> parts
-  , elements ["--", "-", "---", "-x", "-h", "--help", "--version", "--nothing", "--q", "--json", "--bash-completion-index", "--bash-completion-script", "+RTS", "-RTS"] ]
+  , elements
+      [ "--", "-", "---", "-x", "-h", "--help", "--version", "--nothing", "--q", "--json", "+RTS", "-RTS"
+      , "--bash-completion-index", "--bash-completion-script" ] ]
   where parts = choose (1, 3) >>= \n -> vectorOf n (asArgument <$> elements hostileNumbers)
 
 asArgument :: ByteString -> String

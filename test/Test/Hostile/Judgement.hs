@@ -32,7 +32,8 @@ judgedBy answer = ioProperty $ do
   pure $ case (outcome, answer) of
     (Left problem, _) -> counterexample problem False
     (Right _, Refused why) -> classify True "refused" (oneLine why)
-    (Right _, Accepted laws said) -> classify True "accepted" (conjoin (counterexample said (withoutInternals said) : [ counterexample ("not: " ++ law) holds | (law, holds) <- laws ]))
+    (Right _, Accepted laws said) -> classify True "accepted" $ conjoin
+      (counterexample said (withoutInternals said) : [ counterexample ("not: " ++ law) holds | (law, holds) <- laws ])
 
 -- | All characters that an answer has, so that nothing of it is left unevaluated.
 weight :: Judged -> Int
@@ -56,8 +57,11 @@ withinBounds value = limited `catches` [ Handler tooMuch, Handler failed ]
 
 oneLine :: String -> Property
 oneLine why = counterexample (show why) $
-  conjoin [ counterexample "it is empty" (not (null why)), counterexample "it is more than a line" (length (lines (visibleLine why)) == 1)
-          , counterexample "it is too long" (length (visibleLine why) <= 2200), withoutInternals why ]
+  conjoin
+    [ counterexample "it is empty" (not (null why))
+    , counterexample "it is more than a line" (length (lines (visibleLine why)) == 1)
+    , counterexample "it is too long" (length (visibleLine why) <= 2200)
+    , withoutInternals why ]
 
 withoutInternals :: String -> Property
 withoutInternals said = conjoin [ counterexample ("it says " ++ show word) False | word <- internals, word `isInfixOf` said ]
@@ -65,12 +69,15 @@ withoutInternals said = conjoin [ counterexample ("it says " ++ show word) False
 -- | Words that GHC, its runtime system and the libraries used here say of their own failures, and that mean nothing to a user.
 internals :: [String]
 internals =
-  [ "openBinaryFile", "openFile:", "withBinaryFile", "withFile", "hClose", "hGetBuf", "hPutBuf", "hGetContents", "commitBuffer", "invalid byte sequence"
-  , "Prelude.", "CallStack", "HasCallStack", "fromJust", "user error", "Non-exhaustive", "Irrefutable", "arithmetic overflow", "arithmetic underflow", "divide by zero"
-  , "stack overflow", "Heap exhausted", "heap overflow", "<<loop>>", "thread blocked", "no parse", "bad argument", "index out of bounds", "index too large"
-  , "PersistMarshalError", "SqliteException", "Failed to parse Haskell type", "persistent", "Error in $", "parsing Natural", "parsing Double", "parse error", "encountered Object"
-  , "encountered Array", "encountered String", "expected Array", "but encountered", "keyOrFail", "endOfInput", "attoparsec", "not enough input", "Failed reading"
-  , "conversion error", "expected Double", "cannot unpack", "Cannot decode", "Data.Text", "Data.Vector", "Data.Map", "Data.Aeson", "./Data/", "-rtsopts", "maximum heap size", "ExitFailure", "this should not have happened" ]
+  [ "openBinaryFile", "openFile:", "withBinaryFile", "withFile", "hClose", "hGetBuf", "hPutBuf", "hGetContents", "commitBuffer"
+  , "invalid byte sequence", "user error", "CallStack", "Prelude.", "fromJust", "Non-exhaustive", "Irrefutable", "no parse"
+  , "arithmetic overflow", "arithmetic underflow", "divide by zero", "stack overflow", "Heap exhausted", "heap overflow"
+  , "maximum heap size", "-rtsopts", "<<loop>>", "thread blocked", "bad argument", "index out of bounds", "index too large"
+  , "PersistMarshalError", "SqliteException", "Failed to parse Haskell type", "persistent", "keyOrFail", "Error in $"
+  , "parsing Natural", "parsing Double", "parse error", "encountered Object", "encountered Array", "encountered String"
+  , "expected Array", "but encountered", "endOfInput", "attoparsec", "not enough input", "Failed reading", "conversion error"
+  , "expected Double", "cannot unpack", "Cannot decode", "inconsistent dimensions", "Data.Text", "Data.Vector", "Data.Map"
+  , "Data.Aeson", "./Data/", "ExitFailure", "this should not have happened" ]
 
 -- | A count in thousandths of all hostile inputs, of which there are 100 000 unless PRA_TACTILE_HOSTILE says how many.
 shareOf :: Int -> IO Int

@@ -48,7 +48,8 @@ data Mutation
 hostile :: Int -> Gen Hostile
 hostile specimens = frequency
   [ (1, Garbage <$> garbage)
-  , (9, Mutated <$> choose (0, specimens - 1) <*> (frequency [(1, pure 0), (6, pure 1), (6, choose (2, 4)), (1, choose (5, 12))] >>= \n -> vectorOf n mutation)) ]
+  , (9, Mutated <$> choose (0, specimens - 1) <*> (several >>= \n -> vectorOf n mutation)) ]
+  where several = frequency [(1, pure 0), (6, pure 1), (6, choose (2, 4)), (1, choose (5, 12))]
 
 garbage :: Gen ByteString
 garbage = oneof
@@ -79,7 +80,8 @@ lessHostile given = case given of
   Mutated i mutations -> Mutated i <$> shrinkList gentler mutations
   where
     gentler m = case m of
-      Repeat at count times -> [ Repeat at count' times | count' <- shrink count ] ++ [ Repeat at count times' | times' <- shrink times ]
+      Repeat at count times ->
+        [ Repeat at count' times | count' <- shrink count ] ++ [ Repeat at count times' | times' <- shrink times ]
       Delete at count -> [ Delete at count' | count' <- shrink count ]
       _ -> []
 
@@ -100,11 +102,13 @@ mutated how bytes = Bytes.take longest $ case how of
   Insert i given -> replaced i 0 given
   Delete i count -> replaced i count ""
   CutOff i -> before i
-  Repeat i count times -> replaced i 0 (Bytes.concat (replicate (min times (longest `div` max 1 count)) (Bytes.take count (after i))))
+  Repeat i count times ->
+    replaced i 0 (Bytes.concat (replicate (min times (longest `div` max 1 count)) (Bytes.take count (after i))))
   SwapTokens i j -> swapped i j (Bytes8.groupBy together bytes)
   ReplaceToken i given -> Bytes.concat (substituted i (isAlphaNum . firstOf) given (Bytes8.groupBy together bytes))
-  ReplaceNumber i given -> Bytes.concat (substituted i (isDigit . firstOf) given (Bytes8.groupBy (\a b -> isDigit a && isDigit b) bytes))
-  LineEnds -> Bytes.concat (map (\part -> if part == "\n" then "\r\n" else part) (Bytes8.groupBy (\a b -> (a /= '\n') && (b /= '\n')) bytes))
+  ReplaceNumber i given ->
+    Bytes.concat (substituted i (isDigit . firstOf) given (Bytes8.groupBy (\a b -> isDigit a && isDigit b) bytes))
+  LineEnds -> Bytes.intercalate "\r\n" (Bytes8.split '\n' bytes)
   Structural i how' -> restructured i how' bytes
   where
     size = Bytes.length bytes
@@ -114,9 +118,13 @@ mutated how bytes = Bytes.take longest $ case how of
     replaced i count given = before i <> given <> Bytes.drop count (after i)
     together a b = isAlphaNum a && isAlphaNum b
     firstOf part = maybe ' ' fst (Bytes8.uncons part)
-    swapped i j parts = let n = max 1 (length parts)
-                            pick k = Bytes.concat (take 1 (drop (k `mod` n) parts))
-                        in Bytes.concat [ if k == i `mod` n then pick j else if k == j `mod` n then pick i else part | (k, part) <- zip [0 ..] parts ]
+    swapped i j parts =
+      let n = max 1 (length parts)
+          pick k = Bytes.concat (take 1 (drop (k `mod` n) parts))
+          other k part | k == i `mod` n = pick j
+                       | k == j `mod` n = pick i
+                       | otherwise = part
+      in Bytes.concat (zipWith other [0 ..] parts)
 
 -- | The list with one of its items that are so replaced.
 substituted :: Int -> (a -> Bool) -> a -> [a] -> [a]
@@ -130,16 +138,20 @@ substituted i such given items = go (i `mod` max 1 (length (filter such items)))
 -- | What is not the number wanted: at the edges of machine words, of any size, in forms of other languages, none at all.
 hostileNumbers :: [ByteString]
 hostileNumbers =
-  [ "0", "-1", "1", "2", "3", "4", "9", "16", "64", "255", "256", "65535", "65536", "16777217", "2147483647", "2147483648", "4294967296"
-  , "9007199254740993", "9223372036854775807", "9223372036854775808", "-9223372036854775809", "18446744073709551616"
+  [ "0", "-1", "1", "2", "3", "4", "9", "16", "64", "255", "256", "65535", "65536", "16777217"
+  , "2147483647", "2147483648", "4294967296", "9007199254740993", "9223372036854775807", "9223372036854775808", "-9223372036854775809", "18446744073709551616"
   , "1" <> Bytes8.replicate 400 '0', Bytes8.replicate 20000 '9', "00000000000000000000000000000001"
-  , "0.1", "0.5", "1.0", "-0", "-0.0", "1e5", "1e308", "1e309", "1e400", "1e-400", "1e1000000000", "1e-1000000000", "1E99999999999999999999"
-  , "0.", ".5", "1e", "+1", " 1", "1 ", "1_000", "0x10", "0b1", "0o7", "1f", "NaN", "nan", "Infinity", "-inf", "(1)", "1,0", "\xd9\xa3", "" ]
+  , "0.1", "0.5", "1.0", "-0", "-0.0", "1e5", "1e308", "1e309", "1e400", "1e-400"
+  , "1e1000000000", "1e-1000000000", "1E99999999999999999999"
+  , "0.", ".5", "1e", "+1", " 1", "1 ", "1_000", "0x10", "0b1", "0o7", "1f", "(1)", "1,0", "\xd9\xa3", ""
+  , "NaN", "nan", "Infinity", "-inf" ]
 
 -- | Words of other formats, brackets left open, and bytes that are no text.
 hostileWords :: [ByteString]
 hostileWords =
-  [ "A", "A^2", "A^-1", "A^99999999999999999999", "?", "null", "true", "\"", "\"\"", "\"1\"", "[", "]", "[]", "{", "}", "{}", "[[", ":", ";", ",", "/", "//"
-  , "#", "# comment\n", ".", "-", "\\", "\\u0000", "\\ud800", "x", "15x17", "2x2", "torus", "yes", "P2", "P5", "P6", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0"
-  , "\xef\xbb\xbf", "\xff\xfe", "\xff", "\xc0\x80", "\xed\xa0\x80", "\xe2\x80\xa8", "\x1b[31m", "=1+1", "%s%n", "$(id)", "--", "<?xml?>"
-  , Bytes8.replicate 3000 '[', Bytes8.replicate 3000 '{', Bytes8.replicate 5000 'x', Bytes8.replicate 2000 '/', Bytes.concat (replicate 1000 "{\"a\":") ]
+  [ "A", "A^2", "A^-1", "A^99999999999999999999", "?", "null", "true", "\"", "\"\"", "\"1\"", "[", "]", "[]", "{", "}", "{}"
+  , "[[", ":", ";", ",", "/", "//", "#", "# comment\n", ".", "-", "\\", "\\u0000", "\\ud800", "x", "15x17", "2x2", "torus"
+  , "yes", "P2", "P5", "P6", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0", "\xef\xbb\xbf", "\xff\xfe", "\xff", "\xc0\x80"
+  , "\xed\xa0\x80", "\xe2\x80\xa8", "\x1b[31m", "=1+1", "%s%n", "$(id)", "--", "<?xml?>"
+  , Bytes8.replicate 3000 '[', Bytes8.replicate 3000 '{', Bytes8.replicate 5000 'x', Bytes8.replicate 2000 '/'
+  , Bytes.concat (replicate 1000 "{\"a\":") ]

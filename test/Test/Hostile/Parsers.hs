@@ -11,7 +11,7 @@ import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import qualified Data.Text as Text
-import Data.Text.Encoding (decodeUtf8', encodeUtf8)
+import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector.Primitive as Primitive
 
 import CsvGrid
@@ -66,7 +66,9 @@ kinds =
 judgedPgm :: ByteString -> Judged
 judgedPgm bytes = case decodePgm bytes of
   Left why -> Refused (imageMessage why)
-  Right image -> Accepted [ ("decode . encode is the identity", decodePgm (encodePgm format image) == Right image) | format <- [Plain, Binary] ] (show image)
+  Right image -> Accepted
+    [ ("decode . encode is the identity", decodePgm (encodePgm format image) == Right image) | format <- [Plain, Binary] ]
+    (show image)
 
 judgedManifest :: ByteString -> Judged
 judgedManifest bytes = case parseManifest bytes of
@@ -92,11 +94,11 @@ patchJudge turning = (`asText` answered)
       Right locate -> \text -> case readPatches text >>= \written -> (,) written <$> locate written of
         Left why -> Refused why
         Right (written, report) -> Accepted
-          [("read . render is the identity", fmap shown (either (const Nothing) Just (readPatches (rendered written) `asTypeOf` Right written)) == Just (shown written))]
+          [("read . render is the identity", fmap shown (readPatches (rendered written) `asTypeOf` Right written) == Right (shown written))]
           (said report)
-    said report = unlines (show (answerOutcome answer) : show (answerCorrected answer)
-      : Lazy8.unpack (encodeLine (mconcat [ key .= value | (key, value) <- answerDetails answer ])) : answerExplained answer ++ reportTogether report)
+    said report = unlines (show (answerOutcome answer) : show (answerCorrected answer) : details answer : answerExplained answer ++ reportTogether report)
       where answer = reportAnswer report
+    details answer = Lazy8.unpack (encodeLine (mconcat [ key .= value | (key, value) <- answerDetails answer ]))
 
 -- | Patches in the form in which they can be read again.
 rendered :: KnownField k => Written k -> String
@@ -104,10 +106,11 @@ rendered written = case written of
   Alone (Symbols p) -> ofSymbols p
   Alone (Chances p) -> ofChances p
   DisplacedSymbols given -> intercalate " ; " [ show r ++ "," ++ show c ++ ": " ++ ofSymbols p | ((r, c), p) <- given ]
-  DisplacedChances given -> "{\"patches\":[" ++ intercalate "," [ "{\"at\":[" ++ show r ++ "," ++ show c ++ "],\"cells\":" ++ ofChances p ++ "}" | ((r, c), p) <- given ] ++ "]}"
+  DisplacedChances given -> "{\"patches\":" ++ listed [ "{\"at\":" ++ show [r, c] ++ ",\"cells\":" ++ ofChances p ++ "}" | ((r, c), p) <- given ] ++ "}"
   where
     ofSymbols p = intercalate " / " [ unwords (map (maybe "?" showElement) line) | line <- patchRows p ]
-    ofChances p = "[" ++ intercalate "," [ "[" ++ intercalate "," (map (maybe "null" (show . Primitive.toList . probabilities)) line) ++ "]" | line <- softRows p ] ++ "]"
+    ofChances p = listed [ listed (map (maybe "null" (show . Primitive.toList . probabilities)) line) | line <- softRows p ]
+    listed items = "[" ++ intercalate "," items ++ "]"
 
 -- | The same for comparison: probabilities, which are made to add up to 1 again, to nine decimals.
 shown :: Written k -> ([(Integer, Integer)], [[[Maybe [Integer]]]])
@@ -128,9 +131,10 @@ judgedCertificate bytes = case decodeCertificate bytes of
     Left fault -> Refused ((if isSealed then "sealed: " else "") ++ faultMessage fault)
     Right () -> Accepted
       [ ("all windows are distinct", windowsAreDistinct certificate)
-      , ("decode . encode is the identity", fmap fileCertificate (decodeCertificate (Bytes8.pack (certificateText certificate))) == Right certificate) ]
+      , ("decode . encode is the identity", fmap fileCertificate (decodeCertificate (encoded certificate)) == Right certificate) ]
       (show certificate)
   where
+    encoded = Bytes8.pack . certificateText
     windowsAreDistinct certificate = either (const False) id $ do
       mask <- either (const (Left ())) Right (maskFrom (certificateMask certificate))
       let visited on array _ = proved . fst <$> prove on array mask
@@ -142,22 +146,29 @@ judgedProfile bytes = case decodeProfile bytes of
   Left why -> Refused why
   Right profile -> case withProfile profile (\array _ -> map (cellAt array) [Position 0 0, Position 1 1] `seq` ()) of
     Left why -> Refused (profileMessage why)
-    Right () -> Accepted [("decode . encode is the identity", decodeProfile (Bytes8.pack (profileText profile)) == Right profile)] (profileText profile)
+    Right () -> Accepted
+      [("decode . encode is the identity", decodeProfile (Bytes8.pack (profileText profile)) == Right profile)]
+      (profileText profile)
 
 -- | An array, and the verdict on its windows of 2 x 2.
 judgedGrid :: ByteString -> Judged
 judgedGrid bytes = case parseGrid Nothing bytes of
   Left why -> Refused why
   Right grid -> Accepted
-    [("parse . render is the identity", parseGrid Nothing (Bytes8.pack (unlines [ intercalate "," (map show line) | line <- gridRows grid ])) == Right grid)]
+    [("parse . render is the identity", parseGrid Nothing (Bytes8.pack (unlines (map csv (gridRows grid)))) == Right grid)]
     (either windowMessage (\mask -> either proofMessage show (proveGrid Torus grid mask)) (rectangle (Shape 2 2)))
+  where csv = intercalate "," . map show
 
 judgedNetwork :: ByteString -> Judged
 judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text) of
   Left why -> Refused (networkMessage why)
-  Right found -> Accepted [("parse . render is the identity", parseNetwork (renderNetwork found) == Right found)] (Bytes8.unpack (encodeUtf8 (renderNetwork found)))
+  Right found -> Accepted
+    [("parse . render is the identity", parseNetwork (renderNetwork found) == Right found)]
+    (Text.unpack (renderNetwork found))
 
 judgedDrawing :: ByteString -> Judged
 judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text) of
   Left why -> Refused (shapeMessage why)
-  Right found -> Accepted [("parse . render is the identity", parseAlphabet (renderAlphabet found) == Right found)] (Bytes8.unpack (encodeUtf8 (renderAlphabet found)))
+  Right found -> Accepted
+    [("parse . render is the identity", parseAlphabet (renderAlphabet found) == Right found)]
+    (Text.unpack (renderAlphabet found))

@@ -41,7 +41,8 @@ import PraTactile.Window (rectangle)
 -- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
 pgms :: [ByteString]
 pgms = ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
-  [ encodePgm format image | (w, h) <- [(5, 3), (16, 16)], format <- [Plain, Binary], image <- rights [eight w h, sixteen w h] ]
+  [ encodePgm format image
+  | (w, h) <- [(5, 3), (16, 16)], format <- [Plain, Binary], image <- rights [eight w h, sixteen w h] ]
   where
     eight w h = pgm8 255 (Image w h (Storable.generate (w * h) (fromIntegral . (* 7))))
     sixteen w h = pgm16 65535 (Image w h (Storable.generate (w * h) (fromIntegral . (* 257))))
@@ -64,7 +65,8 @@ patches =
 certificates :: [ByteString]
 certificates =
   [ Bytes8.pack (certificateText found)
-  | (road, Right given) <- [(RankRoad, smallProfile), (EnumerationRoad, smallProfile), (RankRoad, Right canonicalProfile), (EnumerationRoad, Right onSheet)]
+  | (road, Right given) <-
+      [(RankRoad, smallProfile), (EnumerationRoad, smallProfile), (RankRoad, Right canonicalProfile), (EnumerationRoad, Right onSheet)]
   , Right mask <- [rectangle (profileWindow given)], Right found <- [certify road given mask] ]
   where onSheet = canonicalProfile { profileSurface = Sheet }
 
@@ -91,7 +93,9 @@ profiles = map (Bytes8.pack . profileText) (rights [Right canonicalProfile, smal
 
 -- | Arrays as CSV.
 grids :: [ByteString]
-grids = ["0,1,1\n1,0,1\n0,0,1\n", "0, 1 ,2,3\r\n3,2,1,0\r\n", "\xef\xbb\xbf\&7\n255\n\n", Bytes.concat (replicate 12 "0,1,2,3,0,2,1,3,1\n")]
+grids =
+  [ "0,1,1\n1,0,1\n0,0,1\n", "0, 1 ,2,3\r\n3,2,1,0\r\n", "\xef\xbb\xbf\&7\n255\n\n"
+  , Bytes.concat (replicate 12 "0,1,2,3,0,2,1,3,1\n") ]
 
 -- | A network of one hidden unit and two outputs.
 networks :: [ByteString]

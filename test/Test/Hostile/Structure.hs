@@ -32,21 +32,24 @@ data Change
 -- | A change in which these texts may be used.
 change :: [ByteString] -> Gen Change
 change texts = frequency
-  [ (4, Become <$> elements (texts ++ ["null", "true", "[]", "{}", "[0]", "{\"a\":0}", "\"\"", "\"0\"", "\"18446744073709551616\"", "-5", "2.5"]))
+  [ (4, Become <$> elements (texts ++ values))
   , (3, Without <$> child)
   , (2, Twice <$> child)
   , (2, Twisted <$> child <*> child)
   , (1, Renamed <$> child <*> elements ["", "q", "at", "Q", "schema", "\\u0000", "a.b[0]"])
   , (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))])
   , (1, pure Bare) ]
-  where child = choose (0, 63)
+  where
+    child = choose (0, 63)
+    values = ["null", "true", "[]", "{}", "[0]", "{\"a\":0}", "\"\"", "\"0\"", "\"18446744073709551616\"", "-5", "2.5"]
 
 -- | JSON without its meaning.
 data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
 
 -- | The JSON with a change of one of its nodes, counted from the outermost; what is no JSON stays as it is.
 restructured :: Int -> Change -> ByteString -> ByteString
-restructured i how bytes = maybe bytes (\value -> let tree = treeOf value in rendered (changedAt (i `mod` sizeOf tree) how tree)) (decodeStrict' bytes)
+restructured i how bytes = maybe bytes (spoilt . treeOf) (decodeStrict' bytes)
+  where spoilt tree = rendered (changedAt (i `mod` sizeOf tree) how tree)
 
 treeOf :: Value -> Tree
 treeOf value = case value of
@@ -85,7 +88,8 @@ changed how tree = case (how, tree) of
   (Nested depth, _) -> Leaf (Bytes.replicate depth 0x5B <> rendered tree <> Bytes.replicate depth 0x5D)
   (_, Leaf _) -> Leaf "{}"
   (_, Items items) -> maybe tree Items (onList items)
-  (Renamed j key, Entries fields) -> Entries [ if k == j `mod` length fields then ("\"" <> key <> "\"", item) else field | (k, field@(_, item)) <- zip [0 ..] fields ]
+  (Renamed j key, Entries fields) ->
+    Entries [ (if k == j `mod` length fields then "\"" <> key <> "\"" else old, item) | (k, (old, item)) <- zip [0 ..] fields ]
   (Bare, Entries ((_, item) : _)) -> item
   (_, Entries fields) -> maybe tree Entries (onList fields)
   where
@@ -93,6 +97,10 @@ changed how tree = case (how, tree) of
       (_, 0) -> Nothing
       (Without j, n) -> Just (take (j `mod` n) items ++ drop (j `mod` n + 1) items)
       (Twice j, n) -> Just (items ++ take 1 (drop (j `mod` n) items))
-      (Twisted j k, n) -> Just [ if l == j `mod` n then items !! (k `mod` n) else if l == k `mod` n then items !! (j `mod` n) else item | (l, item) <- zip [0 ..] items ]
+      (Twisted j k, n) -> Just (concat [ take 1 (drop (exchanged (j `mod` n) (k `mod` n) l) items) | l <- [0 .. n - 1] ])
       (Bare, _) -> Just (take 1 items)
       _ -> Nothing
+    exchanged j k l
+      | l == j = k
+      | l == k = j
+      | otherwise = l

@@ -71,8 +71,9 @@ patch cells = do
 
 -- | The patch of this shape, at least one cell, whose observed cells are these, row by row, all of them within it.
 patchWith :: Shape -> [(Position, GF k)] -> Patch k
-patchWith shape observed = Patch shape observed (Boxed.replicate (fromIntegral (area shape)) Nothing Boxed.// map at observed)
+patchWith shape observed = Patch shape observed (unobserved Boxed.// map at observed)
  where
+  unobserved = Boxed.replicate (fromIntegral (area shape)) Nothing
   at (Position r c, a) = (fromIntegral (r * columns shape + c), Just a)
 
 -- | The shape of rows. Refuses as 'patch' does.
@@ -99,7 +100,8 @@ patchRows observed = go (Boxed.toList (patchCells observed))
 rearranged :: Shape -> (Position -> Position) -> Patch k -> Patch k
 rearranged shape to observed = patchWith shape (sortOn fst moved)
  where
-  moved = [(at, a) | (offset, a) <- observedCells observed, let at = to offset, row at < rows shape && column at < columns shape]
+  moved = [(at, a) | (offset, a) <- observedCells observed, let at = to offset, within at]
+  within at = row at < rows shape && column at < columns shape
 
 -- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
 completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
