@@ -65,6 +65,10 @@ foundSpec = describe "what was found so" $ do
       | kind <- kinds, kindName kind `elem` ["patches", "patches in unknown orientation"]
       , text <- [ "3 2 / 3 1 ; 1000,1000: 1 1 / 1 1", "3 2 / 3 1 ; 0,500000: 1 1 / 1 1"
                 , "{\"patches\":[{\"cells\":[[[0,0,0.1,0.9],2],[3,1]]},{\"at\":[0,500000],\"cells\":[[1,1]]}]}" ] ]
+  it "very many patches: which of them do not belong was found in a time that grew with the cube of their number" $
+    once $ conjoin
+      [ judgedBy (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
+      | kind <- kinds, kindName kind `elem` ["patches", "patches in unknown orientation"], count <- [100, 101, 2000, 20000] ]
   it "a number of a million digits in JSON or in a manifest: aeson and cassava took 40 seconds to read it" $
     once $ conjoin
       [ judgedBy (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))

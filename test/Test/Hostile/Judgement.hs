@@ -8,10 +8,16 @@ module Test.Hostile.Judgement
   , shareOf
   ) where
 
+import Control.Concurrent (forkIO, killThread, threadDelay)
 import Control.Exception
+import Control.Monad (forever)
+import Data.Int (Int64)
+import Data.IORef (modifyIORef', newIORef, readIORef)
 import Data.List (isInfixOf)
 import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
+import GHC.Stats (gc, gcdetails_live_bytes, getRTSStats)
 import System.Environment (lookupEnv)
+import System.Mem (performMajorGC)
 import System.Timeout (timeout)
 import Test.QuickCheck
 import Text.Read (readMaybe)
@@ -24,8 +30,7 @@ data Judged
   | Accepted [(String, Bool)] String     -- ^ with laws by name, and everything that may be printed of it
   deriving stock (Eq, Show)
 
--- | That the answer comes within two seconds and with less than 300 MB allocated in all, freed or not, whatever is looked at of
--- it; that a refusal is one line of our own words; that of what was accepted the laws hold.
+-- | That the answer comes within two seconds and less than 300 MB of memory, whatever is looked at of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
 judgedBy :: Judged -> Property
 judgedBy answer = ioProperty $ do
   outcome <- withinBounds (weight answer)
@@ -42,14 +47,23 @@ weight answer = case answer of
   Accepted laws said -> length (filter snd laws) + length said
 
 withinBounds :: Int -> IO (Either String Int)
-withinBounds value = limited `catches` [ Handler tooMuch, Handler failed ]
+withinBounds value = (quickly `catch` \AllocationLimitExceeded -> watched) `catch` failed
   where
-    limited = do
-      setAllocationCounter (300 * 1000 * 1000)
+    quickly = do
+      setAllocationCounter most
       enableAllocationLimit
-      found <- timeout 2000000 (evaluate value) `finally` disableAllocationLimit
-      pure (maybe (Left "no answer within two seconds") Right found)
-    tooMuch AllocationLimitExceeded = pure (Left "more than 300 MB were allocated")
+      ended <$> (timeout 2000000 (evaluate value) `finally` disableAllocationLimit)
+    -- So much was allocated, but perhaps freed again: go on, and look every now and then at what lives.
+    watched = do
+      before <- alive
+      greatest <- newIORef before
+      watcher <- forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
+      found <- timeout 5000000 (evaluate value) `finally` killThread watcher
+      used <- subtract before <$> readIORef greatest
+      pure (if used > most then Left ("memory of " ++ show used ++ " bytes was taken") else ended found)
+    alive = performMajorGC >> (fromIntegral . gcdetails_live_bytes . gc <$> getRTSStats)
+    most = 300 * 1000 * 1000 :: Int64
+    ended = maybe (Left "there was no answer in time") Right
     -- QuickCheck's own interruptions go on.
     failed problem = case fromException problem of
       Just asynchronous -> throwIO (asynchronous :: SomeAsyncException)

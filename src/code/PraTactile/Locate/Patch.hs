@@ -41,6 +41,8 @@ data LocateError
     TooManyPlaces Natural Natural
   | -- | The rectangle around patches has this many cells, more than the second number.
     PatchTooLarge Natural Natural
+  | -- | These are so many patches, more than the second number.
+    PatchesTooMany Natural Natural
   deriving stock (Eq, Show)
 
 -- | A rectangle of observed and unobserved cells.

@@ -15,6 +15,7 @@ module PraTactile.Locate.Together
   , nearestTogetherOriented
   , togetherBy
   , joinPatches
+  , mostTogether
 
     -- * Probabilities
   , posteriorTogether
@@ -61,7 +62,8 @@ data TogetherAs decision = Together
 type Together = TogetherAs Decision
 
 -- | Locate patches together, each given with its displacement. Refuses no patches
--- ('PatchEmpty'), and a rectangle around them of more cells than a book has ('PatchTooLarge').
+-- ('PatchEmpty'), more of them than 'mostTogether' ('PatchesTooMany'), and a rectangle around them of more cells than a book
+-- has ('PatchTooLarge').
 nearestTogether :: KnownField k => Book k -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError Together
 nearestTogether shelf radius = symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearest shelf radius) located (promised located decisionNearest decisionDistance)
  where
@@ -245,13 +247,20 @@ data Frame = Frame (Integer, Integer) Shape
 frameShape :: Frame -> Shape
 frameShape (Frame _ shape) = shape
 
--- | Refuses no cells ('PatchEmpty'), and more of them than a book has ('PatchTooLarge').
+-- | How many patches are located together: 100. Which of them do not belong is found by leaving each out, so that the time
+-- grows with the square of their number.
+mostTogether :: Natural
+mostTogether = 100
+
+-- | Refuses no patches ('PatchEmpty'), more than 'mostTogether', and a rectangle of more cells than a book has ('PatchTooLarge').
 frameAround :: [((Integer, Integer), [[cell]])] -> Either LocateError Frame
 frameAround given
   | null given = Left PatchEmpty
+  | patches > mostTogether = Left (PatchesTooMany patches mostTogether)
   | area shape > largestSearchedArray = Left (PatchTooLarge (area shape) largestSearchedArray)
   | otherwise = Right (Frame (top, left) shape)
  where
+  patches = fromIntegral (length given) :: Natural
   shape = Shape (side top [r + toInteger (length cells) | ((r, _), cells) <- given]) (side left [c + toInteger (length (concat (take 1 cells))) | ((_, c), cells) <- given])
   top = foldr1' min [r | ((r, _), _) <- given]
   left = foldr1' min [c | ((_, c), _) <- given]
@@ -270,7 +279,7 @@ cellsIn frame ((r, c), cells) = [(framed frame (r + i, c + j), a) | (i, line) <-
 
 -- | What all looks at each cell say together.
 looksIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position (Maybe cell)
-looksIn agreeing frame given = agreeing <$> Map.fromListWith (flip (++)) [(at, [a]) | g <- given, (at, a) <- cellsIn frame g]
+looksIn agreeing frame given = agreeing . reverse <$> Map.fromListWith (++) [(at, [a]) | g <- given, (at, a) <- cellsIn frame g]
 
 -- | The same without the cells in dispute.
 knownIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position cell
