@@ -6,7 +6,7 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test prove bench evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -43,6 +43,11 @@ evaluate: build ## the figure that matters: 1000 simulated presses, with and wit
 # A file or more: make figures FILES=docs/locating.md. Half an hour for all, on two cores with nothing else to do.
 figures: build ## run the commands that README and docs show, and put there what they print
 	@PATH="$(CURDIR)/bin:$$PATH" runghc -itest tools/Figures.hs $(FILES)
+
+# About half an hour; the test suite has a tenth of them. What is found is printed with the seed that finds it again.
+fuzz: setup ## a million hostile inputs through the parsers, ten thousand through the program
+	@tools/build.sh test:spec
+	@PRA_TACTILE_HOSTILE=1000000 tools/test.sh --match "/Hostile inputs/"
 
 prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with every primitive polynomial (four minutes)
 	@tools/build.sh test:spec

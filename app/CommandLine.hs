@@ -2,6 +2,8 @@
 module CommandLine
   ( main
   , commandLine
+  , preferences
+  , misunderstood
   ) where
 
 import qualified Command.Advise
@@ -52,25 +54,37 @@ main = do
   ending $ do
     arguments <- getArgs
     name <- getProgName
-    case execParserPure (prefs showHelpOnEmpty) commandLine arguments of
+    case execParserPure preferences commandLine arguments of
       Success run -> run
-      Failure failure -> misunderstood name failure
+      Failure failure -> case misunderstood name failure of
+        Right asked -> Answered <$ putStrLn asked
+        Left [] -> Unusable <$ hPutStrLn stderr (fst (renderFailure failure name))
+        Left complaints -> Unusable <$ mapM_ warn complaints
       CompletionInvoked completion -> Answered <$ (execCompletion completion name >>= putStr)
 
--- | The help that was asked for; or what is wrong with the arguments, and where to read what is right.
-misunderstood :: String -> ParserFailure ParserHelp -> IO Ending
+-- | How arguments are parsed.
+preferences :: ParserPrefs
+preferences = prefs showHelpOnEmpty
+
+-- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read what is right, a line
+-- each, or with nothing where the help is all that is to be said. The name is the program's.
+misunderstood :: String -> ParserFailure ParserHelp -> Either [String] String
 misunderstood name failure = case execFailure failure name of
-  (_, ExitSuccess, _) -> Answered <$ putStrLn (fst (renderFailure failure name))
+  (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
   (explained, ExitFailure _, _)
-    | null (text mempty { helpError = helpError explained }) -> Unusable <$ hPutStrLn stderr (fst (renderFailure failure name))
-    | otherwise -> do
-        warn (text mempty { helpError = helpError explained, helpSuggestions = helpSuggestions explained })
-        warn ("try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'")
-        pure Unusable
+    | null complaint -> Left []
+    | otherwise -> Left
+        [ text mempty { helpError = helpError explained, helpSuggestions = if brief then helpSuggestions explained else mempty }
+        , "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'" ]
+    where
+      complaint = text mempty { helpError = helpError explained }
+      -- The words near to a longer one would be sought in a time and a memory that grow with it, for nothing.
+      brief = null (drop 500 complaint)
   where
     text = unwords . words . renderHelp 100000
     -- The usage begins with the words of the command.
-    commandOf usage = takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
+    commandOf usage =
+      takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
 
 commandLine :: ParserInfo (IO Ending)
 commandLine = info (commands <**> helper <**> versionOption) $

@@ -113,9 +113,7 @@ only keys complaint value = case value of
 json :: String -> Text -> Either String Value
 json complaint = first inWords . readJson . Text.encodeUtf8
   where
-    inWords fault = case fault of
-      NoJson _ -> complaint
-      RepeatedKey _ -> jsonFaultMessage fault
+    inWords fault = if fault == NoJson then complaint else "the patch is not read: " ++ jsonFaultMessage fault
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

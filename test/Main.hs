@@ -56,6 +56,7 @@ import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.Documents
+import qualified Test.Hostile
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
@@ -164,3 +165,4 @@ specs = do
   describe "The command line: census files" Test.CommandLine.CensusFile.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec
+  describe "Hostile inputs" Test.Hostile.spec

@@ -4,25 +4,20 @@ module Json.Profile
   ( profileValue
   , profileText
   , readProfile
-    -- * Parsers
-  , parseProfile
-  , number
+    -- * Decoders
+  , decodeProfile
+  , profileDecoder
   ) where
 
-import Control.Monad (unless)
-import Data.Aeson
-import Data.Aeson.Types (Parser, parseEither)
-import Data.Bifunctor (first)
+import Data.Aeson (Value, encode, (.=))
+import qualified Data.Aeson as Aeson
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.Char (isDigit)
-import Data.Scientific (Scientific, floatingOrInteger)
-import qualified Data.Text as Text
-import Numeric.Natural (Natural)
 
 import Ending
-import Files (readBytes)
+import Files (readBytesUpTo)
 import Json
-import JsonInput
+import Json.Decode
 import Message (profileMessage)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Profile
@@ -34,18 +29,18 @@ schema = "pra-tactile/profile/1"
 
 -- | The profile as a JSON object.
 profileValue :: Profile -> Value
-profileValue profile = object
+profileValue given = Aeson.object
   [ "schema" .= schema
-  , "q" .= naturalValue (profileOrder profile)
-  , "modulus" .= map naturalValue (profileModulus profile)
-  , "polynomial" .= map naturalValue (profilePolynomial profile)
-  , "reading" .= readingName (profileReading profile)
-  , "state" .= map naturalValue (profileState profile)
-  , "folding" .= foldingName (profileFolding profile)
-  , "shape" .= shapeValue (profileShape profile)
-  , "window" .= shapeValue (profileWindow profile)
-  , "surface" .= surfaceName (profileSurface profile)
-  , "packing" .= packingName (profilePacking profile)
+  , "q" .= naturalValue (profileOrder given)
+  , "modulus" .= map naturalValue (profileModulus given)
+  , "polynomial" .= map naturalValue (profilePolynomial given)
+  , "reading" .= readingName (profileReading given)
+  , "state" .= map naturalValue (profileState given)
+  , "folding" .= foldingName (profileFolding given)
+  , "shape" .= shapeValue (profileShape given)
+  , "window" .= shapeValue (profileWindow given)
+  , "surface" .= surfaceName (profileSurface given)
+  , "packing" .= packingName (profilePacking given)
   ]
   where
     shapeValue (Shape high wide) = [naturalValue high, naturalValue wide]
@@ -67,42 +62,33 @@ packingName packing = case packing of
 -- | The profile in a file; leaves with status 2 and the reason where there is none, or where it names no array.
 readProfile :: FilePath -> IO Profile
 readProfile file = do
-  bytes <- readBytes file
-  profile <- orUnusable inWords (first jsonFaultMessage (readJson bytes) >>= parseEither parseProfile)
-  orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
-  pure profile
+  bytes <- readBytesUpTo (1 * 1024 * 1024) file
+  found <- orUnusable inWords (decodeProfile bytes)
+  found <$ orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile found (\_ _ -> ()))
   where
     inWords why = file ++ " is not a profile as 'pra-tactile profile' prints it: " ++ why
 
-parseProfile :: Value -> Parser Profile
-parseProfile = withObject "profile" $ \o -> do
-  form <- o .: "schema"
-  unless (form == schema) (fail ("its schema is " ++ show form ++ ", not " ++ show schema))
-  Profile
-    <$> (o .: "q" >>= number)
-    <*> (o .: "modulus" >>= traverse number)
-    <*> (o .: "polynomial" >>= traverse number)
-    <*> (o .: "reading" >>= named "reading" readingName [Characteristic, Reciprocal])
-    <*> (o .: "state" >>= traverse number)
-    <*> (o .: "folding" >>= named "folding" foldingName [Diagonal, RowMajor])
-    <*> (o .: "shape" >>= shape)
-    <*> (o .: "window" >>= shape)
-    <*> (o .: "surface" >>= named "surface" surfaceName [Torus, TwistedTorus, Sheet])
-    <*> (o .: "packing" >>= named "packing" packingName [MostSignificantFirst, LeastSignificantFirst])
-  where
-    shape value = case value of
-      [high, wide] -> Shape <$> number high <*> number wide
-      _ -> fail "a shape is a list of two numbers, rows and columns"
-    named what name choices text = case [ c | c <- choices, name c == text ] of
-      c : _ -> pure c
-      [] -> fail (what ++ " is " ++ show text ++ ", not one of " ++ unwords (map name choices))
+-- | The profile that a text is; 'Left' says why it is none. That there is such an array is not checked.
+decodeProfile :: ByteString -> Either String Profile
+decodeProfile = decodeWith profileDecoder
 
--- | A natural number, as a JSON number or a decimal string.
-number :: Value -> Parser Natural
-number value = case value of
-  Number n | Right i <- whole n, i >= 0 -> pure (fromInteger i)
-  String digits | text <- Text.unpack digits, not (null text), all isDigit text -> pure (read text)
-  _ -> fail "a number 0, 1, 2, ... is needed"
+-- | The profile that a value is.
+profileDecoder :: Decoder Profile
+profileDecoder value = do
+  fields <- object value
+  schemaIs schema fields
+  Profile
+    <$> field "q" number fields
+    <*> field "modulus" (listOf number) fields
+    <*> field "polynomial" (listOf number) fields
+    <*> field "reading" (named readingName [Characteristic, Reciprocal]) fields
+    <*> field "state" (listOf number) fields
+    <*> field "folding" (named foldingName [Diagonal, RowMajor]) fields
+    <*> field "shape" shape fields
+    <*> field "window" shape fields
+    <*> field "surface" (named surfaceName [Torus, TwistedTorus, Sheet]) fields
+    <*> field "packing" (named packingName [MostSignificantFirst, LeastSignificantFirst]) fields
   where
-    whole :: Scientific -> Either Double Integer
-    whole n = if abs n < 1e18 then floatingOrInteger n else Left 0
+    shape sides = listOf number sides >>= \given -> case given of
+      [high, wide] -> Right (Shape high wide)
+      _ -> refuse "a shape is a list of two numbers, rows and columns"

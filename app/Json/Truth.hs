@@ -6,13 +6,12 @@ module Json.Truth
   , readClaim
   ) where
 
-import Control.Monad (unless)
 import Data.Aeson
-import Data.Aeson.Types (Parser, parseEither)
-import qualified Data.ByteString.Lazy as Lazy
 
 import Ending
 import Files (readBytes)
+import Json.Decode hiding (object)
+import qualified Json.Decode as Decode
 import PraTactile.Explore
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
@@ -37,41 +36,48 @@ schema = "pra-tactile/truth/1"
 
 -- | The truth in a file that 'truthJson' made; leaves with status 2 and the reason where it is none.
 readTruth :: FilePath -> IO Truth
-readTruth file = readWith "is not the truth as 'pra-tactile probe --truth' writes it" parser file
+readTruth = readWith "is not the truth as 'pra-tactile probe --truth' writes it" $ \value -> do
+  fields <- Decode.object value
+  schemaIs schema fields
+  (x, y) <- field "region_mm" (pairOf real) fields
+  (wide, high) <- field "region_taxels" (pairOf size) fields
+  turns <- field "orientation_deg" quarterTurn fields
+  origin <- field "origin_mm" (pairOf real) fields
+  face <- faceIn fields
+  pure (Truth face (Region (x / taxelPitch) (y / taxelPitch) wide high turns) origin)
   where
-    parser = withObject "truth" $ \o -> do
-      expectSchema schema o
-      (x, y) <- o .: "region_mm"
-      (wide, high) <- o .: "region_taxels"
-      degrees <- o .: "orientation_deg"
-      unless (degrees `elem` map (90 *) quarterTurns) (fail "orientation_deg is no quarter turn")
-      let region = Region (x / taxelPitch) (y / taxelPitch) wide high (degrees `div` 90)
-      Truth <$> faceIn o <*> pure region <*> o .: "origin_mm"
+    size value = number value >>= \n ->
+      if n > 100000 then refuse "a region has at most 100000 taxels a side" else Right (fromIntegral n)
 
 -- | The claim in a file with an answer of @decode --json@, or 'Nothing' where it names no place on a face; leaves
 -- with status 2 and the reason where it is no answer.
 readClaim :: FilePath -> IO (Maybe Claim)
-readClaim = readWith "is not one answer as 'pra-tactile decode --json' prints it" parser
+readClaim = readWith "is not one answer as 'pra-tactile decode --json' prints it" $ \value -> do
+  fields <- Decode.object value
+  schemaIs "pra-tactile/decode/1" fields
+  outcome <- field "outcome" text fields
+  on <- field "on" Right fields
+  if outcome == "located" && on == String "face"
+    then do
+      face <- faceIn fields
+      turns <- field "orientation_deg" quarterTurn fields
+      place <- field "place_mm" (pairOf real) fields
+      Just . Claim face (90 * turns) place <$> field "robot_mm" (pairOf real) fields
+    else pure Nothing
+
+faceIn :: Fields -> Either Complaint Face
+faceIn fields = do
+  object <- field "object" text fields
+  vertices <- field "face" (listOf text) fields
+  pure (Face (ObjectName object) (FaceName (map VertexName vertices)))
+
+-- | Degrees as quarter turns.
+quarterTurn :: Decoder Int
+quarterTurn value = number value >>= \degrees -> case lookup degrees [ (fromIntegral (90 * turns), turns) | turns <- quarterTurns ] of
+  Just turns -> Right turns
+  Nothing -> refuse "one of 0, 90, 180 and 270 is needed"
+
+readWith :: String -> Decoder a -> FilePath -> IO a
+readWith complaint decoder file = readBytes file >>= orUnusable inWords . decodeWith decoder
   where
-    parser = withObject "answer" $ \o -> do
-      expectSchema "pra-tactile/decode/1" o
-      outcome <- o .: "outcome"
-      on <- o .: "on"
-      if outcome == ("located" :: String) && on == Just ("face" :: String)
-        then Just <$> (Claim <$> faceIn o <*> o .: "orientation_deg" <*> o .: "place_mm" <*> o .: "robot_mm")
-        else pure Nothing
-
-faceIn :: Object -> Parser Face
-faceIn o = Face <$> (ObjectName <$> o .: "object") <*> (FaceName . map VertexName <$> o .: "face")
-
-expectSchema :: String -> Object -> Parser ()
-expectSchema expected o = do
-  form <- o .: "schema"
-  unless (form == expected) (fail ("its schema is " ++ show form ++ ", not " ++ show expected))
-
-readWith :: String -> (Value -> Parser a) -> FilePath -> IO a
-readWith complaint parser file = do
-  bytes <- readBytes file
-  orUnusable inWords (eitherDecode (Lazy.fromStrict bytes) >>= parseEither parser)
-  where
-    inWords why = file ++ " " ++ complaint ++ ": " ++ unwords (lines why)
+    inWords why = file ++ " " ++ complaint ++ ": " ++ why

@@ -146,6 +146,7 @@ locateMessage e = case e of
   PatchEmpty -> "the patch has no cells"
   PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
   PatchTooLarge cells limit -> "the rectangle around the patches has " ++ show cells ++ " cells, more than " ++ show limit
+  PatchesTooMany given limit -> "there are " ++ show given ++ " patches; at most " ++ show limit ++ " are located together"
   TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
 
 groundMessage :: GroundError -> String

@@ -34,7 +34,7 @@ spec = do
 memorySpec :: Spec
 memorySpec =
   it "200 presses are evaluated in 24 MB" $ do
-    (status, out, err) <- pra ["evaluate", "--presses", "200", "--seed", "1", "+RTS", "-A1m", "-M24m"]
+    (status, out, err) <- praUnder "-A1m -M24m" ["evaluate", "--presses", "200", "--seed", "1"] ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
 
 countSpec :: Spec

@@ -43,7 +43,7 @@ spec = do
         map (oversized 4 . written) [toJSON cells, displaced] === [Nothing, Nothing]
   it "a line of 2 MB is answered in 32 MB of memory, and the next one after it" $
     for_ [Text.unpack (many "? "), "[[" ++ intercalate "," (replicate 400000 "null") ++ "]]", replicate 2000000 'A'] $ \line -> do
-      (status, out, err) <- praWith ["locate", "--batch", "+RTS", "-N1", "-A1m", "-M32m"] (line ++ "\n3 2 / 3 1\n")
+      (status, out, err) <- praUnder "-N1 -A1m -M32m" ["locate", "--batch"] (line ++ "\n3 2 / 3 1\n")
       (status, err, map (key ["outcome"]) (lines out)) `shouldBe` (2, "", [Just "invalid", Just "located"])
       length out `shouldSatisfy` (< 3000)
   where

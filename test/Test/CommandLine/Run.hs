@@ -3,6 +3,7 @@ module Test.CommandLine.Run
   ( Outcome
   , pra
   , praWith
+  , praUnder
   , key
   , prints
   , locates
@@ -26,6 +27,12 @@ pra = (`praWith` "")
 praWith :: [String] -> String -> IO Outcome
 praWith arguments input = do
   (code, out, err) <- readProcessWithExitCode "pra-tactile" arguments input
+  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
+
+-- | The same under these options of the run-time system, which the program takes from its environment alone.
+praUnder :: String -> [String] -> String -> IO Outcome
+praUnder options arguments input = do
+  (code, out, err) <- readProcessWithExitCode "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments) input
   pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
 
 -- | The value under a path of keys in one line of JSON.

@@ -82,7 +82,7 @@ data Fault
 -- surface that the profile tells.
 checkCertificate :: Certificate -> Either Fault ()
 checkCertificate certificate = do
-  when (p ^ m /= q || m == 0) (Left (OrderNotOfModulus q))
+  when (m <= 0 || p ^ m /= q) (Left (OrderNotOfModulus q))
   inField <- first FieldFault (withField p (profileModulus profile) (\k -> checkOver k certificate))
   inField
  where

@@ -9,6 +9,7 @@
 module PraTactile.Locate.Patch
   ( Patch
   , patch
+  , patchWith
   , patchShape
   , rectangular
   , LocateError (..)
@@ -18,6 +19,7 @@ module PraTactile.Locate.Patch
   , completeWindows
   ) where
 
+import Data.List (sortOn)
 import qualified Data.Vector as Boxed
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -39,13 +41,18 @@ data LocateError
     TooManyPlaces Natural Natural
   | -- | The rectangle around patches has this many cells, more than the second number.
     PatchTooLarge Natural Natural
+  | -- | These are so many patches, more than the second number.
+    PatchesTooMany Natural Natural
   deriving stock (Eq, Show)
 
 -- | A rectangle of observed and unobserved cells.
 data Patch (k :: Field) = Patch
   { patchShape :: !Shape
   -- ^ Its rows and columns; at least one each.
-  , patchCells :: !(Boxed.Vector (Maybe (GF k)))
+  , observedCells :: [(Position, GF k)]
+  -- ^ The observed cells with their offsets, row by row.
+  , patchCells :: Boxed.Vector (Maybe (GF k))
+  -- ^ All cells, row by row; made when first asked for, because few observed cells far apart make a large rectangle.
   }
 
 type role Patch nominal
@@ -55,7 +62,21 @@ type role Patch nominal
 patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
 patch cells = do
   shape <- rectangular cells
-  pure (Patch shape (Boxed.fromList (concat cells)))
+  let everything = Boxed.fromList (concat cells)
+  everything `seq` pure (Patch shape (observedIn shape everything) everything)
+ where
+  observedIn shape everything =
+    [ (Position r c, a)
+    | (i, Just a) <- zip [0 ..] (Boxed.toList everything)
+    , let (r, c) = i `divMod` columns shape
+    ]
+
+-- | The patch of this shape, at least one cell, whose observed cells are these, row by row, all of them within it.
+patchWith :: Shape -> [(Position, GF k)] -> Patch k
+patchWith shape observed = Patch shape observed (unobserved Boxed.// map at observed)
+ where
+  unobserved = Boxed.replicate (fromIntegral (area shape)) Nothing
+  at (Position r c, a) = (fromIntegral (r * columns shape + c), Just a)
 
 -- | The shape of rows. Refuses as 'patch' does.
 rectangular :: [[a]] -> Either LocateError Shape
@@ -79,26 +100,14 @@ patchRows observed = go (Boxed.toList (patchCells observed))
 -- | The patch of this shape, at least one cell, whose observed cells are those of another patch, each at the position told; without those that are
 -- told one beyond it.
 rearranged :: Shape -> (Position -> Position) -> Patch k -> Patch k
-rearranged shape to observed = Patch shape (Boxed.replicate (fromIntegral (area shape)) Nothing Boxed.// moved)
+rearranged shape to observed = patchWith shape (sortOn fst moved)
  where
-  moved =
-    [ (fromIntegral (r * columns shape + c), Just a)
-    | (offset, a) <- observedCells observed
-    , let Position r c = to offset
-    , r < rows shape && c < columns shape
-    ]
-
--- | The observed cells with their offsets, row by row.
-observedCells :: Patch k -> [(Position, GF k)]
-observedCells observed =
-  [ (Position r c, a)
-  | (i, Just a) <- zip [0 ..] (Boxed.toList (patchCells observed))
-  , let (r, c) = i `divMod` columns (patchShape observed)
-  ]
+  moved = [(at, a) | (offset, a) <- observedCells observed, let at = to offset, within at]
+  within at = row at < rows shape && column at < columns shape
 
 -- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
 completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
-completeWindows mask observed@(Patch (Shape height width) cells) =
+completeWindows mask observed@(Patch (Shape height width) _ cells) =
   [ (Position i j, content)
   | Position i0 j0 <- take 1 offsets
   , -- The window is where its first cell is observed.

@@ -27,6 +27,8 @@ module PraTactile.Locate.Soft
     -- * What is known of a patch
   , SoftPatch
   , softPatch
+  , softPatchWith
+  , softShape
   , softRows
   , softCells
   , softShape
@@ -45,6 +47,7 @@ module PraTactile.Locate.Soft
   ) where
 
 import Data.List (foldl', sortOn)
+import qualified Data.Map.Lazy as Map
 import Data.Ord (Down (..))
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
@@ -120,34 +123,35 @@ isCertain :: Belief k -> Bool
 isCertain (Belief numbers) = Primitive.length (Primitive.filter (> 0) numbers) == 1
 
 -- | A rectangle of cells of which something is known, and of such of which nothing is.
-data SoftPatch (k :: Field) = SoftPatch [[Maybe (Belief k)]] [(Position, Belief k)]
+data SoftPatch (k :: Field) = SoftPatch
+  { softShape :: !Shape
+  -- ^ Its rows and columns; at least one each.
+  , softRows :: [[Maybe (Belief k)]]
+  -- ^ The rows, as 'softPatch' takes them; made when first asked for, because few cells far apart make large ones.
+  , softCells :: [(Position, Belief k)]
+  -- ^ What is known of the cells, by their offsets, row by row.
+  }
 
 type role SoftPatch nominal
 
 -- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
 -- of different lengths.
 softPatch :: [[Maybe (Belief k)]] -> Either LocateError (SoftPatch k)
-softPatch cells = SoftPatch cells known <$ rectangular cells
+softPatch cells = (\shape -> SoftPatch shape cells known) <$> rectangular cells
  where
   known = [(Position i j, b) | (i, line) <- zip [0 ..] cells, (j, Just b) <- zip [0 ..] line]
 
--- | The rows, as 'softPatch' takes them.
-softRows :: SoftPatch k -> [[Maybe (Belief k)]]
-softRows (SoftPatch cells _) = cells
-
--- | What is known of the cells, by their offsets, row by row.
-softCells :: SoftPatch k -> [(Position, Belief k)]
-softCells (SoftPatch _ known) = known
-
--- | Its rows and columns.
-softShape :: SoftPatch k -> Shape
-softShape (SoftPatch cells _) = case cells of
-  line : _ -> Shape (fromIntegral (length cells)) (fromIntegral (length line))
-  [] -> Shape 0 0
+-- | The patch of this shape, at least one cell, in which these cells, row by row and all of them within it, are known.
+softPatchWith :: Shape -> [(Position, Belief k)] -> SoftPatch k
+softPatchWith shape known = SoftPatch shape cells known
+ where
+  cells = [[Map.lookup (Position i j) beliefs | j <- below (columns shape)] | i <- below (rows shape)]
+  beliefs = Map.fromDistinctAscList known
+  below n = takeWhile (< n) [0 ..]
 
 -- | The patch with the 'likeliest' symbol of each observed cell.
 hardened :: KnownField k => SoftPatch k -> Either LocateError (Patch k)
-hardened (SoftPatch cells _) = patch (map (map (fmap likeliest)) cells)
+hardened observed = patch (map (map (fmap likeliest)) (softRows observed))
 
 -- | How likely positions are.
 type Posterior = PosteriorOver Position

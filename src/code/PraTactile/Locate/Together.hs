@@ -15,6 +15,7 @@ module PraTactile.Locate.Together
   , nearestTogetherOriented
   , togetherBy
   , joinPatches
+  , mostTogether
 
     -- * Probabilities
   , posteriorTogether
@@ -62,7 +63,8 @@ data TogetherAs decision = Together
 type Together = TogetherAs Decision
 
 -- | Locate patches together, each given with its displacement. Refuses no patches
--- ('PatchEmpty'), and a rectangle around them of more cells than a book has ('PatchTooLarge').
+-- ('PatchEmpty'), more of them than 'mostTogether' ('PatchesTooMany'), and a rectangle around them of more cells than a book
+-- has ('PatchTooLarge').
 nearestTogether :: KnownField k => Book k -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError Together
 nearestTogether shelf radius = symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearest shelf radius) located (promised located decisionNearest decisionDistance)
  where
@@ -105,7 +107,7 @@ togetherBy surface array road located =
 joinPatches :: [((Integer, Integer), Patch k)] -> Either LocateError (Patch k)
 joinPatches given = do
   frame <- frameAround displaced
-  patch (rowsIn frame (knownIn sameSymbol frame displaced))
+  pure (patchWith (frameShape frame) (Map.toAscList (knownIn sameSymbol frame displaced)))
  where
   displaced = [(at, patchRows p) | (at, p) <- given]
 
@@ -113,7 +115,7 @@ joinPatches given = do
 joinSoftPatches :: [((Integer, Integer), SoftPatch k)] -> Either LocateError (SoftPatch k)
 joinSoftPatches given = do
   frame <- frameAround displaced
-  softPatch (rowsIn frame (knownIn combined frame displaced))
+  pure (softPatchWith (frameShape frame) (Map.toAscList (knownIn combined frame displaced)))
  where
   displaced = [(at, softRows p) | (at, p) <- given]
 
@@ -136,7 +138,7 @@ symbolsTogether surface array ownRadiusOf locate located credible given =
   joined
     Joining
       { agreed = sameSymbol
-      , whole = patch
+      , whole = \frame known -> patchWith (frameShape frame) (Map.toAscList known)
       , wrongAt = \candidate shape cells -> map fst (filter (differs candidate shape) cells)
       , belongs = \candidate shape cells ->
           let laid = [seenAt (undone (candidateOrientation candidate)) shape offset | (offset, _) <- cells]
@@ -178,7 +180,7 @@ chancesTogether shelf tolerated locate located given =
   joined
     Joining
       { agreed = combined
-      , whole = softPatch
+      , whole = \frame known -> softPatchWith (frameShape frame) (Map.toAscList known)
       , wrongAt = \candidate shape cells -> [offset | (offset, b) <- cells, symbolOf candidate shape offset /= Just (likeliest b)]
       , belongs = \candidate shape cells ->
           all (\(offset, b) -> maybe False (`possibleIn` b) (symbolOf candidate shape offset)) cells
@@ -205,8 +207,8 @@ symbolAt surface array (Candidate orientation (Position r c)) shape offset =
 data Joining cell patch = Joining
   { agreed :: [cell] -> Maybe cell
   -- ^ What several looks at a cell say together; 'Nothing' if they are in dispute.
-  , whole :: [[Maybe cell]] -> Either LocateError patch
-  -- ^ The patch with these rows.
+  , whole :: Frame -> Map Position cell -> patch
+  -- ^ The patch of this rectangle with these cells.
   , wrongAt :: Candidate -> Shape -> [(Position, cell)] -> [Position]
   -- ^ Which of these cells are wrong there, of a patch with this shape.
   , belongs :: Candidate -> Shape -> [(Position, cell)] -> Bool
@@ -223,10 +225,10 @@ joined
 joined joining locate located credible given = do
   frame <- frameAround given
   let shape = frameShape frame
-      rowsWith = rowsIn frame . knownIn (agreed joining) frame
+      together = whole joining frame . knownIn (agreed joining) frame
       cellsOf = cellsIn frame
-  decision <- locate <$> whole joining (rowsWith given)
-  let place = located decision
+      decision = locate (together given)
+      place = located decision
       known = Map.toList (knownIn (agreed joining) frame given)
       wrong = maybe Set.empty (\candidate -> Set.fromList (wrongAt joining candidate shape known)) place
   pure
@@ -239,7 +241,7 @@ joined joining locate located credible given = do
           Just candidate -> [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
           Nothing ->
             let subsets = [[g] | g <- given] ++ [[other | (j, other) <- indexed, j /= i] | (i, _) <- indexed]
-                places = Set.fromList [candidate | some <- subsets, Right p <- [whole joining (rowsWith some)], Just candidate <- [credible (locate p)]]
+                places = Set.fromList [candidate | some <- subsets, not (null some), Just candidate <- [credible (locate (together some))]]
                 strays candidate = Set.fromList [i | (i, g) <- indexed, not (belongs joining candidate shape (cellsOf g))]
              in case Set.toList (Set.map (\strayed -> (Set.size strayed, strayed)) (Set.map strays places)) of
                   fewest@((count, _) : _) -> Set.toAscList (Set.unions (map snd (takeWhile ((== count) . fst) fewest)))
@@ -254,13 +256,20 @@ data Frame = Frame (Integer, Integer) Shape
 frameShape :: Frame -> Shape
 frameShape (Frame _ shape) = shape
 
--- | Refuses no cells ('PatchEmpty'), and more of them than a book has ('PatchTooLarge').
+-- | How many patches are located together: 100. Which of them do not belong is found by leaving each out, so that the time
+-- grows with the square of their number.
+mostTogether :: Natural
+mostTogether = 100
+
+-- | Refuses no patches ('PatchEmpty'), more than 'mostTogether', and a rectangle of more cells than a book has ('PatchTooLarge').
 frameAround :: [((Integer, Integer), [[cell]])] -> Either LocateError Frame
 frameAround given
   | null given = Left PatchEmpty
+  | patches > mostTogether = Left (PatchesTooMany patches mostTogether)
   | area shape > largestSearchedArray = Left (PatchTooLarge (area shape) largestSearchedArray)
   | otherwise = Right (Frame (top, left) shape)
  where
+  patches = fromIntegral (length given) :: Natural
   shape = Shape (side top [r + toInteger (length cells) | ((r, _), cells) <- given]) (side left [c + toInteger (length (concat (take 1 cells))) | ((_, c), cells) <- given])
   top = foldr1' min [r | ((r, _), _) <- given]
   left = foldr1' min [c | ((_, c), _) <- given]
@@ -279,17 +288,11 @@ cellsIn frame ((r, c), cells) = [(framed frame (r + i, c + j), a) | (i, line) <-
 
 -- | What all looks at each cell say together.
 looksIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position (Maybe cell)
-looksIn agreeing frame given = agreeing <$> Map.fromListWith (flip (++)) [(at, [a]) | g <- given, (at, a) <- cellsIn frame g]
+looksIn agreeing frame given = agreeing . reverse <$> Map.fromListWith (++) [(at, [a]) | g <- given, (at, a) <- cellsIn frame g]
 
 -- | The same without the cells in dispute.
 knownIn :: ([cell] -> Maybe cell) -> Frame -> [((Integer, Integer), [[Maybe cell]])] -> Map Position cell
 knownIn agreeing frame = Map.mapMaybe id . looksIn agreeing frame
-
--- | The rows of the frame with these cells.
-rowsIn :: Frame -> Map Position cell -> [[Maybe cell]]
-rowsIn frame known = [[Map.lookup (Position i j) known | j <- below (columns (frameShape frame))] | i <- below (rows (frameShape frame))]
- where
-  below n = takeWhile (< n) [0 ..]
 
 -- | The symbol, if all looks saw the same one.
 sameSymbol :: Eq a => [a] -> Maybe a

@@ -58,7 +58,7 @@ data ManifestError
     WrongFieldCount !Int !Int
   | -- | The line's file name is empty or not UTF-8.
     BadFileName !Int
-  | -- | The line's field of that name is not a finite decimal number; what it is.
+  | -- | The line's field of that name is not a finite decimal number of at most 400 characters; what it is.
     BadNumber !Int !Text !Text
   | -- | The file names no frame.
     NoEntries
@@ -108,9 +108,16 @@ entry i line = do
       Entry (T.unpack name) pose <$> number "force_n" force
     other -> Left (WrongFieldCount i (length other))
  where
-  number name field = case runParser (parseField field :: Parser Double) of
-    Right v | not (isNaN v || isInfinite v) -> Right v
-    _ -> Left (BadNumber i name (shown field))
+  -- The length is looked at first: the time that cassava takes for a number grows with the square of its digits.
+  number name field
+    | B.length field <= longestNumber
+    , Right v <- runParser (parseField field :: Parser Double)
+    , not (isNaN v || isInfinite v) = Right v
+    | otherwise = Left (BadNumber i name (shown field))
+
+-- | How many characters a number may have: 400.
+longestNumber :: Int
+longestNumber = 400
 
 -- | A field for a message.
 shown :: ByteString -> Text

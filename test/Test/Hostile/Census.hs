@@ -1,0 +1,43 @@
+-- | Census files and shards under hostile inputs.
+module Test.Hostile.Census
+  ( judgedCensus
+  , judgedShard
+  ) where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes8
+
+import CensusFile
+import CensusFile.Merge
+import CensusFile.Row
+import Message.Census
+import Test.Hostile.Judgement
+import Test.Hostile.Specimens
+
+-- | A file as the only shard of a census.
+judgedCensus :: ByteString -> Judged
+judgedCensus = mergedWith []
+
+-- | The even entries of a census, merged with its odd ones.
+judgedShard :: ByteString -> Judged
+judgedShard = mergedWith [ odds | Right odds <- map (shardOf "odd.csv") (drop 1 shards) ]
+
+shardOf :: FilePath -> ByteString -> Either FileFault Shard
+shardOf file bytes = do
+  contents <- maybe (Left NoCensus) Right (contentsOf bytes)
+  Shard file (contentsForm contents) <$> completeRows contents
+
+-- With a check in each row, no mutation of one is taken for a row.
+mergedWith :: [Shard] -> ByteString -> Judged
+mergedWith others bytes = case shardOf file bytes of
+  Left why -> Refused (fileFaultMessage file why)
+  Right given -> case mergeShards (given : others) of
+    Left why -> Refused (mergeFaultMessage why)
+    Right (form, merged) -> Accepted
+      [ ("every row is an original one", form == Unchecked || all ((`elem` originals) . inForm Checked . rowText) merged)
+      , ("its entries are 0, 1, 2, ...", map rowEntry merged == zipWith const [0 ..] merged)
+      , ("all entries are there", all ((== length merged) . fromIntegral . rowEntries) merged) ]
+      (show merged)
+  where
+    file = "given.csv"
+    originals = concatMap Bytes8.lines (censuses ++ shards)
