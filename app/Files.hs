@@ -4,38 +4,22 @@ module Files
   , readBytesUpTo
   ) where
 
-import Control.Exception (IOException, try)
-import Control.Monad (when)
+import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
-import System.Directory (doesDirectoryExist)
-import System.IO (Handle, IOMode (..), stdin, withBinaryFile)
-import System.IO.Error (isDoesNotExistError, isPermissionError)
+import System.IO (stdin)
 
 import Ending
+import Message.Files (filesMessage)
+import PraTactile.Files (FilesError (TooLarge), largestInput, readUpTo)
 
 -- | A file's bytes; at most 256 MiB.
 readBytes :: FilePath -> IO ByteString
-readBytes = readBytesUpTo (256 * 1024 * 1024)
+readBytes = readBytesUpTo largestInput
 
 -- | A file's bytes, if there are not more than so many; otherwise leaves with status 2.
 readBytesUpTo :: Int -> FilePath -> IO ByteString
-readBytesUpTo limit file = do
-  isFolder <- if file == "-" then pure False else doesDirectoryExist file
-  when isFolder (unusable (file ++ " is a folder; a file is needed here"))
-  outcome <- try (if file == "-" then readIt stdin else withBinaryFile file ReadMode readIt)
-  either (unusable . readMessage file) (maybe (unusable tooLarge) pure) outcome
-  where
-    -- The size is not asked for beforehand, so that pipes can be read too.
-    readIt :: Handle -> IO (Maybe ByteString)
-    readIt handle = do
-      bytes <- Lazy.hGet handle (limit + 1)
-      pure (if Lazy.length bytes > fromIntegral limit then Nothing else Just (Lazy.toStrict bytes))
-    tooLarge = file ++ " is larger than " ++ show (limit `div` (1024 * 1024)) ++ " MiB, which no input of this kind needs"
-
--- | Why a file cannot be read.
-readMessage :: FilePath -> IOException -> String
-readMessage file problem
-  | isDoesNotExistError problem = "there is no file " ++ file
-  | isPermissionError problem = "no permission to read " ++ file
-  | otherwise = "cannot read " ++ file ++ ": " ++ systemReason problem
+readBytesUpTo limit "-" = do
+  bytes <- Lazy.toStrict <$> Lazy.hGet stdin (limit + 1)
+  if Bytes.length bytes > limit then unusable (filesMessage (TooLarge "the standard input" limit)) else pure bytes
+readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage

@@ -25,6 +25,7 @@ import PraTactile.Profile
 import PraTactile.Store
 import Recognised (whereText)
 import Setup
+import Visible
 
 data Options = Options
   { at :: Maybe Position
@@ -53,9 +54,13 @@ run choice options = do
   case (at options, write options) of
     (Just _, Just _) -> unusable "--at asks and --write writes; give one of them"
     (Just position, Nothing) -> lookUp profile layout options position
+    (Nothing, Just "-") -> unusable "a database cannot be written to the standard output; name a file"
+    (Nothing, Just _) | Just _ <- database options -> unusable "--write makes a database and --database asks one; give one of them"
     (Nothing, Just file) -> do
       create file (profileText profile) layout >>= orUnusable storeMessage
-      sayWritten file ""
+      if asJson options
+        then printJson ("schema" .= ("pra-tactile/objects-written/1" :: String) <> "file" .= nameInJson file)
+        else sayWritten file ""
       pure Answered
     (Nothing, Nothing) -> do
       shown <- maybe (pure layout) (stored profile) (database options)

@@ -67,9 +67,9 @@ readClaim = readWith "is not one answer as 'pra-tactile decode --json' prints it
 
 faceIn :: Fields -> Either Complaint Face
 faceIn fields = do
-  object <- field "object" text fields
+  solid <- field "object" text fields
   vertices <- field "face" (listOf text) fields
-  pure (Face (ObjectName object) (FaceName (map VertexName vertices)))
+  pure (Face (ObjectName solid) (FaceName (map VertexName vertices)))
 
 -- | Degrees as quarter turns.
 quarterTurn :: Decoder Int

@@ -6,20 +6,23 @@ module PraTactile.Files
     readFolder
   , readChosen
   , readImage
+  , readUpTo
   , largestInput
     -- * What can be wrong
   , FilesError (..)
   ) where
 
-import Control.Exception (IOException, try)
+import Control.Exception (try)
 import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (toLower)
 import qualified Data.Map.Strict as Map
+import GHC.IO.Exception (IOException (..))
 import System.Directory (doesDirectoryExist, doesPathExist)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hFileSize, withBinaryFile)
-import System.IO.Error (ioeGetErrorString, isDoesNotExistError, isPermissionError)
+import System.IO.Error (isDoesNotExistError, isPermissionError)
 
 import PraTactile.Source (Folder (..), manifestName, namedImages)
 
@@ -60,7 +63,7 @@ readChosen wanted folder = do
   isSomething <- doesPathExist folder
   hasManifest <- doesPathExist (folder </> manifestName)
   case () of
-    _ | isFolder && hasManifest -> readBytes largestInput (folder </> manifestName) >>= either (pure . Left) named
+    _ | isFolder && hasManifest -> readUpTo largestInput (folder </> manifestName) >>= either (pure . Left) named
       | isFolder -> pure (Left (NoManifest folder))
       | isSomething -> pure (Left (IsFile folder))
       | otherwise -> pure (Left (NoSuchFolder folder))
@@ -69,7 +72,7 @@ readChosen wanted folder = do
       fmap (Folder manifest . Map.fromList) <$> images largestInput (filter wanted (namedImages manifest))
     images _ [] = pure (Right [])
     images room (name : names) = do
-      read' <- readBytes room (folder </> name)
+      read' <- readUpTo room (folder </> name)
       case read' of
         Right bytes -> fmap ((name, bytes) :) <$> images (room - Bytes.length bytes) names
         Left (TooLarge file _) -> pure (Left (TooLarge (if room < largestInput then folder else file) largestInput))
@@ -77,11 +80,11 @@ readChosen wanted folder = do
 
 -- | An image's bytes.
 readImage :: FilePath -> IO (Either FilesError ByteString)
-readImage = readBytes largestInput
+readImage = readUpTo largestInput
 
--- | A file's bytes, if there are not more than so many.
-readBytes :: Int -> FilePath -> IO (Either FilesError ByteString)
-readBytes limit file = do
+-- | A file's bytes, if there are not more than so many; of a pipe or a device as well.
+readUpTo :: Int -> FilePath -> IO (Either FilesError ByteString)
+readUpTo limit file = do
   isFolder <- doesDirectoryExist file
   if isFolder then pure (Left (IsFolder file)) else do
     outcome <- try (withBinaryFile file ReadMode bytesOf)
@@ -96,8 +99,12 @@ readBytes limit file = do
         _ -> Left (TooLarge file limit)
     unknown :: IOException -> Integer
     unknown _ = 0
+    -- The system's own words, without the names of the library's functions.
+    reason words' = case words' of
+      [] -> "the system does not say why"
+      letter : others -> toLower letter : others
     problemOf :: IOException -> FilesError
     problemOf problem
       | isDoesNotExistError problem = NoSuchFile file
       | isPermissionError problem = NotPermitted file
-      | otherwise = Unreadable file (ioeGetErrorString problem)
+      | otherwise = Unreadable file (reason (ioe_description problem))

@@ -26,6 +26,7 @@ spec :: Spec
 spec = do
   filesSpec
   standardOutputSpec
+  databasesSpec
   foldersSpec
   argumentsSpec
   inputSpec
@@ -89,7 +90,7 @@ filesSpec = describe "a file" $ do
       (isCharacterDevice <$> getFileStatus (folder </> "full")) `shouldReturn` True
   it "called - is the standard output, and nothing else is said there" $ inFolder $ \folder ->
     for_ writers $ \command -> do
-      outcome <- scripted folder (command "- > stdout && " ++ command "file > said && cmp file stdout && test -s file")
+      outcome <- scripted folder ("rm -f file && " ++ command "- > stdout && " ++ command "file > said && cmp file stdout && test -s file")
       (command "-", outcome) `shouldBe` (command "-", (0, "", ""))
   it "that may not be written is refused, and left as it is" $ unlessRoot $ inFolder $ \folder -> do
     writeFile (folder </> "mine") "mine"
@@ -121,7 +122,7 @@ writers =
   [ \file -> command ++ " --output " ++ file
   | command <-
       [ "pra array", "pra array --format pgm", "pra table", "pra certificate", "pra certificate --json", "pra shapes --svg"
-      , "pra shapes" ] ]
+      , "pra shapes", "pra census --q 2 --degree 3", "pra census --q 2 --degree 3 --json" ] ]
 
 asRoot, unlessRoot :: Expectation -> Expectation
 asRoot check = getEffectiveUserID >>= \user -> when (user == 0) check
@@ -157,6 +158,18 @@ standardOutputSpec = describe "the standard output" $ do
       [ "array", "array --format json", "prove", "prove --json", "table", "field --q 4", "shapes", "objects", "profile"
       , "certificate", "sequence", "polynomials --q 4 --degree 4", "advise --rows 10 --columns 10 --q 4"
       , "--version", "--help", "locate --help" ]
+
+databasesSpec :: Spec
+databasesSpec = describe "a database" $ do
+  it "is no stream, and is not written and asked at once" $ inFolder $ \folder -> do
+    streamed <- scripted folder "pra objects --write -"
+    streamed `refuses` "standard output"
+    both <- scripted folder "pra objects --write a.sqlite --database b.sqlite"
+    both `refuses` "--database"
+    listDirectory folder `shouldReturn` []
+  it "that was written is told as JSON where that is asked for" $ inFolder $ \folder -> do
+    (status, out, _) <- scripted folder "pra objects --write a.sqlite --json"
+    (status, key ["file"] out) `shouldBe` (0, Just (String "a.sqlite"))
 
 foldersSpec :: Spec
 foldersSpec = describe "a folder of frames" $ do
