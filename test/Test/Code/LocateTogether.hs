@@ -141,11 +141,13 @@ spec = do
     it "of no patches are no patch" $ do
       shelf <- paperBook
       posteriorTogether shelf 0.01 [] `shouldBe` Left PatchEmpty
-  it "no patches are no patch, and patches too far apart are refused before memory is taken" $ do
+  it "no patches are no patch, and patches too far apart or too many are refused before memory is taken" $ do
     shelf <- paperBook
     a <- seen shelf (Position 6 5) (0, 0) 0
     nearestTogether shelf Guaranteed [((0, 0), a), ((10 ^ (9 :: Int), 10 ^ (9 :: Int)), a)] `shouldBe` Left (PatchTooLarge ((10 ^ (9 :: Int) + 2) ^ (2 :: Int)) (2 ^ (20 :: Int)))
     nearestTogether shelf Guaranteed [] `shouldBe` Left PatchEmpty
+    nearestTogether shelf Guaranteed (replicate 101 ((0, 0), a)) `shouldBe` Left (PatchesTooMany 101 mostTogether)
+    either (const Nothing) Just (togetherInconsistent <$> nearestTogether shelf Guaranteed (replicate 100 ((0, 0), a))) `shouldBe` Just []
  where
   onlyOne outcome = case outcome of
     Right (OrientedAt candidate _) -> Just candidate
