@@ -66,10 +66,8 @@ readClaim = readWith "is not one answer as 'pra-tactile decode --json' prints it
     else pure Nothing
 
 faceIn :: Fields -> Either Complaint Face
-faceIn fields = do
-  solid <- field "object" text fields
-  vertices <- field "face" (listOf text) fields
-  pure (Face (ObjectName solid) (FaceName (map VertexName vertices)))
+faceIn fields = Face . ObjectName <$> field "object" text fields
+  <*> (FaceName . map VertexName <$> field "face" (listOf text) fields)
 
 -- | Degrees as quarter turns.
 quarterTurn :: Decoder Int
