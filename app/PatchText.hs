@@ -24,10 +24,11 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 
-import JsonInput
 import Message
 import PatchBound
 import PraTactile.Field
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Strict
 import PraTactile.Locate (Patch, patch)
 import PraTactile.Locate.Soft
 import Readers
@@ -113,9 +114,9 @@ only keys complaint value = case value of
 json :: String -> Text -> Either String Value
 json complaint = first inWords . readJson . Text.encodeUtf8
   where
-    inWords fault = case fault of
-      NoJson _ -> complaint
-      RepeatedKey _ -> jsonFaultMessage fault
+    inWords why = case why of
+      RepeatedKey name -> repeatedKeyMessage name
+      _ -> complaint
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

@@ -1,10 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | Reading JSON: every JSON text comes in here, so that an object which has a key twice is refused everywhere. Parsers
--- of JSON keep one of the two in silence, and not all of them the same one (RFC 8259, section 4).
-module JsonInput
+
+-- | Reading JSON: every JSON text is read here, so that an object which has a key twice is refused
+-- everywhere. Parsers of JSON keep one of the two in silence, and not all of them the same one (RFC
+-- 8259, section 4).
+module PraTactile.Format.Json.Strict
   ( readJson
-  , JsonFault (..)
-  , jsonFaultMessage
   , repeatedKey
   ) where
 
@@ -14,27 +14,18 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.Set as Set
 import Data.Text (Text)
-import qualified Data.Text as Text
 
--- | Why a text is not read.
-data JsonFault
-  = NoJson String     -- ^ it is no JSON, and what the parser says
-  | RepeatedKey Text  -- ^ an object in it has this key twice
+import PraTactile.Format.Error
 
--- | The value of a JSON text. Refuses what is no JSON, and an object anywhere in it that has a key twice.
-readJson :: ByteString -> Either JsonFault Value
+-- | The value of a JSON text in UTF-8. Refuses what is no JSON, and an object anywhere in it that
+-- has a key twice.
+readJson :: ByteString -> Either FormatError Value
 readJson text = do
-  value <- first NoJson (eitherDecodeStrict text)
+  value <- first NotJson (eitherDecodeStrict text)
   maybe (Right value) (Left . RepeatedKey) (repeatedKey text)
 
--- | What is wrong, in words.
-jsonFaultMessage :: JsonFault -> String
-jsonFaultMessage fault = case fault of
-  NoJson why -> why
-  RepeatedKey name -> "the key " ++ show (Text.unpack name) ++ " is given twice"
-
--- | The first key that an object in a valid JSON text has a second time, however it is written: @\"q\"@ is @\"\\u0071\"@.
--- Of other texts it says nothing sensible.
+-- | The first key that an object in a valid JSON text has a second time, however it is written:
+-- @\"q\"@ is @\"\\u0071\"@. Of other texts it says nothing sensible.
 repeatedKey :: ByteString -> Maybe Text
 repeatedKey = go []
   where
@@ -58,5 +49,6 @@ repeatedKey = go []
 closing :: ByteString -> Int
 closing text = case Bytes.findIndex (`Bytes.elem` "\"\\") text of
   Nothing -> Bytes.length text
-  Just i | Bytes.index text i == '"' -> i
-         | otherwise -> i + 2 + closing (Bytes.drop (i + 2) text)
+  Just i
+    | Bytes.index text i == '"' -> i
+    | otherwise -> i + 2 + closing (Bytes.drop (i + 2) text)
