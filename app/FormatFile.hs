@@ -1,5 +1,5 @@
--- | Files in the formats of "PraTactile.Format". Each reader leaves with status 2 and the reason where a file is not
--- what it should be.
+-- | Files in the formats of "PraTactile.Format". Each reader leaves with status 2 and the reason where
+-- a file is not what it should be.
 module FormatFile
   ( readProfile
   , readCertificate

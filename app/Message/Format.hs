@@ -34,7 +34,8 @@ misfitMessage place misfit = case misfit of
   NotNatural -> "a number 0, 1, 2, ... is needed"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"
-  NotPrimeWitness -> "a factor of a prime less 1 is a list of three numbers: prime, exponent, witness"
+  NotPrimeWitness ->
+    "a factor of a prime less 1 is a list of three numbers: prime, exponent, witness"
   NotAmong names text -> key ++ " is " ++ show text ++ ", not one of " ++ unwords names
   UnknownEvidence name -> "the evidence's road is " ++ show name ++ ", not rank or enumeration"
   NotQuarterTurn -> "orientation_deg is no quarter turn"
