@@ -27,7 +27,7 @@ import qualified Data.Text.Encoding as Text
 import Message
 import PatchBound
 import PraTactile.Field
-import PraTactile.Format.Error
+import PraTactile.Format.Error (JsonError (..))
 import PraTactile.Format.Json.Strict
 import PraTactile.Locate (Patch, patch)
 import PraTactile.Locate.Soft
@@ -114,9 +114,9 @@ only keys complaint value = case value of
 json :: String -> Text -> Either String Value
 json complaint = first inWords . readJson . Text.encodeUtf8
   where
-    inWords why = case why of
-      RepeatedKey name -> repeatedKeyMessage name
-      _ -> complaint
+    inWords why
+      | why == NotJson = complaint
+      | otherwise = "the patch is not read: " ++ jsonMessage why
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

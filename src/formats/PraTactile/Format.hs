@@ -17,6 +17,7 @@
 module PraTactile.Format
   ( -- * Why a text is not read
     FormatError (..)
+  , JsonError (..)
   , Misfit (..)
   , CensusFileError (..)
   , RowError (..)

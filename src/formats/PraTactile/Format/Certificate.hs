@@ -9,7 +9,8 @@ module PraTactile.Format.Certificate
   , CertificateFile (..)
   ) where
 
-import Data.Aeson
+import Data.Aeson (Object, Value (..), encode, toJSON, (.=))
+import qualified Data.Aeson as Aeson
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
@@ -48,24 +49,24 @@ encodeCertificate certificate = canonical (KeyMap.insert "seal" (toJSON (sealOf 
       ]
 
 factorValue :: OrderFactor -> Value
-factorValue (OrderFactor l e residue) = object
+factorValue (OrderFactor l e residue) = Aeson.object
   ["prime" .= naturalValue l, "exponent" .= naturalValue e, "residue" .= map naturalValue residue]
 
 primeValue :: PrimeProof -> Value
-primeValue (PrimeProof p witnesses) = object
+primeValue (PrimeProof p witnesses) = Aeson.object
   [ "prime" .= naturalValue p
   , "factors" .= [ map naturalValue [l, e, a] | PrimeWitness l e a <- witnesses ]
   ]
 
 evidenceValue :: Evidence -> Value
 evidenceValue evidence = case evidence of
-  ByRank (RankEvidence vectors cells inverted) -> object
+  ByRank (RankEvidence vectors cells inverted) -> Aeson.object
     [ "road" .= ("rank" :: String)
     , "vectors" .= map (map naturalValue) vectors
     , "cells" .= map naturalValue cells
     , "inverse" .= map (map naturalValue) inverted
     ]
-  ByEnumeration digest -> object ["road" .= ("enumeration" :: String), "sha256" .= digest]
+  ByEnumeration digest -> Aeson.object ["road" .= ("enumeration" :: String), "sha256" .= digest]
 
 -- | The SHA-256 of all other fields.
 sealOf :: Object -> String
@@ -84,12 +85,12 @@ canonicalValue value = case value of
   Number n | Just i <- whole n -> Builder.integerDec i
   other -> Builder.lazyByteString (encode other)
   where
-    pair (key, v) = text key <> ":" <> canonicalValue v
+    pair (key, v) = quoted key <> ":" <> canonicalValue v
     commas = mconcat . intersperse ","
     sorted fields = sortOn fst [ (Key.toText k, v) | (k, v) <- KeyMap.toList fields ]
     whole n = if abs n < 1e18 then either fraction Just (floatingOrInteger n) else Nothing
     fraction = const Nothing :: Double -> Maybe Integer
-    text = Builder.lazyByteString . encode . String
+    quoted = Builder.lazyByteString . encode . String
 
 -- | A certificate as it was read.
 data CertificateFile = CertificateFile
@@ -103,47 +104,50 @@ data CertificateFile = CertificateFile
 -- another value than 'encodeCertificate' writes; whether the certificate is good is for
 -- "PraTactile.Certificate.Check" to say.
 decodeCertificate :: ByteString -> Either FormatError CertificateFile
-decodeCertificate = decodeAs $ \value -> do
-  o <- objectAs "certificate" value
-  hasSchema schema o
-  stated <- field o "seal"
+decodeCertificate = decodeWith $ \value -> do
+  fields <- object value
+  schemaIs schema fields
+  stated <- field "seal" text fields
   certificate <- Certificate
-    <$> part o "profile" profileOf
-    <*> part o "mask" (each cell)
-    <*> part o "windows" natural
-    <*> part o "period" natural
-    <*> part o "factors" (each factor)
-    <*> part o "primes" (each prime)
-    <*> part o "evidence" evidenceOf
-  pure (CertificateFile certificate (stated == sealOf o))
+    <$> field "profile" profileOf fields
+    <*> field "mask" (listOf cell) fields
+    <*> field "windows" natural fields
+    <*> field "period" natural fields
+    <*> field "factors" (listOf factor) fields
+    <*> field "primes" (listOf prime) fields
+    <*> field "evidence" evidenceOf fields
+  pure (CertificateFile certificate (stated == sealOf fields))
 
-cell :: [Value] -> Either FormatError Position
-cell values = case values of
-  [r, c] -> Position <$> natural r <*> natural c
-  _ -> Left (Misfit [] NotCell)
+cell :: Decoder Position
+cell value = listOf natural value >>= \given -> case given of
+  [r, c] -> Right (Position r c)
+  _ -> refuse NotCell
 
-factor :: Value -> Either FormatError OrderFactor
+factor :: Decoder OrderFactor
 factor value = do
-  o <- objectAs "factor" value
-  OrderFactor <$> part o "prime" natural <*> part o "exponent" natural <*> part o "residue" naturals
+  fields <- object value
+  OrderFactor
+    <$> field "prime" natural fields
+    <*> field "exponent" natural fields
+    <*> field "residue" (listOf natural) fields
 
-prime :: Value -> Either FormatError PrimeProof
+prime :: Decoder PrimeProof
 prime value = do
-  o <- objectAs "prime" value
-  PrimeProof <$> part o "prime" natural <*> part o "factors" (each witness)
+  fields <- object value
+  PrimeProof <$> field "prime" natural fields <*> field "factors" (listOf witness) fields
   where
-    witness values = case values of
-      [l, e, a] -> PrimeWitness <$> natural l <*> natural e <*> natural a
-      _ -> Left (Misfit [] NotPrimeWitness)
+    witness values = listOf natural values >>= \given -> case given of
+      [l, e, a] -> Right (PrimeWitness l e a)
+      _ -> refuse NotPrimeWitness
 
-evidenceOf :: Value -> Either FormatError Evidence
+evidenceOf :: Decoder Evidence
 evidenceOf value = do
-  o <- objectAs "evidence" value
-  reader <- part o "road" $ \name ->
-    maybe (Left (Misfit [] (UnknownEvidence name))) Right (lookup name readers)
-  reader o
-  where
-    readers = [("rank", fmap ByRank . byRank), ("enumeration", fmap ByEnumeration . byDigest)]
-    byRank o = RankEvidence <$> part o "vectors" (each naturals) <*> part o "cells" naturals
-      <*> part o "inverse" (each naturals)
-    byDigest o = field o "sha256"
+  fields <- object value
+  road <- field "road" text fields
+  case road of
+    "rank" -> fmap ByRank $ RankEvidence
+      <$> field "vectors" (listOf (listOf natural)) fields
+      <*> field "cells" (listOf natural) fields
+      <*> field "inverse" (listOf (listOf natural)) fields
+    "enumeration" -> ByEnumeration <$> field "sha256" text fields
+    _ -> refuse (UnknownEvidence road)

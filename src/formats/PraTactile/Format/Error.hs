@@ -3,6 +3,7 @@
 -- | Why a text is not read: one sum for all formats of this library.
 module PraTactile.Format.Error
   ( FormatError (..)
+  , JsonError (..)
   , Misfit (..)
   , CensusFileError (..)
   , RowError (..)
@@ -15,36 +16,61 @@ import Numeric.Natural (Natural)
 
 -- | Why bytes are not what was to be read.
 data FormatError
-  = -- | They are no JSON; where and why, in the words of the JSON parser.
-    NotJson String
-  | -- | An object in them has this key twice.
-    RepeatedKey Text
-  | -- | At this place, from the top, stands something else than the format has there.
+  = -- | They are no JSON that is read.
+    JsonRefused JsonError
+  | -- | At this place, from the outermost, stands something else than the format has there.
     Misfit JSONPath Misfit
   | -- | They are no undamaged census file.
     CensusFileRefused CensusFileError
   deriving stock (Eq, Show)
 
+-- | Why a JSON text is not read.
+data JsonError
+  = -- | It is empty.
+    NoText
+  | -- | More brackets are within each other than 'PraTactile.Format.Json.Strict.deepest'.
+    TooDeep
+  | -- | A number has more digits on end than 'PraTactile.Format.Json.Strict.longestNumber'.
+    TooLong
+  | -- | It holds bytes that are no UTF-8.
+    NotUtf8
+  | -- | It is no JSON.
+    NotJson
+  | -- | An object in it has this key twice.
+    RepeatedKey Text
+  deriving stock (Eq, Show)
+
 -- | What a JSON value is instead of what the format has in its place.
 data Misfit
-  = -- | A key is missing, or a value is of another type; in the words of the JSON library.
-    OtherType String
-  | -- | It has the first schema instead of the second.
-    OtherSchema String String
-  | -- | It is no number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.
+  = -- | An object without this key.
+    MissingKey Text
+  | NotObject
+  | NotList
+  | NotText
+  | -- | No number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.
     NotNatural
-  | -- | It is no shape: a list of two numbers, rows and columns.
+  | -- | A number of more digits than this.
+    NaturalTooLong Int
+  | -- | No number that a double can have.
+    NotReal
+  | -- | No list of two.
+    NotPair
+  | -- | No shape: a list of two numbers, rows and columns.
     NotShape
-  | -- | It is no cell of a mask: a list of two numbers, row and column.
+  | -- | No cell of a mask: a list of two numbers, row and column.
     NotCell
-  | -- | It is no factor of a prime less 1: a list of three numbers, prime, exponent and witness.
+  | -- | No factor of a prime less 1: a list of three numbers, prime, exponent and witness.
     NotPrimeWitness
-  | -- | It is a text that is none of these names.
+  | -- | A text that is none of these names.
     NotAmong [String] String
-  | -- | It is the name of no kind of evidence.
+  | -- | An object of the first schema instead of the second.
+    OtherSchema String String
+  | -- | Evidence of no known kind.
     UnknownEvidence String
-  | -- | It is a number of degrees other than 0, 90, 180 and 270.
+  | -- | Degrees other than 0, 90, 180 and 270.
     NotQuarterTurn
+  | -- | More taxels than this along the side of a region.
+    RegionTooLarge Natural
   deriving stock (Eq, Show)
 
 -- | Why a census file is refused; lines are counted from 1, the header's.

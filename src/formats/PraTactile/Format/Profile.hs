@@ -11,7 +11,8 @@ module PraTactile.Format.Profile
   , profileOf
   ) where
 
-import Data.Aeson
+import Data.Aeson (Value, encode, (.=))
+import qualified Data.Aeson as Aeson
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
@@ -37,7 +38,7 @@ encodeProfile = Lazy.toStrict . encode . profileValue
 -- >>> decodeProfile (encodeProfile canonicalProfile) == Right canonicalProfile
 -- True
 decodeProfile :: ByteString -> Either FormatError Profile
-decodeProfile = decodeAs profileOf
+decodeProfile = decodeWith profileOf
 
 -- | The text of 'encodeProfile', as databases and tables state the profile that they are of.
 profileText :: Profile -> String
@@ -45,7 +46,7 @@ profileText = Bytes.unpack . encodeProfile
 
 -- | The profile as a JSON object.
 profileValue :: Profile -> Value
-profileValue profile = object
+profileValue profile = Aeson.object
   [ "schema" .= schema
   , "q" .= naturalValue (profileOrder profile)
   , "modulus" .= map naturalValue (profileModulus profile)
@@ -62,16 +63,16 @@ profileValue profile = object
 -- | The profile that a JSON object is; refuses as 'decodeProfile' does.
 profileOf :: Value -> Either FormatError Profile
 profileOf value = do
-  o <- objectAs "profile" value
-  hasSchema schema o
+  fields <- object value
+  schemaIs schema fields
   Profile
-    <$> part o "q" natural
-    <*> part o "modulus" naturals
-    <*> part o "polynomial" naturals
-    <*> part o "reading" (named readingName)
-    <*> part o "state" naturals
-    <*> part o "folding" (named foldingName)
-    <*> part o "shape" shape
-    <*> part o "window" shape
-    <*> part o "surface" (named surfaceName)
-    <*> part o "packing" (named packingName)
+    <$> field "q" natural fields
+    <*> field "modulus" (listOf natural) fields
+    <*> field "polynomial" (listOf natural) fields
+    <*> field "reading" (named readingName) fields
+    <*> field "state" (listOf natural) fields
+    <*> field "folding" (named foldingName) fields
+    <*> field "shape" shape fields
+    <*> field "window" shape fields
+    <*> field "surface" (named surfaceName) fields
+    <*> field "packing" (named packingName) fields

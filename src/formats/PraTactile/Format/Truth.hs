@@ -8,10 +8,10 @@ module PraTactile.Format.Truth
   , decodeClaim
   ) where
 
-import Control.Monad (unless)
-import Data.Aeson
+import Data.Aeson (Object, Value (..), (.=))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.List (find)
 
 import PraTactile.Explore
 import PraTactile.Format.Error
@@ -41,36 +41,46 @@ encodeTruth truth = Lazy.toStrict $ encodeLine $
     region = truthRegion truth
 
 -- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
--- nearest double. Refuses another schema, and keys that are missing or have other values.
+-- nearest double. Refuses another schema, keys that are missing or have other values, and regions
+-- of more than 100000 taxels a side.
 decodeTruth :: ByteString -> Either FormatError Truth
-decodeTruth = decodeAs $ \value -> do
-  o <- objectAs "truth" value
-  hasSchema schema o
-  (x, y) <- field o "region_mm"
-  (wide, high) <- field o "region_taxels"
-  turns <- part o "orientation_deg" quarterTurnsOf
-  let region = Region (x / taxelPitch) (y / taxelPitch) wide high turns
-  Truth <$> faceIn o <*> pure region <*> field o "origin_mm"
+decodeTruth = decodeWith $ \value -> do
+  fields <- object value
+  schemaIs schema fields
+  (x, y) <- field "region_mm" (pairOf real) fields
+  (wide, high) <- field "region_taxels" (pairOf side) fields
+  turns <- field "orientation_deg" quarterTurn fields
+  origin <- field "origin_mm" (pairOf real) fields
+  face <- faceIn fields
+  pure (Truth face (Region (x / taxelPitch) (y / taxelPitch) wide high turns) origin)
   where
-    quarterTurnsOf degrees = do
-      unless (degrees `elem` map (90 *) quarterTurns) (Left (Misfit [] NotQuarterTurn))
-      pure (degrees `div` 90)
+    side value = natural value >>= \n ->
+      if n > longestSide then refuse (RegionTooLarge longestSide) else Right (fromIntegral n)
+    longestSide = 100000
 
 -- | The claim in a JSON text with an answer of @decode@, or 'Nothing' where it names no place on a
 -- face. Refuses what is no such answer.
 decodeClaim :: ByteString -> Either FormatError (Maybe Claim)
-decodeClaim = decodeAs $ \value -> do
-  o <- objectAs "answer" value
-  hasSchema decodeSchema o
-  outcome <- field o "outcome"
-  on <- field o "on"
-  if outcome == ("located" :: String) && on == Just ("face" :: String)
-    then Just <$> claimIn o
-    else pure Nothing
+decodeClaim = decodeWith $ \value -> do
+  fields <- object value
+  schemaIs decodeSchema fields
+  outcome <- field "outcome" text fields
+  on <- field "on" Right fields
+  if outcome == "located" && on == String "face" then Just <$> claimIn fields else pure Nothing
   where
-    claimIn o =
-      Claim <$> faceIn o <*> field o "orientation_deg" <*> field o "place_mm" <*> field o "robot_mm"
+    claimIn fields = do
+      face <- faceIn fields
+      turns <- field "orientation_deg" quarterTurn fields
+      place <- field "place_mm" (pairOf real) fields
+      Claim face (90 * turns) place <$> field "robot_mm" (pairOf real) fields
 
 faceIn :: Object -> Either FormatError Face
-faceIn o =
-  Face <$> (ObjectName <$> field o "object") <*> (FaceName . map VertexName <$> field o "face")
+faceIn fields = do
+  name <- field "object" text fields
+  vertices <- field "face" (listOf text) fields
+  pure (Face (ObjectName name) (FaceName (map VertexName vertices)))
+
+-- | Degrees as quarter turns.
+quarterTurn :: Decoder Int
+quarterTurn value = natural value >>= \degrees ->
+  maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) quarterTurns)

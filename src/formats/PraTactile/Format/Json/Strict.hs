@@ -1,28 +1,63 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Reading JSON: every JSON text is read here, so that an object which has a key twice is refused
--- everywhere. Parsers of JSON keep one of the two in silence, and not all of them the same one (RFC
--- 8259, section 4).
+-- | Reading JSON: every JSON text is read here, so that what libraries take in silence, or in a
+-- time or a memory out of proportion, is refused everywhere.
 module PraTactile.Format.Json.Strict
   ( readJson
+    -- * Bounds
+  , deepest
+  , longestNumber
+    -- * Keys
   , repeatedKey
   ) where
 
-import Data.Aeson (Value, decodeStrict, eitherDecodeStrict)
-import Data.Bifunctor (first)
+import Data.Aeson (Value, decodeStrict)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import Data.Char (isDigit)
 import qualified Data.Set as Set
 import Data.Text (Text)
+import Data.Text.Encoding (decodeUtf8')
 
 import PraTactile.Format.Error
 
--- | The value of a JSON text in UTF-8. Refuses what is no JSON, and an object anywhere in it that
--- has a key twice.
-readJson :: ByteString -> Either FormatError Value
-readJson text = do
-  value <- first NotJson (eitherDecodeStrict text)
-  maybe (Right value) (Left . RepeatedKey) (repeatedKey text)
+-- | The value of a JSON text in UTF-8. Refuses what is no JSON; deep nesting, which takes many
+-- times its own size in memory; numbers of very many digits, which aeson reads in a time that grows
+-- with their square; and an object anywhere in it that has a key twice, of which parsers keep one,
+-- and not all of them the same one (RFC 8259, section 4).
+readJson :: ByteString -> Either JsonError Value
+readJson text
+  | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
+  | Just why <- excess text = Left why
+  | Left _ <- decodeUtf8' text = Left NotUtf8
+  | otherwise = maybe (Left NotJson) unrepeated (decodeStrict text)
+  where
+    unrepeated value = maybe (Right value) (Left . RepeatedKey) (repeatedKey text)
+
+-- | How many brackets may stand within each other: 64.
+deepest :: Int
+deepest = 64
+
+-- | How many digits may stand on end in a number that is no string: 1000.
+longestNumber :: Int
+longestNumber = 1000
+
+-- | Whether more brackets are open at once, or more digits stand on end, than may; what is within
+-- strings does not count.
+excess :: ByteString -> Maybe JsonError
+excess = go 0
+  where
+    go :: Int -> ByteString -> Maybe JsonError
+    go open text
+      | open > deepest = Just TooDeep
+      | otherwise = case Bytes.uncons (Bytes.dropWhile (`Bytes.notElem` "{}[]\"0123456789") text) of
+          Nothing -> Nothing
+          Just ('"', rest) -> go open (Bytes.drop (closing rest + 1) rest)
+          Just (c, rest)
+            | isDigit c ->
+                let (digits, others) = Bytes.span isDigit rest
+                in if Bytes.length digits >= longestNumber then Just TooLong else go open others
+            | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
 
 -- | The first key that an object in a valid JSON text has a second time, however it is written:
 -- @\"q\"@ is @\"\\u0071\"@. Of other texts it says nothing sensible.
@@ -47,8 +82,10 @@ repeatedKey = go []
 
 -- | Where a string ends: the index of the first quotation mark that no backslash escapes.
 closing :: ByteString -> Int
-closing text = case Bytes.findIndex (`Bytes.elem` "\"\\") text of
-  Nothing -> Bytes.length text
-  Just i
-    | Bytes.index text i == '"' -> i
-    | otherwise -> i + 2 + closing (Bytes.drop (i + 2) text)
+closing = go 0
+  where
+    go past text = case Bytes.findIndex (`Bytes.elem` "\"\\") text of
+      Nothing -> past + Bytes.length text
+      Just i
+        | Bytes.index text i == '"' -> past + i
+        | otherwise -> go (past + i + 2) (Bytes.drop (i + 2) text)
