@@ -21,7 +21,7 @@ import Options.Applicative
 
 import Ending
 import Json (foldingName)
-import Json.Profile (readProfile)
+import FormatFile (readProfile)
 import Message (profileMessage)
 import PraTactile.Array (Folding, Shape (..))
 import PraTactile.Locate.Nearest (Radius (..))

@@ -4,6 +4,7 @@ module Message
   , module Message.Chance
   , module Message.Code
   , module Message.Files
+  , module Message.Format
   , module Message.Objects
   , module Message.Touch
   ) where
@@ -12,5 +13,6 @@ import Message.Certificate
 import Message.Chance
 import Message.Code
 import Message.Files
+import Message.Format
 import Message.Objects
 import Message.Touch

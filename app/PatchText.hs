@@ -24,10 +24,11 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 
-import JsonInput
 import Message
 import PatchBound
 import PraTactile.Field
+import PraTactile.Format.Error (JsonError (..))
+import PraTactile.Format.Json.Strict
 import PraTactile.Locate (Patch, patch)
 import PraTactile.Locate.Soft
 import Readers
@@ -113,7 +114,9 @@ only keys complaint value = case value of
 json :: String -> Text -> Either String Value
 json complaint = first inWords . readJson . Text.encodeUtf8
   where
-    inWords fault = if fault == NoJson then complaint else "the patch is not read: " ++ jsonFaultMessage fault
+    inWords why
+      | why == NotJson = complaint
+      | otherwise = "the patch is not read: " ++ jsonMessage why
 
 jsonRows :: KnownField k => Value -> Either String [[Cell k]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)

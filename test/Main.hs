@@ -47,7 +47,6 @@ import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.LongWork
 import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Census
-import qualified Test.CommandLine.CensusFile
 import qualified Test.CommandLine.Json
 import qualified Test.CommandLine.Output
 import qualified Test.CommandLine.Proof
@@ -57,6 +56,9 @@ import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.Documents
 import qualified Test.Hostile
+import qualified Test.Formats
+import qualified Test.Formats.CensusFile
+import qualified Test.Formats.Json
 import qualified Test.House
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
@@ -143,6 +145,9 @@ specs = do
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Truths" Test.Truth.spec
+  describe "Formats" Test.Formats.spec
+  describe "Formats: keys given twice" Test.Formats.Json.spec
+  describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Sources" Test.Source.spec
   describe "README" Test.Readme.spec
@@ -162,7 +167,6 @@ specs = do
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec
-  describe "The command line: census files" Test.CommandLine.CensusFile.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec
   describe "Hostile inputs" Test.Hostile.spec

@@ -5,4 +5,6 @@ import System.Environment (getArgs)
 import Test.DocTest (doctest)
 
 main :: IO ()
-main = getArgs >>= doctest . (["-isrc/code", "-isrc/touch", "-isrc/recognition", "-v0"] ++)
+main = getArgs >>= doctest . ([ "-isrc/" ++ wing | wing <- wings ] ++) . ("-v0" :)
+  where
+    wings = ["code", "touch", "recognition", "formats"]

@@ -3,17 +3,17 @@ module Command.Advise
   ( command
   ) where
 
+import qualified Data.ByteString.Char8 as Bytes
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (command)
 
 import ArrayChoice
 import Described
 import Ending
-import Json
-import Json.Advice
 import Message.Advice
 import PraTactile.Advise
 import PraTactile.Array (Shape)
+import PraTactile.Format (encodeAdvice)
 
 command :: Mod CommandFields (IO Ending)
 command = described "advise" "List the arrays of at least so many rows and columns: what is possible, what is not and why, in order of size; status 1 if nothing is."
@@ -28,5 +28,7 @@ run :: Natural -> Natural -> Natural -> Maybe Shape -> Bool -> IO Ending
 run q high wide window asJson = do
   let request = Request q high wide window
   advice <- orUnusable adviceErrorMessage (advise request)
-  if asJson then printJson (adviceJson request advice) else putStr (unlines (adviceLines request advice))
+  if asJson
+    then Bytes.putStrLn (encodeAdvice obstacleMessage request advice)
+    else putStr (unlines (adviceLines request advice))
   pure (if null (adviceOptions advice) then NotAnswered else Answered)

@@ -18,11 +18,11 @@ import Described
 import Ending
 import Output (writeWhole)
 import Json
-import Json.Profile
 import Message (foldMessage, imageMessage, profileMessage)
 import Picture.Array (arraySvg)
 import PraTactile.Array (Shape (..), toRows)
 import PraTactile.Field (showElement, toCode)
+import PraTactile.Format.Profile
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgm8)
 import PraTactile.Profile
 

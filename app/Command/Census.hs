@@ -20,10 +20,6 @@ import System.Directory (doesPathExist)
 import System.IO
 
 import ArrayChoice
-import CensusFile
-import CensusFile.Continue
-import CensusFile.Row
-import CensusFile.Verdict (toldProved)
 import Described
 import Ending
 import Files (readBytes)
@@ -33,6 +29,10 @@ import Message.Census
 import Output
 import PraTactile.Array (Folding, Shape)
 import PraTactile.Census
+import PraTactile.Format.Census
+import PraTactile.Format.Census.Continue
+import PraTactile.Format.Census.Contradiction (foundProved)
+import PraTactile.Format.Census.Row
 import PraTactile.Window.Proof (Verdict (..))
 import Progress
 import Visible
@@ -104,22 +104,23 @@ continued keepWhole file wanted = do
   there <- doesPathExist file
   bytes <- if there then readBytes file else pure ""
   if not there || beginsHeader bytes then pure (Kept Checked 0 0 0) else do
-    contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
+    contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
     kept <- case keptInOrder wanted bytes contents of
       Right kept -> pure kept
       Left _ | keepWhole -> repaired file wanted contents
-      Left fault -> unusable (fileFaultMessage file fault)
+      Left fault -> unusable (censusFileMessage file fault)
     kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
 -- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so that nothing that was
 -- kept is lost if this is interrupted.
 repaired :: FilePath -> Wanted -> Contents -> IO Kept
 repaired file wanted contents = do
-  (parts, left) <- orUnusable (fileFaultMessage file) (keptOfDamaged wanted contents)
+  (parts, left) <- orUnusable (censusFileMessage file) (keptOfDamaged wanted contents)
   rows <- traverse (either (orUnusable proofMessage) (pure . rowText) . snd) parts
   let form = contentsForm contents
-      text = Lazy8.unlines (map Lazy8.fromStrict (headerOf form : map (inForm form) rows))
-      provedOnes = length [ () | (entry, part) <- parts, either (const (isProved entry)) (toldProved . rowTold) part ]
+      text = encodeCensus form rows
+      isProvedBy entry = either (const (isProved entry)) (foundProved . rowFindings)
+      provedOnes = length (filter (uncurry isProvedBy) parts)
   warn (keptMessage file (length (rights (map snd parts))) left)
   writeWhole file text
   pure (Kept form (length rows) provedOnes (fromIntegral (Lazy8.length text)))

@@ -6,7 +6,8 @@ module Command.Certificate
 
 import Control.Monad (unless)
 import Data.Aeson ((.=))
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
 import Options.Applicative hiding (command)
 
 import ArrayChoice
@@ -14,11 +15,11 @@ import Described
 import Ending
 import Output
 import Json
-import Json.Certificate
 import MaskChoice
 import Message
 import PraTactile.Array (Surface)
 import PraTactile.Certificate
+import PraTactile.Format (encodeCertificate)
 import PraTactile.Profile (Profile (..))
 import PraTactile.Window (Mask)
 import Visible
@@ -42,7 +43,8 @@ run choice drawn on road output asJson = do
     Left why | refused why -> warn (certificateMessage why) >> pure NotAnswered
              | otherwise -> unusable (certificateMessage why)
     Right certificate -> do
-      maybe putStr (\file -> writeWhole file . Lazy8.pack) output (certificateText certificate)
+      let text = encodeCertificate certificate <> "\n"
+      maybe (Bytes.putStr text) (`writeWhole` Lazy.fromStrict text) output
       maybe (pure ()) (report certificate) output
       pure Answered
   where

@@ -9,13 +9,14 @@ import Options.Applicative hiding (command)
 
 import Described
 import Ending
+import FormatFile
 import Json
-import Json.Certificate
-import Json.Profile (profileValue)
 import Message (faultMessage)
 import PraTactile.Array (Shape)
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
+import PraTactile.Format (CertificateFile (..))
+import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile
 
 command :: Mod CommandFields (IO Ending)

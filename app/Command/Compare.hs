@@ -10,8 +10,8 @@ import Text.Printf (printf)
 
 import Described
 import Ending
+import FormatFile
 import Json
-import Json.Truth
 import Message
 import PraTactile.Explore
 import PraTactile.Object.Canonical (canonicalPlacement)

@@ -7,6 +7,7 @@ module Command.Decode
   ) where
 
 import Control.Monad (forM, unless)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Options.Applicative hiding (command)
@@ -18,13 +19,12 @@ import Described
 import Ending
 import Output (writeWhole)
 import Frames
-import Json (printJson)
-import Json.Profile (profileText)
-import Json.Recognition
 import Message
 import Picture (pageSvg, recognitionPage)
 import PraTactile.Array (Surface)
 import PraTactile.Field (KnownField)
+import PraTactile.Format (RecognitionReport (..), encodeRecognition)
+import PraTactile.Format.Profile (profileText)
 import PraTactile.Object.Placement (LaidFace)
 import PraTactile.Profile
 import PraTactile.Recognise
@@ -134,9 +134,17 @@ decodeWith alphabet profile classesOf options reader from composites = do
       (pageSvg (recognitionPage alphabet nameOf (recogniserPlacement reader) classesOf composite recognition))
   case () of
     _ | picture options == Just standardOutput -> pure ()
-      | asJson options -> printJson (recognitionJson profile from nameOf (maybe id compositePosition (listToMaybe composites)) recognition)
+      | asJson options -> Bytes.putStrLn (encodeRecognition (report (listToMaybe composites) recognition))
       | otherwise -> putStr (unlines (recognitionText nameOf from recognition))
   pure (recognitionEnding recognition)
   where
     nameOf = elementNames reader
+    report composite recognition = RecognitionReport
+      { reportProfile = profile
+      , reportSources = map nameInJson from
+      , reportMessage = recognitionMessage recognition
+      , reportElement = nameOf
+      , reportRobot = maybe id compositePosition composite
+      , reportRecognition = recognition
+      }
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

@@ -19,11 +19,11 @@ import Command.Stitch (registrationFor)
 import Described
 import Ending
 import Json
-import Json.Profile
 import Message
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
+import PraTactile.Format.Profile
 import PraTactile.Object.Placement
 import PraTactile.Probe (planScan)
 import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)

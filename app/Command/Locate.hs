@@ -19,7 +19,6 @@ import Described
 import Ending
 import Explain (explainChance)
 import Json
-import Json.Profile
 import Lines
 import Locating
 import Locating.Seen
@@ -27,6 +26,7 @@ import Message
 import PatchText
 import PraTactile.Array (Position (..), Surface (..))
 import PraTactile.Field (KnownField)
+import PraTactile.Format.Profile
 import PraTactile.Locate
 import PraTactile.Locate.Chance (Chance)
 import PraTactile.Locate.Nearest (Radius (..))

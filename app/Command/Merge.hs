@@ -11,16 +11,16 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import qualified Data.Map.Strict as Map
 import Options.Applicative hiding (command)
 
-import CensusFile
-import CensusFile.Merge
-import CensusFile.Row
-import CensusFile.Verdict (toldProved)
 import Described
 import Ending
 import Files (readBytes)
 import Output
 import Json
 import Message.Census
+import PraTactile.Format.Census
+import PraTactile.Format.Census.Contradiction (foundProved)
+import PraTactile.Format.Census.Merge
+import PraTactile.Format.Census.Row
 import SameFile
 import Visible
 
@@ -39,11 +39,11 @@ run files keepWhole output asJson = do
     forM_ (take 1 inputs) $ \input ->
       unusable ("the output " ++ file ++ " is the shard " ++ input ++ ", which would be lost; give another --output")
   (shards, notes) <- unzip <$> mapM (shard keepWhole) files
-  (form, merged) <- orUnusable mergeFaultMessage (mergeShards shards)
+  (form, merged) <- orUnusable mergeMessage (mergeShards shards)
   mapM_ warn (concat notes)
-  let text = Lazy8.unlines (map Lazy8.fromStrict (headerOf form : map (inForm form . rowText) merged))
+  let text = encodeCensus form (map rowText merged)
   maybe (Lazy8.putStr text) (`writeWhole` text) output
-  maybe (pure ()) (report (length merged) (length (filter (toldProved . rowTold) merged))) output
+  maybe (pure ()) (report (length merged) (length (filter (foundProved . rowFindings) merged))) output
   pure Answered
   where
     report entries provedOnes file
@@ -56,7 +56,7 @@ run files keepWhole output asJson = do
 shard :: Bool -> FilePath -> IO (Shard, [String])
 shard keepWhole file = do
   bytes <- readBytes file
-  contents <- maybe (unusable (fileFaultMessage file NoCensus)) pure (contentsOf bytes)
+  contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
   let form = contentsForm contents
       unchecked = [ uncheckedMessage file | form == Unchecked ]
   case completeRows contents of
@@ -65,4 +65,4 @@ shard keepWhole file = do
       let (kept, left) = keptRows contents
           lost = left + length [ () | not (Bytes.null (contentsRest contents)) ]
       in pure (Shard file form (Map.elems kept), unchecked ++ [keptMessage file (Map.size kept) lost])
-    Left fault -> unusable (fileFaultMessage file fault)
+    Left fault -> unusable (censusFileMessage file fault)

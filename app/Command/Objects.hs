@@ -14,11 +14,11 @@ import ArrayChoice
 import Described
 import Ending
 import Json
-import Json.Profile
-import Json.Recognition (whereaboutsPairs)
 import Message
 import Output
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Format.Profile
+import PraTactile.Format.Recognition (whereaboutsPairs)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile

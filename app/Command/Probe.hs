@@ -4,6 +4,7 @@ module Command.Probe
   ( command
   ) where
 
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Tuple (swap)
@@ -17,10 +18,9 @@ import Drawing (hundredths)
 import Ending
 import Output (orUnwritable, writeFolder, writeWhole)
 import Frames (frameFiles)
-import Json (encodeLine)
-import Json.Truth (truthJson)
 import Message
 import PraTactile.Explore
+import PraTactile.Format (encodeTruth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
@@ -96,7 +96,8 @@ run choice options
       (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
       writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
       putStrLn ("wrote " ++ show (length frames) ++ " frames and their manifest to " ++ visibleName (output options))
-      for_ (truthFile options) (\file -> writeWhole file (encodeLine (truthJson (Truth (laidFace pressed) region (origin options))) <> "\n"))
+      let known = Truth (laidFace pressed) region (origin options)
+      for_ (truthFile options) (\file -> writeWhole file (Lazy.fromStrict (encodeTruth known <> "\n")))
       if tell options then putStrLn (truth pressed region) else pure ()
       pure Answered
   where

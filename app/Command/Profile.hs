@@ -8,8 +8,8 @@ import Options.Applicative hiding (command)
 import ArrayChoice
 import Described
 import Ending
-import Json.Profile
 import Message (profileMessage)
+import PraTactile.Format.Profile
 import PraTactile.Profile (withProfile)
 
 command :: Mod CommandFields (IO Ending)

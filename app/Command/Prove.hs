@@ -15,10 +15,10 @@ import CsvGrid (readGrid)
 import Described
 import Ending
 import Json
-import Json.Profile
 import MaskChoice
 import Message (profileMessage, proofMessage, windowMessage)
 import PraTactile.Array (Position (..), Shape (..), Surface (..), arrayFolding, naturalSurface)
+import PraTactile.Format.Profile
 import PraTactile.Grid (gridAlphabet, gridShape)
 import PraTactile.Profile
 import PraTactile.Window

@@ -18,10 +18,10 @@ import Described
 import Ending
 import Output
 import Json
-import Json.Profile
 import Message
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
+import PraTactile.Format.Profile
 import PraTactile.Locate.Book
 import PraTactile.Locate.Rates
 import PraTactile.Profile

@@ -14,10 +14,10 @@ import ArrayChoice
 import Described
 import Ending
 import Json
-import Json.Profile
 import Message (profileMessage)
 import PraTactile.Array (PseudorandomArray, arrayPrimitive, arrayState)
 import PraTactile.Field (KnownField, toCode)
+import PraTactile.Format.Profile
 import PraTactile.Profile
 import PraTactile.Sequence
 

@@ -21,9 +21,9 @@ import Described
 import Ending
 import Output (writeWhole)
 import Json
-import Json.Profile
 import Message
 import PraTactile.Array (Position (..), Shape (..), Surface (..))
+import PraTactile.Format.Profile
 import PraTactile.Locate
 import PraTactile.Profile
 import Progress

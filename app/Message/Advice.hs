@@ -3,12 +3,11 @@ module Message.Advice
   ( adviceErrorMessage
   , adviceLines
   , obstacleMessage
-  , layoutName
   ) where
 
 import Data.List (intercalate)
 
-import Json (foldingName, shapeText, surfaceName)
+import Json (shapeText, surfaceName)
 import Message.Code (factorMessage, fieldMessage, numeral, windowMessage)
 import PraTactile.Advise
 import PraTactile.Array
@@ -58,12 +57,6 @@ arrangement layout = case layout of
   Single Diagonal -> "one array on the torus"
   Single RowMajor -> "one array row by row on the twisted torus"
   Joint g -> show g ++ " arrays on tori of their own that share the windows"
-
--- | The name of a layout in JSON.
-layoutName :: Layout -> String
-layoutName layout = case layout of
-  Single folding -> foldingName folding
-  Joint _ -> "joint"
 
 obstacleMessage :: Obstacle -> String
 obstacleMessage obstacle = "degree " ++ show (obstacleDegree obstacle) ++ ": " ++ case obstacle of

@@ -1,7 +1,7 @@
 -- | What is wrong with census files, in words.
 module Message.Census
-  ( fileFaultMessage
-  , mergeFaultMessage
+  ( censusFileMessage
+  , mergeMessage
   , uncheckedMessage
   , keptMessage
   ) where
@@ -9,33 +9,32 @@ module Message.Census
 import qualified Data.ByteString.Char8 as Bytes
 import Data.List (intercalate)
 
-import CensusFile
-import CensusFile.Merge
-import CensusFile.Row
 import Message.Code (numeral)
+import PraTactile.Format.Census.Merge
+import PraTactile.Format.Error
 
 -- | What is wrong with a file, which stands before it.
-fileFaultMessage :: FilePath -> FileFault -> String
-fileFaultMessage file fault = case fault of
-  NoCensus -> file ++ ": its first line is not that of a census"
-  DamagedLine line why -> file ++ ": line " ++ show line ++ " is damaged: " ++ rowFaultMessage why ++ "; --keep-whole keeps the other lines"
+censusFileMessage :: FilePath -> CensusFileError -> String
+censusFileMessage file fault = case fault of
+  NoCensusHeader -> file ++ ": its first line is not that of a census"
+  DamagedLine line why -> file ++ ": line " ++ show line ++ " is damaged: " ++ rowMessage why ++ "; --keep-whole keeps the other lines"
   OutOfOrder line -> file ++ ": line " ++ show line ++ " is out of order, or there twice; --keep-whole puts the lines in order"
   CutOff -> file ++ ": its last line is cut off; run its census again to finish it"
-  NotOfThis -> file ++ " is not an unfinished file of this census or shard; give another --output"
+  OtherCensus -> file ++ " is not an unfinished file of this census or shard; give another --output"
   EntryMissing line entry -> file ++ ": entry " ++ numeral entry ++ " is missing before line " ++ show line ++ "; --keep-whole makes it again"
-  NotThisEntry line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the polynomial, folding, shape and window of its entry; --keep-whole keeps the other lines"
+  OtherEntry line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the polynomial, folding, shape and window of its entry; --keep-whole keeps the other lines"
   NotContinued line -> file ++ ": line " ++ show line ++ " has no end and is not the beginning of the row that belongs there; --keep-whole keeps the lines before it"
 
-rowFaultMessage :: RowFault -> String
-rowFaultMessage fault = case fault of
+rowMessage :: RowError -> String
+rowMessage fault = case fault of
   FieldCount there needs -> "it has " ++ show there ++ " fields, not " ++ show needs
   CheckFails -> "its check does not fit the rest"
   FieldForm column text -> "it has " ++ show (Bytes.unpack (Bytes.take 40 text)) ++ " in the column " ++ Bytes.unpack column
   Contradicting columns -> "its columns " ++ intercalate ", " (map Bytes.unpack columns) ++ " contradict each other"
 
 -- | Why shards are not merged.
-mergeFaultMessage :: MergeFault -> String
-mergeFaultMessage fault = case fault of
+mergeMessage :: MergeError -> String
+mergeMessage fault = case fault of
   NoEntries -> "there are no entries in these files"
   DifferentCensuses a b
     | a == b -> a ++ " has rows of different censuses"

@@ -52,6 +52,7 @@ allowed wing = case wing of
   Touch -> [Touch]
   Recognition -> [Code, Touch, Recognition]
   Files -> [Code, Touch, Recognition, Files]
+  Formats -> [Code, Touch, Recognition, Formats]
   Store -> [Code, Recognition, Store]
   Conformance -> [Code, Touch, Recognition, Conformance]
   App -> [minBound ..]
@@ -68,7 +69,7 @@ wingBreaches house =
 
 -- | The wings without input and output.
 pureWings :: [Wing]
-pureWings = [Code, Touch, Recognition]
+pureWings = [Code, Touch, Recognition, Formats]
 
 -- | Modules that nothing pure may import, nor any module below them, and why.
 impureModules :: [(String, String)]
@@ -172,6 +173,7 @@ dot house = unlines $
       Touch -> "#fbe6d4"
       Recognition -> "#e3f1dd"
       Files -> "#f3e3ea"
+      Formats -> "#def2f1"
       Store -> "#ece3f3"
       Conformance -> "#f6f0d2"
       App -> "#eeeeee"

@@ -22,7 +22,7 @@ import System.FilePath ((</>))
 import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 
 -- | The parts of the house.
-data Wing = Code | Touch | Recognition | Files | Store | Conformance | App
+data Wing = Code | Touch | Recognition | Files | Formats | Store | Conformance | App
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a wing is called where the house is drawn.
@@ -32,6 +32,7 @@ wingName wing = case wing of
   Touch -> "touch"
   Recognition -> "recognition"
   Files -> "files"
+  Formats -> "formats"
   Store -> "store"
   Conformance -> "conformance"
   App -> "app"

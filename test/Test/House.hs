@@ -13,7 +13,7 @@ spec :: Spec
 spec = describe "the house" $ do
   describe "as it stands" $ beforeAll (readHouse ".") $ do
     it "has modules in both wings and in the hall" $ \house ->
-      [wing | wing <- [Code, Touch, Recognition, Files, Store, App], all ((/= wing) . sourceWing) house] `shouldBe` []
+      [wing | wing <- [Code, Touch, Recognition, Files, Formats, Store, App], all ((/= wing) . sourceWing) house] `shouldBe` []
     it "neither wing reaches the other, nor any part one that it must not know" $ \house ->
       wingBreaches house `shouldBe` []
     it "nothing pure reaches the world" $ \house ->
@@ -102,6 +102,7 @@ allowances =
   , ("library"
     , ["base", "bytestring", "containers", "filepath", "random", "vector", "pra-tactile:code", "pra-tactile:touch"])
   , ("library files", ["base", "bytestring", "containers", "directory", "filepath", "pra-tactile"])
+  , ("library formats", ["base", "aeson", "bytestring", "containers", "scientific", "text", "pra-tactile"])
   , ("library store"
     , [ "base", "containers", "directory", "filepath", "monad-logger", "mtl", "persistent", "persistent-sqlite"
       , "resourcet", "text", "transformers", "unix", "pra-tactile", "pra-tactile:code" ])

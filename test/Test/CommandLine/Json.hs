@@ -1,119 +1,47 @@
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE OverloadedStrings #-}
 -- | An object that has a key twice is refused, in every JSON that the program reads.
 module Test.CommandLine.Json (spec) where
 
 import Control.Monad (forM_)
-import Data.Aeson
-import qualified Data.Aeson.Key as Key
-import qualified Data.ByteString.Lazy as Lazy
-import Data.List (intercalate)
-import qualified Data.Text as Text
-import qualified Data.Text.Encoding as Text
-import JsonInput
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
-import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  describe "repeatedKey" $ do
-    it "is the key that one object has twice, in any nesting and however it is written" $
-      forM_ twice $ \(text, name) -> (text, repeatedKey text) `shouldBe` (text, Just name)
-    it "is nothing where keys repeat in different objects only, or are values" $
-      forM_ single $ \text -> do
-        (text, repeatedKey text) `shouldBe` (text, Nothing)
-        either (const False) (const True) (readJson text) `shouldBe` True
-    it "is nothing for whatever aeson writes" $
-      property $ forAllShrink document shrunk $ \d -> repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
-    it "finds the key that was repeated in any one object of a document" $
-      property $ forAllShrink (document `suchThat` (not . null . repetitions)) shrunk $ \d -> conjoin
-        [ counterexample text (repeatedKey (Text.encodeUtf8 (Text.pack text)) === Just (Text.pack name)) | (text, name) <- repetitions d ]
-  describe "commands" $ do
-    it "a profile" $ inFolder $ \folder -> do
-      (_, profile, _) <- pra ["profile"]
-      let file = folder </> "p.json"
-      forM_ ["\"q\": 4, ", "\"\\u0071\": 2, ", "\"x\": {\"a\": 1, \"a\": 1}, "] $ \more -> do
-        writeFile file ("{" ++ more ++ drop 1 profile)
-        complains ["array", "--profile", file] "is given twice"
-    it "a certificate, in itself and in its parts" $ inFolder $ \folder -> do
-      (_, certificate, _) <- pra ["certificate"]
-      let file = folder </> "c.json"
-      writeFile file ("{\"windows\":255," ++ drop 1 certificate)
-      complains ["check", file] "\"windows\" is given twice"
-      writeFile file (replaced "\"evidence\":{" "\"evidence\":{\"road\":\"rank\"," certificate)
-      complains ["check", file] "\"road\" is given twice"
-    it "patches" $ do
-      complains ["locate", "{\"patches\": [{\"cells\": [[3, 2], [3, 1]], \"cells\": [[0, 0], [0, 1]]}]}"] "\"cells\" is given twice"
-      complains ["locate", "{\"patches\": [], \"patches\": [{\"cells\": [[3, 2], [3, 1]]}]}"] "\"patches\" is given twice"
-      complains ["locate", "[[3, {\"a\": 1, \"a\": 2}]]"] "\"a\" is given twice"
+  it "a profile" $ inFolder $ \folder -> do
+    (_, profile, _) <- pra ["profile"]
+    let file = folder </> "p.json"
+    forM_ ["\"q\": 4, ", "\"\\u0071\": 2, ", "\"x\": {\"a\": 1, \"a\": 1}, "] $ \more -> do
+      writeFile file ("{" ++ more ++ drop 1 profile)
+      complains ["array", "--profile", file] "is given twice"
+  it "a certificate, in itself and in its parts" $ inFolder $ \folder -> do
+    (_, certificate, _) <- pra ["certificate"]
+    let file = folder </> "c.json"
+    writeFile file ("{\"windows\":255," ++ drop 1 certificate)
+    complains ["check", file] "\"windows\" is given twice"
+    writeFile file (replaced "\"evidence\":{" "\"evidence\":{\"road\":\"rank\"," certificate)
+    complains ["check", file] "\"road\" is given twice"
+  it "patches" $ do
+    complains ["locate", "{\"patches\": [{\"cells\": [[3, 2], [3, 1]], \"cells\": [[0, 0], [0, 1]]}]}"] "\"cells\" is given twice"
+    complains ["locate", "{\"patches\": [], \"patches\": [{\"cells\": [[3, 2], [3, 1]]}]}"] "\"patches\" is given twice"
+    complains ["locate", "[[3, {\"a\": 1, \"a\": 2}]]"] "\"a\" is given twice"
+  it "a truth, and an answer that is compared with it" $ inFolder $ \folder -> do
+    let truth = folder </> "truth.json"
+        answer = folder </> "answer.json"
+    _ <- pra ["probe", "--object", "cube", "--seed", "7", "--output", folder </> "frames", "--truth", truth]
+    (_, decoded, _) <- pra ["decode", "--json", folder </> "frames"]
+    writeFile answer decoded
+    (status, _, _) <- pra ["compare", answer, truth]
+    status `shouldBe` 0
+    writeFile answer ("{\"on\":\"face\"," ++ drop 1 decoded)
+    complains ["compare", answer, truth] "\"on\" is given twice"
+    writeFile answer decoded
+    known <- readFile truth
+    writeFile (truth ++ "2") ("{\"object\":\"cube\"," ++ drop 1 known)
+    complains ["compare", answer, truth ++ "2"] "\"object\" is given twice"
  where
-  twice =
-    [ ("{\"a\":1,\"a\":1}", "a"), ("{\"a\":1,\"b\":{\"a\":1},\"a\" \n\t\r:2}", "a"), ("[{\"b\":[{\"a\":1,\"a\":2}]}]", "a")
-    , ("{\"a\":1,\"\\u0061\":2}", "a"), ("{\"\\\"\":1,\"\\u0022\":2}", "\""), ("{\"\":1,\"\":2}", "")
-    , ("{\"\\\\\":1,\"x\":\"\\\\\",\"\\u005C\":2}", "\\"), ("{\"a\":[1,{\"a\":3}],\"c\":\"}\",\"a\":1}", "a") ]
-  single =
-    [ "{}", "[]", "1", "\"a\"", "[\"a\",\"a\"]", "{\"a\":\"a\",\"b\":\"a\"}", "{\"a\":{\"a\":{\"a\":1}}}", "[{\"a\":1},{\"a\":1}]"
-    , "{\"a\":\"\\\"a\\\":\",\"b\":\"{\\\"b\\\":1}\"}", "{\"a\":1,\"A\":2}" ]
   replaced from to text
     | take (length from) text == from = to ++ drop (length from) text
     | otherwise = take 1 text ++ replaced from to (drop 1 text)
   inFolder = withSystemTempDirectory "pra-tactile"
-
--- | A JSON document whose objects keep their order.
-data Document = Text' String | List [Document] | Fields [(String, Document)]
-  deriving stock (Eq, Show)
-
-document :: Gen Document
-document = sized go
- where
-  go size
-    | size <= 1 = Text' <$> word
-    | otherwise = oneof
-        [ Text' <$> word
-        , List <$> (choose (0, 3) >>= \n -> vectorOf n (go (size `div` 3)))
-        , Fields . distinct <$> (choose (0, 4) >>= \n -> vectorOf n ((,) <$> word <*> go (size `div` 3))) ]
-  word = choose (0, 3) >>= \n -> vectorOf n (elements "ab\"\\{}[]:,\n\233")
-  distinct fields = [(k, d) | (i, (k, d)) <- zip [0 :: Int ..] fields, k `notElem` map fst (take i fields)]
-
--- | Its parts, and itself with fewer or smaller ones.
-shrunk :: Document -> [Document]
-shrunk d = case d of
-  Text' text -> map Text' (shrinkList (const []) text)
-  List ds -> ds ++ map List (shrinkList shrunk ds)
-  Fields fields -> map snd fields ++ map Fields (shrinkList (\(k, v) -> map ((,) k) (shrunk v)) fields)
-
-valueOf :: Document -> Value
-valueOf d = case d of
-  Text' text -> toJSON text
-  List ds -> toJSON (map valueOf ds)
-  Fields fields -> object [Key.fromString k .= valueOf v | (k, v) <- fields]
-
--- | The document as text with one key of one object a second time, and that key.
-repetitions :: Document -> [(String, String)]
-repetitions d = case d of
-  Text' _ -> []
-  List ds -> [("[" ++ intercalate "," (replacing i text (map written ds)) ++ "]", k) | (i, d') <- zip [0 ..] ds, (text, k) <- repetitions d']
-  Fields fields ->
-    [(braced (map pair fields ++ [pair (k, Text' "again")]), k) | (k, _) <- fields]
-      ++ [ (braced (replacing i (quoted k ++ ":" ++ text) (map pair fields)), k')
-         | (i, (k, v)) <- zip [0 ..] fields, (text, k') <- repetitions v ]
- where
-  replacing i new items = [if i == j then new else item | (j, item) <- zip [0 :: Int ..] items]
-
-written :: Document -> String
-written d = case d of
-  Text' text -> quoted text
-  List ds -> "[" ++ intercalate "," (map written ds) ++ "]"
-  Fields fields -> braced (map pair fields)
-
-pair :: (String, Document) -> String
-pair (k, v) = quoted k ++ ": " ++ written v
-
-braced :: [String] -> String
-braced items = "{" ++ intercalate " , " items ++ "}"
-
-quoted :: String -> String
-quoted = Text.unpack . Text.decodeUtf8 . Lazy.toStrict . encode

@@ -7,10 +7,11 @@ module Test.Hostile.Census
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 
-import CensusFile
-import CensusFile.Merge
-import CensusFile.Row
 import Message.Census
+import PraTactile.Format.Census
+import PraTactile.Format.Census.Merge
+import PraTactile.Format.Census.Row
+import PraTactile.Format.Error
 import Test.Hostile.Judgement
 import Test.Hostile.Specimens
 
@@ -22,17 +23,17 @@ judgedCensus = mergedWith []
 judgedShard :: ByteString -> Judged
 judgedShard = mergedWith [ odds | Right odds <- map (shardOf "odd.csv") (drop 1 shards) ]
 
-shardOf :: FilePath -> ByteString -> Either FileFault Shard
+shardOf :: FilePath -> ByteString -> Either CensusFileError Shard
 shardOf file bytes = do
-  contents <- maybe (Left NoCensus) Right (contentsOf bytes)
+  contents <- contentsOf bytes
   Shard file (contentsForm contents) <$> completeRows contents
 
 -- With a check in each row, no mutation of one is taken for a row.
 mergedWith :: [Shard] -> ByteString -> Judged
 mergedWith others bytes = case shardOf file bytes of
-  Left why -> Refused (fileFaultMessage file why)
+  Left why -> Refused (censusFileMessage file why)
   Right given -> case mergeShards (given : others) of
-    Left why -> Refused (mergeFaultMessage why)
+    Left why -> Refused (mergeMessage why)
     Right (form, merged) -> Accepted
       [ ("every row is an original one", form == Unchecked || all ((`elem` originals) . inForm Checked . rowText) merged)
       , ("its entries are 0, 1, 2, ...", map rowEntry merged == zipWith const [0 ..] merged)

@@ -16,8 +16,8 @@ import qualified Data.Vector.Primitive as Primitive
 
 import CsvGrid
 import Json
-import Json.Certificate
-import Json.Profile
+import PraTactile.Format
+import PraTactile.Format.Profile (profileText)
 import Locating
 import Locating.Seen
 import Message
@@ -126,15 +126,14 @@ shown written = case written of
 -- | A certificate that is found good, whatever its seal says, must be right: the windows are visited.
 judgedCertificate :: ByteString -> Judged
 judgedCertificate bytes = case decodeCertificate bytes of
-  Left why -> Refused why
+  Left why -> Refused (formatMessage "it" "a certificate" why)
   Right (CertificateFile certificate isSealed) -> case checkCertificate certificate of
     Left fault -> Refused ((if isSealed then "sealed: " else "") ++ faultMessage fault)
     Right () -> Accepted
       [ ("all windows are distinct", windowsAreDistinct certificate)
-      , ("decode . encode is the identity", fmap fileCertificate (decodeCertificate (encoded certificate)) == Right certificate) ]
+      , ("decode . encode is the identity", fmap fileCertificate (decodeCertificate (encodeCertificate certificate)) == Right certificate) ]
       (show certificate)
   where
-    encoded = Bytes8.pack . certificateText
     windowsAreDistinct certificate = either (const False) id $ do
       mask <- either (const (Left ())) Right (maskFrom (certificateMask certificate))
       let visited on array _ = proved . fst <$> prove on array mask
@@ -143,11 +142,11 @@ judgedCertificate bytes = case decodeCertificate bytes of
 
 judgedProfile :: ByteString -> Judged
 judgedProfile bytes = case decodeProfile bytes of
-  Left why -> Refused why
+  Left why -> Refused (formatMessage "it" "a profile" why)
   Right profile -> case withProfile profile (\array _ -> map (cellAt array) [Position 0 0, Position 1 1] `seq` ()) of
     Left why -> Refused (profileMessage why)
     Right () -> Accepted
-      [("decode . encode is the identity", decodeProfile (Bytes8.pack (profileText profile)) == Right profile)]
+      [("decode . encode is the identity", decodeProfile (encodeProfile profile) == Right profile)]
       (profileText profile)
 
 -- | An array, and the verdict on its windows of 2 x 2.

@@ -23,14 +23,13 @@ import qualified Data.Vector.Storable as Storable
 import Numeric.LinearAlgebra (reshape)
 import Numeric.Natural (Natural)
 
-import CensusFile.Row
-import Json.Certificate
-import Json.Profile
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
 import PraTactile.Classify.Network
 import PraTactile.Classify.Network.File
+import PraTactile.Format
+import PraTactile.Format.Census.Row
 import PraTactile.Image.Pgm
 import PraTactile.Probe (Pose (..))
 import PraTactile.Probe.Manifest
@@ -64,7 +63,7 @@ patches =
 -- | Certificates by rank and by enumeration, of a small array and of the paper's.
 certificates :: [ByteString]
 certificates =
-  [ Bytes8.pack (certificateText found)
+  [ encodeCertificate found
   | (road, Right given) <-
       [(RankRoad, smallProfile), (EnumerationRoad, smallProfile), (RankRoad, Right canonicalProfile), (EnumerationRoad, Right onSheet)]
   , Right mask <- [rectangle (profileWindow given)], Right found <- [certify road given mask] ]
@@ -89,7 +88,7 @@ censusOf q n wanted =
 
 -- | Profiles of the paper's array, of a small one, and of one that is laid row by row.
 profiles :: [ByteString]
-profiles = map (Bytes8.pack . profileText) (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
+profiles = map encodeProfile (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
 
 -- | Arrays as CSV.
 grids :: [ByteString]

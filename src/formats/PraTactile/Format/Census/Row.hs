@@ -1,8 +1,10 @@
 {-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | A row of a census file: how it is written, and what shows that it is whole. The last column is a check, digits of the
--- SHA-256 of what stands before it; old files have none, and their header line says so.
-module CensusFile.Row
+
+-- | A row of a census file: how it is written, and what shows that it is whole. The last column is
+-- a check, digits of the SHA-256 of what stands before it; old files have none, and their header
+-- line says so.
+module PraTactile.Format.Census.Row
   ( -- * Forms
     Form (..)
   , headerOf
@@ -13,24 +15,23 @@ module CensusFile.Row
   , inForm
     -- * Reading
   , Row (..)
-  , RowFault (..)
   , readRow
   , agrees
   ) where
 
 import Control.Monad (when)
-import qualified Data.ByteString as Octets
 import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
 import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import Numeric.Natural (Natural)
 
-import CensusFile.Verdict
-import Json
 import PraTactile.Array (Folding, Shape (..), area)
 import PraTactile.Census
-import PraTactile.Certificate.Digest (sha256, sha256OfText)
+import PraTactile.Format.Census.Contradiction
+import PraTactile.Format.Digest
+import PraTactile.Format.Error
+import PraTactile.Format.Name
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof (ProofError, Verdict (..))
 
@@ -56,9 +57,10 @@ formOf line = find ((== line) . headerOf) [minBound ..]
 
 -- | A short name for a scope: files of different censuses differ in it.
 censusName :: Scope -> String
-censusName = take 12 . sha256OfText . scopeText
+censusName = take 12 . digestOf . Bytes.pack . scopeText
 
--- | An entry as a row, without check and end of line; or the refusal that a census should never meet.
+-- | An entry as a row, without check and end of line; or the refusal that a census should never
+-- meet.
 rowBody :: Scope -> Natural -> Entry -> Either ProofError ByteString
 rowBody scope entries entry = line <$> entryVerdict entry
   where
@@ -72,7 +74,7 @@ rowBody scope entries entry = line <$> entryVerdict entry
       , maybe "" show (distinctWindows verdict)
       , either atMost (show . distance) (entryDistance entry)
       ])
-    yesOrNo = maybe "" (\told -> if told then "yes" else "no")
+    yesOrNo = maybe "" (\decided -> if decided then "yes" else "no")
     atMost e = case e of
       DistanceBetween low high -> show low ++ ".." ++ show high
       TooManyCodewords _ -> ""
@@ -101,7 +103,7 @@ inForm form body = case form of
 
 -- | The first 16 digits of the SHA-256 of a row's body.
 checkOf :: ByteString -> ByteString
-checkOf body = Bytes.pack (take 16 (sha256 (Octets.length body) (Octets.index body)))
+checkOf body = Bytes.pack (take 16 (digestOf body))
 
 -- | A row that was read.
 data Row = Row
@@ -109,44 +111,54 @@ data Row = Row
   , rowEntry :: Natural
   , rowEntries :: Natural
   , rowSubject :: Subject
-  , rowTold :: Told
-  , rowText :: ByteString   -- ^ without the check
+  , rowFindings :: Findings
+  , rowText :: ByteString
+    -- ^ without the check
   }
   deriving stock (Eq, Show)
 
--- | Why a line is no whole row.
-data RowFault
-  = FieldCount Int Int                -- ^ so many fields instead of so many
-  | CheckFails                        -- ^ the check is not that of the row
-  | FieldForm ByteString ByteString   -- ^ this column has this text, which it cannot have
-  | Contradicting [ByteString]        -- ^ what these columns say cannot all be true
-  deriving stock (Eq, Show)
-
--- | The row in a line of a file of a form. Refuses another number of fields, a wrong check, fields not written as
--- 'rowBody' writes them, and a row that contradicts itself.
-readRow :: Form -> ByteString -> Either RowFault Row
+-- | The row in a line of a file of a form. Refuses another number of fields, a wrong check, fields
+-- not written as 'rowBody' writes them, and a row that contradicts itself.
+readRow :: Form -> ByteString -> Either RowError Row
 readRow form line = do
   when (length fields /= columns') (Left (FieldCount (length fields) columns'))
   when (inForm form body /= line) (Left CheckFails)
   row <- parsed
-  maybe (Right row) (Left . Contradicting) (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowTold row))
+  maybe (Right row) (Left . Contradicting)
+    (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowFindings row))
   where
     fields = Bytes.split ',' line
     columns' = length (columnsOf form)
     body = case form of
-      Checked -> let before = Bytes.dropWhileEnd (/= ',') line in Bytes.take (Bytes.length before - 1) before
+      Checked ->
+        let before = Bytes.dropWhileEnd (/= ',') line
+        in Bytes.take (Bytes.length before - 1) before
       Unchecked -> line
     parsed = Row
       <$> field "census" Just
       <*> field "entry" natural
       <*> field "entries" natural
-      <*> (Subject <$> field "q" natural <*> field "modulus" naturals <*> field "polynomial" naturals
-            <*> field "folding" folding <*> field "shape" shape <*> field "window" shape)
-      <*> (Told <$> field "proved" yes <*> field "enumeration" maybeYes <*> field "rank_road" yes <*> field "rank" natural
-            <*> field "needed" natural <*> field "windows" natural <*> field "different" natural <*> field "distance" between)
+      <*> subject
+      <*> findings
       <*> pure body
+    subject = Subject
+      <$> field "q" natural
+      <*> field "modulus" naturals
+      <*> field "polynomial" naturals
+      <*> field "folding" folding
+      <*> field "shape" shape
+      <*> field "window" shape
+    findings = Findings
+      <$> field "proved" yes
+      <*> field "enumeration" maybeYes
+      <*> field "rank_road" yes
+      <*> field "rank" natural
+      <*> field "needed" natural
+      <*> field "windows" natural
+      <*> field "different" natural
+      <*> field "distance" between
     named = zip (columnsOf form) fields
-    field :: ByteString -> (ByteString -> Maybe a) -> Either RowFault a
+    field :: ByteString -> (ByteString -> Maybe a) -> Either RowError a
     field name reading = case lookup name named of
       Just text -> maybe (Left (FieldForm name text)) Right (reading text)
       Nothing -> Left (FieldForm name "")
@@ -160,8 +172,10 @@ agrees scope entries entry row = take (length keys) (Bytes.split ',' (rowText ro
 -- | Digits without zeros before them.
 natural :: ByteString -> Maybe Natural
 natural text
-  | Bytes.null text || not (Bytes.all isDigit text) || ("0" `Bytes.isPrefixOf` text && text /= "0") = Nothing
+  | Bytes.null text || not (Bytes.all isDigit text) || padded = Nothing
   | otherwise = fromInteger . fst <$> Bytes.readInteger text
+  where
+    padded = "0" `Bytes.isPrefixOf` text && text /= "0"
 
 naturals :: ByteString -> Maybe [Natural]
 naturals = traverse natural . Bytes.split ' '

@@ -1,21 +1,25 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | Census files that were changed, in process: every change of a byte is noticed, by merge and on continuing.
-module Test.CommandLine.CensusFile (spec) where
+-- | Census files: what is written is read again, and every change of a byte is noticed, by merge and on continuing.
+module Test.Formats.CensusFile (spec) where
 
-import CensusFile
-import CensusFile.Continue
-import CensusFile.Merge
-import CensusFile.Row
-import CensusFile.Verdict
 import Control.Monad (forM_)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Octets
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isRight)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census
+import PraTactile.Format.Census
+import PraTactile.Format.Census.Continue
+import PraTactile.Format.Census.Contradiction
+import PraTactile.Format.Census.Merge
+import PraTactile.Format.Census.Row
+import PraTactile.Format.Error
+import PraTactile.Window.Distance (Distance (..), DistanceError (..))
+import PraTactile.Window.Proof (Verdict (..))
 import Test.Hspec
 import Test.QuickCheck
 
@@ -25,6 +29,15 @@ spec = do
     let file = fileOf Checked wanted
     merge file `shouldBe` Right (Bytes.lines file)
     continue wanted file `shouldBe` Right (length (wantedInOrder wanted))
+  it "a row is read as the entry that it was written for, in both forms" $
+    forM_ [(q, n, form) | (q, n) <- [(2, 6), (3, 3), (4, 2), (9, 2)], form <- [minBound ..]] $ \(q, n, form) -> do
+      let wanted = wantedOf q n
+          file = fileOf form wanted
+          entries = map fst (wantedInOrder wanted)
+      (read', rows') <- either (fail . show) pure (decodeCensus file)
+      read' `shouldBe` form
+      map stated rows' `shouldBe` map (statedOf wanted) entries
+      Lazy.toStrict (encodeCensus form (map rowText rows')) `shouldBe` file
   it "every byte replaced by every other byte is refused: by merge, and on continuing" $ do
     let wanted = wantedOf 2 1
         file = fileOf Checked wanted
@@ -72,7 +85,7 @@ spec = do
       let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
       length found `shouldBe` length (wantedInOrder wanted)
       [fault | Left fault <- found] `shouldBe` []
-    let ranged = told {toldDistance = (2, Just 3)}
+    let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
   it "in an old file, a verdict that contradicts itself or the rest is refused, by the definition of the columns" $
     forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
@@ -85,9 +98,24 @@ spec = do
     merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
     continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
  where
+  stated one =
+    let (s, f) = (rowSubject one, rowFindings one)
+     in ( (Bytes.unpack (rowCensus one), rowEntry one, rowEntries one)
+        , (subjectPolynomial s, subjectFolding s, subjectShape s, subjectWindow s)
+        , (foundProved f, foundByEnumeration f, Just (foundByRank f), Just (foundRank f), Just (foundNeeded f))
+        , (Just (foundDifferent f), foundDistance f) )
+  statedOf wanted entry =
+    let verdict = either (error . show) id (entryVerdict entry)
+     in ( (censusName (wantedScope wanted), entryNumber entry, wantedEntries wanted)
+        , (entryPolynomial entry, entryFolding entry, entryShape entry, entryWindow entry)
+        , (proved verdict, enumeration verdict, rankRoad verdict, rank verdict, needed verdict)
+        , (distinctWindows verdict, either bounds (\d -> (distance d, Nothing)) (entryDistance entry)) )
+  bounds e = case e of
+    DistanceBetween low high -> (low, Just high)
+    TooManyCodewords _ -> error "no bounds"
   -- The paper's array with a window of 2 x 3.
   subject = Subject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
-  told = Told True (Just True) True 4 4 255 255 (2, Nothing)
+  told = Findings True (Just True) True 4 4 255 255 (2, Nothing)
   wrong =
     [ (subject {subjectModulus = [1, 1]}, told, ["q", "modulus"])
     , (subject {subjectOrder = 6}, told, ["q", "modulus"])
@@ -99,19 +127,19 @@ spec = do
     , (subject {subjectPolynomial = [2, 0, 0, 0, 0, 0, 1], subjectShape = Shape 15 273}, told, ["folding", "shape"])
     , (subject {subjectWindow = Shape 16 2}, told, ["shape", "window"])
     , (subject {subjectWindow = Shape 0 3}, told, ["shape", "window"])
-    , (subject, told {toldWindows = 254}, ["shape", "windows"])
-    , (subject, told {toldNeeded = 3}, ["polynomial", "needed"])
-    , (subject, told {toldRank = 5}, ["window", "rank", "needed"])
-    , (subject, told {toldRank = 0}, ["window", "rank", "needed"])
-    , (subject, told {toldRank = 3}, ["rank_road", "rank", "needed"])
-    , (subject, told {toldRankRoad = False}, ["rank_road", "rank", "needed"])
-    , (subject, told {toldProved = False}, ["proved", "rank_road"])
-    , (subject, told {toldEnumeration = Just False}, ["proved", "enumeration"])
-    , (subject, told {toldDifferent = 256}, ["rank", "needed", "different"])
-    , (subject, told {toldDistance = (0, Nothing)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {toldDistance = (4, Nothing)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {toldDistance = (3, Just 2)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {toldProved = False, toldRankRoad = False, toldEnumeration = Nothing, toldRank = 3, toldDifferent = 64}, ["proved", "window", "needed", "distance"])
+    , (subject, told {foundWindows = 254}, ["shape", "windows"])
+    , (subject, told {foundNeeded = 3}, ["polynomial", "needed"])
+    , (subject, told {foundRank = 5}, ["window", "rank", "needed"])
+    , (subject, told {foundRank = 0}, ["window", "rank", "needed"])
+    , (subject, told {foundRank = 3}, ["rank_road", "rank", "needed"])
+    , (subject, told {foundByRank = False}, ["rank_road", "rank", "needed"])
+    , (subject, told {foundProved = False}, ["proved", "rank_road"])
+    , (subject, told {foundByEnumeration = Just False}, ["proved", "enumeration"])
+    , (subject, told {foundDifferent = 256}, ["rank", "needed", "different"])
+    , (subject, told {foundDistance = (0, Nothing)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {foundDistance = (4, Nothing)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {foundDistance = (3, Just 2)}, ["proved", "window", "needed", "distance"])
+    , (subject, told {foundProved = False, foundByRank = False, foundByEnumeration = Nothing, foundRank = 3, foundDifferent = 64}, ["proved", "window", "needed", "distance"])
     ]
 
 -- | The whole census of q and n.
@@ -124,20 +152,20 @@ wantedOf q n = either (error . show) id $ do
 
 -- | Its file, as it is written.
 fileOf :: Form -> Wanted -> ByteString
-fileOf form wanted = Bytes.unlines (headerOf form : [inForm form body | (_, Right body) <- wantedInOrder wanted])
+fileOf form wanted = Lazy.toStrict (encodeCensus form [body | (_, Right body) <- wantedInOrder wanted])
 
 -- | The lines that merge makes of a file, as the command does.
 merge :: ByteString -> Either String [ByteString]
 merge bytes = do
-  contents <- maybe (Left "no census") Right (contentsOf bytes)
+  contents <- first show (contentsOf bytes)
   found <- first show (completeRows contents)
   (form, merged) <- first show (mergeShards [Shard "file" (contentsForm contents) found])
   pure (headerOf form : map (inForm form . rowText) merged)
 
 -- | How many rows are kept of a file, as the command does.
-continue :: Wanted -> ByteString -> Either FileFault Int
+continue :: Wanted -> ByteString -> Either CensusFileError Int
 continue wanted bytes
   | beginsHeader bytes = Right 0
   | otherwise = do
-      contents <- maybe (Left NoCensus) Right (contentsOf bytes)
+      contents <- contentsOf bytes
       keptCount <$> keptInOrder wanted bytes contents

@@ -1,11 +1,9 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | Reading JSON: every JSON text comes in here, so that what libraries take in silence, or in a time or a memory out of
--- proportion, is refused everywhere.
-module JsonInput
+
+-- | Reading JSON: every JSON text is read here, so that what libraries take in silence, or in a
+-- time or a memory out of proportion, is refused everywhere.
+module PraTactile.Format.Json.Strict
   ( readJson
-  , JsonFault (..)
-  , jsonFaultMessage
     -- * Bounds
   , deepest
   , longestNumber
@@ -19,42 +17,22 @@ import Data.ByteString.Char8 (ByteString)
 import Data.Char (isDigit)
 import qualified Data.Set as Set
 import Data.Text (Text)
-import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
 
-import Visible
+import PraTactile.Format.Error
 
--- | The value of a JSON text. Refuses what is no JSON; deep nesting, which takes many times its own size in memory; numbers of
--- very many digits, which aeson reads in a time that grows with their square; and an object anywhere in it that has a key
--- twice, of which parsers keep one, and not all of them the same one (RFC 8259, section 4).
-readJson :: ByteString -> Either JsonFault Value
+-- | The value of a JSON text in UTF-8. Refuses what is no JSON; deep nesting, which takes many
+-- times its own size in memory; numbers of very many digits, which aeson reads in a time that grows
+-- with their square; and an object anywhere in it that has a key twice, of which parsers keep one,
+-- and not all of them the same one (RFC 8259, section 4).
+readJson :: ByteString -> Either JsonError Value
 readJson text
   | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
-  | Just fault <- excess text = Left fault
+  | Just why <- excess text = Left why
   | Left _ <- decodeUtf8' text = Left NotUtf8
-  | otherwise = maybe (Left NoJson) unrepeated (decodeStrict text)
+  | otherwise = maybe (Left NotJson) unrepeated (decodeStrict text)
   where
     unrepeated value = maybe (Right value) (Left . RepeatedKey) (repeatedKey text)
-
--- | Why a text is not read.
-data JsonFault
-  = NoText             -- ^ it is empty
-  | TooDeep            -- ^ more brackets are within each other than 'deepest'
-  | TooLong            -- ^ a number has more digits on end than 'longestNumber'
-  | NotUtf8            -- ^ it holds bytes that are no UTF-8
-  | NoJson             -- ^ it is no JSON
-  | RepeatedKey Text   -- ^ an object in it has this key twice
-  deriving stock (Eq, Show)
-
--- | What is wrong, as a clause.
-jsonFaultMessage :: JsonFault -> String
-jsonFaultMessage fault = case fault of
-  NoText -> "it is empty"
-  TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
-  TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
-  NotUtf8 -> "it is not UTF-8 text"
-  NoJson -> "it is not JSON"
-  RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
 
 -- | How many brackets may stand within each other: 64.
 deepest :: Int
@@ -64,23 +42,25 @@ deepest = 64
 longestNumber :: Int
 longestNumber = 1000
 
--- | Whether more brackets are open at once, or more digits stand on end, than may; what is within strings does not count.
-excess :: ByteString -> Maybe JsonFault
+-- | Whether more brackets are open at once, or more digits stand on end, than may; what is within
+-- strings does not count.
+excess :: ByteString -> Maybe JsonError
 excess = go 0
   where
-    go :: Int -> ByteString -> Maybe JsonFault
+    go :: Int -> ByteString -> Maybe JsonError
     go open text
       | open > deepest = Just TooDeep
       | otherwise = case Bytes.uncons (Bytes.dropWhile (`Bytes.notElem` "{}[]\"0123456789") text) of
           Nothing -> Nothing
           Just ('"', rest) -> go open (Bytes.drop (closing rest + 1) rest)
           Just (c, rest)
-            | isDigit c -> let (digits, others) = Bytes.span isDigit rest
-                           in if Bytes.length digits >= longestNumber then Just TooLong else go open others
+            | isDigit c ->
+                let (digits, others) = Bytes.span isDigit rest
+                in if Bytes.length digits >= longestNumber then Just TooLong else go open others
             | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
 
--- | The first key that an object in a valid JSON text has a second time, however it is written: @\"q\"@ is @\"\\u0071\"@.
--- Of other texts it says nothing sensible.
+-- | The first key that an object in a valid JSON text has a second time, however it is written:
+-- @\"q\"@ is @\"\\u0071\"@. Of other texts it says nothing sensible.
 repeatedKey :: ByteString -> Maybe Text
 repeatedKey = go []
   where
@@ -106,5 +86,6 @@ closing = go 0
   where
     go past text = case Bytes.findIndex (`Bytes.elem` "\"\\") text of
       Nothing -> past + Bytes.length text
-      Just i | Bytes.index text i == '"' -> past + i
-             | otherwise -> go (past + i + 2) (Bytes.drop (i + 2) text)
+      Just i
+        | Bytes.index text i == '"' -> past + i
+        | otherwise -> go (past + i + 2) (Bytes.drop (i + 2) text)

@@ -1,0 +1,55 @@
+-- | Files in the formats of "PraTactile.Format". Each reader leaves with status 2 and the reason
+-- where a file is not what it should be.
+module FormatFile
+  ( readProfile
+  , readCertificate
+  , readTruth
+  , readClaim
+  ) where
+
+import Data.ByteString (ByteString)
+
+import Ending
+import Files (readBytes, readBytesUpTo)
+import Message (formatMessage, profileMessage)
+import PraTactile.Format
+import PraTactile.Profile
+import PraTactile.Truth (Claim, Truth)
+
+-- | The profile in a file, which must name an array.
+readProfile :: FilePath -> IO Profile
+readProfile file = do
+  profile <-
+    readAs (readBytesUpTo mebibyte) decodeProfile "a profile as 'pra-tactile profile' prints it"
+      file
+  orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
+  pure profile
+
+-- | The certificate in a file, with its seal whole or broken. A window has at most 4096 cells; JSON
+-- in memory takes up to seventy times its size on disk.
+readCertificate :: FilePath -> IO CertificateFile
+readCertificate = readAs (readBytesUpTo (4 * mebibyte)) decodeCertificate wanted
+  where
+    wanted = "a certificate as 'pra-tactile certificate' writes it"
+
+-- | The truth in a file.
+readTruth :: FilePath -> IO Truth
+readTruth = readAs readBytes decodeTruth "the truth as 'pra-tactile probe --truth' writes it"
+
+-- | The claim in a file with an answer of @decode --json@; 'Nothing' where it names no place on a
+-- face.
+readClaim :: FilePath -> IO (Maybe Claim)
+readClaim = readAs readBytes decodeClaim "one answer as 'pra-tactile decode --json' prints it"
+
+-- | A file, by how it is read, what its bytes stand for, and what it should be.
+readAs
+  :: (FilePath -> IO ByteString)
+  -> (ByteString -> Either FormatError a)
+  -> String
+  -> FilePath
+  -> IO a
+readAs bytesOf decoder wanted file =
+  bytesOf file >>= orUnusable (formatMessage file wanted) . decoder
+
+mebibyte :: Int
+mebibyte = 1024 * 1024

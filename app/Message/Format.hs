@@ -1,0 +1,63 @@
+-- | What is wrong with JSON and census files, in words.
+module Message.Format
+  ( formatMessage
+  , jsonMessage
+  ) where
+
+import qualified Data.Aeson.Key as Key
+import Data.Aeson.Types (JSONPath, JSONPathElement (..))
+import qualified Data.Text as Text
+
+import Message.Census (censusFileMessage)
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Strict (deepest, longestNumber)
+import Visible
+
+-- | Of a file, and what it should be; the place is named as in @profile.shape[1]@.
+formatMessage :: FilePath -> String -> FormatError -> String
+formatMessage file wanted e = case e of
+  CensusFileRefused why -> censusFileMessage file why
+  JsonRefused why -> notWanted (jsonMessage why)
+  Misfit [] why -> notWanted (misfitMessage why)
+  Misfit place why -> notWanted (placeText place ++ ": " ++ misfitMessage why)
+  where
+    notWanted why = file ++ " is not " ++ wanted ++ ": " ++ why
+
+-- | Of JSON, as a clause.
+jsonMessage :: JsonError -> String
+jsonMessage e = case e of
+  NoText -> "it is empty"
+  TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
+  TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
+  NotUtf8 -> "it is not UTF-8 text"
+  NotJson -> "it is not JSON"
+  RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
+
+placeText :: JSONPath -> String
+placeText place = case place of
+  Key key : others -> visible (Key.toString key) ++ concatMap step others
+  _ -> concatMap step place
+  where
+    step (Key key) = '.' : visible (Key.toString key)
+    step (Index i) = "[" ++ show i ++ "]"
+
+misfitMessage :: Misfit -> String
+misfitMessage misfit = case misfit of
+  MissingKey key -> "the key " ++ quoted (Text.unpack key) ++ " is missing"
+  NotObject -> "an object is needed"
+  NotList -> "a list is needed"
+  NotText -> "a text is needed"
+  NotNatural -> "a number 0, 1, 2, ... is needed"
+  NaturalTooLong limit -> "a number has at most " ++ show limit ++ " digits"
+  NotReal -> "a number is needed"
+  NotPair -> "a list of two is needed"
+  NotShape -> "a shape is a list of two numbers, rows and columns"
+  NotCell -> "a cell of the mask is a list of two numbers, row and column"
+  NotPrimeWitness ->
+    "a factor of a prime less 1 is a list of three numbers: prime, exponent, witness"
+  NotAmong names text -> quoted text ++ " is not one of " ++ unwords names
+  OtherSchema given wanted -> "its schema is " ++ quoted given ++ ", not " ++ quoted wanted
+  UnknownEvidence road ->
+    "the evidence's road is " ++ quoted road ++ ", not rank or enumeration"
+  NotQuarterTurn -> "one of 0, 90, 180 and 270 is needed"
+  RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

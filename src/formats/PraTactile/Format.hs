@@ -1,0 +1,53 @@
+-- | Everything that the command line reads and writes as data, as functions from values to bytes
+-- and back: what is written here, the command reads, and the other way round. Each text is one line
+-- without its end, except census files.
+--
+-- >>> import PraTactile.Array (Shape (..))
+-- >>> import PraTactile.Certificate (Road (..), certificateWindows, certify)
+-- >>> import PraTactile.Profile (canonicalProfile)
+-- >>> import PraTactile.Window (rectangle)
+-- >>> let Right window = rectangle (Shape 2 2)
+-- >>> let Right certificate = certify RankRoad canonicalProfile window
+-- >>> certificateWindows . fileCertificate <$> decodeCertificate (encodeCertificate certificate)
+-- Right 255
+--
+-- The modules below this one have the pieces: 'PraTactile.Format.Json.encodeLine' for other JSON in
+-- the same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
+-- census files that are not finished.
+module PraTactile.Format
+  ( -- * Why a text is not read
+    FormatError (..)
+  , JsonError (..)
+  , Misfit (..)
+  , CensusFileError (..)
+  , RowError (..)
+    -- * Profiles
+  , encodeProfile
+  , decodeProfile
+    -- * Certificates
+  , encodeCertificate
+  , decodeCertificate
+  , CertificateFile (..)
+    -- * Answers and the truth
+  , encodeRecognition
+  , RecognitionReport (..)
+  , decodeClaim
+  , encodeTruth
+  , decodeTruth
+    -- * Advice
+  , encodeAdvice
+    -- * Census files
+  , encodeCensus
+  , decodeCensus
+  , Form (..)
+  , Row (..)
+  ) where
+
+import PraTactile.Format.Advice
+import PraTactile.Format.Census
+import PraTactile.Format.Census.Row
+import PraTactile.Format.Certificate
+import PraTactile.Format.Error
+import PraTactile.Format.Profile
+import PraTactile.Format.Recognition
+import PraTactile.Format.Truth

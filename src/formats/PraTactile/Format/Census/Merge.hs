@@ -1,0 +1,98 @@
+{-# LANGUAGE DerivingStrategies #-}
+-- | The shards of a census as one file.
+module PraTactile.Format.Census.Merge
+  ( Shard (..)
+  , mergeShards
+  , MergeError (..)
+  , standardPlace
+  ) where
+
+import Control.Monad (forM_, unless, when)
+import Data.Bifunctor (first)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.ByteString.Char8 (ByteString)
+import Data.List (find)
+import qualified Data.Map.Strict as Map
+import qualified Data.Sequence as Seq
+import Numeric.Natural (Natural)
+
+import PraTactile.Array (Folding (..), Shape)
+import PraTactile.Census
+import PraTactile.Format.Census.Contradiction
+import PraTactile.Format.Census.Row
+
+-- | The rows of a file, with the numbers of their lines.
+data Shard = Shard
+  { shardFile :: FilePath
+  , shardForm :: Form
+  , shardRows :: [(Int, Row)]
+  }
+
+-- | Why shards are not one census.
+data MergeError
+  = -- | There is no row in any of them.
+    NoEntries
+  | -- | These two files have rows of different censuses; they may be the same file.
+    DifferentCensuses FilePath FilePath
+  | -- | This entry is in both files; they may be the same file.
+    EntryTwice Natural FilePath FilePath
+  | -- | Of this number of entries, those from the first to the second number of each pair,
+    -- ascending, are missing.
+    EntriesMissing Natural [(Natural, Natural)]
+  | -- | The row on this line does not have the folding, shape and window of the entry whose number
+    -- it has.
+    NotAsNumbered FilePath Int
+  deriving stock (Eq, Show)
+
+-- | The rows of the whole census, in order, in the form that all shards have, or in the old one if
+-- any of them has that: a row that was never checked is not given a check. The shards must be of
+-- one census, without a common entry, and lack none.
+mergeShards :: [Shard] -> Either MergeError (Form, [Row])
+mergeShards shards = case [ (shardFile shard, row) | shard <- shards, row <- shardRows shard ] of
+  [] -> Left NoEntries
+  everything@((file, (_, one)) : _) -> do
+    forM_ everything $ \(file', (_, row)) ->
+      unless (identity row == identity one) (Left (DifferentCensuses file file'))
+    forM_ everything $ \(file', (line, row)) ->
+      unless (maybe True (isPlacedAt row) (standard one)) (Left (NotAsNumbered file' line))
+    merged <- go Map.empty everything
+    let missing = gaps (rowEntries one) (Map.keys merged)
+    unless (null missing) (Left (EntriesMissing (rowEntries one) missing))
+    pure (form, map snd (Map.elems merged))
+  where
+    form = if all ((== Checked) . shardForm) shards then Checked else Unchecked
+    identity row =
+      let s = rowSubject row
+          field = (subjectOrder s, subjectModulus s)
+      in (rowCensus row, rowEntries row, field, length (subjectPolynomial s))
+    standard one = standardPlace (rowCensus one) (rowEntries one) (rowSubject one)
+    isPlacedAt row placed =
+      let s = rowSubject row
+      in placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
+    go merged [] = Right merged
+    go merged ((file, (_, row)) : others) = do
+      forM_ (Map.lookup (rowEntry row) merged) $ \(file', _) ->
+        Left (EntryTwice (rowEntry row) file' file)
+      go (Map.insert (rowEntry row) (file, row) merged) others
+
+-- | The runs of numbers below a bound that are not among these, which ascend.
+gaps :: Natural -> [Natural] -> [(Natural, Natural)]
+gaps bound present =
+  [ (a, b - 1) | (a, b) <- zip (0 : map (+ 1) present) (present ++ [bound]), a < b ]
+
+-- | If a census has the name of one with the standard windows of this field and degree: what its
+-- entries are of, by their numbers. Of a census with chosen windows the name alone does not tell.
+standardPlace
+  :: ByteString -> Natural -> Subject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
+standardPlace name entries subject = do
+  scope <- find ((== name) . Bytes.pack . censusName)
+    [ Scope (subjectOrder subject) (subjectModulus subject) n foldings []
+    | foldings <- [[Diagonal, RowMajor], [Diagonal], [RowMajor]] ]
+  either (const Nothing) Just $ do
+    size <- first (const ()) (censusSize scope)
+    places <- Seq.fromList <$> first (const ()) (scopePlaces scope)
+    when (Seq.null places) (Left ())
+    let index i = fromIntegral (i `mod` fromIntegral (Seq.length places))
+    pure (\i -> if size == entries then places Seq.!? index i else Nothing)
+  where
+    n = fromIntegral (max 1 (length (subjectPolynomial subject)) - 1)

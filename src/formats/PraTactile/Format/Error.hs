@@ -1,0 +1,106 @@
+{-# LANGUAGE DerivingStrategies #-}
+
+-- | Why a text is not read: one sum for all formats of this library.
+module PraTactile.Format.Error
+  ( FormatError (..)
+  , JsonError (..)
+  , Misfit (..)
+  , CensusFileError (..)
+  , RowError (..)
+  ) where
+
+import Data.Aeson.Types (JSONPath)
+import Data.ByteString (ByteString)
+import Data.Text (Text)
+import Numeric.Natural (Natural)
+
+-- | Why bytes are not what was to be read.
+data FormatError
+  = -- | They are no JSON that is read.
+    JsonRefused JsonError
+  | -- | At this place, from the outermost, stands something else than the format has there.
+    Misfit JSONPath Misfit
+  | -- | They are no undamaged census file.
+    CensusFileRefused CensusFileError
+  deriving stock (Eq, Show)
+
+-- | Why a JSON text is not read.
+data JsonError
+  = -- | It is empty.
+    NoText
+  | -- | More brackets are within each other than 'PraTactile.Format.Json.Strict.deepest'.
+    TooDeep
+  | -- | A number has more digits on end than 'PraTactile.Format.Json.Strict.longestNumber'.
+    TooLong
+  | -- | It holds bytes that are no UTF-8.
+    NotUtf8
+  | -- | It is no JSON.
+    NotJson
+  | -- | An object in it has this key twice.
+    RepeatedKey Text
+  deriving stock (Eq, Show)
+
+-- | What a JSON value is instead of what the format has in its place.
+data Misfit
+  = -- | An object without this key.
+    MissingKey Text
+  | NotObject
+  | NotList
+  | NotText
+  | -- | No number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.
+    NotNatural
+  | -- | A number of more digits than this.
+    NaturalTooLong Int
+  | -- | No number that a double can have.
+    NotReal
+  | -- | No list of two.
+    NotPair
+  | -- | No shape: a list of two numbers, rows and columns.
+    NotShape
+  | -- | No cell of a mask: a list of two numbers, row and column.
+    NotCell
+  | -- | No factor of a prime less 1: a list of three numbers, prime, exponent and witness.
+    NotPrimeWitness
+  | -- | A text that is none of these names.
+    NotAmong [String] String
+  | -- | An object of the first schema instead of the second.
+    OtherSchema String String
+  | -- | Evidence of no known kind.
+    UnknownEvidence String
+  | -- | Degrees other than 0, 90, 180 and 270.
+    NotQuarterTurn
+  | -- | More taxels than this along the side of a region.
+    RegionTooLarge Natural
+  deriving stock (Eq, Show)
+
+-- | Why a census file is refused; lines are counted from 1, the header's.
+data CensusFileError
+  = -- | It does not begin with the header line.
+    NoCensusHeader
+  | -- | The line with this number is no whole row.
+    DamagedLine Int RowError
+  | -- | The entry on this line does not come after the one before it.
+    OutOfOrder Int
+  | -- | Its last line has no end.
+    CutOff
+  | -- | It is of another census or shard.
+    OtherCensus
+  | -- | Before the row on this line this entry is missing.
+    EntryMissing Int Natural
+  | -- | The row on this line is not of the entry whose number it has.
+    OtherEntry Int
+  | -- | The last line, which has no end, is not the beginning of the row that belongs there.
+    NotContinued Int
+  deriving stock (Eq, Show)
+
+-- | Why a line is no whole row.
+data RowError
+  = -- | It has the first number of fields instead of the second.
+    FieldCount Int Int
+  | -- | The check is not that of the row.
+    CheckFails
+  | -- | This column has this text, which it cannot have.
+    FieldForm ByteString ByteString
+  | -- | What these columns say cannot all be true.
+    Contradicting [ByteString]
+  deriving stock (Eq, Show)

@@ -1,0 +1,52 @@
+-- | The names that conventions have in every text, of the command line as of JSON and CSV.
+module PraTactile.Format.Name
+  ( surfaceName
+  , foldingName
+  , layoutName
+  , readingName
+  , packingName
+  , shapeText
+  ) where
+
+import PraTactile.Advise (Layout (..))
+import PraTactile.Array (Folding (..), Shape (..), Surface (..))
+import PraTactile.Profile (Reading (..))
+import PraTactile.Window (Packing (..))
+
+-- | The name of a surface.
+surfaceName :: Surface -> String
+surfaceName surface = case surface of
+  Torus -> "torus"
+  TwistedTorus -> "twisted-torus"
+  Sheet -> "sheet"
+
+-- | The name of a folding.
+foldingName :: Folding -> String
+foldingName folding = case folding of
+  Diagonal -> "diagonal"
+  RowMajor -> "row-major"
+
+-- | The name of a layout: its folding's, or that of several arrays with common windows.
+layoutName :: Layout -> String
+layoutName layout = case layout of
+  Single folding -> foldingName folding
+  Joint _ -> "joint"
+
+-- | The name of what a profile's polynomial is.
+readingName :: Reading -> String
+readingName reading = case reading of
+  Characteristic -> "characteristic"
+  Reciprocal -> "reciprocal"
+
+-- | The name of a packing.
+packingName :: Packing -> String
+packingName packing = case packing of
+  MostSignificantFirst -> "most-significant-first"
+  LeastSignificantFirst -> "least-significant-first"
+
+-- | A shape as rows x columns.
+--
+-- >>> shapeText (Shape 15 17)
+-- "15x17"
+shapeText :: Shape -> String
+shapeText (Shape high wide) = show high ++ "x" ++ show wide

@@ -1,0 +1,198 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What the formats write, they read: the same value; and what is none of theirs is refused, with
+-- the cause and the place.
+module Test.Formats (spec) where
+
+import Control.Monad (forM_)
+import Data.Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Aeson.Types (JSONPathElement (..))
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Either (isLeft)
+import Numeric.Natural (Natural)
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
+
+import PraTactile
+import PraTactile.Certificate
+import PraTactile.Explore
+import PraTactile.Files
+import PraTactile.Format
+import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.WingedEdge
+import PraTactile.Probe (taxelPitch)
+import PraTactile.Truth
+
+spec :: Spec
+spec = do
+  describe "what is written is read again" roundTrips
+  describe "what is none of it is refused" refusals
+
+roundTrips :: Spec
+roundTrips = do
+  prop "decodeProfile . encodeProfile = Right" $ forAll someProfile $ \profile ->
+    decodeProfile (encodeProfile profile) === Right profile
+  prop "decodeCertificate . encodeCertificate = Right, with its seal whole" $
+    forAll someCertificate $ \certificate ->
+      decodeCertificate (encodeCertificate certificate) === Right (CertificateFile certificate True)
+  prop "a certificate under the seal of another one has a broken seal" $
+    forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) -> one /= other ==>
+      fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
+  prop "decodeTruth . encodeTruth = Right, to a nanometre" $ forAll someTruth $ \truth ->
+    case decodeTruth (encodeTruth truth) of
+      Left why -> counterexample (show why) False
+      Right read' -> conjoin
+        [ truthFace read' === truthFace truth
+        , truthOrigin read' === truthOrigin truth
+        , whole (truthRegion read') === whole (truthRegion truth)
+        , counterexample (show read') (cornerOf read' `near` cornerOf truth) ]
+  it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
+    folder <- readFolder "data/worked-example/frames" >>= right
+    recognition <- right (canonicalDecoder >>= (`decodeFolder` folder))
+    let report = RecognitionReport
+          { reportProfile = canonicalProfile
+          , reportSources = ["frames"]
+          , reportMessage = "found"
+          , reportElement = show
+          , reportRobot = const (1.5, -2.5)
+          , reportRecognition = recognition
+          }
+    decodeClaim (encodeRecognition report)
+      `shouldBe` Right (Just (Claim top 0 (25.4, 95.25) (1.5, -2.5)))
+  where
+    top = Face "cube" (readFaceName "C1 C2 C3 C4")
+    cornerOf = regionCorner . truthRegion
+    whole region = (regionWidth region, regionHeight region, regionTurns region)
+    near (x, y) (u, v) = abs (x - u) < 1e-6 && abs (y - v) < (1e-6 :: Double)
+    right :: Show e => Either e a -> IO a
+    right = either (fail . show) pure
+
+refusals :: Spec
+refusals = do
+  it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
+    truth <- generate someTruth
+    profile <- generate someProfile
+    certificate <- generate someCertificate
+    everyKey (encodeProfile profile) decodeProfile
+    everyKey (encodeCertificate certificate) decodeCertificate
+    everyKey (encodeTruth truth) decodeTruth
+  it "values that are not what the format has there, with their places" $ do
+    forM_ wrongProfiles $ \(key, value, place, misfit) ->
+      decodeProfile (changed key value (encodeProfile canonicalProfile))
+        `shouldBe` Left (Misfit (Key key : place) misfit)
+    certificate <- encodeCertificate <$> generate someCertificate
+    forM_ wrongCertificates $ \(key, value, place, misfit) ->
+      decodeCertificate (changed key value certificate)
+        `shouldBe` Left (Misfit (Key key : place) misfit)
+    truth <- encodeTruth <$> generate someTruth
+    forM_ wrongTruths $ \(key, value, place, misfit) ->
+      decodeTruth (changed key value truth) `shouldBe` Left (Misfit (Key key : place) misfit)
+    decodeProfile (changed "schema" "x" (encodeProfile canonicalProfile))
+      `shouldBe` Left (Misfit [] (OtherSchema "x" "pra-tactile/profile/1"))
+    decodeProfile "[]" `shouldBe` Left (Misfit [] NotObject)
+    decodeProfile "{}" `shouldBe` Left (Misfit [] (MissingKey "schema"))
+    decodeTruth (encodeProfile canonicalProfile)
+      `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
+  it "what is no JSON, and no census file" $ do
+    decodeProfile "{" `shouldBe` Left (JsonRefused NotJson)
+    decodeTruth " " `shouldBe` Left (JsonRefused NoText)
+    decodeClaim "\255" `shouldBe` Left (JsonRefused NotUtf8)
+    decodeProfile (Bytes.replicate 65 '[') `shouldBe` Left (JsonRefused TooDeep)
+    decodeProfile ("{\"q\":" <> Bytes.replicate 1001 '1') `shouldBe` Left (JsonRefused TooLong)
+    decodeProfile ("{\"q\":4," <> Bytes.drop 1 (encodeProfile canonicalProfile)) 
+      `shouldBe` Left (JsonRefused (RepeatedKey "q"))
+    fmap fst (decodeCensus "window,row,column\n0,0,0\n")
+      `shouldBe` Left (CensusFileRefused NoCensusHeader)
+  where
+    everyKey :: ByteString -> (ByteString -> Either FormatError a) -> Expectation
+    everyKey text decoder = forM_ (KeyMap.keys (fields text)) $ \key -> do
+      (key, isLeft (decoder (written (KeyMap.delete key (fields text))))) `shouldBe` (key, True)
+      (key, isLeft (decoder (changed key Null text))) `shouldBe` (key, True)
+    wrongProfiles =
+      [ ("q", Number (-1), [], NotNatural)
+      , ("q", Number 1.5, [], NotNatural)
+      , ("q", Number 1e18, [], NotNatural)
+      , ("q", "0x10", [], NotNatural)
+      , ("q", "", [], NotNatural)
+      , ("state", toJSON [0, 0, -1, 0 :: Int], [Index 2], NotNatural)
+      , ("modulus", Null, [], NotList)
+      , ("reading", Number 1, [], NotText)
+      , ("shape", toJSON [15 :: Int], [], NotShape)
+      , ("window", toJSON [2, 2, 2 :: Int], [], NotShape)
+      , ("surface", "ball", [], NotAmong ["torus", "twisted-torus", "sheet"] "ball")
+      , ("folding", "Diagonal", [], NotAmong ["diagonal", "row-major"] "Diagonal") ]
+    wrongCertificates =
+      [ ("mask", toJSON [[0, 0], [1 :: Int]], [Index 1], NotCell)
+      , ( "primes", toJSON [object ["prime" .= (341 :: Int), "factors" .= [[2, 1 :: Int]]]]
+        , [Index 0, Key "factors", Index 0], NotPrimeWitness)
+      , ("evidence", object ["road" .= String "guess"], [], UnknownEvidence "guess")
+      , ("profile", object ["schema" .= String "x"], [], OtherSchema "x" "pra-tactile/profile/1")
+      , ("schema", Number 1, [], NotText) ]
+    wrongTruths =
+      [ ("orientation_deg", Number 45, [], NotQuarterTurn)
+      , ("region_mm", toJSON [1 :: Int], [], NotPair)
+      , ("origin_mm", toJSON [Number 1e400, Number 1], [Index 0], NotReal)
+      , ("region_taxels", toJSON [1, 100001 :: Int], [Index 1], RegionTooLarge 100000)
+      , ("face", toJSON [String "C1", Null], [Index 1], NotText) ]
+
+fields :: ByteString -> Object
+fields = maybe mempty id . decodeStrict
+
+written :: Object -> ByteString
+written = Lazy.toStrict . encode
+
+changed :: Key -> Value -> ByteString -> ByteString
+changed key value = written . KeyMap.insert key value . fields
+
+-- | The second certificate, under the first one's seal.
+sealedAs :: Certificate -> Certificate -> ByteString
+sealedAs one other = case KeyMap.lookup "seal" (fields (encodeCertificate one)) of
+  Just seal -> changed "seal" seal (encodeCertificate other)
+  Nothing -> ""
+
+-- | Of any size: below and above what JSON numbers are read exactly to.
+someNatural :: Gen Natural
+someNatural = fromInteger <$> oneof [ choose (0, most) | most <- [9, 2 ^ n, 2 ^ (2 * n)] ]
+  where
+    n = 54 :: Int
+
+someNaturals :: Gen [Natural]
+someNaturals = choose (0, 5) >>= \n -> vectorOf n someNatural
+
+someProfile :: Gen Profile
+someProfile = Profile
+  <$> someNatural <*> someNaturals <*> someNaturals <*> anyOf <*> someNaturals <*> anyOf
+  <*> someShape <*> someShape <*> anyOf <*> anyOf
+  where
+    someShape = Shape <$> someNatural <*> someNatural
+
+anyOf :: (Bounded a, Enum a) => Gen a
+anyOf = elements [minBound ..]
+
+someCertificate :: Gen Certificate
+someCertificate = Certificate
+  <$> someProfile
+  <*> several (Position <$> someNatural <*> someNatural)
+  <*> someNatural
+  <*> someNatural
+  <*> several (OrderFactor <$> someNatural <*> someNatural <*> someNaturals)
+  <*> several (PrimeProof <$> someNatural <*> several someWitness)
+  <*> oneof
+    [ ByRank <$> (RankEvidence <$> several someNaturals <*> someNaturals <*> several someNaturals)
+    , ByEnumeration <$> vectorOf 64 (elements "0123456789abcdef") ]
+  where
+    someWitness = PrimeWitness <$> someNatural <*> someNatural <*> someNatural
+    several one = choose (0, 3) >>= \n -> vectorOf n one
+
+someTruth :: Gen Truth
+someTruth = Truth
+  <$> (Face <$> elements ["cube", "a \"box\"\n"] <*> elements names)
+  <*> (Region <$> offset <*> offset <*> choose (1, 99) <*> choose (1, 99) <*> elements quarterTurns)
+  <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
+  where
+    names = map readFaceName ["C1 C2 C3 C4", "P1"]
+    offset = (/ taxelPitch) <$> choose (0, 200)
