@@ -93,6 +93,6 @@ foundSpec = describe "what was found so" $ do
     [ kindJudged kind text
     | kind <- kinds, kindName kind == "profiles"
     , text <- ["", "[1]", "{}", "{\"schema\":1}", "{\"schema\":\"pra-tactile/profile/1\",\"q\":4,\"modulus\":[1,-1,1]}", "{", "\xff"] ]
-      `shouldBe` map Refused
+      `shouldBe` map (Refused . ("it is not a profile: " ++))
         [ "it is empty", "an object is needed", "the key \"schema\" is missing", "schema: a text is needed"
         , "modulus[1]: a number 0, 1, 2, ... is needed", "it is not JSON", "it is not UTF-8 text" ]
