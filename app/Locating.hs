@@ -39,7 +39,8 @@ import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.OrderedStatistics
-import PraTactile.Locate.Orientation (Orientation, candidatesDiffer, upright)
+import PraTactile.Locate.Separation
+import PraTactile.Symmetry
 import PraTactile.Locate.Oriented (eachLaid)
 import PraTactile.Locate.Patch (completeWindows, observedCells)
 import PraTactile.Locate.Search
@@ -106,7 +107,7 @@ locator choice surface array mask = case chosenRoad choice of
       Symbols p -> hard p
       Chances p -> soft p
     viaExact = (\(road, exact) p -> plain road p <$> exact p) <$> exactRoad choice surface array mask
-    plain road p outcome = plainWith (exactChance [upright] surface array mask road p) road p outcome
+    plain road p outcome = plainWith (exactChance [identity] surface array mask road p) road p outcome
     plainWith worth road p outcome = Answer outcome road [] worth (counted outcome)
       (explainCells array mask (observedCells p) ++ explainOutcome outcome)
     viaNearest shelf p
@@ -119,7 +120,7 @@ locator choice surface array mask = case chosenRoad choice of
                (chance . correcting (decisionDistance decision) (decisionRadius decision) <$> around p)
                (counted (decisionOutcome decision) ++ ofDecision decision)
                (explainCells array mask (observedCells p) ++ explainDecision decision ++ explainOutcome (decisionOutcome decision)))
-    around p = spheres surface array [upright] (patchShape p) (map fst (observedCells p))
+    around p = spheres surface array [identity] (patchShape p) (map fst (observedCells p))
     -- Fewer cells than a window has never tell a position on the array's own surface.
     fewer p = length (observedCells p) < maskSize mask
     -- What is computed once for patches without holes of one shape, as it is first asked for.
@@ -136,13 +137,13 @@ locator choice surface array mask = case chosenRoad choice of
     viaSoft shelf p =
       let found = posterior shelf p
           outcome = decide (chosenDoubt choice) found
-      in Right (Answer outcome SoftRoad [] (certainChance [upright] surface array p)
+      in Right (Answer outcome SoftRoad [] (certainChance [identity] surface array p)
            (counted outcome ++ ofPosterior found) (explainPosterior (chosenDoubt choice) found ++ explainOutcome outcome))
 
     viaList algebra p = do
       found <- first algebraMessage (listPatch standardListing (chosenDoubt choice) algebra p)
       let outcome = decideListing (chosenDoubt choice) found
-      pure (Answer outcome ListRoad [] (certainChance [upright] surface array p)
+      pure (Answer outcome ListRoad [] (certainChance [identity] surface array p)
         (counted outcome ++ ofListing found) (explainListing (chosenDoubt choice) found ++ explainOutcome outcome))
 
 -- | The road on which nothing is corrected: the one chosen, or else algebra, or where that cannot be the table. 'Left' where it is impossible for the array.
@@ -158,7 +159,7 @@ exactRoad choice surface array mask = case chosenRoad choice of
 
 -- | What an answer of a road on which nothing is corrected is worth, in one of these orientations. The table knows
 -- complete windows only.
-exactChance :: KnownField k => [Orientation] -> Surface -> PseudorandomArray k -> Mask -> Road -> Patch k -> Maybe Chance
+exactChance :: KnownField k => [Symmetry] -> Surface -> PseudorandomArray k -> Mask -> Road -> Patch k -> Maybe Chance
 exactChance possible surface array mask road p =
   limited . chance . correctingNothing differ <$> spheres surface array possible shape offsets
   where
@@ -171,7 +172,7 @@ exactChance possible surface array mask road p =
 
 -- | What an answer from probabilities is worth, in one of these orientations: only a cell that leaves no doubt keeps
 -- out a position.
-certainChance :: KnownField k => [Orientation] -> Surface -> PseudorandomArray k -> SoftPatch k -> Maybe Chance
+certainChance :: KnownField k => [Symmetry] -> Surface -> PseudorandomArray k -> SoftPatch k -> Maybe Chance
 certainChance possible surface array p =
   chance . amongCells certain <$> spheres surface array possible (softShape p) (map fst (softCells p))
   where

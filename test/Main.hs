@@ -68,6 +68,7 @@ import qualified Test.Source
 import qualified Test.Store
 import qualified Test.Tools
 import qualified Test.StoreTarget
+import qualified Test.Symmetry
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
@@ -138,6 +139,7 @@ specs = do
     describe "Placement" Test.Object.Placement.spec
   describe "Store" Test.Store.spec
   describe "Store" Test.StoreTarget.spec
+  describe "Symmetry" Test.Symmetry.spec
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec

@@ -5,4 +5,4 @@ import System.Environment (getArgs)
 import Test.DocTest (doctest)
 
 main :: IO ()
-main = getArgs >>= doctest . (["-isrc/code", "-isrc/touch", "-isrc/recognition", "-v0"] ++)
+main = getArgs >>= doctest . (["-isrc/common", "-isrc/code", "-isrc/touch", "-isrc/recognition", "-v0"] ++)

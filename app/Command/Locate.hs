@@ -129,7 +129,7 @@ answerText report = intercalate "; " ((told ++ corrections (answerCorrected answ
     told = case (answerOutcome answer, reportCandidates report) of
       (located@(Located _ _), Just [Candidate o _]) -> outcomeText located ++ ", " ++ orientationText o
       (Ambiguous _ _, Just candidates) -> "ambiguous: " ++ show (length candidates) ++ " positions and orientations fit: "
-        ++ intercalate "; " [ pairText (candidatePosition c) ++ " " ++ orientationText (candidateOrientation c) | c <- candidates ]
+        ++ intercalate "; " [ pairText (candidatePosition c) ++ " " ++ orientationText (candidateSymmetry c) | c <- candidates ]
       (AmbiguousCoset count _, Just _) -> "ambiguous: " ++ show count ++ " positions and orientations fit"
       (outcome, _) -> outcomeText outcome
     corrections cells = case length cells of

@@ -32,7 +32,7 @@ import PraTactile.Locate.Algebra (prepareAlgebra)
 import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
+import PraTactile.Symmetry
 import PraTactile.Locate.Oriented
 import PraTactile.Locate.Patch (observedCells)
 import PraTactile.Locate.Soft
@@ -54,11 +54,11 @@ turningName turning = case turning of
   Any -> "any"
 
 -- | The orientations.
-orientationsOf :: Turning -> [Orientation]
+orientationsOf :: Turning -> [Symmetry]
 orientationsOf turning = case turning of
-  Upright -> [upright]
+  Upright -> [identity]
   Turned -> rotations
-  Any -> orientations
+  Any -> symmetries
 
 -- | An answer; of patches whose orientation was asked for, the candidates that are left; and of patches with displacements, what each is worth.
 data Report = Report
@@ -92,7 +92,7 @@ reporter choice turning surface array mask = do
     -- Whether all positions are compared, so that errors are corrected in any orientation.
     compared = chosenRoad choice == Nothing && either (const False) (const True) shelved
     onlyPlace answer = case answerOutcome <$> answer of
-      Right (Located place _) -> Just (Candidate upright place)
+      Right (Located place _) -> Just (Candidate identity place)
       _ -> Nothing
     onlyCandidate outcome = case outcome of
       Right (OrientedAt candidate _) -> Just candidate
@@ -145,18 +145,18 @@ reporter choice turning surface array mask = do
            [ ("doubt", toJSON (posteriorDoubt found))
            , ("likeliest", toJSON [ object (("probability" .= probability) : candidateFields turning candidate) | (candidate, probability) <- take 5 (posteriorRanking found) ]) ]
            ([ "The probabilities of the candidates, positions in orientations:" | Just _ <- [posteriorBest found] ]
-             ++ [ printf "  %s %s: %.6g" (pairText (candidatePosition candidate)) (orientationText (candidateOrientation candidate)) probability | (candidate, probability) <- take 3 (posteriorRanking found) ]
+             ++ [ printf "  %s %s: %.6g" (pairText (candidatePosition candidate)) (orientationText (candidateSymmetry candidate)) probability | (candidate, probability) <- take 3 (posteriorRanking found) ]
              ++ [ printf "The likeliest is wrong with probability %.3g; %.3g is tolerated." (posteriorDoubt found) (chosenDoubt choice) | Just _ <- [posteriorBest found] ])
     around joined = spheres surface array possible (patchShape joined) (map fst (observedCells joined))
     -- The equations of the cells in the one orientation that is left, or in the first.
     cellsOf candidates joined =
-      let seen = case nub (map candidateOrientation candidates) of
+      let seen = case nub (map candidateSymmetry candidates) of
             [only] -> only
-            _ -> upright
+            _ -> identity
           shape = patchShape joined
-          laid = sort [ (seenAt (undone seen) shape offset, a) | (offset, a) <- observedCells joined ]
-      in [ "Seen " ++ orientationText seen ++ "; upright, with the offsets that cells then have:" | seen /= upright ]
-           ++ [ "In several orientations; taken to be upright:" | turning /= Upright, length (nub (map candidateOrientation candidates)) /= 1 ]
+          laid = sort [ (onPosition (invert seen) shape offset, a) | (offset, a) <- observedCells joined ]
+      in [ "Seen " ++ orientationText seen ++ "; upright, with the offsets that cells then have:" | seen /= identity ]
+           ++ [ "In several orientations; taken to be upright:" | turning /= Upright, length (nub (map candidateSymmetry candidates)) /= 1 ]
            ++ explainCells array mask laid
 
 -- | With what each patch is worth.
@@ -218,11 +218,11 @@ candidateFields turning (Candidate o place) =
   ("position" .= positionValue place) : (if turning == Upright then [] else ["orientation_deg" .= degrees o, "mirrored" .= mirrored o])
 
 -- | Clockwise.
-degrees :: Orientation -> Int
+degrees :: Symmetry -> Int
 degrees o = 90 * (quarterTurns o `mod` 4)
 
 -- | How a patch is seen.
-orientationText :: Orientation -> String
+orientationText :: Symmetry -> String
 orientationText o = case (mirrored o, degrees o) of
   (False, 0) -> "upright"
   (True, 0) -> "mirrored"

@@ -48,12 +48,13 @@ data Breach = Breach
 -- | The wings that a wing may import.
 allowed :: Wing -> [Wing]
 allowed wing = case wing of
-  Code -> [Code]
-  Touch -> [Touch]
-  Recognition -> [Code, Touch, Recognition]
-  Files -> [Code, Touch, Recognition, Files]
-  Store -> [Code, Recognition, Store]
-  Conformance -> [Code, Touch, Recognition, Conformance]
+  Common -> [Common]
+  Code -> [Common, Code]
+  Touch -> [Common, Touch]
+  Recognition -> [Common, Code, Touch, Recognition]
+  Files -> [Common, Code, Touch, Recognition, Files]
+  Store -> [Common, Code, Recognition, Store]
+  Conformance -> [Common, Code, Touch, Recognition, Conformance]
   App -> [minBound ..]
 
 -- | Every import, at once or through others, of a wing that the importer's wing may not know.
@@ -68,7 +69,7 @@ wingBreaches house =
 
 -- | The wings without input and output.
 pureWings :: [Wing]
-pureWings = [Code, Touch, Recognition]
+pureWings = [Common, Code, Touch, Recognition]
 
 -- | Modules that nothing pure may import, nor any module below them, and why.
 impureModules :: [(String, String)]
@@ -168,6 +169,7 @@ dot house = unlines $
         ++ ["  }"]
     short name = intercalate "." (dropWhile (== "PraTactile") (parts name))
     colour wing = case wing of
+      Common -> "grey90"
       Code -> "#dbe9f6"
       Touch -> "#fbe6d4"
       Recognition -> "#e3f1dd"

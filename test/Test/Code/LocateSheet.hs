@@ -16,7 +16,7 @@ import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
+import PraTactile.Symmetry
 import PraTactile.Locate.Oriented
 import PraTactile.Locate.Patch (observedCells)
 import PraTactile.Window

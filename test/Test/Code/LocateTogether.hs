@@ -14,7 +14,7 @@ import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
+import PraTactile.Symmetry
 import PraTactile.Locate.Oriented
 import PraTactile.Locate.Patch (patchRows)
 import PraTactile.Locate.Soft
@@ -101,12 +101,12 @@ spec = do
             corners = [(0, 0), (0, 5), (5, 0), (6, 6), (3, 3)]
             content (i, j) = [[cellAt (bookArray shelf) (Position (6 + i + a + (if (i, j) == (3, 3) then 1 else 0)) (5 + j + b)) | b <- [0, 1]] | a <- [0, 1]]
             -- A patch is seen where its cells are; its upper left is the least row and column of them.
-            corner (i, j) = let cells = [seenAt o board (Position (i + a) (j + b)) | a <- [0, 1], b <- [0, 1]] in (toInteger (minimum (map row cells)), toInteger (minimum (map column cells)))
-        given <- forM corners $ \at -> (,) (corner at) <$> right (patch (seenAs o (map (map Just) (content at))))
+            corner (i, j) = let cells = [onPosition o board (Position (i + a) (j + b)) | a <- [0, 1], b <- [0, 1]] in (toInteger (minimum (map row cells)), toInteger (minimum (map column cells)))
+        given <- forM corners $ \at -> (,) (corner at) <$> right (patch (onRows o (map (map Just) (content at))))
         found <- right (nearestTogetherOriented shelf rotations (UpTo 4) given)
         togetherInconsistent found `shouldBe` [4]
         case orientedOutcome (togetherDecision found) of
-          OrientedAt candidate _ -> candidateOrientation candidate `shouldBe` o
+          OrientedAt candidate _ -> candidateSymmetry candidate `shouldBe` o
           other -> expectationFailure (show other)
         -- Where nothing may be corrected, the algebra names the same one.
         algebra <- right (prepareAlgebra Torus (bookArray shelf) (bookMask shelf))
@@ -137,7 +137,7 @@ spec = do
         found <- right (posteriorTogether shelf 0.02 patches)
         (decide 0.02 (togetherDecision found), togetherInconsistent found) `shouldBe` (Located (Position 6 5) [], [astray])
         turned <- right (posteriorTogetherOriented shelf rotations 0.02 patches)
-        (decideOriented 0.02 (togetherDecision turned), togetherInconsistent turned) `shouldBe` (OrientedAt (Candidate upright (Position 6 5)) [], [astray])
+        (decideOriented 0.02 (togetherDecision turned), togetherInconsistent turned) `shouldBe` (OrientedAt (Candidate identity (Position 6 5)) [], [astray])
     it "of no patches are no patch" $ do
       shelf <- paperBook
       posteriorTogether shelf 0.01 [] `shouldBe` Left PatchEmpty

@@ -23,7 +23,7 @@ module PraTactile.Locate.Oriented
   , decideOriented
   ) where
 
-import Data.List (sort)
+import Data.List (nub, sort)
 import Data.Maybe (catMaybes, mapMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
@@ -33,14 +33,15 @@ import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
-import PraTactile.Locate.Outcome
+import PraTactile.Locate.Separation
+import PraTactile.Symmetry
+import PraTactile.Locate.Answer
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Soft
 
 -- | Where a patch may be, and how it is then seen.
 data Candidate = Candidate
-  { candidateOrientation :: Orientation
+  { candidateSymmetry :: Symmetry
   , candidatePosition :: Position
   }
   deriving stock (Eq, Ord, Show)
@@ -79,14 +80,14 @@ data OrientedDecision = OrientedDecision
 -- answered. Several candidates equally near within the radius are ambiguous. The reasons to refuse are those of 'nearest'; where
 -- those of the orientations differ, that of the orientation that came farthest: off the sheet, contradiction, no such window,
 -- zeros.
-nearestOriented :: KnownField k => Book k -> [Orientation] -> Radius -> Patch k -> OrientedDecision
+nearestOriented :: KnownField k => Book k -> [Symmetry] -> Radius -> Patch k -> OrientedDecision
 nearestOriented shelf possible stated observed =
   decided d radius (case sort (concatMap (\(_, _, (_, _, near, next)) -> catMaybes [near, next]) found) of { _ : next : _ -> Just next; _ -> Nothing }) found
  where
   offsets = map fst (observedCells observed)
   -- In a single orientation all positions are compared for it, which is exact.
-  d = case eachOnce possible of
-    [only] -> observedDistance shelf (map (seenAt (undone only) (patchShape observed)) offsets)
+  d = case nub possible of
+    [only] -> observedDistance shelf (map (onPosition (invert only) (patchShape observed)) offsets)
     _ -> candidateDistance (bookSurface shelf) (bookArray shelf) possible (patchShape observed) offsets
   radius = radiusFor stated d
   found =
@@ -97,7 +98,7 @@ nearestOriented shelf possible stated observed =
 
 -- | The same on arrays of any size, by "PraTactile.Locate.BoundedDistance" in each orientation.
 boundedOriented
-  :: KnownField k => Algebra k -> [Orientation] -> Radius -> Patch k -> Either DecodingError OrientedDecision
+  :: KnownField k => Algebra k -> [Symmetry] -> Radius -> Patch k -> Either DecodingError OrientedDecision
 boundedOriented algebra possible stated observed = decided d radius Nothing <$> traverse decode (eachLaid possible observed)
  where
   d = candidateDistance (algebraSurface algebra) (algebraArray algebra) possible (patchShape observed) (map fst (observedCells observed))
@@ -111,7 +112,7 @@ boundedOriented algebra possible stated observed = decided d radius Nothing <$> 
 
 -- | What orientations come to, each with the upright patch's shape, its outcome, the wrong cells, and in how many cells the nearest
 -- position and the next differ; by the distance, the radius and the runner-up of all.
-decided :: Natural -> Natural -> Maybe Natural -> [(Orientation, Shape, (Outcome, [Position], Maybe Natural, Maybe Natural))] -> OrientedDecision
+decided :: Natural -> Natural -> Maybe Natural -> [(Symmetry, Shape, (Outcome, [Position], Maybe Natural, Maybe Natural))] -> OrientedDecision
 decided d radius next found =
   OrientedDecision
     { orientedOutcome = outcome
@@ -130,7 +131,7 @@ decided d radius next found =
   nearestOnes = [one' | one' <- found, nearestOf one' == least]
   outcome = together [(o, shape, answer) | (o, shape, (answer, _, _, _)) <- if any answered nearestOnes then nearestOnes else found]
   wrong = case (outcome, filter answered nearestOnes) of
-    (OrientedAt _ _, [(o, shape, (_, cells, _, _))]) -> sort (map (seenAt o shape) cells)
+    (OrientedAt _ _, [(o, shape, (_, cells, _, _))]) -> sort (map (onPosition o shape) cells)
     _ -> []
   answered (_, _, (answer, _, _, _)) = case answer of
     Refused _ -> False
@@ -138,20 +139,20 @@ decided d radius next found =
 
 -- | The outcome of another road, which answers exact agreement only, in all these orientations. Refuses where the road
 -- refuses one of them.
-eachOriented :: [Orientation] -> (Patch k -> Either e Outcome) -> Patch k -> Either e OrientedOutcome
+eachOriented :: [Symmetry] -> (Patch k -> Either e Outcome) -> Patch k -> Either e OrientedOutcome
 eachOriented possible road observed = together <$> traverse answer (eachLaid possible observed)
  where
   answer (o, laid) = (,,) o (patchShape laid) <$> road laid
 
 -- | The patch upright again, by each orientation in which it may be seen.
-eachLaid :: [Orientation] -> Patch k -> [(Orientation, Patch k)]
+eachLaid :: [Symmetry] -> Patch k -> [(Symmetry, Patch k)]
 eachLaid possible observed =
-  [(o, rearranged (seenShape back shape) (seenAt back shape) observed) | o <- eachOnce possible, let back = undone o]
+  [(o, rearranged (onShape back shape) (onPosition back shape) observed) | o <- nub possible, let back = invert o]
  where
   shape = patchShape observed
 
 -- | The outcomes in several orientations, with the upright patch's shape, as one.
-together :: [(Orientation, Shape, Outcome)] -> OrientedOutcome
+together :: [(Symmetry, Shape, Outcome)] -> OrientedOutcome
 together outcomes = case (concatMap listed outcomes, sum (map unlisted outcomes)) of
   ([], 0) -> OrientedNowhere (farthest [reason | (_, _, Refused reason) <- outcomes])
   ([(found, support)], 0) -> OrientedAt found support
@@ -159,7 +160,7 @@ together outcomes = case (concatMap listed outcomes, sum (map unlisted outcomes)
   (several, more) -> OrientedMany (fromIntegral (length several) + more)
  where
   listed (o, shape, outcome) = case outcome of
-    Located place support -> [(Candidate o place, sort (map (seenAt o shape) support))]
+    Located place support -> [(Candidate o place, sort (map (onPosition o shape) support))]
     Ambiguous places _ -> [(Candidate o place, []) | place <- places]
     _ -> []
   unlisted (_, _, outcome) = case outcome of
@@ -171,11 +172,11 @@ together outcomes = case (concatMap listed outcomes, sum (map unlisted outcomes)
 
 -- | How likely each of these orientations is with each position of the book, all of them being equally likely beforehand; on the
 -- sheet those with which all observed cells lie on it.
-posteriorOriented :: Book k -> [Orientation] -> SoftPatch k -> PosteriorOver Candidate
+posteriorOriented :: Book k -> [Symmetry] -> SoftPatch k -> PosteriorOver Candidate
 posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat [comparedTotals compared | (_, compared) <- comparisons])
  where
   -- In every orientation the cells are added up in the same order, so that what is equally likely is found equal.
-  comparisons = [(o, likelihoods shelf [(seenAt (undone o) shape offset, b) | (offset, b) <- softCells observed]) | o <- eachOnce possible]
+  comparisons = [(o, likelihoods shelf [(onPosition (invert o) shape offset, b) | (offset, b) <- softCells observed]) | o <- nub possible]
   shape = softShape observed
   candidateAt i = go i comparisons
   go i given = case given of
@@ -185,7 +186,7 @@ posteriorOriented shelf possible observed = ranked candidateAt (Primitive.concat
      where
       size = Primitive.length (comparedTotals compared)
     -- Without orientations there are no indices.
-    [] -> Candidate upright (Position 0 0)
+    [] -> Candidate identity (Position 0 0)
 
 -- | @decideOriented tolerated@: the likeliest candidate, as 'decide' does.
 decideOriented :: Double -> PosteriorOver Candidate -> OrientedOutcome

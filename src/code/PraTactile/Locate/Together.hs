@@ -31,9 +31,10 @@ import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate.Book
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
+import PraTactile.Locate.Separation
+import PraTactile.Symmetry
 import PraTactile.Locate.Oriented
-import PraTactile.Locate.Outcome
+import PraTactile.Locate.Answer
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Search (largestSearchedArray)
 import PraTactile.Locate.Soft
@@ -67,13 +68,13 @@ nearestTogether :: KnownField k => Book k -> Radius -> [((Integer, Integer), Pat
 nearestTogether shelf radius = symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearest shelf radius) located (promised located decisionNearest decisionDistance)
  where
   located decision = case decisionOutcome decision of
-    Located place _ -> Just (Candidate upright place)
+    Located place _ -> Just (Candidate identity place)
     _ -> Nothing
 
 -- | The same, in any one of these orientations.
 nearestTogetherOriented
   :: KnownField k
-  => Book k -> [Orientation] -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError (TogetherAs OrientedDecision)
+  => Book k -> [Symmetry] -> Radius -> [((Integer, Integer), Patch k)] -> Either LocateError (TogetherAs OrientedDecision)
 nearestTogetherOriented shelf possible radius =
   symbolsTogether (bookSurface shelf) (bookArray shelf) (ownRadius shelf) (nearestOriented shelf possible radius) located (promised located orientedNearest orientedMinimum)
  where
@@ -99,7 +100,7 @@ togetherBy
   -> [((Integer, Integer), Patch k)]
   -> Either LocateError (TogetherAs decision)
 togetherBy surface array road located =
-  symbolsTogether surface array (guaranteedRadius . candidateDistance surface array [upright] (Shape 1 1)) road located located
+  symbolsTogether surface array (guaranteedRadius . candidateDistance surface array [identity] (Shape 1 1)) road located located
 
 -- | All patches in one, without the cells in dispute. Refuses as 'nearestTogether' does.
 joinPatches :: [((Integer, Integer), Patch k)] -> Either LocateError (Patch k)
@@ -139,7 +140,7 @@ symbolsTogether surface array ownRadiusOf locate located credible given =
       , whole = patch
       , wrongAt = \candidate shape cells -> map fst (filter (differs candidate shape) cells)
       , belongs = \candidate shape cells ->
-          let laid = [seenAt (undone (candidateOrientation candidate)) shape offset | (offset, _) <- cells]
+          let laid = [onPosition (invert (candidateSymmetry candidate)) shape offset | (offset, _) <- cells]
            in fromIntegral (length (filter (differs candidate shape) cells)) <= ownRadiusOf laid
       }
     locate
@@ -156,13 +157,13 @@ posteriorTogether
   :: KnownField k => Book k -> Double -> [((Integer, Integer), SoftPatch k)] -> Either LocateError (TogetherAs Posterior)
 posteriorTogether shelf tolerated = chancesTogether shelf tolerated (posterior shelf) $ \found ->
   case decide tolerated found of
-    Located place _ -> Just (Candidate upright place)
+    Located place _ -> Just (Candidate identity place)
     _ -> Nothing
 
 -- | The same, in any one of these orientations.
 posteriorTogetherOriented
   :: KnownField k
-  => Book k -> [Orientation] -> Double -> [((Integer, Integer), SoftPatch k)] -> Either LocateError (TogetherAs (PosteriorOver Candidate))
+  => Book k -> [Symmetry] -> Double -> [((Integer, Integer), SoftPatch k)] -> Either LocateError (TogetherAs (PosteriorOver Candidate))
 posteriorTogetherOriented shelf possible tolerated =
   chancesTogether shelf tolerated (posteriorOriented shelf possible) (onlyCandidate . decideOriented tolerated)
 
@@ -192,14 +193,14 @@ chancesTogether shelf tolerated locate located given =
   symbolOf = symbolAt (bookSurface shelf) (bookArray shelf)
   alone candidate shape cells = decideAmong tolerated (ranked (comparedPosition compared) (comparedTotals compared))
    where
-    compared = likelihoods shelf [(seenAt (undone (candidateOrientation candidate)) shape offset, b) | (offset, b) <- cells]
+    compared = likelihoods shelf [(onPosition (invert (candidateSymmetry candidate)) shape offset, b) | (offset, b) <- cells]
 
 -- | The array's symbol in a cell of a patch of this shape, as it is seen, if the candidate is right; 'Nothing' beyond the sheet.
 symbolAt :: KnownField k => Surface -> PseudorandomArray k -> Candidate -> Shape -> Position -> Maybe (GF k)
 symbolAt surface array (Candidate orientation (Position r c)) shape offset =
   cellAt array <$> canonicalPosition surface (arrayShape array) (toInteger (r + i)) (toInteger (c + j))
  where
-  Position i j = seenAt (undone orientation) shape offset
+  Position i j = onPosition (invert orientation) shape offset
 
 -- | What there is to know of cells, to join patches of them.
 data Joining cell patch = Joining

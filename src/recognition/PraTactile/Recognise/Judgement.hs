@@ -32,7 +32,7 @@ import PraTactile.Locate
 import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation (upright)
+import PraTactile.Symmetry (identity)
 import PraTactile.Locate.Soft
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
@@ -127,7 +127,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
         , evidenceRadius = radius
         , evidenceChance = do
             here <- either (const Nothing) Just likely
-            around <- spheres (bookSurface shelf) (bookArray shelf) [upright] (softShape here) (map fst (softCells here))
+            around <- spheres (bookSurface shelf) (bookArray shelf) [identity] (softShape here) (map fst (softCells here))
             pure (chance (amongCells (fromIntegral (length knownCells)) (correcting distance radius around)))
         }
     exact = fromMaybe (Refused TooFewCells) (exactly cells)
