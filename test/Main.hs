@@ -28,7 +28,8 @@ import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
 import qualified Test.Code.LocateSheet
 import qualified Test.Code.LocateSoft
-import qualified Test.Code.LocateTogether
+import qualified Test.Code.LocateDefinition
+import qualified Test.Code.LocateJoint
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -121,7 +122,8 @@ specs = do
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
     describe "Locating from probabilities on large arrays" Test.Code.LocateListing.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
-    describe "Several patches" Test.Code.LocateTogether.spec
+    describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
+    describe "Several patches" Test.Code.LocateJoint.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do

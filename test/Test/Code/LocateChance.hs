@@ -13,10 +13,10 @@ import PraTactile.Field
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Chance
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decision
 import PraTactile.Symmetry
-import PraTactile.Locate.Oriented
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -50,10 +50,10 @@ spec = do
           forAll (QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \radius -> forAll (QuickCheck.elements [[identity], rotations]) $ \possible ->
             let (high, wide) = (1 + maximum (map row offsets), 1 + maximum (map column offsets))
                 seen content = either (const Nothing) Just (patch [[lookup (Position i j) (zip offsets content) | j <- takeWhile (< wide) [0 ..]] | i <- takeWhile (< high) [0 ..]])
-                answers = [either (const Nothing) Just . boundedOriented algebra possible radius =<< seen content | content <- mapM (const elements) offsets]
-                located = length [() | Just decision <- answers, OrientedAt _ _ <- [orientedOutcome decision]]
+                answers = [either (const Nothing) Just . boundedIn algebra possible radius =<< seen content | content <- mapM (const elements) offsets]
+                located = length [() | Just decision <- answers, Unique _ _ <- [decisionOutcome decision]]
                 share = fromRational (toInteger located % toInteger (length answers))
-                promised = [chance (correcting (orientedMinimum one') (orientedRadius one') about) | Just one' <- take 1 answers, Just about <- [spheres surface array possible (Shape high wide) offsets]]
+                promised = [chance (correcting (decisionDistance one') (decisionRadius one') about) | Just one' <- take 1 answers, Just about <- [spheres surface array possible (Shape high wide) offsets]]
              in counterexample (show (surface, located, length answers, promised)) $
                   not (null promised) ==> conjoin [if chanceExact told then chanceShare told === share else property (chanceShare told >= share) | told <- promised]
  where

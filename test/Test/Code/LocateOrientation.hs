@@ -17,14 +17,13 @@ import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Separation
+import PraTactile.Locate.Soft (decide)
 import PraTactile.Symmetry
-import PraTactile.Locate.Oriented
-import PraTactile.Locate.Search
-import PraTactile.Locate.Soft
 import PraTactile.Polynomial
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements, total)
@@ -58,8 +57,8 @@ spec = do
       shelf <- paperBook Torus
       forM_ everywhere $ \p -> do
         seen <- right (patch (look shelf (Shape 2 2) p))
-        case orientedOutcome (nearestOriented shelf rotations Guaranteed seen) of
-          OrientedAmong found -> do
+        case decisionOutcome (nearestIn shelf rotations Guaranteed seen) of
+          Ambiguous found _ -> do
             map candidateSymmetry found `shouldBe` rotations
             take 1 found `shouldBe` [Candidate identity p]
           other -> expectationFailure (show other)
@@ -70,9 +69,9 @@ spec = do
             shape = Shape 4 4
             at = onPosition o shape place
         seen <- right (patch (onRows o (changed place (look shelf shape p))))
-        let decision = nearestOriented shelf rotations (UpTo 1) seen
-        (orientedOutcome decision, orientedWrong decision) `shouldSatisfy` \found -> case found of
-          (OrientedAt candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
+        let decision = nearestIn shelf rotations (UpTo 1) seen
+        (decisionOutcome decision, decisionWrong decision) `shouldSatisfy` \found -> case found of
+          (Unique candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
           _ -> False
     it "of a patch with as many errors as are promised to be corrected is where and as it was seen" $
       forM_ [Torus, Sheet] $ \surface -> do
@@ -80,54 +79,28 @@ spec = do
         holds 150 $ forAll (genWithin shelf) $ \(candidate, wrong, cells) -> case patch cells of
           Left e -> counterexample (show e) False
           Right p ->
-            let decision = nearestOriented shelf rotations Guaranteed p
-             in counterexample (show decision) $ case orientedOutcome decision of
-                  OrientedAt found _ -> conjoin [found === candidate, orientedWrong decision === sort wrong]
-                  OrientedAmong found -> conjoin [orientedMinimum decision === 0, property (candidate `elem` found)]
+            let decision = nearestIn shelf rotations Guaranteed p
+             in counterexample (show decision) $ case decisionOutcome decision of
+                  Unique found _ -> conjoin [found === candidate, decisionWrong decision === sort wrong]
+                  Ambiguous found _ -> conjoin [decisionDistance decision === 0, property (candidate `elem` found)]
                   _ -> property False
-    it "is as defined, for any patch, radius and orientations" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        holds 120 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> choose (0, 3 :: Int)) $ \(cells, possible, e) ->
-          asDefined shelf possible (fromIntegral e) cells
     it "windows that say so are named by where their upper left cells are seen" $ do
       shelf <- paperBook Torus
       seen <- right (patch (onRows (turned 1) (look shelf (Shape 2 5) (Position 6 5))))
-      case orientedOutcome (nearestOriented shelf [turned 1] Guaranteed seen) of
-        OrientedAt candidate support -> (candidate, support) `shouldBe` (Candidate (turned 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
+      case decisionOutcome (nearestIn shelf [turned 1] Guaranteed seen) of
+        Unique candidate support -> (candidate, support) `shouldBe` (Candidate (turned 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
         other -> expectationFailure (show other)
-    it "by another road is the same where all cells agree" $ do
-      shelf <- paperBook Torus
-      holds 100 $ forAll ((,) <$> genDamaged shelf <*> genOrientations) $ \(cells, possible) -> case patch cells of
-        Left e -> counterexample (show e) False
-        Right p -> eachOriented possible (searchPatch Torus (bookArray shelf) (bookMask shelf)) p === Right (orientedOutcome (nearestOriented shelf possible (UpTo 0) p))
-    it "by information sets is the same within the radius, without comparing all positions" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        algebra <- right (prepareAlgebra surface (bookArray shelf) (bookMask shelf))
-        holds 150 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \(cells, possible, radius) -> case patch cells of
-          Left e -> counterexample (show e) False
-          Right p ->
-            let compared = nearestOriented shelf possible radius p
-                answers decision = (orientedOutcome decision, orientedWrong decision, orientedMinimum decision, orientedRadius decision)
-             in case boundedOriented algebra possible radius p of
-                  Left e -> counterexample (show e) False
-                  Right decision -> conjoin [answers decision === answers compared, property (orientedNearest decision `elem` [Nothing, orientedNearest compared])]
   describe "the likeliest candidate" $ do
-    it "is Bayes' theorem over all positions in all orientations" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        holds 60 $ forAll ((,) <$> genChances <*> genOrientations) $ uncurry (asBayes shelf)
     it "of symbols beyond doubt is the nearest" $ do
       shelf <- paperBook Torus
       forM_ [(shape, o) | shape <- [Shape 2 2, Shape 3 4, Shape 4 4], o <- rotations] $ \(shape, o) -> do
         let cells = onRows o (look shelf shape (Position 11 3))
         hard <- right (patch cells)
-        soft <- right (softPatch (map (map (fmap certainly)) cells))
+        soft <- right (patch (map (map (fmap certainly)) cells))
         let answered outcome = case outcome of
-              OrientedAt candidate _ -> OrientedAt candidate []
+              Unique candidate _ -> Unique candidate []
               other -> other
-        decideOriented 0 (posteriorOriented shelf rotations soft) `shouldBe` answered (orientedOutcome (nearestOriented shelf rotations Guaranteed hard))
+        decide 0 (posteriorIn shelf rotations soft) `shouldBe` answered (decisionOutcome (nearestIn shelf rotations Guaranteed hard))
   describe "arrays whose windows have two columns" $ do
     it "are their own mirror image, left and right exchanged, up to a shift of the columns; the axis is the column of zeros" $
       forM_ [(2, k1) | k1 <- [1 .. 6]] $ \(q, k1) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> mirrorImages (Proxy :: Proxy k) k1
@@ -142,8 +115,8 @@ spec = do
     it "so that neither the plain one nor the mirror image is preferred, however large the patch is" $ do
       shelf <- paperBook Torus
       seen <- right (patch (look shelf (Shape 6 6) (Position 6 5)))
-      case orientedOutcome (nearestOriented shelf [identity, mirror] Guaranteed seen) of
-        OrientedAmong [a, b] -> (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
+      case decisionOutcome (nearestIn shelf [identity, mirror] Guaranteed seen) of
+        Ambiguous [a, b] _ -> (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
         other -> expectationFailure (show other)
  where
   -- Every primitive polynomial.
@@ -250,79 +223,6 @@ genWithin shelf = do
   let cells = onRows o (look shelf size place)
       damaged = [[if cell `notElem` observed then Nothing else if cell `elem` wrong then (+ 1) <$> a else a | (j, a) <- zip [0 ..] line, let cell = Position i j] | (i, line) <- zip [0 ..] cells]
   pure (Candidate o place, wrong, damaged)
-
--- | Count, of every candidate, the observed cells that differ.
-asDefined :: Book GF4 -> [Symmetry] -> Natural -> Cells -> Property
-asDefined shelf possible e cells = case patch cells of
-  Left complaint -> counterexample (show complaint) False
-  Right p ->
-    let decision = nearestOriented shelf possible (UpTo e) p
-        observed = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
-        counted = [(fromIntegral (length differing), Candidate o place) | (o, place, differing) <- everyCandidate shelf possible size observed]
-        size = Shape (fromIntegral (length cells)) (fromIntegral (length (concat (take 1 cells))))
-        least = minimum (map fst counted)
-        best = [candidate | (count, candidate) <- counted, count == least]
-     in counterexample (show decision) $
-          if null observed || null counted
-            then case orientedOutcome decision of
-              OrientedNowhere _ -> property True
-              _ -> property False
-            else
-              conjoin
-                [ orientedNearest decision === Just least
-                , orientedRunnerUp decision === (case sort (map fst counted) of { _ : b : _ -> Just b; _ -> Nothing })
-                , case orientedOutcome decision of
-                    OrientedAt candidate _ ->
-                      conjoin
-                        [ property (least <= e)
-                        , [candidate] === best
-                        , [orientedWrong decision] === [sort differing | (o, place, differing) <- everyCandidate shelf possible size observed, Candidate o place == candidate]
-                        ]
-                    OrientedAmong several -> conjoin [property (least <= e && length best > 1), several === best]
-                    OrientedMany _ -> property False
-                    OrientedNowhere _ -> property (least > e)
-                ]
-
--- | Every candidate with the observed cells that differ there.
-everyCandidate :: Book GF4 -> [Symmetry] -> Shape -> [(Position, GF GF4)] -> [(Symmetry, Position, [Position])]
-everyCandidate shelf possible size observed =
-  [ (o, Position r c, [cell | (cell, a, Just at) <- placed, cellAt (bookArray shelf) at /= a])
-  | o <- nub possible
-  , Position r c <- everywhere
-  , let placed = [(cell, a, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, a) <- observed, let Position i j = uprightOf o size cell]
-  , null [() | (_, _, Nothing) <- placed]
-  ]
-
--- | The same in exact fractions.
-asBayes :: Book GF4 -> [[Maybe [Integer]]] -> [Symmetry] -> Property
-asBayes shelf chances possible = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
-  Left e -> counterexample (show e) False
-  Right beliefs -> case softPatch beliefs of
-    Left e -> counterexample (show e) False
-    Right p ->
-      let found = posteriorOriented shelf possible p
-          near a b = abs (a - fromRational b) < 1e-12 :: Bool
-       in case sortOn Down (map snd exact) of
-            ranking@(best : _)
-              | total > 0 ->
-                  conjoin
-                    [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
-                    , counterexample (show found) (and (zipWith (\(_, a) b -> near a (b / total)) (posteriorRanking found) ranking))
-                    , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
-                    , length (posteriorRanking found) === length exact
-                    ]
-            _ -> posteriorBest found === Nothing
- where
-  size = Shape (fromIntegral (length chances)) (fromIntegral (length (concat (take 1 chances))))
-  observed = [(Position i j, ks) | (i, line) <- zip [0 ..] chances, (j, Just ks) <- zip [0 ..] line]
-  exact =
-    [ (Candidate o (Position r c), product [(ks !! toCode (cellAt (bookArray shelf) at)) % 64 | (ks, Just at) <- placed])
-    | o <- nub possible
-    , Position r c <- everywhere
-    , let placed = [(ks, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, ks) <- observed, let Position i j = uprightOf o size cell]
-    , null [() | (_, Nothing) <- placed]
-    ]
-  total = sum (map snd exact)
 
 paperBook :: Surface -> IO (Book GF4)
 paperBook surface = do
