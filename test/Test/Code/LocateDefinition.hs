@@ -90,7 +90,7 @@ asDefined decoder on@(surface, array, window) asked radius given = case ask deco
             conjoin [property (reached distances), best === [candidate], Just (corrected distances) === fmap sort (lookup candidate every)]
           Ambiguous candidates _ -> conjoin [property (reached distances && length best > 1), candidates === best]
           AmbiguousMany count _ -> property (reached distances && length best > 1 && fromIntegral (length best) <= count)
-          Refused NoCompleteWindow -> property (decoder == Just TableDecoder && null possible)
+          Refused NoCompleteWindow -> property (decoder == Just TableDecoder && not (reached distances))
           Refused _ -> property (not (reached distances))
       , holdsOf least (nearestDistance distances)
       , holdsOf next (runnerUpDistance distances)
