@@ -24,7 +24,7 @@ import Json (foldingName)
 import FormatFile (readProfile)
 import Message (profileMessage)
 import PraTactile.Array (Folding, Shape (..))
-import PraTactile.Locate.Nearest (Radius (..))
+import PraTactile.Locate (Radius (..))
 import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
 import Readers
 

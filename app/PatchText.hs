@@ -5,8 +5,7 @@
 {-# LANGUAGE ScopedTypeVariables #-}
 -- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities; and several of them, each with its displacement.
 module PatchText
-  ( Observed (..)
-  , Written (..)
+  ( Written (..)
   , Displaced
   , readPatches
   ) where
@@ -17,7 +16,6 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Bifunctor (first)
 import Data.Char (isSpace)
 import Data.Foldable (toList)
-import Data.Maybe (catMaybes)
 import Data.Proxy (Proxy (..))
 import qualified Data.Scientific as Scientific
 import Data.Text (Text)
@@ -29,28 +27,20 @@ import PatchBound
 import PraTactile.Field
 import PraTactile.Format.Error (JsonError (..))
 import PraTactile.Format.Json.Strict
-import PraTactile.Locate (Patch, patch)
-import PraTactile.Locate.Soft
+import PraTactile.Locate (Cell (..), Patch, belief, patch)
 import Readers
 
--- | What was observed: symbols, or the probabilities of symbols.
-data Observed (k :: Field) = Symbols (Patch k) | Chances (SoftPatch k)
-
-type role Observed nominal
-
--- | Something with its displacement, rows down and columns to the right, from a common point.
-type Displaced a = ((Integer, Integer), a)
-
--- | What was written: a patch alone, or patches with displacements; if one of them has probabilities, all have.
-data Written (k :: Field)
-  = Alone (Observed k)
-  | DisplacedSymbols [Displaced (Patch k)]
-  | DisplacedChances [Displaced (SoftPatch k)]
+-- | What was written.
+data Written (k :: Field) = Written
+  { writtenPatches :: [Displaced (Patch (Cell k))]
+  , writtenDisplaced :: Bool
+  -- ^ Whether with displacements; else it is one patch alone.
+  }
 
 type role Written nominal
 
--- | A cell as it is written, if it was observed.
-type Cell k = Maybe (Either (GF k) (Belief k))
+-- | Something with its displacement, rows down and columns to the right, from a common point.
+type Displaced a = ((Integer, Integer), a)
 
 -- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with a bracket is JSON: a list of rows, each a list of
 -- cells; a cell is a code, an element as text, null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that begins with a
@@ -61,30 +51,30 @@ readPatches text = case (oversized (fieldOrder (Proxy :: Proxy k)) text, Text.un
   (Just complaint, _) -> Left complaint
   (Nothing, Just ('[', _)) -> do
     value <- json "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not observed" text
-    jsonRows value >>= fmap Alone . observed
+    jsonRows value >>= alone
   (Nothing, Just ('{', _)) -> do
     value <- json "the patches are no JSON; write them as {\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}]}" text
     given <- only ["patches"] "the object has the key \"patches\" alone" value >>= maybe (Left "the object has the key \"patches\"") Right . lookup "patches" >>= list "\"patches\" is a list"
     numbered (map jsonPatch given) >>= displaced
   _ | Text.any (`elem` [';', ':']) text -> numbered (map textPatch (Text.split (== ';') text)) >>= displaced
-    | otherwise -> textRows text >>= fmap Alone . observed
+    | otherwise -> textRows text >>= alone
 
 -- | The complaints about patches tell which one it is, from 1.
 numbered :: [Either String a] -> Either String [a]
 numbered given = sequence [first (\complaint -> "patch " ++ show i ++ ": " ++ complaint) given' | (i, given') <- zip [1 :: Int ..] given]
 
-textRows :: KnownField k => Text -> Either String [[Cell k]]
+textRows :: KnownField k => Text -> Either String [[Maybe (Cell k)]]
 textRows = traverse (traverse textCell . Text.words) . rowsOf
   where
     textCell "?" = Right Nothing
-    textCell word = Just . Left <$> element word
+    textCell word = Just . Symbol <$> element word
 
 element :: KnownField k => Text -> Either String (GF k)
 element word
   | Text.length word < longestWord = first fieldMessage (parseElement (Text.unpack word))
   | otherwise = Left (fieldMessage (ElementUnreadable (excerpt word)))
 
-textPatch :: KnownField k => Text -> Either String (Displaced [[Cell k]])
+textPatch :: KnownField k => Text -> Either String (Displaced [[Maybe (Cell k)]])
 textPatch text = case Text.break (== ':') text of
   (cells, "") -> (,) (0, 0) <$> textRows cells
   (before, rest)
@@ -93,7 +83,7 @@ textPatch text = case Text.break (== ':') text of
   where
     whole digits = if Text.length digits < longestWord then either (const Nothing) Just (readDecimal (Text.unpack (Text.strip digits))) else Nothing
 
-jsonPatch :: KnownField k => Value -> Either String (Displaced [[Cell k]])
+jsonPatch :: KnownField k => Value -> Either String (Displaced [[Maybe (Cell k)]])
 jsonPatch value = do
   fields <- only ["at", "cells"] "a patch has the keys \"at\" and \"cells\" alone" value
   cells <- maybe (Left "a patch has the key \"cells\"") jsonRows (lookup "cells" fields)
@@ -118,20 +108,20 @@ json complaint = first inWords . readJson . Text.encodeUtf8
       | why == NotJson = complaint
       | otherwise = "the patch is not read: " ++ jsonMessage why
 
-jsonRows :: KnownField k => Value -> Either String [[Cell k]]
+jsonRows :: KnownField k => Value -> Either String [[Maybe (Cell k)]]
 jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)
 
-jsonCell :: KnownField k => Value -> Either String (Cell k)
+jsonCell :: KnownField k => Value -> Either String (Maybe (Cell k))
 jsonCell value = case value of
   Null -> Right Nothing
   String "?" -> Right Nothing
-  String name -> Just . Left <$> element name
+  String name -> Just . Symbol <$> element name
   Number code -> case Scientific.toBoundedInteger code of
-    Just n -> Just . Left <$> first fieldMessage (fromCode n)
+    Just n -> Just . Symbol <$> first fieldMessage (fromCode n)
     Nothing -> Left "a code is a whole number"
   Array _ -> do
     numbers <- list "" value >>= traverse number
-    Just . Right <$> first beliefMessage (belief numbers)
+    Just . Probabilities <$> first beliefMessage (belief numbers)
   _ -> Left "a cell is a code, an element such as \"A^2\", null, or the list of the probabilities of all symbols"
   where
     number (Number x) = Right (Scientific.toRealFloat x)
@@ -141,27 +131,14 @@ list :: String -> Value -> Either String [Value]
 list _ (Array values) = Right (toList values)
 list complaint _ = Left complaint
 
--- | Probabilities if any cell has them.
-observed :: KnownField k => [[Cell k]] -> Either String (Observed k)
-observed cells
-  | unsure cells = Chances <$> soft cells
-  | otherwise = Symbols <$> hard cells
+alone :: [[Maybe (Cell k)]] -> Either String (Written k)
+alone cells = (\seen -> Written [((0, 0), seen)] False) <$> patched cells
 
-displaced :: KnownField k => [Displaced [[Cell k]]] -> Either String (Written k)
-displaced given
-  | any (unsure . snd) given = DisplacedChances <$> each soft
-  | otherwise = DisplacedSymbols <$> each hard
-  where
-    each make = numbered [(,) at <$> make cells | (at, cells) <- given]
+displaced :: [Displaced [[Maybe (Cell k)]]] -> Either String (Written k)
+displaced given = (`Written` True) <$> numbered (map (traverse patched) given)
 
-unsure :: [[Cell k]] -> Bool
-unsure cells = or [True | Right _ <- catMaybes (concat cells)]
-
-soft :: KnownField k => [[Cell k]] -> Either String (SoftPatch k)
-soft = first locateMessage . softPatch . map (map (fmap (either certainly id)))
-
-hard :: [[Cell k]] -> Either String (Patch k)
-hard = first locateMessage . patch . map (map (>>= either Just (const Nothing)))
+patched :: [[Maybe (Cell k)]] -> Either String (Patch (Cell k))
+patched = first locateMessage . patch
 
 -- | The rows, parted by @/@; none in an empty line.
 rowsOf :: Text -> [Text]

@@ -28,7 +28,8 @@ import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
 import qualified Test.Code.LocateSheet
 import qualified Test.Code.LocateSoft
-import qualified Test.Code.LocateTogether
+import qualified Test.Code.LocateDefinition
+import qualified Test.Code.LocateJoint
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -71,6 +72,7 @@ import qualified Test.Source
 import qualified Test.Store
 import qualified Test.Tools
 import qualified Test.StoreTarget
+import qualified Test.Symmetry
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
@@ -123,7 +125,8 @@ specs = do
     describe "Locating from probabilities" Test.Code.LocateSoft.spec
     describe "Locating from probabilities on large arrays" Test.Code.LocateListing.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
-    describe "Several patches" Test.Code.LocateTogether.spec
+    describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
+    describe "Several patches" Test.Code.LocateJoint.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do
@@ -141,6 +144,7 @@ specs = do
     describe "Placement" Test.Object.Placement.spec
   describe "Store" Test.Store.spec
   describe "Store" Test.StoreTarget.spec
+  describe "Symmetry" Test.Symmetry.spec
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec

@@ -1,40 +1,38 @@
-{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE DerivingStrategies #-}
 -- | @pra-tactile locate@: from the content of a patch to its position in the array.
 module Command.Locate
   ( command
   ) where
 
-import Data.Aeson (toJSON, (.=))
 import Data.Aeson.Encoding (Series)
+import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
-import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
+import Data.Text (Text)
 import qualified Data.Text as Text
 import Options.Applicative hiding (command)
 import System.IO (hFlush, stdout)
 
+import AnswerText
 import ArrayChoice
 import Command.Prove (surfaceOption)
 import Described
 import Ending
-import Explain (explainChance)
+import Explain
 import Json
+import Json.Answer
 import Lines
-import Locating
-import Locating.Seen
 import Message
 import PatchText
-import PraTactile.Array (Position (..), Surface (..))
+import PraTactile.Array (PseudorandomArray, Surface (..))
 import PraTactile.Field (KnownField)
-import PraTactile.Format.Profile
 import PraTactile.Locate
-import PraTactile.Locate.Chance (Chance)
-import PraTactile.Locate.Nearest (Radius (..))
-import PraTactile.Locate.Oriented (Candidate (..))
 import PraTactile.Profile
+import PraTactile.Symmetry (Symmetry, identity, rotations, symmetries)
+import PraTactile.Window (Mask)
 
 data Options = Options
-  { road :: Maybe Road
+  { decoder :: Maybe DecoderName
   , radius :: Radius
   , doubt :: Double
   , turning :: Turning
@@ -56,7 +54,7 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
   (run <$> arrayChoice <*> surfaceOption <*> options)
   where
     options = Options
-      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> completeWith (map roadName [TableRoad, AlgebraRoad, SearchRoad]) <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
+      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> completeWith (map decoderText namedDecoders) <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
       <*> radiusOption "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)"
       <*> option decimalReader (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
       <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> completeWith (map turningName [minBound ..]) <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
@@ -67,113 +65,120 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
     turningReader = eitherReader $ \name -> case lookup name [ (turningName t, t) | t <- [minBound ..] ] of
       Just found -> Right found
       Nothing -> Left (show name ++ " is no choice of orientation; write upright, turned or any")
-    roadReader = eitherReader $ \name -> case lookup name [ (roadName r, r) | r <- [TableRoad, AlgebraRoad, SearchRoad] ] of
+    roadReader = eitherReader $ \name -> case lookup name [ (decoderText found, found) | found <- namedDecoders ] of
       Just found -> Right found
       Nothing -> Left (show name ++ " is no road; write table, algebra or search")
+    namedDecoders = [TableDecoder, AlgebraDecoder, SearchDecoder]
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
 run choice chosen options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
-  | Just _ <- road options, UpTo _ <- radius options = unusable "--road finds positions at which all cells agree; leave it out to correct errors with --radius"
+  | Just _ <- decoder options, UpTo _ <- radius options = unusable "--road finds positions at which all cells agree; leave it out to correct errors with --radius"
   | Just words'@(_ : _ : _) <- source options =
       unusable ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
   | otherwise = do
       profile <- chosenProfile choice
       let on = fromMaybe (profileSurface profile) chosen
-          how = Choice (road options) (radius options) (doubt options) (profilePacking profile)
-      answered <- orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> reporter how (turning options) on array mask))
-      either unusable id answered
+      either unusable id =<< orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> responder options profile on array mask))
 
-answering :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
-answering profile options locate = case source options of
-  Nothing -> batch profile options locate
-  Just given -> case readPatches (Text.pack (unwords given)) >>= locate of
+-- | What was read and what it comes to, with all there is to say of it.
+data Response = Response
+  { responseAnswer :: Answer
+  , responseText :: String
+  , responseExplained :: [String]
+  , responseJson :: Maybe [String] -> Series
+    -- ^ given the explanation, if it is wanted
+  }
+
+-- | From what is written to the response. 'Left' where the decoder chosen is impossible for the array. What is computed once for the array is
+-- computed when first used.
+responder
+  :: KnownField k
+  => Options -> Profile -> Surface -> PseudorandomArray k -> Mask -> Either String (Text -> Either String Response)
+responder options profile on array mask = do
+  _ <- first locatorMessage (decoderFor made on (radius options))
+  pure $ \text -> do
+    written <- readPatches text
+    let query = queryOf written
+        asked = Asked (symmetriesOf (turning options)) (writtenDisplaced written)
+        displacements = map fst (writtenPatches written)
+    answer <- first locatorMessage (locate made query)
+    seen <- first locatorMessage (agreedSymbols query)
+    pure
+      Response
+        { responseAnswer = answer
+        , responseText = answerText asked answer
+        , responseExplained = explainAnswer array mask asked displacements seen (doubt options) answer
+        , responseJson = \explained -> answerJson profile asked displacements explained answer
+        }
+  where
+    made = locator (decoder options) (profilePacking profile) array mask
+    queryOf written =
+      Query
+        { queryPatches = writtenPatches written
+        , querySymmetries = symmetriesOf (turning options)
+        , querySurface = on
+        , queryRadius = radius options
+        , queryDoubt = doubt options
+        }
+
+answering :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
+answering profile options respond = case source options of
+  Nothing -> batch profile options respond
+  Just given -> case respond (Text.pack (unwords given)) of
     Left complaint -> unusable complaint
-    Right report -> do
+    Right response -> do
       if asJson options
-        then printJson (outcomeJson profile options report)
+        then printJson (responseJson response (explanation options response))
         else do
-          putStr (unlines (answerText report : (if explain options then explained (reportAnswer report) else [])))
-          mapM_ warn (worthLittle (reportAnswer report))
-      pure (endingOf (answerOutcome (reportAnswer report)))
+          putStr (unlines (responseText response : fromMaybe [] (explanation options response)))
+          mapM_ warn (worthLittle (responseAnswer response))
+      pure (endingOf response)
 
--- | What the answer rests on, and what it is worth.
-explained :: Answer -> [String]
-explained answer = answerExplained answer ++ maybe [] explainChance (answerChance answer)
+explanation :: Options -> Response -> Maybe [String]
+explanation options response = if explain options then Just (responseExplained response) else Nothing
 
 -- | That a position would be told of random symbols as well.
 worthLittle :: Answer -> Maybe String
 worthLittle answer = case answerOutcome answer of
-  Located _ _ -> answerChance answer >>= chanceWarning
+  Unique _ _ -> answerChance answer >>= chanceWarning
   _ -> Nothing
 
 -- | One line after another, each answered at once; the worst ending of all.
-batch :: KnownField k => Profile -> Options -> (Written k -> Either String Report) -> IO Ending
-batch profile options locate = forLines answerLine Answered
+batch :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
+batch profile options respond = forLines answerLine Answered
   where
     answerLine worst given = do
-      let answer = textOf given >>= readPatches >>= locate
-      Lazy8.putStrLn (encodeLine (either (invalidJson profile) (outcomeJson profile options) answer))
+      let answer = textOf given >>= respond
+      Lazy8.putStrLn (encodeLine (either (invalidJson profile) (\response -> responseJson response (explanation options response)) answer))
       hFlush stdout
-      pure (max worst (either (const Unusable) (endingOf . answerOutcome . reportAnswer) answer))
+      pure (max worst (either (const Unusable) endingOf answer))
     textOf given = case given of
       Line text -> Right text
       NotUtf8 -> Left "the line is not UTF-8 text"
       TooLong size -> Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
--- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
-answerText :: Report -> String
-answerText report = intercalate "; " ((told ++ corrections (answerCorrected answer)) : reportTogether report)
-  where
-    answer = reportAnswer report
-    told = case (answerOutcome answer, reportCandidates report) of
-      (located@(Located _ _), Just [Candidate o _]) -> outcomeText located ++ ", " ++ orientationText o
-      (Ambiguous _ _, Just candidates) -> "ambiguous: " ++ show (length candidates) ++ " positions and orientations fit: "
-        ++ intercalate "; " [ pairText (candidatePosition c) ++ " " ++ orientationText (candidateOrientation c) | c <- candidates ]
-      (AmbiguousCoset count _, Just _) -> "ambiguous: " ++ show count ++ " positions and orientations fit"
-      (outcome, _) -> outcomeText outcome
-    corrections cells = case length cells of
-      0 -> ""
-      1 -> " (1 cell corrected)"
-      n -> " (" ++ show n ++ " cells corrected)"
+endingOf :: Response -> Ending
+endingOf response = case answerOutcome (responseAnswer response) of
+  Unique _ _ -> Answered
+  _ -> NotAnswered
 
-endingOf :: Outcome -> Ending
-endingOf outcome = case outcome of
-  Located _ _ -> Answered
-  Ambiguous _ _ -> NotAnswered
-  AmbiguousCoset _ _ -> NotAnswered
-  Refused _ -> NotAnswered
+-- | In which orientations patches may be seen.
+data Turning
+  = Upright
+  | Turned    -- ^ by any number of quarter turns
+  | Any       -- ^ and perhaps mirrored
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
 
-outcomeText :: Outcome -> String
-outcomeText outcome = case outcome of
-  Located (Position r c) _ -> "row " ++ show r ++ ", column " ++ show c
-  Ambiguous places _ -> "ambiguous: " ++ show (length places) ++ " positions fit: " ++ unwords (map pairText places)
-  AmbiguousCoset count _ -> "ambiguous: " ++ show count ++ " positions fit"
-  Refused reason -> "refused (" ++ reasonName reason ++ "): " ++ reasonMessage reason
+-- | As the command line has it.
+turningName :: Turning -> String
+turningName how = case how of
+  Upright -> "upright"
+  Turned -> "turned"
+  Any -> "any"
 
-outcomeJson :: Profile -> Options -> Report -> Series
-outcomeJson profile options report = base <> "road" .= roadName (answerRoad answer) <> mconcat [ key .= detail | (key, detail) <- answerDetails answer ]
-    <> (if explain options then "explanation" .= explained answer else mempty)
-  where
-    answer = reportAnswer report
-    base = case answerOutcome answer of
-      Located place support -> form "located" (Just place) [] Nothing ("located: " ++ answerText report) support
-      Ambiguous places support -> form "ambiguous" Nothing places Nothing (answerText report) support
-      AmbiguousCoset _ _ -> form "ambiguous" Nothing [] Nothing (answerText report) []
-      Refused reason -> form "refused" Nothing [] (Just (reasonName reason)) (reasonMessage reason) []
-    form = answerJson profile (answerChance answer)
-
-invalidJson :: Profile -> String -> Series
-invalidJson profile complaint = answerJson profile Nothing "invalid" Nothing [] (Just "bad-input") complaint []
-
-answerJson :: Profile -> Maybe Chance -> String -> Maybe Position -> [Position] -> Maybe String -> String -> [Position] -> Series
-answerJson profile worth outcome place places reason message support =
-  "schema" .= ("pra-tactile/locate/1" :: String)
-    <> "profile" .= profileValue profile
-    <> "outcome" .= outcome
-    <> "position" .= fmap positionValue place
-    <> "positions" .= map positionValue places
-    <> "reason" .= reason
-    <> "message" .= message
-    <> "windows" .= map (toJSON . positionListValue) support
-    <> chanceSeries worth
+symmetriesOf :: Turning -> [Symmetry]
+symmetriesOf how = case how of
+  Upright -> [identity]
+  Turned -> rotations
+  Any -> symmetries

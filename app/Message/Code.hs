@@ -11,6 +11,7 @@ module Message.Code
   , proofMessage
   , censusMessage
   , locateMessage
+  , locatorMessage
   , groundMessage
   , algebraMessage
   , decodingMessage
@@ -29,9 +30,6 @@ import PraTactile.Field (FieldError (..))
 import PraTactile.Grid (GridError (..), largestGrid)
 import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Locate
-import PraTactile.Locate.Algebra (AlgebraError (..))
-import PraTactile.Locate.BoundedDistance (DecodingError (..))
-import PraTactile.Locate.Soft (BeliefError (..))
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
 import PraTactile.Rates (GroundError (..))
@@ -149,6 +147,17 @@ locateMessage e = case e of
   PatchesTooMany given limit -> "there are " ++ show given ++ " patches; at most " ++ show limit ++ " are located together"
   TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
 
+locatorMessage :: LocatorError -> String
+locatorMessage e = case e of
+  LocatorPatch why -> locateMessage why
+  LocatorAlgebra why -> algebraMessage why
+  LocatorDecoding why -> decodingMessage why
+  LocatorImpossible infeasible tooLarge -> algebraMessage infeasible ++ "; and " ++ locateMessage tooLarge
+  ProbabilitiesRefused _ -> "probabilities are for the comparison with all positions; leave out --road"
+  NothingCorrected _ ->
+    "errors are corrected on arrays of up to 2^20 cells, or where positions are discrete logarithms that can be taken; leave out --radius"
+  NoSymmetry -> "there is no orientation in which the patches may be seen"
+
 groundMessage :: GroundError -> String
 groundMessage e = case e of
   GroundSheet -> "patches are read on the array's own surface, not on the sheet"
@@ -182,8 +191,8 @@ beliefMessage e = case e of
 reasonMessage :: Reason -> String
 reasonMessage reason = case reason of
   ZeroWindow -> "the window is all zeros, which occurs nowhere in the array"
-  TooFewCells -> "fewer cells were observed than a window has"
-  NoCompleteWindow -> "enough cells were observed, but no window is complete"
+  TooFewCells -> "no cell was observed"
+  NoCompleteWindow -> "no window is complete, and the table knows complete windows only"
   NotInArray -> "no complete window of the patch occurs in the array"
   Contradiction -> "the observed cells do not fit one place: at least one of them is wrong"
   OffSheet -> "the windows fit one place, but there the patch reaches beyond the edge of the sheet"

@@ -19,9 +19,11 @@ import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Bulk
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.OrderedStatistics
 import PraTactile.Locate.Soft
+import PraTactile.Symmetry
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
@@ -75,7 +77,7 @@ algebraEach = do
   patches <- mapM (evaluate . at) places
   pure $ do
     (seconds, _) <- timedEach (located . sure . algebraPatch algebra) 0 patches
-    let wrong = length [() | (place, p) <- zip places patches, algebraPatch algebra p /= Right (Located place [Position 0 0])]
+    let wrong = length [() | (place, p) <- zip places patches, algebraPatch algebra p /= Right (Unique place [Position 0 0])]
     pure (Measurement seconds Seconds (show wrong ++ " wrong"))
 
 -- | What the algebra computes once an array, and the first window with it.
@@ -110,8 +112,8 @@ decodingEach = do
   _ <- evaluate (atLeast (decoderDistance ready))
   patches <- mapM (evaluate . sure . patch . square' . damage . snd) felt
   pure $ do
-    (seconds, _) <- timedEach (located . decodingOutcome . sure . decodeWith ready Guaranteed) 0 patches
-    let wrong = length [() | ((place, _), p) <- zip felt patches, fmap decodingOutcome (decodeWith ready Guaranteed p) /= Right (Located place [])]
+    (seconds, _) <- timedEach (located . decisionOutcome . sure . decodeWith ready Guaranteed) 0 patches
+    let wrong = length [() | ((place, _), p) <- zip felt patches, fmap decisionOutcome (decodeWith ready Guaranteed p) /= Right (Unique place [])]
     pure (Measurement seconds Seconds (show wrong ++ " wrong"))
  where
   damage cells = [Just (if i `elem` worst cells then a + 1 else a) | (i, (a, _)) <- zip [0 ..] cells]
@@ -129,10 +131,10 @@ decodingOnce = do
 listingEach :: IO (IO Measurement)
 listingEach = do
   algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
-  patches <- mapM (evaluate . sure . softPatch . square' . map (Just . doubtful) . snd) felt
+  patches <- mapM (evaluate . sure . patch . square' . map (Just . doubtful) . snd) felt
   pure $ do
-    (seconds, _) <- timedEach (located . decideListing 0.001 . sure . listPatch standardListing 0.001 algebra) 0 patches
-    let refused = length [() | p <- patches, Refused _ <- [decideListing 0.001 (sure (listPatch standardListing 0.001 algebra p))]]
+    (seconds, _) <- timedEach (located . fmap candidatePosition . decide 0.001 . sure . listPatch standardListing 0.001 algebra [identity]) 0 patches
+    let refused = length [() | p <- patches, Refused _ <- [decide 0.001 (sure (listPatch standardListing 0.001 algebra [identity] p))]]
     pure (Measurement seconds Seconds (show refused ++ " refused"))
  where
   doubtful (a, x)
@@ -145,9 +147,9 @@ square' cells = case splitAt 8 cells of
   (line, others) -> line : square' others
 
 -- | The row plus the column, all evaluated; a refusal is a number of its own.
-located :: Outcome -> Natural
+located :: Outcome Position -> Natural
 located outcome = case outcome of
-  Located (Position r c) _ -> r + c
+  Unique (Position r c) _ -> r + c
   _ -> 1000
 
 -- | The paper's array with all that is known of it before the first patch.
@@ -177,11 +179,11 @@ nearestEach = do
     (seconds, _) <- timedEach (answer . nearest shelf Guaranteed) 0 patches
     pure (Measurement seconds Seconds (weightedSum (map (answer . nearest shelf Guaranteed) patches)))
  where
-  answer found = packed (decisionOutcome found) + 1000 * length (decisionWrong found)
+  answer found = packed (decisionOutcome found) + 1000 * length (corrected (decisionDistances found))
 
 softEach :: IO (IO Measurement)
 softEach = do
-  patches <- mapM (evaluate . sure . softPatch . square . map (Just . doubtful)) damaged
+  patches <- mapM (evaluate . sure . patch . square . map (Just . doubtful)) damaged
   pure $ do
     (seconds, _) <- timedEach (answer . posterior shelf) 0 patches
     pure (Measurement seconds Seconds (weightedSum (map (answer . posterior shelf) patches)))
@@ -196,9 +198,9 @@ square cells = case splitAt 4 cells of
   (_, []) -> [cells]
   (line, others) -> line : square others
 
-packed :: Outcome -> Int
+packed :: Outcome Position -> Int
 packed outcome = case outcome of
-  Located (Position r c) _ -> fromIntegral (17 * r + c)
+  Unique (Position r c) _ -> fromIntegral (17 * r + c)
   _ -> -1
 
 weightedSum :: [Int] -> String

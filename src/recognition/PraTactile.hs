@@ -34,12 +34,17 @@ module PraTactile
   , Verdict (..)
   , Proved
     -- * Locating: "PraTactile.Locate"
-  , Table
-  , buildTable
+  , Query (..)
+  , onePatch
   , Patch
   , patch
-  , locatePatch
+  , Cell (..)
+  , Locator
+  , locator
+  , locate
+  , answerOutcome
   , Outcome (..)
+  , Candidate (..)
   , Reason (..)
     -- * Images of touch: "PraTactile.Image", "PraTactile.Probe", "PraTactile.Stitch"
   , Raster
@@ -74,7 +79,8 @@ import PraTactile.Array
 import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Decode
 import PraTactile.Image (Raster)
-import PraTactile.Locate
+import PraTactile.Locate hiding (Answer (..))
+import PraTactile.Locate (answerOutcome)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Probe

@@ -48,13 +48,14 @@ data Breach = Breach
 -- | The wings that a wing may import.
 allowed :: Wing -> [Wing]
 allowed wing = case wing of
-  Code -> [Code]
-  Touch -> [Touch]
-  Recognition -> [Code, Touch, Recognition]
-  Files -> [Code, Touch, Recognition, Files]
-  Formats -> [Code, Touch, Recognition, Formats]
-  Store -> [Code, Recognition, Store]
-  Conformance -> [Code, Touch, Recognition, Conformance]
+  Common -> [Common]
+  Code -> [Common, Code]
+  Touch -> [Common, Touch]
+  Recognition -> [Common, Code, Touch, Recognition]
+  Files -> [Common, Code, Touch, Recognition, Files]
+  Formats -> [Common, Code, Touch, Recognition, Formats]
+  Store -> [Common, Code, Recognition, Store]
+  Conformance -> [Common, Code, Touch, Recognition, Conformance]
   App -> [minBound ..]
 
 -- | Every import, at once or through others, of a wing that the importer's wing may not know.
@@ -69,7 +70,7 @@ wingBreaches house =
 
 -- | The wings without input and output.
 pureWings :: [Wing]
-pureWings = [Code, Touch, Recognition, Formats]
+pureWings = [Common, Code, Touch, Recognition, Formats]
 
 -- | Modules that nothing pure may import, nor any module below them, and why.
 impureModules :: [(String, String)]
@@ -169,6 +170,7 @@ dot house = unlines $
         ++ ["  }"]
     short name = intercalate "." (dropWhile (== "PraTactile") (parts name))
     colour wing = case wing of
+      Common -> "grey90"
       Code -> "#dbe9f6"
       Touch -> "#fbe6d4"
       Recognition -> "#e3f1dd"

@@ -22,12 +22,13 @@ import System.FilePath ((</>))
 import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 
 -- | The parts of the house.
-data Wing = Code | Touch | Recognition | Files | Formats | Store | Conformance | App
+data Wing = Common | Code | Touch | Recognition | Files | Formats | Store | Conformance | App
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a wing is called where the house is drawn.
 wingName :: Wing -> String
 wingName wing = case wing of
+  Common -> "common"
   Code -> "code"
   Touch -> "touch"
   Recognition -> "recognition"

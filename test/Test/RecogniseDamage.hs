@@ -24,8 +24,7 @@ import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field
 import PraTactile.Image
-import PraTactile.Locate (Reason (..))
-import PraTactile.Locate.Nearest (Radius (..))
+import PraTactile.Locate (Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Probe (movePoint, taxelPitch)

@@ -30,24 +30,7 @@ import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word8)
 import Numeric.Natural (Natural)
-
--- | Numbers of rows and of columns, in cells.
-data Shape = Shape
-  { rows :: !Natural
-  , columns :: !Natural
-  }
-  deriving stock (Eq, Ord, Show)
-
--- | The number of cells.
-area :: Shape -> Natural
-area shape = rows shape * columns shape
-
--- | A cell: row and column, from 0, rows downwards and columns to the right.
-data Position = Position
-  { row :: !Natural
-  , column :: !Natural
-  }
-  deriving stock (Eq, Ord, Show)
+import PraTactile.Position
 
 -- | What lies beyond the last row and the last column.
 data Surface

@@ -28,7 +28,7 @@ import Data.List (foldl')
 import Data.Proxy (Proxy (..))
 import PraTactile.Array (Shape (..))
 import PraTactile.Field
-import PraTactile.Locate.Nearest (Radius (..))
+import PraTactile.Locate.Query (Radius (..))
 import PraTactile.Rates.Damage
 import PraTactile.Rates.Exact
 import PraTactile.Rates.Ground

@@ -45,7 +45,7 @@ import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, 
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Classify.Network (Network, NetworkError, outputCount)
 import PraTactile.Field (KnownField, fieldOrder, toCode)
-import PraTactile.Locate
+import PraTactile.Locate (LocateError, Reason (..), reasonName, reasons)
 import PraTactile.Locate.Book
 import PraTactile.Object.Placement (Placement, Whereabouts (..), whereabouts)
 import PraTactile.Recognise.FaceGrid

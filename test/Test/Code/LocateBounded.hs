@@ -16,10 +16,12 @@ import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Rank
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -46,7 +48,7 @@ spec = do
             , let decoded = patch (rowsOf (columns size) (map Just word)) `orElse` decodeWith ready Guaranteed
             ]
       length wronged `shouldSatisfy` (>= places)
-      take 3 [bad | bad@(place, wrong, decoded) <- wronged, fmap (\x -> (placeOf (decodingOutcome x), decodingWrong x)) decoded /= Right (Just place, wrong)] `shouldBe` []
+      take 3 [bad | bad@(place, wrong, decoded) <- wronged, fmap (\x -> (placeOf (decisionOutcome x), decisionWrong x)) decoded /= Right (Just place, wrong)] `shouldBe` []
   describe "any patch with holes and errors is decoded as the comparison with every position says" $ do
     forM_ [(Diagonal, Torus), (Diagonal, Sheet)] $ \(folding, surface) ->
       it ("of the paper's array: " ++ show surface) $ do
@@ -69,27 +71,27 @@ spec = do
     m <- right (rectangle (Shape 8 8))
     ready <- right (decoder (Effort (2 ^ (17 :: Int)) (2 ^ (22 :: Int))) algebra (maskOffsets m))
     holds 20 $ forAll (vectorOf 64 genElement) $ \word ->
-      (patch (rowsOf 8 (map Just word)) `orElse` decodeWith ready Guaranteed) `isRight'` \decoded -> case decodingOutcome decoded of
-        Refused BeyondRadius -> decodingNearest decoded === AtLeast (decodingRadius decoded + 1)
-        Located place _ ->
+      (patch (rowsOf 8 (map Just word)) `orElse` decodeWith ready Guaranteed) `isRight'` \decoded -> case decisionOutcome decoded of
+        Refused BeyondRadius -> knownNearest decoded === AtLeast (decisionRadius decoded + 1)
+        Unique place _ ->
           let wrong = [offset | (offset, a, b) <- zip3 (maskOffsets m) word (content (algebraArray algebra) place (maskOffsets m)), a /= b]
-           in conjoin [decodingWrong decoded === wrong, property (fromIntegral (length wrong) <= decodingRadius decoded)]
+           in conjoin [decisionWrong decoded === wrong, property (fromIntegral (length wrong) <= decisionRadius decoded)]
         other -> counterexample (show other) False
   it "cells that do not tell positions apart leave a coset, whose size is told" $ do
     (algebra, array) <- paperSized (Proxy :: Proxy GF4) 30 (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) (Shape 15 2)
     p <- right (patch [map Just (content array (Position 77 99) [Position 0 j | j <- [0 .. 9]])])
     decoded <- right (decodePatch algebra Guaranteed p)
-    decodingOutcome decoded `shouldBe` AmbiguousCoset (4 ^ (20 :: Int)) 20
-    (decodingDistance decoded, decodingRadius decoded, decodingNearest decoded) `shouldBe` (Exactly 0, 0, Exactly 0)
+    decisionOutcome decoded `shouldBe` AmbiguousMany (4 ^ (20 :: Int)) (Just 20)
+    (knownDistance decoded, decisionRadius decoded, knownNearest decoded) `shouldBe` (Exactly 0, 0, Exactly 0)
   it "cells that depend on each other without telling positions apart: a coset if none is wrong, too many to tell if one is" $ do
     -- The 20 rows of a column are a subfield; each of the next 2 follows from them.
     (algebra, array) <- paperSized (Proxy :: Proxy GF2) 40 (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1)) (Shape 20 2)
     let column' wrong = patch [[Just (if i == wrong then a + 1 else a)] | i <- [0 .. 21], let a = cellFrom array (Position 123 456) (Position i 0)]
     windowRank array <$> rectangle (Shape 22 1) `shouldBe` Right 20
     exact <- right (column' 99)
-    (decodingOutcome <$> decodePatch algebra Guaranteed exact) `shouldBe` Right (AmbiguousCoset (2 ^ (20 :: Int)) 20)
+    (decisionOutcome <$> decodePatch algebra Guaranteed exact) `shouldBe` Right (AmbiguousMany (2 ^ (20 :: Int)) (Just 20))
     wrong <- right (column' 7)
-    (decodingOutcome <$> decodePatch algebra Guaranteed wrong) `shouldBe` Right (Refused Contradiction)
+    (decisionOutcome <$> decodePatch algebra Guaranteed wrong) `shouldBe` Right (Refused Contradiction)
     decodePatch algebra (UpTo 1) wrong `shouldBe` Left (DecodingTooMany 1)
   it "a distance that was not searched to its end is told as what is proved, and its radius holds" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
@@ -104,14 +106,14 @@ spec = do
       let radius = guaranteedRadius (atLeast (decoderDistance ready))
       holds 40 $ forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
         (patch (rowsOf 5 (map Just word)) `orElse` decodeWith ready Guaranteed) `isRight'` \decoded ->
-          placeOf (decodingOutcome decoded) === Just (Position 3 4)
+          placeOf (decisionOutcome decoded) === Just (Position 3 4)
   it "a search that would be too long is refused, and other cells than those prepared for" $ do
     (algebra, array) <- paperSized (Proxy :: Proxy GF4) 30 (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) (Shape 15 2)
     m <- right (rectangle (Shape 8 8))
     ready <- right (decoder (Effort 0 100) algebra (maskOffsets m))
     let word = content array (Position 1 2) (maskOffsets m)
     exact <- right (patch (rowsOf 8 (map Just word)))
-    (placeOf . decodingOutcome <$> decodeWith ready (UpTo 9) exact) `shouldBe` Right (Just (Position 1 2))
+    (placeOf . decisionOutcome <$> decodeWith ready (UpTo 9) exact) `shouldBe` Right (Just (Position 1 2))
     wrong <- right (patch (rowsOf 8 (zipWith (\i a -> Just (if i `elem` [0, 9 .. 63 :: Int] then a + 1 else a)) [0 ..] word)))
     case decodeWith ready (UpTo 9) wrong of
       Left (DecodingTooLong cleared _ limit) -> (limit, cleared <= 8) `shouldBe` (100, True)
@@ -157,17 +159,17 @@ large k n shape window size missing least errors = do
               found radius wrong = decodedFrom ready radius wrong `isRight'` \decoded ->
                 counterexample (show decoded) $
                   conjoin
-                    [ placeOf (decodingOutcome decoded) === Just place
-                    , decodingWrong decoded === wrong
-                    , decodingNearest decoded === Exactly (fromIntegral (length wrong))
+                    [ placeOf (decisionOutcome decoded) === Just place
+                    , decisionWrong decoded === wrong
+                    , knownNearest decoded === Exactly (fromIntegral (length wrong))
                     ]
               -- Beyond what is guaranteed another position may be as near, and must then be told, too.
               nearby wrong = decodedFrom ready (UpTo (fromIntegral errors)) wrong `isRight'` \decoded ->
-                counterexample (show decoded) $ case decodingOutcome decoded of
-                  Located at _
-                    | at == place -> decodingWrong decoded === wrong
+                counterexample (show decoded) $ case decisionOutcome decoded of
+                  Unique at _
+                    | at == place -> decisionWrong decoded === wrong
                     | otherwise -> property (length (filter id (zipWith (/=) (damaged wrong) (content array at offsets))) < length wrong)
-                  Ambiguous places _ -> property (place `elem` places || decodingNearest decoded /= Exactly (fromIntegral (length wrong)))
+                  Ambiguous places _ -> property (place `elem` places || knownNearest decoded /= Exactly (fromIntegral (length wrong)))
                   _ -> property False
            in conjoin [property (d >= least), found Guaranteed certain, nearby more]
  where
@@ -195,12 +197,12 @@ asNearest count surface array window = do
               Right decoded ->
                 counterexample (show (decision, decoded)) $
                   conjoin
-                    [ decodingOutcome decoded === decisionOutcome decision
-                    , decodingWrong decoded === decisionWrong decision
-                    , decodingRadius decoded === decisionRadius decision
-                    , if null (concat (map (filter (/= Nothing)) cells)) then property True else decodingDistance decoded === Exactly (decisionDistance decision)
-                    , property (maybe True (holdsOf (decodingNearest decoded)) (decisionNearest decision))
-                    , property (maybe True (\e -> maybe True (`holdsOf` e) (decodingRunnerUp decoded)) (decisionRunnerUp decision))
+                    [ decisionOutcome decoded === decisionOutcome decision
+                    , decisionWrong decoded === decisionWrong decision
+                    , decisionRadius decoded === decisionRadius decision
+                    , if null (concat (map (filter (/= Nothing)) cells)) then property True else knownDistance decoded === Exactly (decisionDistance decision)
+                    , property (maybe True (holdsOf (knownNearest decoded)) (decisionNearest decision))
+                    , property (maybe True (\e -> maybe True (`holdsOf` e) (knownRunnerUp decoded)) (decisionRunnerUp decision))
                     ]
  where
   holdsOf known e = case known of
@@ -238,9 +240,9 @@ wronging count word = do
   wrong <- take count <$> shuffle (zipWith const [0 :: Int ..] word)
   mapM (\(i, a) -> if i `elem` wrong then genElement `suchThat` (/= a) else pure a) (zip [0 ..] word)
 
-placeOf :: Outcome -> Maybe Position
+placeOf :: Outcome Position -> Maybe Position
 placeOf outcome = case outcome of
-  Located place _ -> Just place
+  Unique place _ -> Just place
   _ -> Nothing
 
 orElse :: Either e a -> (a -> Either f b) -> Either (Maybe f) b

@@ -17,7 +17,7 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Bulk
-import PraTactile.Locate.Search
+import PraTactile.Locate.Definition
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Code.LocateRoads (smallArrays, toPatch)
@@ -112,11 +112,11 @@ locateOne memory = Primitive.head . locateWindows memory . Primitive.singleton
 linear :: Shape -> Position -> Int32
 linear shape (Position r c) = fromIntegral (r * columns shape + c)
 
-asBulk :: Shape -> Outcome -> Int32
+asBulk :: Shape -> Outcome Position -> Int32
 asBulk shape outcome = case outcome of
-  Located place _ -> linear shape place
+  Unique place _ -> linear shape place
   Ambiguous _ _ -> notUnique
-  AmbiguousCoset _ _ -> notUnique
+  AmbiguousMany _ _ -> notUnique
   Refused _ -> notOccurring
 
 -- | The only one; where there is none, a number that nothing answers.

@@ -13,10 +13,10 @@ import PraTactile.Field
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Chance
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
-import PraTactile.Locate.Oriented
+import PraTactile.Locate.Decision
+import PraTactile.Symmetry
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -37,9 +37,9 @@ spec = do
       abs (share - true) `shouldSatisfy` (<= 1e-9 * true)
   it "no cell, no share; a patch that is larger than the sheet is nowhere" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-    spheres Torus array [upright] (Shape 2 2) [] `shouldSatisfy` isNothing
+    spheres Torus array [identity] (Shape 2 2) [] `shouldSatisfy` isNothing
     fmap sphereCentres (spheres Sheet array rotations (Shape 16 16) [Position 0 0, Position 15 15]) `shouldBe` Just 0
-    fmap sphereCentres (spheres Sheet array orientations (Shape 16 2) [Position 0 0, Position 15 1]) `shouldBe` Just (4 * 14 * 2)
+    fmap sphereCentres (spheres Sheet array symmetries (Shape 16 2) [Position 0 0, Position 15 1]) `shouldBe` Just (4 * 14 * 2)
   it "decoding by information sets: of all contents the share is exact while 2 r < d, and never exceeded" $
     forM_ arrays $ \(q, n, folding, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
       array <- firstOver k n >>= right . folded folding shape
@@ -47,13 +47,13 @@ spec = do
       forM_ [naturalSurface folding, Sheet] $ \surface -> do
         algebra <- right (prepareAlgebra surface array m)
         holds 12 $ forAllShrink (genCells q) (filter (not . null) . shrinkList (const [])) $ \offsets ->
-          forAll (QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \radius -> forAll (QuickCheck.elements [[upright], rotations]) $ \possible ->
+          forAll (QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \radius -> forAll (QuickCheck.elements [[identity], rotations]) $ \possible ->
             let (high, wide) = (1 + maximum (map row offsets), 1 + maximum (map column offsets))
                 seen content = either (const Nothing) Just (patch [[lookup (Position i j) (zip offsets content) | j <- takeWhile (< wide) [0 ..]] | i <- takeWhile (< high) [0 ..]])
-                answers = [either (const Nothing) Just . boundedOriented algebra possible radius =<< seen content | content <- mapM (const elements) offsets]
-                located = length [() | Just decision <- answers, OrientedAt _ _ <- [orientedOutcome decision]]
+                answers = [either (const Nothing) Just . boundedIn algebra possible radius =<< seen content | content <- mapM (const elements) offsets]
+                located = length [() | Just decision <- answers, Unique _ _ <- [decisionOutcome decision]]
                 share = fromRational (toInteger located % toInteger (length answers))
-                promised = [chance (correcting (orientedMinimum one') (orientedRadius one') about) | Just one' <- take 1 answers, Just about <- [spheres surface array possible (Shape high wide) offsets]]
+                promised = [chance (correcting (decisionDistance one') (decisionRadius one') about) | Just one' <- take 1 answers, Just about <- [spheres surface array possible (Shape high wide) offsets]]
              in counterexample (show (surface, located, length answers, promised)) $
                   not (null promised) ==> conjoin [if chanceExact told then chanceShare told === share else property (chanceShare told >= share) | told <- promised]
  where

@@ -7,6 +7,7 @@ module Test.Code.LocateListing (spec) where
 
 import Control.Monad (forM_)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -15,9 +16,10 @@ import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
-import PraTactile.Locate.OrderedStatistics
+import PraTactile.Locate.OrderedStatistics (standardListing)
 import PraTactile.Locate.Soft
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -40,9 +42,9 @@ spec = do
       softly chances $ \p ->
         let exact = posterior shelf p
             close = all (all (== Nothing)) chances || any (\x -> abs (x - tolerated) < 1e-6) [posteriorDoubt exact, posteriorEqualDoubt exact]
-         in case listPatch 100000 tolerated algebra p of
+         in case listUpright 100000 tolerated algebra p of
               Left e -> counterexample (show e) False
-              Right found -> counterexample (show found) (not close ==> decideListing tolerated found === decide tolerated exact)
+              Right found -> counterexample (show found) (not close ==> decide tolerated found === decide tolerated exact)
   it "of symbols beyond doubt it locates as the algebra does, on 2^60 cells" $ do
     array <- largeArray
     m <- right (rectangle (Shape 15 2))
@@ -50,13 +52,13 @@ spec = do
     let seen h w = [[Just (cellAt array (Position (5 + i) (6 + j))) | j <- take w [0 ..]] | i <- take h [0 ..]]
     forM_ [seen 8 8, seen 1 10, replicate 8 (replicate 8 (Just one)), [Just one : drop 1 line | line <- seen 15 2]] $ \cells -> do
       hard <- right (patch cells) >>= right . algebraPatch algebra
-      soft <- right (softPatch (map (map (fmap certainly)) cells))
-      found <- right (listPatch standardListing 0 algebra soft)
-      decideListing 0 found `shouldBe` case hard of
-        Located place _ -> Located place []
+      soft <- right (patch (map (map (fmap certainly)) cells))
+      found <- right (listUpright standardListing 0 algebra soft)
+      decide 0 found `shouldBe` case hard of
+        Unique place _ -> Unique place []
         Refused _ -> Refused Contradiction
         other -> other
-      listingUnlisted found `shouldBe` 0
+      unlisted found `shouldBe` 0
   it "on 2^60 cells, from honest probabilities, it tells the position, and refuses where nothing is known" $ do
     array <- largeArray
     m <- right (rectangle (Shape 15 2))
@@ -69,21 +71,21 @@ spec = do
           -- About 5 cells are told to be another symbol than they are, without saying so.
           lying = [(if sum numbers < 130 then a + 1 else a, numbers) | (a, numbers) <- zip cells noise]
        in conjoin
-            [ softly (rowsOf 8 (zipWith (\a numbers -> Just (reading a numbers)) cells noise)) $ \p -> case listPatch standardListing 0.001 algebra p of
+            [ softly (rowsOf 8 (zipWith (\a numbers -> Just (reading a numbers)) cells noise)) $ \p -> case listUpright standardListing 0.001 algebra p of
                 Left e -> counterexample (show e) False
-                Right found -> counterexample (show found {listingRanking = []}) (decideListing 0.001 found === Located place [])
-            , softly (rowsOf 8 (map (Just . uncurry reading) lying)) $ \p -> case listPatch 20000 0.001 algebra p of
+                Right found -> counterexample (show found {posteriorRanking = []}) (decide 0.001 found === Unique place [])
+            , softly (rowsOf 8 (map (Just . uncurry reading) lying)) $ \p -> case listUpright 20000 0.001 algebra p of
                 Left e -> counterexample (show e) False
-                Right found -> case decideListing 0.001 found of
-                  Located other _ -> other === place
+                Right found -> case decide 0.001 found of
+                  Unique other _ -> other === place
                   outcome -> outcome === Refused BelowThreshold
             ]
-    vague <- right (belief [0.25, 0.25, 0.25, 0.25]) >>= \b -> right (softPatch (replicate 8 (replicate 8 (Just b))))
-    found <- right (listPatch 1000 0.001 algebra vague)
-    decideListing 0.001 found `shouldBe` Refused BelowThreshold
-    listingWords found `shouldSatisfy` (<= 1000)
-    nothing <- right (softPatch [[Nothing, Nothing]]) >>= right . listPatch 1000 0.001 algebra
-    decideListing 0.001 nothing `shouldBe` AmbiguousCoset (4 ^ (30 :: Int) - 1) 30
+    vague <- right (belief [0.25, 0.25, 0.25, 0.25]) >>= \b -> right (patch (replicate 8 (replicate 8 (Just b))))
+    found <- right (listUpright 1000 0.001 algebra vague)
+    decide 0.001 found `shouldBe` Refused BelowThreshold
+    posteriorWords found `shouldSatisfy` (<= 1000)
+    nothing <- right (patch [[Nothing, Nothing]]) >>= right . listUpright 1000 0.001 algebra
+    decide 0.001 nothing `shouldBe` AmbiguousMany (4 ^ (30 :: Int) - 1) (Just 30)
  where
   largeArray = firstOver (Proxy :: Proxy GF4) 30 >>= right . folded Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
   arrays =
@@ -106,34 +108,34 @@ asPosterior count surface array window = do
           chance = Map.fromList (posteriorRanking exact)
           of' place = Map.findWithDefault 0 place chance
           among places = sum (map of' places)
-       in case listPatch most tolerated algebra p of
+       in case listUpright most tolerated algebra p of
             Left e -> counterexample (show e) False
             Right found ->
-              let listed = map fst (listingRanking found)
-                  outcome = decideListing tolerated found
+              let listed = map fst (posteriorRanking found)
+                  outcome = decide tolerated found
                in counterexample (show (found, posteriorBest exact, posteriorDoubt exact)) $
                     conjoin
-                      [ property (listingUnlisted found >= 1 - among listed - 1e-9 || posteriorBest exact == Nothing)
-                      , property (and [x <= of' place + 1e-9 | (place, x) <- listingRanking found])
-                      , property (listingWords found <= most)
-                      , case listingBest found of
+                      [ property (unlisted found >= 1 - among listed - 1e-9 || posteriorBest exact == Nothing)
+                      , property (and [x <= of' place + 1e-9 | (place, x) <- posteriorRanking found])
+                      , property (posteriorWords found <= most)
+                      , case posteriorBest found of
                           Nothing -> property (null listed)
                           Just place ->
                             let others = [x | (other, x) <- Map.toList chance, other /= place]
                              in conjoin
-                                  [ property (listingDoubt found >= 1 - of' place - 1e-9)
-                                  , property (surface == Sheet || listingDoubt found - listingUnlisted found <= 1 - of' place + 1e-9)
-                                  , property (listingEqualDoubt found >= 1 - among (listingEqual found) - 1e-9)
-                                  , property (maybe True (<= log (of' place / maximum (0 : others)) + 1e-9) (listingMargin found))
-                                  , property (place `elem` listingEqual found)
-                                  , property (and [abs (of' other - of' place) < 1e-9 | other <- listingEqual found])
+                                  [ property (posteriorDoubt found >= 1 - of' place - 1e-9)
+                                  , property (surface == Sheet || posteriorDoubt found - unlisted found <= 1 - of' place + 1e-9)
+                                  , property (posteriorEqualDoubt found >= 1 - among (posteriorEqual found) - 1e-9)
+                                  , property (maybe True (<= log (of' place / maximum (0 : others)) + 1e-9) (posteriorMargin found))
+                                  , property (place `elem` posteriorEqual found)
+                                  , property (and [abs (of' other - of' place) < 1e-9 | other <- posteriorEqual found])
                                   ]
                       , case outcome of
-                          Located place _ -> conjoin [posteriorBest exact === Just place, property (posteriorDoubt exact <= tolerated + 1e-9)]
-                          Ambiguous places _ -> conjoin [places === listingEqual found, property (1 - among places <= tolerated + 1e-9)]
+                          Unique place _ -> conjoin [posteriorBest exact === Just place, property (posteriorDoubt exact <= tolerated + 1e-9)]
+                          Ambiguous places _ -> conjoin [places === posteriorEqual found, property (1 - among places <= tolerated + 1e-9)]
                           Refused Contradiction -> posteriorBest exact === Nothing
                           Refused why -> why === BelowThreshold
-                          AmbiguousCoset _ _ -> property False
+                          AmbiguousMany _ _ -> property False
                       ]
 
 -- | The beliefs of what was read of a window somewhere, sharp or vague, with cells that mislead, that exclude symbols, or that were not read.
@@ -160,13 +162,16 @@ genChancesOver array = do
   elementsOf :: KnownField k => GF k -> [GF k]
   elementsOf _ = elements
 
+unlisted :: Posterior place -> Double
+unlisted = fromMaybe 1 . posteriorUnlisted
+
 normalised :: [Double] -> [Double]
 normalised xs = map (/ sum xs) xs
 
-softly :: KnownField k => [[Maybe [Double]]] -> (SoftPatch k -> Property) -> Property
+softly :: KnownField k => [[Maybe [Double]]] -> (Patch (Belief k) -> Property) -> Property
 softly chances f = case traverse (traverse (traverse belief)) chances of
   Left e -> counterexample (show e) False
-  Right beliefs -> either (\e -> counterexample (show e) False) f (softPatch beliefs)
+  Right beliefs -> either (\e -> counterexample (show e) False) f (patch beliefs)
 
 rowsOf :: Natural -> [a] -> [[a]]
 rowsOf w cells = case splitAt (fromIntegral w) cells of

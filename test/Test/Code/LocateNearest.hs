@@ -13,9 +13,11 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Book
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Window
 import PraTactile.Window.Distance
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck (Gen, Property, choose, conjoin, counterexample, forAll, property, vectorOf, (===), (==>))
@@ -69,7 +71,7 @@ spec = do
           let decision = nearest shelf Guaranteed p
            in conjoin
                 [ case decisionOutcome decision of
-                    Located found _ -> found === place
+                    Unique found _ -> found === place
                     other -> counterexample (show other) (decisionDistance decision === 0)
                 , if decisionDistance decision == 0 then property True else decisionWrong decision === sort wrong
                 ]
@@ -107,7 +109,7 @@ everyPosition start = [Position (fromIntegral (i `mod` 15)) (fromIntegral (i `mo
 
 -- | The patterns of at most so many errors, the second number, around a window whose radius is the first: those whose decision is not what it should be. What it should be is found by other means: two
 -- bits a cell, and counting the cells in which two windows differ by bit operations.
-patterns :: Book GF4 -> Shape -> Int -> Int -> Bool -> Position -> IO [([Position], Decision)]
+patterns :: Book GF4 -> Shape -> Int -> Int -> Bool -> Position -> IO [([Position], Decision Position)]
 patterns shelf size t most upToFactor place = do
   m <- right (rectangle size)
   let offsets = maskOffsets m
@@ -125,8 +127,8 @@ patterns shelf size t most upToFactor place = do
             least = Primitive.minimum near
             spots = [i | (i, n) <- zip [0 ..] (Primitive.toList near), n == least]
             expected
-              | length wrong <= t = Located place []
-              | least <= t, [i] <- spots = Located (positionsInOrder !! i) []
+              | length wrong <= t = Unique place []
+              | least <= t, [i] <- spots = Unique (positionsInOrder !! i) []
               | differ word 0 <= t = Refused ZeroWindow
               | t == 0 = Refused Contradiction
               | otherwise = Refused BeyondRadius
@@ -135,7 +137,7 @@ patterns shelf size t most upToFactor place = do
               Right p ->
                 let decision = nearest shelf Guaranteed p
                     outcome = case decisionOutcome decision of
-                      Located found _ -> Located found []
+                      Unique found _ -> Unique found []
                       Refused NotInArray -> Refused Contradiction
                       other -> other
                  in [ (map (offsets !!) wrong, decision)
@@ -162,7 +164,7 @@ neighbours shelf offsets received = case patch [[lookup (Position i j) cells | j
   Right p ->
     let decision = nearest shelf (UpTo 16) p
         places = case decisionOutcome decision of
-          Located place _ -> [place]
+          Unique place _ -> [place]
           Ambiguous several _ -> several
           _ -> []
         found = nub (map (contentAt shelf offsets) places)
@@ -269,15 +271,15 @@ asDefined shelf e cells = case patch cells of
           | (above, below) <- zip cells (drop 1 cells)
           , Just window <- [sequence [a, b, c, d] | ((a, b), (c, d)) <- zip (zip above (drop 1 above)) (zip below (drop 1 below))]
           ]
-     in counterexample (show decision) $
+     in counterexample (show decision) $ if null observed then decisionOutcome decision === Refused TooFewCells else
           conjoin
             [ decisionNearest decision === (case ordered of { a : _ -> Just a; [] -> Nothing })
             , decisionRunnerUp decision === (case ordered of { _ : b : _ -> Just b; _ -> Nothing })
             , case decisionOutcome decision of
-                Located place _ -> conjoin [property within, best === [place], decisionWrong decision === differing place]
+                Unique place _ -> conjoin [property within, best === [place], decisionWrong decision === differing place]
                 Ambiguous places _ -> conjoin [property (within && length best > 1), places === best]
-                AmbiguousCoset _ _ -> property False
-                Refused TooFewCells -> property (null observed)
+                AmbiguousMany _ _ -> property False
+                Refused TooFewCells -> property False
                 Refused ZeroWindow -> property (not (within && not (null ordered)) && (nearZero || (e == 0 && onlyZeroWindows)))
                 Refused BeyondRadius -> property (e > 0 && not (within && not (null ordered)))
                 Refused _ -> property (e == 0 && not (within && not (null ordered)))

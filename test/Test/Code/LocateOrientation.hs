@@ -17,13 +17,13 @@ import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
-import PraTactile.Locate.Oriented
-import PraTactile.Locate.Search
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Decision
+import PraTactile.Locate.Separation
+import PraTactile.Locate.Soft (decide)
+import PraTactile.Symmetry
 import PraTactile.Polynomial
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements, total)
@@ -31,29 +31,16 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  describe "orientations" $ do
-    it "one and the one that undoes it lead back" $
-      forM_ orientations $ \o -> seenAs (undone o) (seenAs o ["abc", "def"]) `shouldBe` ["abc", "def"]
-    it "are the eight symmetries of the square: all different, and turning a mirrored one on turns it the other way" $ do
-      length (nub [seenAs o ["ab", "cd"] | o <- orientations]) `shouldBe` 8
-      seenAs (Orientation True 1) ["ab", "cd"] `shouldBe` seenAs (Orientation False 3) (reverse ["ab", "cd"])
-    it "a cell is seen where the rows have it" $
-      forM_ [(h, w) | h <- [1 .. 3], w <- [1 .. 4]] $ \(h, w) -> forM_ orientations $ \o -> do
-        let shape = Shape h w
-            cells = [[Position i j | j <- below w] | i <- below h]
-            turned = [(cell, Position i j) | (i, line) <- zip [0 ..] (seenAs o cells), (j, cell) <- zip [0 ..] line]
-        [(cell, seenAt o shape cell) | (cell, _) <- turned] `shouldBe` turned
-        seenShape o shape `shouldBe` Shape (1 + maximum (map (row . snd) turned)) (1 + maximum (map (column . snd) turned))
   describe "the distance between candidates" $ do
     it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, for the paper's polynomial" $ do
       shelf <- paperBook Torus
       [orientedDistance shelf rotations side | side <- [2 .. 5]] `shouldBe` [0, 0, 4, 8]
-      [orientedDistance shelf [upright, Orientation False 2] side | side <- [2 .. 5]] `shouldBe` [0, 0, 5, 10]
-      [orientedDistance shelf orientations side | side <- [2 .. 5]] `shouldBe` [0, 0, 0, 0]
-      [orientedDistance shelf [upright] side | side <- [2 .. 5]] `shouldBe` [1, 4, 9, 16]
+      [orientedDistance shelf [identity, turned 2] side | side <- [2 .. 5]] `shouldBe` [0, 0, 5, 10]
+      [orientedDistance shelf symmetries side | side <- [2 .. 5]] `shouldBe` [0, 0, 0, 0]
+      [orientedDistance shelf [identity] side | side <- [2 .. 5]] `shouldBe` [1, 4, 9, 16]
     it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
       shelf <- paperBook Torus
-      forM_ [(rotations, 3), (rotations, 4), ([upright, Orientation False 2], 4)] $ \(possible, side) ->
+      forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) ->
         byDefinition (bookArray shelf) possible (Shape side side) [Position i j | i <- below side, j <- below side] `shouldBe` orientedDistance shelf possible side
     it "is, for cells of any shape, the least number in which two candidates differ, all compared with all" $
       forM_ small $ \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
@@ -70,21 +57,21 @@ spec = do
       shelf <- paperBook Torus
       forM_ everywhere $ \p -> do
         seen <- right (patch (look shelf (Shape 2 2) p))
-        case orientedOutcome (nearestOriented shelf rotations Guaranteed seen) of
-          OrientedAmong found -> do
-            map candidateOrientation found `shouldBe` rotations
-            take 1 found `shouldBe` [Candidate upright p]
+        case decisionOutcome (nearestIn shelf rotations Guaranteed seen) of
+          Ambiguous found _ -> do
+            map candidateSymmetry found `shouldBe` rotations
+            take 1 found `shouldBe` [Candidate identity p]
           other -> expectationFailure (show other)
     it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
       shelf <- paperBook Torus
       forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
         let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
             shape = Shape 4 4
-            at = seenAt o shape place
-        seen <- right (patch (seenAs o (changed place (look shelf shape p))))
-        let decision = nearestOriented shelf rotations (UpTo 1) seen
-        (orientedOutcome decision, orientedWrong decision) `shouldSatisfy` \found -> case found of
-          (OrientedAt candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
+            at = onPosition o shape place
+        seen <- right (patch (onRows o (changed place (look shelf shape p))))
+        let decision = nearestIn shelf rotations (UpTo 1) seen
+        (decisionOutcome decision, decisionWrong decision) `shouldSatisfy` \found -> case found of
+          (Unique candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
           _ -> False
     it "of a patch with as many errors as are promised to be corrected is where and as it was seen" $
       forM_ [Torus, Sheet] $ \surface -> do
@@ -92,54 +79,28 @@ spec = do
         holds 150 $ forAll (genWithin shelf) $ \(candidate, wrong, cells) -> case patch cells of
           Left e -> counterexample (show e) False
           Right p ->
-            let decision = nearestOriented shelf rotations Guaranteed p
-             in counterexample (show decision) $ case orientedOutcome decision of
-                  OrientedAt found _ -> conjoin [found === candidate, orientedWrong decision === sort wrong]
-                  OrientedAmong found -> conjoin [orientedMinimum decision === 0, property (candidate `elem` found)]
+            let decision = nearestIn shelf rotations Guaranteed p
+             in counterexample (show decision) $ case decisionOutcome decision of
+                  Unique found _ -> conjoin [found === candidate, decisionWrong decision === sort wrong]
+                  Ambiguous found _ -> conjoin [decisionDistance decision === 0, property (candidate `elem` found)]
                   _ -> property False
-    it "is as defined, for any patch, radius and orientations" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        holds 120 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> choose (0, 3 :: Int)) $ \(cells, possible, e) ->
-          asDefined shelf possible (fromIntegral e) cells
     it "windows that say so are named by where their upper left cells are seen" $ do
       shelf <- paperBook Torus
-      seen <- right (patch (seenAs (Orientation False 1) (look shelf (Shape 2 5) (Position 6 5))))
-      case orientedOutcome (nearestOriented shelf [Orientation False 1] Guaranteed seen) of
-        OrientedAt candidate support -> (candidate, support) `shouldBe` (Candidate (Orientation False 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
+      seen <- right (patch (onRows (turned 1) (look shelf (Shape 2 5) (Position 6 5))))
+      case decisionOutcome (nearestIn shelf [turned 1] Guaranteed seen) of
+        Unique candidate support -> (candidate, support) `shouldBe` (Candidate (turned 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
         other -> expectationFailure (show other)
-    it "by another road is the same where all cells agree" $ do
-      shelf <- paperBook Torus
-      holds 100 $ forAll ((,) <$> genDamaged shelf <*> genOrientations) $ \(cells, possible) -> case patch cells of
-        Left e -> counterexample (show e) False
-        Right p -> eachOriented possible (searchPatch Torus (bookArray shelf) (bookMask shelf)) p === Right (orientedOutcome (nearestOriented shelf possible (UpTo 0) p))
-    it "by information sets is the same within the radius, without comparing all positions" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        algebra <- right (prepareAlgebra surface (bookArray shelf) (bookMask shelf))
-        holds 150 $ forAll ((,,) <$> genDamaged shelf <*> genOrientations <*> QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2]) $ \(cells, possible, radius) -> case patch cells of
-          Left e -> counterexample (show e) False
-          Right p ->
-            let compared = nearestOriented shelf possible radius p
-                answers decision = (orientedOutcome decision, orientedWrong decision, orientedMinimum decision, orientedRadius decision)
-             in case boundedOriented algebra possible radius p of
-                  Left e -> counterexample (show e) False
-                  Right decision -> conjoin [answers decision === answers compared, property (orientedNearest decision `elem` [Nothing, orientedNearest compared])]
   describe "the likeliest candidate" $ do
-    it "is Bayes' theorem over all positions in all orientations" $
-      forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        holds 60 $ forAll ((,) <$> genChances <*> genOrientations) $ uncurry (asBayes shelf)
     it "of symbols beyond doubt is the nearest" $ do
       shelf <- paperBook Torus
       forM_ [(shape, o) | shape <- [Shape 2 2, Shape 3 4, Shape 4 4], o <- rotations] $ \(shape, o) -> do
-        let cells = seenAs o (look shelf shape (Position 11 3))
+        let cells = onRows o (look shelf shape (Position 11 3))
         hard <- right (patch cells)
-        soft <- right (softPatch (map (map (fmap certainly)) cells))
+        soft <- right (patch (map (map (fmap certainly)) cells))
         let answered outcome = case outcome of
-              OrientedAt candidate _ -> OrientedAt candidate []
+              Unique candidate _ -> Unique candidate []
               other -> other
-        decideOriented 0 (posteriorOriented shelf rotations soft) `shouldBe` answered (orientedOutcome (nearestOriented shelf rotations Guaranteed hard))
+        decide 0 (posteriorIn shelf rotations soft) `shouldBe` answered (decisionOutcome (nearestIn shelf rotations Guaranteed hard))
   describe "arrays whose windows have two columns" $ do
     it "are their own mirror image, left and right exchanged, up to a shift of the columns; the axis is the column of zeros" $
       forM_ [(2, k1) | k1 <- [1 .. 6]] $ \(q, k1) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> mirrorImages (Proxy :: Proxy k) k1
@@ -154,8 +115,8 @@ spec = do
     it "so that neither the plain one nor the mirror image is preferred, however large the patch is" $ do
       shelf <- paperBook Torus
       seen <- right (patch (look shelf (Shape 6 6) (Position 6 5)))
-      case orientedOutcome (nearestOriented shelf [upright, Orientation True 0] Guaranteed seen) of
-        OrientedAmong [a, b] -> (a, candidateOrientation b) `shouldBe` (Candidate upright (Position 6 5), Orientation True 0)
+      case decisionOutcome (nearestIn shelf [identity, mirror] Guaranteed seen) of
+        Ambiguous [a, b] _ -> (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
         other -> expectationFailure (show other)
  where
   -- Every primitive polynomial.
@@ -183,7 +144,7 @@ shiftedBy r c cells = turn r (map (turn c) cells)
 small :: [(Int, Natural, Shape)]
 small = [(2, 4, Shape 3 5), (2, 6, Shape 7 9), (3, 3, Shape 2 13), (4, 2, Shape 3 5), (9, 2, Shape 5 16)]
 
-byDefinition :: KnownField k => PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Natural
+byDefinition :: KnownField k => PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Natural
 byDefinition array possible size offsets =
   minimum [fromIntegral (length (filter id (zipWith (/=) a b))) | (k, a) <- zip [1 ..] contents, b <- drop k contents]
  where
@@ -195,9 +156,9 @@ byDefinition array possible size offsets =
     ]
 
 -- | Which cell of the upright patch one is that is seen in a patch of this shape, by turning the names of the cells.
-uprightOf :: Orientation -> Shape -> Position -> Position
+uprightOf :: Symmetry -> Shape -> Position -> Position
 uprightOf o (Shape h w) cell =
-  case [Position i j | (i, line) <- zip [0 ..] (seenAs (undone o) names), (j, name) <- zip [0 ..] line, name == cell] of
+  case [Position i j | (i, line) <- zip [0 ..] (onRows (invert o) names), (j, name) <- zip [0 ..] line, name == cell] of
     found : _ -> found
     [] -> cell
  where
@@ -207,8 +168,8 @@ below :: Natural -> [Natural]
 below n = takeWhile (< n) [0 ..]
 
 -- | One or more orientations.
-genOrientations :: Gen [Orientation]
-genOrientations = QuickCheck.elements [rotations, orientations, [upright], [Orientation False 1, Orientation False 2], [Orientation True 0, Orientation True 3, upright]]
+genOrientations :: Gen [Symmetry]
+genOrientations = QuickCheck.elements [rotations, symmetries, [identity], [turned 1, turned 2], [mirror, turned 3 <> mirror, identity]]
 
 -- | The shape of a patch of at most so many rows and columns, and the cells of it that are observed.
 genObserved :: Natural -> Gen (Shape, [Position])
@@ -236,8 +197,8 @@ genDamaged shelf = do
   h <- choose (1, 4)
   w <- choose (1, 4)
   p <- QuickCheck.elements everywhere
-  o <- QuickCheck.elements orientations
-  mapM (mapM damage) (seenAs o (look shelf (Shape (fromInteger h) (fromInteger w)) p))
+  o <- QuickCheck.elements symmetries
+  mapM (mapM damage) (onRows o (look shelf (Shape (fromInteger h) (fromInteger w)) p))
  where
   damage a = do
     fate <- choose (0, 99 :: Int)
@@ -259,82 +220,9 @@ genWithin shelf = do
       t = fromIntegral (guaranteedRadius (candidateDistance (bookSurface shelf) (bookArray shelf) rotations size observed)) :: Int
   count <- choose (0, t)
   wrong <- take count <$> shuffle observed
-  let cells = seenAs o (look shelf size place)
+  let cells = onRows o (look shelf size place)
       damaged = [[if cell `notElem` observed then Nothing else if cell `elem` wrong then (+ 1) <$> a else a | (j, a) <- zip [0 ..] line, let cell = Position i j] | (i, line) <- zip [0 ..] cells]
   pure (Candidate o place, wrong, damaged)
-
--- | Count, of every candidate, the observed cells that differ.
-asDefined :: Book GF4 -> [Orientation] -> Natural -> Cells -> Property
-asDefined shelf possible e cells = case patch cells of
-  Left complaint -> counterexample (show complaint) False
-  Right p ->
-    let decision = nearestOriented shelf possible (UpTo e) p
-        observed = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
-        counted = [(fromIntegral (length differing), Candidate o place) | (o, place, differing) <- everyCandidate shelf possible size observed]
-        size = Shape (fromIntegral (length cells)) (fromIntegral (length (concat (take 1 cells))))
-        least = minimum (map fst counted)
-        best = [candidate | (count, candidate) <- counted, count == least]
-     in counterexample (show decision) $
-          if null observed || null counted
-            then case orientedOutcome decision of
-              OrientedNowhere _ -> property True
-              _ -> property False
-            else
-              conjoin
-                [ orientedNearest decision === Just least
-                , orientedRunnerUp decision === (case sort (map fst counted) of { _ : b : _ -> Just b; _ -> Nothing })
-                , case orientedOutcome decision of
-                    OrientedAt candidate _ ->
-                      conjoin
-                        [ property (least <= e)
-                        , [candidate] === best
-                        , [orientedWrong decision] === [sort differing | (o, place, differing) <- everyCandidate shelf possible size observed, Candidate o place == candidate]
-                        ]
-                    OrientedAmong several -> conjoin [property (least <= e && length best > 1), several === best]
-                    OrientedMany _ -> property False
-                    OrientedNowhere _ -> property (least > e)
-                ]
-
--- | Every candidate with the observed cells that differ there.
-everyCandidate :: Book GF4 -> [Orientation] -> Shape -> [(Position, GF GF4)] -> [(Orientation, Position, [Position])]
-everyCandidate shelf possible size observed =
-  [ (o, Position r c, [cell | (cell, a, Just at) <- placed, cellAt (bookArray shelf) at /= a])
-  | o <- nub possible
-  , Position r c <- everywhere
-  , let placed = [(cell, a, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, a) <- observed, let Position i j = uprightOf o size cell]
-  , null [() | (_, _, Nothing) <- placed]
-  ]
-
--- | The same in exact fractions.
-asBayes :: Book GF4 -> [[Maybe [Integer]]] -> [Orientation] -> Property
-asBayes shelf chances possible = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
-  Left e -> counterexample (show e) False
-  Right beliefs -> case softPatch beliefs of
-    Left e -> counterexample (show e) False
-    Right p ->
-      let found = posteriorOriented shelf possible p
-          near a b = abs (a - fromRational b) < 1e-12 :: Bool
-       in case sortOn Down (map snd exact) of
-            ranking@(best : _)
-              | total > 0 ->
-                  conjoin
-                    [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
-                    , counterexample (show found) (and (zipWith (\(_, a) b -> near a (b / total)) (posteriorRanking found) ranking))
-                    , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
-                    , length (posteriorRanking found) === length exact
-                    ]
-            _ -> posteriorBest found === Nothing
- where
-  size = Shape (fromIntegral (length chances)) (fromIntegral (length (concat (take 1 chances))))
-  observed = [(Position i j, ks) | (i, line) <- zip [0 ..] chances, (j, Just ks) <- zip [0 ..] line]
-  exact =
-    [ (Candidate o (Position r c), product [(ks !! toCode (cellAt (bookArray shelf) at)) % 64 | (ks, Just at) <- placed])
-    | o <- nub possible
-    , Position r c <- everywhere
-    , let placed = [(ks, canonicalPosition (bookSurface shelf) (Shape 15 17) (toInteger (r + i)) (toInteger (c + j))) | (cell, ks) <- observed, let Position i j = uprightOf o size cell]
-    , null [() | (_, Nothing) <- placed]
-    ]
-  total = sum (map snd exact)
 
 paperBook :: Surface -> IO (Book GF4)
 paperBook surface = do

@@ -13,6 +13,7 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Book
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Punctured
 import PraTactile.Locate.Rates
@@ -129,7 +130,7 @@ asDecided array size = do
       cellChance x (Just y) = (1 - s) * (if x == y then 1 - p else p / fromIntegral (q - 1)) :: Double
       total wanted =
         sum [chance content cells | (outcome, cells) <- decided, (at, content) <- places, wanted (located at outcome)] / fromIntegral (length places)
-      located at outcome = case outcome of Located found _ -> Just (found == at); _ -> Nothing
+      located at outcome = case outcome of Unique found _ -> Just (found == at); _ -> Nothing
       Rates a b c = erasedRates ByObserved q code p s
       differences = zipWith (-) [a, b, c] (map (total . (==)) [Just True, Just False, Nothing])
   (size, length differences, maximum (map abs differences)) `shouldSatisfy` (\(_, k, d) -> k == 3 && d < 1e-12)

@@ -19,8 +19,9 @@ import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Search
+import PraTactile.Locate.Definition
 import PraTactile.Polynomial
 import PraTactile.Window
 import Test.Code.Generators
@@ -74,7 +75,7 @@ spec = do
     m <- right (rectangle (Shape 2 2))
     let observed = [[Just (cellAt array (Position 6 5)), Nothing, Just (cellAt array (Position 6 7))], [Nothing, Just (cellAt array (Position 7 6)), Just (cellAt array (Position 7 7))]]
     p <- right (patch observed)
-    searchPatch Torus array m p `shouldBe` Right (Located (Position 6 5) [])
+    searchPatch Torus array m p `shouldBe` Right (Unique (Position 6 5) [])
     few <- right (patch (take 1 observed))
     case searchPatch Torus array m few of
       Right (Ambiguous places []) -> length places `shouldBe` 4 ^ (4 - 2 :: Int)
@@ -87,13 +88,13 @@ spec = do
     forM_ [Position 0 0, Position 123456789 987654321, Position (4 ^ (15 :: Int) - 2) (4 ^ (15 :: Int))] $ \place@(Position r c) -> do
       let seen i j = Just (cellAt array (Position (r + i) (c + j)))
       window <- right (patch [[seen i j | j <- [0, 1]] | i <- [0 .. 14]])
-      algebraPatch algebra window `shouldBe` Right (Located place [Position 0 0])
+      algebraPatch algebra window `shouldBe` Right (Unique place [Position 0 0])
       scattered <- right (patch [[if (i * 7 + j * 3) `mod` 4 == 0 then Nothing else seen i j | j <- [0 .. 6]] | i <- [0 .. 6]])
-      algebraPatch algebra scattered `shouldBe` Right (Located place [])
+      algebraPatch algebra scattered `shouldBe` Right (Unique place [])
       wrong <- right (patch [[if (i, j) == (3, 4) then (+ 1) <$> seen i j else seen i j | j <- [0 .. 6]] | i <- [0 .. 6]])
       algebraPatch algebra wrong `shouldBe` Right (Refused Contradiction)
       few <- right (patch [[seen 0 j | j <- [0 .. 9]]])
-      algebraPatch algebra few `shouldBe` Right (AmbiguousCoset (4 ^ (20 :: Int)) 20)
+      algebraPatch algebra few `shouldBe` Right (AmbiguousMany (4 ^ (20 :: Int)) (Just 20))
   it "the algebra refuses a surface on which the sequence does not go on" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
@@ -169,7 +170,7 @@ alike surface array m table shelf algebra cells places = case patch cells of
           && positions byTable == places
  where
   positions outcome = case outcome of
-    Located place _ -> [place]
+    Unique place _ -> [place]
     Ambiguous several _ -> several
     _ -> []
 
@@ -188,7 +189,7 @@ agree surface array m table shelf algebra cells = case patch cells of
   Right p ->
     let byTable = locatePatch table p
         bySearch = searchPatch surface array m p
-     in (byTable `elem` [Refused TooFewCells, Refused NoCompleteWindow] || bySearch == Right byTable)
+     in (byTable == Refused NoCompleteWindow || bySearch == Right byTable)
           && algebraPatch algebra p == Right (either (const (Refused TooFewCells)) id bySearch)
           && Right (decisionOutcome (nearest shelf (UpTo 0) p)) == bySearch
 

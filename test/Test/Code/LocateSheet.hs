@@ -15,11 +15,12 @@ import PraTactile.Locate
 import PraTactile.Locate.Algebra
 import PraTactile.Locate.Book
 import PraTactile.Locate.BoundedDistance
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation
-import PraTactile.Locate.Oriented
-import PraTactile.Locate.Patch (observedCells)
+import PraTactile.Locate.Patch (uprightAs)
+import PraTactile.Symmetry
 import PraTactile.Window
+import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -42,9 +43,9 @@ spec = do
     (array, grid, window) <- binary
     shelf <- right (book Sheet array window)
     holds 60 $ forAll genRadius $ \radius -> forPatches grid $ \p ->
-      let decision = nearestOriented shelf rotations radius p
-          all' = concat [byDefinition grid laid | (_, laid) <- eachLaid rotations p]
-       in counterexample (show decision) ((orientedNearest decision, orientedRunnerUp decision) === firstTwo all')
+      let decision = nearestIn shelf rotations radius p
+          all' = concat [byDefinition grid (uprightAs o p) | o <- rotations]
+       in counterexample (show decision) ((decisionNearest decision, decisionRunnerUp decision) === firstTwo all')
   it "by information sets: what is told of both is so, or is as much as is known" $ do
     (array, grid, window) <- binary
     algebra <- right (prepareAlgebra Sheet array window)
@@ -57,14 +58,14 @@ spec = do
             Right decoded ->
               counterexample (show (decoded, least, next)) $
                 conjoin
-                  [ case decodingNearest decoded of
+                  [ case knownNearest decoded of
                       Exactly e -> least === Just e
                       AtLeast e -> property (maybe True (>= e) least)
-                  , case decodingRunnerUp decoded of
+                  , case knownRunnerUp decoded of
                       Just (Exactly e) -> next === Just e
                       Just (AtLeast e) -> property (maybe False (>= e) next)
-                      Nothing -> property (next == Nothing || decodingNearest decoded == AtLeast (decodingRadius decoded + 1))
-                  , agrees all' (decodingRadius decoded) (decodingOutcome decoded)
+                      Nothing -> property (next == Nothing || knownNearest decoded == AtLeast (decisionRadius decoded + 1))
+                  , agrees all' (decisionRadius decoded) (decisionOutcome decoded)
                   ]
   it "by algebra: several positions are told only where several agree" $ do
     (array, grid, window) <- binary
@@ -77,9 +78,9 @@ spec = do
     algebra <- right (prepareAlgebra Sheet array window)
     let corner = [[if (i, j) == (62, 64) then symbolOf grid (Position i j) else Nothing | j <- [0 .. 64]] | i <- [0 .. 62]]
     p <- right (patch corner)
-    algebraPatch algebra p `shouldBe` Right (Located (Position 0 0) [])
+    algebraPatch algebra p `shouldBe` Right (Unique (Position 0 0) [])
     decoded <- right (decodePatch algebra Guaranteed p)
-    (decodingOutcome decoded, decodingNearest decoded, decodingRunnerUp decoded) `shouldBe` (Located (Position 0 0) [], Exactly 0, Nothing)
+    (decisionOutcome decoded, knownNearest decoded, knownRunnerUp decoded) `shouldBe` (Unique (Position 0 0) [], Exactly 0, Nothing)
 
 -- | The first array of 63 x 65 cells over GF(2): one cell leaves 2048 positions of the torus, more than are listed.
 binary :: IO (PseudorandomArray GF2, Grid, Mask)
@@ -91,7 +92,7 @@ symbolOf :: KnownField k => Grid -> Position -> Maybe (GF k)
 symbolOf grid at = codeAt grid at >>= either (const Nothing) Just . fromCode
 
 -- | Every position of the sheet at which all observed cells lie on it, with the number of them that differ.
-byDefinition :: KnownField k => Grid -> Patch k -> [(Natural, Position)]
+byDefinition :: KnownField k => Grid -> Patch (GF k) -> [(Natural, Position)]
 byDefinition grid p =
   [ (fromIntegral (length (filter id differing)), Position r c)
   | r <- below (rows (gridShape grid))
@@ -109,18 +110,18 @@ firstTwo found = case sort (map fst found) of
   [] -> (Nothing, Nothing)
 
 -- | The outcome is that of the nearest of these positions within the radius.
-agrees :: [(Natural, Position)] -> Natural -> Outcome -> Property
+agrees :: [(Natural, Position)] -> Natural -> Outcome Position -> Property
 agrees all' radius outcome = case ([place | (e, place) <- all', Just e == least, e <= radius], outcome) of
-  ([only], Located place _) -> place === only
+  ([only], Unique place _) -> place === only
   (several@(_ : _ : _), Ambiguous places _) -> places === several
-  (_ : _ : _, AmbiguousCoset count _) -> property (count > 1024)
+  (_ : _ : _, AmbiguousMany count _) -> property (count > 1024)
   (near, Refused _) -> near === []
   _ -> property False
  where
   least = fst (firstTwo all')
 
 -- | Of any patch of few cells, right or wrong, as small as a cell or as large as the sheet.
-forPatches :: Grid -> (Patch GF2 -> Property) -> Property
+forPatches :: Grid -> (Patch (GF GF2) -> Property) -> Property
 forPatches grid law = forAllShrink (genWide grid) (filter (not . null) . shrinkList (const [])) $ \cells ->
   let (high, wide) = (1 + maximum (map (row . fst) cells), 1 + maximum (map (column . fst) cells))
    in either (\e -> counterexample (show e) False) law (patch [[lookup (Position i j) cells | j <- below wide] | i <- below high])

@@ -11,6 +11,7 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Book
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Soft
 import PraTactile.Window
@@ -20,10 +21,6 @@ import Test.QuickCheck (Gen, Property, choose, conjoin, counterexample, forAll, 
 
 spec :: Spec
 spec = do
-  it "the posterior is Bayes' theorem: products of the cells' probabilities, made to add up to 1" $ do
-    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-    m <- right (rectangle (Shape 2 2))
-    mapM_ (\surface -> right (book surface array m) >>= \shelf -> holds 200 (forAll genChances (asBayes shelf))) [Torus, Sheet]
   it "of symbols beyond doubt it locates as the exact comparison does" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
@@ -33,9 +30,9 @@ spec = do
           seen = [[Just (cellAt array (at i j)) | j <- [0 .. 2]] | i <- [0, 1]]
           drawn = [map Just (take 3 other), map Just (drop 3 other)]
           exact cells = either (const (Refused TooFewCells)) (withoutSupport . decisionOutcome . nearest shelf (UpTo 0)) (patch cells)
-          soft cells = either (const (Refused TooFewCells)) (decide 0 . posterior shelf) (softPatch (map (map (fmap certainly)) cells))
+          soft cells = either (const (Refused TooFewCells)) (decide 0 . posterior shelf) (patch (map (map (fmap certainly)) cells))
           withoutSupport outcome = case outcome of
-            Located p _ -> Located p []
+            Unique p _ -> Unique p []
             Ambiguous ps _ -> Ambiguous ps []
             _ -> Refused Contradiction
        in conjoin [soft seen === exact seen, soft drawn === exact drawn, soft (map (take 1) seen) === exact (map (take 1) seen)]
@@ -45,19 +42,19 @@ spec = do
     shelf <- right (book Torus array m)
     [sure, unsure] <- mapM right [belief [0, 0, 0, 1], belief [0.1, 0, 0, 0.9]]
     [two, one'] <- mapM (\code -> certainly <$> right (fromCode code)) [2, 1]
-    p <- right (softPatch [[Just unsure, Just two], [Just sure, Just one']])
+    p <- right (patch [[Just unsure, Just two], [Just sure, Just one']])
     let found = posterior shelf p
     posteriorBest found `shouldBe` Just (Position 6 5)
     posteriorDoubt found `shouldSatisfy` near 0.1
     posteriorMargin found `shouldSatisfy` maybe False (near (log 9))
     map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith near [0.9, 0.1]
-    decide 0.11 found `shouldBe` Located (Position 6 5) []
+    decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
   it "an array can be impossible" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
     shelf <- right (book Torus array m)
-    p <- right (softPatch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
+    p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
     decide 0.5 (posterior shelf p) `shouldBe` Refused Contradiction
   it "numbers that are no probabilities are refused" $ do
     (belief [1, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefLength 3 4)
@@ -68,32 +65,3 @@ spec = do
  where
   near a b = abs (a - b) < 1e-9 * (1 + abs a)
   genElement' = genElement :: Gen (GF GF4)
-
--- | The same in exact fractions.
-asBayes :: Book GF4 -> [[Maybe [Integer]]] -> Property
-asBayes shelf chances = case traverse (traverse (traverse (belief . map (\k -> fromInteger k / 64)))) chances of
-  Left e -> counterexample (show e) False
-  Right beliefs -> case softPatch beliefs of
-    Left e -> counterexample (show e) False
-    Right p ->
-      let found = posterior shelf p
-          near a b = abs (a - fromRational b) < 1e-12 :: Bool
-       in case sortOn (Down . snd) exact of
-            ranking@((_, best) : _)
-              | total > 0 ->
-                  conjoin
-                    [ counterexample (show (posteriorDoubt found)) (near (posteriorDoubt found) (1 - best / total))
-                    , counterexample (show found) (and (zipWith (\(_, a) (_, b) -> near a (b / total)) (posteriorRanking found) ranking))
-                    , counterexample (show found) (fmap (`lookup` exact) (posteriorBest found) == Just (Just best))
-                    , length (posteriorRanking found) === length exact
-                    ]
-            _ -> posteriorBest found === Nothing
- where
-  observed = [(i, j, ks) | (i, line) <- zip [0 ..] chances, (j, Just ks) <- zip [0 ..] line]
-  exact =
-    [ (Position r c, product [(ks !! toCode (cellAt (bookArray shelf) (Position (r + i) (c + j)))) % 64 | (i, j, ks) <- observed])
-    | r <- [0 .. 14]
-    , c <- [0 .. 16]
-    , bookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
-    ]
-  total = sum (map snd exact)

@@ -11,19 +11,15 @@ import Data.Aeson
 import Data.List (isInfixOf)
 import Data.Proxy (Proxy (..))
 import Data.Ratio ((%))
-import Locating
-import Locating.Seen
 import Numeric.Natural (Natural)
-import PatchText
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named (GF2)
 import PraTactile.Locate
-import PraTactile.Locate.Chance
-import PraTactile.Locate.Nearest (Radius (..))
-import PraTactile.Locate.Soft
+import PraTactile.Symmetry
 import PraTactile.Window
 import Test.CommandLine.Run
+import Test.Code.Decided (ask)
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -36,34 +32,27 @@ spec = do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       window <- right (rectangle (Shape 2 2))
       forM_ [(Shape 2 2, 255 % 256), (Shape 2 3, 255 % 4096)] $ \(shape, share) ->
-        forM_ [Nothing, Just TableRoad, Just AlgebraRoad, Just SearchRoad] $ \road -> do
-          report <- right (reporter (Choice road Guaranteed 0.001 MostSignificantFirst) Upright Torus array window)
-          answers <- right (traverse report [Alone (Symbols p) | Right p <- map (patch . rowsOf (columns shape) . map Just) (mapM (const elements) [1 .. area shape])])
+        forM_ [Nothing, Just TableDecoder, Just AlgebraDecoder, Just SearchDecoder] $ \road -> do
+          answers <- right (traverse (ask road (Torus, array, window) [identity] Guaranteed 0.001) [[((0, 0), Symbol <$> p)] | Right p <- map (patch . rowsOf (columns shape) . map Just) (mapM (const elements) [1 .. area shape])])
           (fromIntegral (length (filter isLocated answers)) % toInteger (length answers), take 1 (map worth answers)) `shouldBe` (share, [Just (Chance (fromRational share) True)])
     it "where one cell of nine is corrected, of 3 x 3 cells of 15: 15 spheres of 10 contents each" $ do
       array <- firstOver (Proxy :: Proxy GF2) 4 >>= right . folded Diagonal (Shape 3 5)
       window <- right (rectangle (Shape 2 2))
-      report <- right (reporter (Choice Nothing Guaranteed 0.001 MostSignificantFirst) Upright Torus array window)
-      answers <- right (traverse report [Alone (Symbols p) | Right p <- map (patch . rowsOf 3 . map Just) (mapM (const elements) [1 .. 9 :: Int])])
+      answers <- right (traverse (ask Nothing (Torus, array, window) [identity] Guaranteed 0.001) [[((0, 0), Symbol <$> p)] | Right p <- map (patch . rowsOf 3 . map Just) (mapM (const elements) [1 .. 9 :: Int])])
       (fromIntegral (length (filter isLocated answers)) % toInteger (length answers), take 1 (map worth answers)) `shouldBe` (150 % 512, [Just (Chance (150 / 512) True)])
     it "by every road, on every surface, in every orientation: exactly, or at most" $
       forM_ arrays $ \(q, n, folding, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
         array <- firstOver k n >>= right . folded folding shape
         m <- right (rectangle window)
         holds 40 $ forAllShrink (genCells q) (filter (not . null) . shrinkList (const [])) $ \offsets -> forAll genCall $ \(road, radius, turning, surface) ->
-          case reporter (Choice road radius 0.001 MostSignificantFirst) turning surface array m of
-            Left _ -> property (road == Just AlgebraRoad)
-            Right report -> enumerated [report (Alone (Symbols p)) | Right p <- map (patch . laid offsets) (mapM (const elements) offsets)]
+          enumerated road [ask road (surface, array, m) turning radius 0.001 [((0, 0), Symbol <$> p)] | Right p <- map (patch . laid offsets) (mapM (const elements) offsets)]
     it "of several patches together" $
       forM_ (take 2 arrays) $ \(q, n, folding, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
         array <- firstOver k n >>= right . folded folding shape
         m <- right (rectangle window)
         holds 20 $ forAll (choose (-2, 4)) $ \down -> forAll (choose (2, 5)) $ \along -> forAll genCall $ \(road, radius, turning, surface) ->
-          case reporter (Choice road radius 0.001 MostSignificantFirst) turning surface array m of
-            Left _ -> property (road == Just AlgebraRoad)
-            Right report ->
-              enumerated
-                [ report (DisplacedSymbols [((0, 0), one'), ((down, along), other)])
+              enumerated road
+                [ ask road (surface, array, m) turning radius 0.001 [((0, 0), Symbol <$> one'), ((down, along), Symbol <$> other)]
                 | content <- mapM (const elements) [1 .. 6 :: Int]
                 , Right one' <- [patch (rowsOf 2 (map Just (take 4 content)))]
                 , Right other <- [patch [map Just (drop 4 content)]]
@@ -71,14 +60,13 @@ spec = do
     it "from probabilities: of the cells that leave no doubt, at most" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       window <- right (rectangle (Shape 2 2))
-      forM_ [(turning, surface) | turning <- [minBound ..], surface <- [Torus, Sheet]] $ \(turning, surface) -> do
-        report <- right (reporter (Choice Nothing Guaranteed 0.2 MostSignificantFirst) turning surface array window)
+      forM_ [(turning, surface) | turning <- turnings, surface <- [Torus, Sheet]] $ \(turning, surface) -> do
         unsure <- right (belief [0.1, 0.9, 0, 0])
-        let answers = [report (Alone (Chances p)) | content <- mapM (const elements) [1 .. 5 :: Int], Right p <- [softPatch [map (Just . certainly) (take 3 content), Just unsure : map (Just . certainly) (drop 3 content)]]]
+        let answers = [ask Nothing (surface, array, window) turning Guaranteed 0.2 [((0, 0), Probabilities <$> p)] | content <- mapM (const elements) [1 .. 5 :: Int], Right p <- [patch [map (Just . certainly) (take 3 content), Just unsure : map (Just . certainly) (drop 3 content)]]]
             places = if surface == Sheet then 14 * 15 else 255 :: Double
         enumerated' answers `shouldBe` []
-        fmap worth (take 1 <$> sequence answers >>= maybe (Left "none") Right . firstOf)
-          `shouldBe` Right (Just (Chance (min 1 (case turning of { Upright -> places; Turned -> turned surface; Any -> 2 * turned surface } / 4 ^ (5 :: Int))) False))
+        fmap worth (take 1 <$> sequence answers >>= maybe (Left NoSymmetry) Right . firstOf)
+          `shouldBe` Right (Just (Chance (min 1 (case length turning of { 1 -> places; 4 -> inTurns surface; _ -> 2 * inTurns surface } / 4 ^ (5 :: Int))) False))
   describe "as it is told" $ do
     it "locate --json: exact for 4, 6, 9 and 12 cells, at most where the radius is larger or the orientation unknown, null of no cells" $ do
       let told options text = do
@@ -127,25 +115,27 @@ spec = do
     , (3, 3, Diagonal, Shape 2 13, Shape 1 3)
     ]
   -- A patch of 2 x 3 upright is 3 x 2 when turned.
-  turned surface = if surface == Sheet then 2 * (14 * 15) + 2 * (13 * 16) else 4 * 255
+  inTurns surface = if surface == Sheet then 2 * (14 * 15) + 2 * (13 * 16) else 4 * 255
   firstOf list' = case list' of
     x : _ -> Just x
     [] -> Nothing
 
-worth :: Report -> Maybe Chance
-worth = answerChance . reportAnswer
+worth :: Answer -> Maybe Chance
+worth = answerChance
 
-isLocated :: Report -> Bool
-isLocated report = case answerOutcome (reportAnswer report) of
-  Located _ _ -> True
+isLocated :: Answer -> Bool
+isLocated answer = case answerOutcome answer of
+  Unique _ _ -> True
   _ -> False
 
--- | What is told of the first is so of them all.
-enumerated :: [Either String Report] -> Property
-enumerated answers = counterexample (show (enumerated' answers)) (null (enumerated' answers))
+-- | What is told of the first is so of them all; where there is none, on a surface on which the algebra does not go on.
+enumerated :: Maybe DecoderName -> [Either LocatorError Answer] -> Property
+enumerated road answers
+  | Left (LocatorAlgebra (SurfaceForeign _ _)) : _ <- answers = property (road == Just AlgebraDecoder)
+  | otherwise = counterexample (show (enumerated' answers)) (null (enumerated' answers))
 
 -- | How many are located, of how many, and what is told, where it is not so.
-enumerated' :: [Either String Report] -> [(Int, Int, Maybe Chance)]
+enumerated' :: [Either LocatorError Answer] -> [(Int, Int, Maybe Chance)]
 enumerated' answers = case [report | Right report <- take 1 answers] of
   report : _
     | Just (Chance told exact) <- worth report, if exact then told == share else told >= share -> []
@@ -155,11 +145,14 @@ enumerated' answers = case [report | Right report <- take 1 answers] of
   located = length [() | Right report <- answers, isLocated report]
   share = fromRational (toInteger located % toInteger (length answers))
 
-genCall :: Gen (Maybe Road, Radius, Turning, Surface)
+turnings :: [[Symmetry]]
+turnings = [[identity], rotations, symmetries]
+
+genCall :: Gen (Maybe DecoderName, Radius, [Symmetry], Surface)
 genCall = do
-  road <- QuickCheck.elements [Nothing, Nothing, Just TableRoad, Just AlgebraRoad, Just SearchRoad]
+  road <- QuickCheck.elements [Nothing, Nothing, Just TableDecoder, Just AlgebraDecoder, Just SearchDecoder]
   radius <- if road == Nothing then QuickCheck.elements [Guaranteed, UpTo 0, UpTo 1, UpTo 2] else pure Guaranteed
-  (,,,) road radius <$> QuickCheck.elements [minBound ..] <*> QuickCheck.elements [minBound ..]
+  (,,,) road radius <$> QuickCheck.elements turnings <*> QuickCheck.elements [minBound ..]
 
 -- | Cells of a rectangle of at most 3 x 3, so few that all contents can be gone through.
 genCells :: Int -> Gen [Position]

@@ -133,7 +133,12 @@ spec = do
       `shouldBe` (0, Just "information-sets", Just (Number 4000), Just (Number 90), Just (toJSON [[0, 6 :: Int]]), Just "at-least")
     -- Neither could have one wrong cell alone, so that both are suspect; together they are located.
     locates (["locate", "--radius", "2"] ++ chosen ++ [spelled (disturbed (cells (4000, 4096) (4, 4))) ++ "; 7,0: " ++ spelled (disturbed (cells (4007, 4096) (4, 4)))]) ["row 4000, column 4096 (2 cells corrected); inconsistent: patches 1, 2"]
-    complains (["locate", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"]) "16777215 cells"
+    -- Probabilities, too: one cell that is as likely 0 as 1, in four orientations.
+    (undecided, many, _) <- pra (["locate", "--json", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"])
+    (undecided, key ["road"] many, key ["count"] many, key ["dimension"] many) `shouldBe` (1, Just "list", Just (toJSON (4 * (2 * 4 ^ (11 :: Int) - 1) :: Integer)), Nothing)
+    let likely shape = Lazy8.unpack (encode [[[if b == code then 0.97 else 0.01 :: Double | b <- [0 .. 3]] | code <- line] | line <- codesOf shape])
+        probable = likely (transpose (reverse (cells (4000, 4096) (7, 4))))
+    locates (["locate", "--orientation", "turned"] ++ chosen ++ [probable]) ["row 4000, column 4096, turned by 90 degrees"]
  where
   spelled = intercalate " / " . map unwords
   cut array (r, c) (h, w) = [take w (drop c (words row)) | row <- take h (drop r (map (map (\x -> if x == ',' then ' ' else x)) (lines array)))]

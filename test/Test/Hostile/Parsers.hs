@@ -5,7 +5,6 @@ module Test.Hostile.Parsers
   , kinds
   ) where
 
-import Data.Aeson ((.=))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
@@ -14,12 +13,13 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector.Primitive as Primitive
 
+import AnswerText
 import CsvGrid
+import Explain
 import Json
+import Json.Answer
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
-import Locating
-import Locating.Seen
 import Message
 import PatchText
 import PraTactile.Array
@@ -29,11 +29,10 @@ import PraTactile.Classify.Network.File
 import PraTactile.Field
 import PraTactile.Grid (gridRows)
 import PraTactile.Image.Pgm
-import PraTactile.Locate.Nearest (Radius (..))
-import PraTactile.Locate.Patch (patchRows)
-import PraTactile.Locate.Soft
+import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Probe.Manifest
 import PraTactile.Profile
+import PraTactile.Symmetry
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Window
 import PraTactile.Window.Proof
@@ -80,50 +79,52 @@ asText :: ByteString -> (String -> Judged) -> Judged
 asText bytes use = either (const (Refused "it is not UTF-8 text")) (use . Text.unpack) (decodeUtf8' bytes)
 
 judgedPatch, judgedTurned :: ByteString -> Judged
-judgedPatch = patchJudge Upright
-judgedTurned = patchJudge Any
+judgedPatch = patchJudge [identity]
+judgedTurned = patchJudge symmetries
 
 -- | Patches on the paper's array, with everything that is said of them. What is prepared for the array is so once.
-patchJudge :: Turning -> ByteString -> Judged
-patchJudge turning = (`asText` answered)
+patchJudge :: [Symmetry] -> ByteString -> Judged
+patchJudge possible = (`asText` answered)
   where
     answered = either (const (const (Refused "there is no array"))) id (withProfile canonicalProfile answering)
     answering :: KnownField k => PseudorandomArray k -> Mask -> String -> Judged
-    answering array mask = case reporter (Choice Nothing Guaranteed 0.001 MostSignificantFirst) turning Torus array mask of
-      Left why -> const (Refused why)
-      Right locate -> \text -> case readPatches (Text.pack text) >>= \written -> (,) written <$> locate written of
-        Left why -> Refused why
-        Right (written, report) -> Accepted
-          [("read . render is the identity", fmap shown (readPatches (Text.pack (rendered written)) `asTypeOf` Right written) == Right (shown written))]
-          (said report)
-    said report = unlines (show (answerOutcome answer) : show (answerCorrected answer) : details answer : answerExplained answer ++ reportTogether report)
-      where answer = reportAnswer report
-    details answer = Lazy8.unpack (encodeLine (mconcat [ key .= value | (key, value) <- answerDetails answer ]))
+    answering array mask =
+      let made = locator Nothing MostSignificantFirst array mask
+       in \text -> case readPatches (Text.pack text) >>= \written -> (,) written <$> located array mask made written of
+            Left why -> Refused why
+            Right (written, said) -> Accepted
+              [("read . render is the identity", fmap shown (readPatches (Text.pack (rendered written)) `asTypeOf` Right written) == Right (shown written))]
+              said
+    located array mask made written = do
+      let asked = Asked possible (writtenDisplaced written)
+          displacements = map fst (writtenPatches written)
+          query = Query (writtenPatches written) possible Torus Guaranteed 0.001
+      answer <- either (Left . locatorMessage) Right (locate made query)
+      seen <- either (Left . locatorMessage) Right (agreedSymbols query)
+      let explained = explainAnswer array mask asked displacements seen 0.001 answer
+      pure (unlines [ answerText asked answer, Lazy8.unpack (encodeLine (answerJson canonicalProfile asked displacements (Just explained) answer)) ])
 
 -- | Patches in the form in which they can be read again.
-rendered :: KnownField k => Written k -> String
-rendered written = case written of
-  Alone (Symbols p) -> ofSymbols p
-  Alone (Chances p) -> ofChances p
-  DisplacedSymbols given -> intercalate " ; " [ show r ++ "," ++ show c ++ ": " ++ ofSymbols p | ((r, c), p) <- given ]
-  DisplacedChances given -> "{\"patches\":" ++ listed [ "{\"at\":" ++ show [r, c] ++ ",\"cells\":" ++ ofChances p ++ "}" | ((r, c), p) <- given ] ++ "}"
+rendered :: Written k -> String
+rendered written
+  | writtenDisplaced written =
+      "{\"patches\":" ++ listed [ "{\"at\":" ++ show [r, c] ++ ",\"cells\":" ++ cellsOf p ++ "}" | ((r, c), p) <- writtenPatches written ] ++ "}"
+  | otherwise = concatMap (cellsOf . snd) (writtenPatches written)
   where
-    ofSymbols p = intercalate " / " [ unwords (map (maybe "?" showElement) line) | line <- patchRows p ]
-    ofChances p = listed [ listed (map (maybe "null" (show . Primitive.toList . probabilities)) line) | line <- softRows p ]
+    cellsOf p = listed [ listed (map (maybe "null" cell) line) | line <- patchRows p ]
+    cell known = case known of
+      Symbol a -> show (toCode a)
+      Probabilities b -> show (Primitive.toList (probabilities b))
     listed items = "[" ++ intercalate "," items ++ "]"
 
 -- | The same for comparison: probabilities, which are made to add up to 1 again, to nine decimals.
-shown :: Written k -> ([(Integer, Integer)], [[[Maybe [Integer]]]])
-shown written = case written of
-  Alone (Symbols p) -> ([], [ofSymbols p])
-  Alone (Chances p) -> ([], [ofChances p])
-  DisplacedSymbols given -> (map fst given, map (ofSymbols . snd) given)
-  DisplacedChances given -> (map fst given, map (ofChances . snd) given)
+shown :: Written k -> (Bool, [((Integer, Integer), [[Maybe [Integer]]])])
+shown written = (writtenDisplaced written, [ (at, map (map (fmap cell)) (patchRows p)) | (at, p) <- writtenPatches written ])
   where
-    ofSymbols = map (map (fmap (pure . toInteger . toCode))) . patchRows
-    ofChances = map (map (fmap (map (round . (* (1e9 :: Double))) . Primitive.toList . probabilities))) . softRows
+    cell known = case known of
+      Symbol a -> [toInteger (toCode a)]
+      Probabilities b -> map (round . (* (1e9 :: Double))) (Primitive.toList (probabilities b))
 
--- | A certificate that is found good, whatever its seal says, must be right: the windows are visited.
 judgedCertificate :: ByteString -> Judged
 judgedCertificate bytes = case decodeCertificate bytes of
   Left why -> Refused (formatMessage "it" "a certificate" why)

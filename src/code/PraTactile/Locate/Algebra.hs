@@ -37,11 +37,11 @@ import PraTactile.DiscreteLog
 import PraTactile.Extension (Residue)
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
+import PraTactile.Locate.Answer
 import PraTactile.Locate.Compare (comparedShape, extentOf)
 import PraTactile.Locate.Equations
-import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
-import PraTactile.Locate.Search (nowhere)
+import PraTactile.Locate.Definition (nowhere)
 import PraTactile.Polynomial
 import PraTactile.Window
 
@@ -72,7 +72,7 @@ data Algebra (k :: Field) = Algebra
 type role Algebra nominal
 
 -- | Prepare the algebra of an array. The mask is its window, which names the support of an answer, as
--- in "PraTactile.Locate.Search". Refuses a surface that is neither the array's own nor the sheet, and
+-- in "PraTactile.Locate.Definition". Refuses a surface that is neither the array's own nor the sheet, and
 -- fields in which logarithms are infeasible.
 prepareAlgebra :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Either AlgebraError (Algebra k)
 prepareAlgebra surface array mask
@@ -85,28 +85,28 @@ prepareAlgebra surface array mask
 data Listed = Listed [Position] | More
   deriving stock (Eq, Show)
 
--- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousCoset' tells the number.
+-- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' tells the number.
 largestListing :: Natural
 largestListing = 1024
 
--- | The place of a patch, with the outcomes of "PraTactile.Locate.Search".
-algebraPatch :: KnownField k => Algebra k -> Patch k -> Either AlgebraError Outcome
+-- | The place of a patch, with the outcomes of "PraTactile.Locate.Definition".
+algebraPatch :: KnownField k => Algebra k -> Patch (GF k) -> Either AlgebraError (Outcome Position)
 algebraPatch algebra observed
   | null cells = Right (Refused TooFewCells)
   | otherwise = do
       solutions <- solved algebra cells
       found <- algebraListing algebra cells solutions
       pure $ case found of
-        More -> AmbiguousCoset (solutionCount solutions) (solutionFreedom solutions)
+        More -> AmbiguousMany (solutionCount solutions) (Just (solutionFreedom solutions))
         Listed [] -> Refused (algebraNowhere algebra observed)
-        Listed [place] -> Located place support
+        Listed [place] -> Unique place support
         Listed several -> Ambiguous (sort several) support
  where
   cells = observedCells observed
   support = map fst (completeWindows (algebraMask algebra) observed)
 
 -- | Why a patch that agrees with the array nowhere does so.
-algebraNowhere :: KnownField k => Algebra k -> Patch k -> Reason
+algebraNowhere :: KnownField k => Algebra k -> Patch (GF k) -> Reason
 algebraNowhere algebra = nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
  where
   -- A window has as few cells as any mask.

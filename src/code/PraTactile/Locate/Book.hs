@@ -33,7 +33,7 @@ import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Locate.Compare
 import PraTactile.Locate.Patch (LocateError (..))
-import PraTactile.Locate.Search (largestSearchedArray)
+import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Window
 
 -- | An array on a surface, with the window that its support and its refusals are named by.

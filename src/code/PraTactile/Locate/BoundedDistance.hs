@@ -12,9 +12,6 @@
 module PraTactile.Locate.BoundedDistance
   ( -- * Decoding
     decodePatch
-  , Decoding (..)
-  , Known (..)
-  , atLeast
 
     -- * Many patches of the same cells
   , Decoder
@@ -38,42 +35,16 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Algebra
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Decision
 import PraTactile.Locate.Equations
-import PraTactile.Locate.Nearest
 import PraTactile.Locate.ObservedCode
-import PraTactile.Locate.Outcome
 import PraTactile.Locate.Patch
+import PraTactile.Locate.Query (Radius, radiusFor)
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Elimination
 import PraTactile.Window.InformationSet
-
--- | A number, or as much of it as is proved.
-data Known = Exactly Natural | AtLeast Natural
-  deriving stock (Eq, Show)
-
--- | What the number is at least.
-atLeast :: Known -> Natural
-atLeast known = case known of
-  Exactly n -> n
-  AtLeast n -> n
-
--- | An outcome, and what it is worth.
-data Decoding = Decoding
-  { decodingOutcome :: Outcome
-  -- ^ The position, or the several nearest ones, as in 'Decision'.
-  , decodingWrong :: [Position]
-  -- ^ The offsets of the observed cells that are wrong if the patch is where it was located.
-  , decodingNearest :: Known
-  -- ^ In how many cells the nearest position differs; one beyond the radius at least where none is within it.
-  , decodingRunnerUp :: Maybe Known
-  -- ^ In how many any other one differs; 'Nothing' if there is one position only, or no nearest one was found.
-  , decodingDistance :: Known
-  -- ^ The minimum distance of the observed cells.
-  , decodingRadius :: Natural
-  -- ^ The radius that was used. The guaranteed one is that of what the distance is at least.
-  }
-  deriving stock (Eq, Show)
 
 -- | Why there is no outcome.
 data DecodingError
@@ -128,36 +99,38 @@ decoder effort algebra offsets = do
   pure (Decoder effort code d (informationSets (length offsets) (codeRows code)))
 
 -- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of 'nearest'; where more than
--- 'largestListing' positions are equally near, because the cells do not tell them apart, 'AmbiguousCoset'.
-decodePatch :: KnownField k => Algebra k -> Radius -> Patch k -> Either DecodingError Decoding
+-- 'largestListing' positions are equally near, because the cells do not tell them apart, 'AmbiguousMany'.
+decodePatch
+  :: KnownField k => Algebra k -> Radius -> Patch (GF k) -> Either DecodingError (Decision Position)
 decodePatch algebra radius observed
-  | null cells = Right (Decoding (Refused TooFewCells) [] (AtLeast 0) Nothing (Exactly 0) (radiusFor radius 0))
+  | null cells = Right (nowhereDecision (radiusFor radius 0))
   | otherwise = do
-      prepared <- either (Left . DecodingAlgebra) Right (decoder standardEffort algebra (map fst cells))
+      prepared <- first DecodingAlgebra (decoder standardEffort algebra (map fst cells))
       decodeWith prepared radius observed
  where
   cells = observedCells observed
 
 -- | The same for a patch of the cells that were prepared for.
-decodeWith :: KnownField k => Decoder k -> Radius -> Patch k -> Either DecodingError Decoding
+decodeWith
+  :: KnownField k => Decoder k -> Radius -> Patch (GF k) -> Either DecodingError (Decision Position)
 decodeWith prepared stated observed
   | map fst cells /= codeOffsets code = Left DecodingOtherCells
-  | otherwise = within
+  | otherwise = do
+      found <- nearestWords prepared (rowFromList (map snd cells)) radius
+      pure $ case found of
+        Just (e, outcome, wrong) ->
+          Decision (outcome (windowsWithout wrong (algebraMask algebra) observed)) $
+            Distances wrong (Just (Exactly e)) (runnerUp e (outcome [])) d radius
+        Nothing -> Decision (Refused reason) (Distances [] (Just (AtLeast (radius + 1))) Nothing d radius)
  where
   code = decoderCode prepared
   algebra = codeAlgebra code
   cells = observedCells observed
-  word = rowFromList (map snd cells)
   radius = radiusFor stated (atLeast d)
   d = decoderDistance prepared
-  within = do
-    found <- nearestWords prepared word radius
-    pure $ case found of
-      Just (e, outcome, wrong) -> Decoding (outcome (supportWithout wrong)) wrong (Exactly e) (runnerUp e (outcome [])) d radius
-      Nothing -> Decoding (Refused reason) [] (AtLeast (radius + 1)) Nothing d radius
   -- Another position is beyond what was searched, and at least the distance away from this one.
   runnerUp e outcome = case outcome of
-    Located _ _
+    Unique _ _
       | codePlaces code <= 1 -> Nothing
       | otherwise -> Just (AtLeast (max (e + 1) (atLeast d `without` e)))
     _ -> Just (Exactly e)
@@ -166,11 +139,6 @@ decodeWith prepared stated observed
     | radius == 0 = algebraNowhere algebra observed
     | fromIntegral (length (filter ((/= zero) . snd) cells)) <= radius = ZeroWindow
     | otherwise = BeyondRadius
-  supportWithout wrong =
-    [ offset
-    | (offset@(Position i j), _) <- completeWindows (algebraMask algebra) observed
-    , and [Position (i + i') (j + j') `notElem` wrong | Position i' j' <- maskOffsets (algebraMask algebra)]
-    ]
 
 -- | What is known of the words near one: all that were looked at and differ in at most the limit are there, with
 -- that number.
@@ -178,7 +146,7 @@ data Seen k = Seen {seenLimit :: !Int, seenWords :: !(Map (Row k) Int)}
 
 -- | In how many cells the nearest positions within the radius differ, the outcome that they are, by the support, and the wrong cells.
 nearestWords
-  :: KnownField k => Decoder k -> Row k -> Natural -> Either DecodingError (Maybe (Natural, [Position] -> Outcome, [Position]))
+  :: KnownField k => Decoder k -> Row k -> Natural -> Either DecodingError (Maybe (Natural, [Position] -> Outcome Position, [Position]))
 nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Seen most Map.empty) steps'
  where
   effort = decoderEffort prepared
@@ -212,9 +180,9 @@ nearestWords prepared word radius = go 0 (effortDecoding effort) (Just (-1)) (Se
         let found = [(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places]
             tooMany = [only | ((_, only), More) <- zip solved listed]
         pure $ case (found, tooMany) of
-          (_, only : _) -> Just (fromIntegral e, const (AmbiguousCoset (solutionCount only) (solutionFreedom only)), [])
+          (_, only : _) -> Just (fromIntegral e, const (AmbiguousMany (solutionCount only) (Just (solutionFreedom only))), [])
           ([], []) -> Nothing
-          ([(x, place)], []) -> Just (fromIntegral e, Located place, differing x)
+          ([(x, place)], []) -> Just (fromIntegral e, Unique place, differing x)
           (several, []) -> Just (fromIntegral e, Ambiguous (sort (map snd several)), [])
    where
     solved = [(x, solutions) | x <- words', let solutions = wordSolutions code x, solutionCount solutions > 0]

@@ -26,13 +26,13 @@ module PraTactile.Locate.Chance
   ) where
 
 import Data.Bits (shiftR)
-import Data.List (genericTake, scanl')
+import Data.List (genericTake, nub, scanl')
 import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Locate.Compare (comparedShape, extentOf)
-import PraTactile.Locate.Orientation
+import PraTactile.Symmetry
 
 -- | A share of all contents of the observed cells.
 data Chance = Chance
@@ -65,7 +65,7 @@ data Spheres = Spheres
 -- | The spheres of radius 0 of the candidates on a surface, no distance promised; by the orientations in question,
 -- the shape of the patch as it is seen, and the offsets in it of the observed cells. On the sheet candidates are those
 -- with which the patch's upper left and all observed cells lie on it. 'Nothing' where no cell was observed.
-spheres :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Maybe Spheres
+spheres :: KnownField k => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Maybe Spheres
 spheres surface array possible shape offsets
   | null offsets = Nothing
   | otherwise =
@@ -73,12 +73,12 @@ spheres surface array possible shape offsets
         Spheres
           { sphereAlphabet = fromIntegral (fieldOrder array)
           , sphereCells = fromIntegral (length offsets)
-          , sphereCentres = sum (map places (eachOnce possible))
+          , sphereCentres = sum (map places (nub possible))
           , sphereRadius = 0
           , sphereDistance = 0
           }
  where
-  places orientation = area (comparedShape surface (arrayShape array) (extentOf (map (seenAt (undone orientation) shape) offsets)))
+  places orientation = area (comparedShape surface (arrayShape array) (extentOf (map (onPosition (invert orientation) shape) offsets)))
 
 -- | @correcting d r@: for a decoder that corrects up to r wrong cells, the minimum distance of the candidates being d
 -- at least.

@@ -1,30 +1,25 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RoleAnnotations #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
--- Locating from probabilities on arrays of any size: what "PraTactile.Locate.Soft" finds by comparing with every
--- position, found in a list of likely words (M. P. C. Fossorier and S. Lin 1995). The surest independent cells are an
--- information set; its contents are gone through from the likeliest on, each tells all the other
--- cells, and so how likely it is altogether. Further sets, of the cells left, do likewise. How likely all
--- positions together are that are not in the list is bounded, so that the doubt that is told is never too
--- small: Note [What is not in the list].
+-- Locating from probabilities on arrays of any size: what "PraTactile.Locate.Soft" finds by comparing
+-- with every position, found in a list of likely words (M. P. C. Fossorier and S. Lin 1995). The surest
+-- independent cells are an information set; its contents are gone through from the likeliest on, each
+-- tells all the other cells, and so how likely it is altogether. Further sets, of the cells left, do
+-- likewise. How likely all positions together are that are not in the list is bounded, so that the
+-- doubt is never given too small: Note [What is not in the list].
 module PraTactile.Locate.OrderedStatistics
-  ( -- * Listing
-    listPatch
-  , Listing (..)
+  ( listPatch
   , standardListing
-
-    -- * Deciding
-  , decideListing
   ) where
 
 import Data.List (foldl', maximumBy, minimumBy, sort, sortOn)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
 import Data.Ord (Down (..), comparing)
 import Data.Proxy (Proxy (..))
 import qualified Data.Vector as Boxed
@@ -33,39 +28,16 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Algebra
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Belief
 import PraTactile.Locate.BestFirst
 import PraTactile.Locate.Equations
 import PraTactile.Locate.ObservedCode
-import PraTactile.Locate.Outcome
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Patch
 import PraTactile.Polynomial (period, primitiveDegree)
+import PraTactile.Symmetry
 import PraTactile.Window.Elimination
 import PraTactile.Window.InformationSet
-
--- | How likely positions are, as far as they are listed.
-data Listing = Listing
-  { listingBest :: Maybe Position
-  -- ^ The likeliest position of the list, the first of them if several are; 'Nothing' if it is empty.
-  , listingDoubt :: Double
-  -- ^ The probability that it is another one, listed or not: at most this.
-  , listingEqual :: [Position]
-  -- ^ The listed positions that are exactly as likely as the best, ascending, itself among them; none where these are more
-  -- than 'largestListing'.
-  , listingCoset :: Maybe (Natural, Natural)
-  -- ^ Where these are a coset of more than 'largestListing': how many, and its dimension.
-  , listingEqualDoubt :: Double
-  -- ^ The probability that it is none of those: at most this; 1 where positions that are not listed may be as likely.
-  , listingMargin :: Maybe Double
-  -- ^ The logarithm of how many times as likely the best is as any other position: at least this, and negative where a position that is not
-  -- listed may be likelier; infinite if no other one is possible.
-  , listingRanking :: [(Position, Double)]
-  -- ^ The listed positions, the likeliest first, each with a probability that is at least this; made when asked for.
-  , listingUnlisted :: Double
-  -- ^ The probability of all positions that are not listed together: at most this; 0 only where all possible ones are listed.
-  , listingWords :: Int
-  -- ^ How many words were looked at.
-  }
-  deriving stock (Eq, Show)
 
 -- | 2^16: the most words that are looked at: some tenths of a second.
 standardListing :: Int
@@ -85,6 +57,12 @@ standardListing = 2 ^ (16 :: Int)
    the least of the bounds holds. All likelihoods are in proportion to the probabilities of positions, which are
    equally likely beforehand. Where a set has been gone through to its end, as far as probabilities are not zero,
    every possible word is listed.
+
+   In several symmetries each has a code and lists of its own. Beforehand they are equally likely, and each likelihood is a product
+   over the same cells, so that likelihoods of different symmetries are in the same proportion to the probabilities of candidates: what
+   is unlisted in all of them together is at most the sum of the bounds, and a word that is unlisted in any of them is at most as likely
+   as the largest of the bounds for one word. The next word is taken where the bound is largest, because only that
+   lowers the sum by much; so a symmetry in which nothing is likely is soon left alone.
 
    On the sheet some words are at no position. Which is looked up for the likeliest ones; of the others the likelihoods count as
    doubt all the same, which only adds to it.
@@ -111,152 +89,275 @@ data Source (k :: Field) = Source
 
 type role Source nominal
 
--- | The list so far.
-data State k = State
-  { stateWords :: !(Map (Down Double, Row k) ())
-  -- ^ by the logarithm of the likelihood
-  , stateBest :: !Double
-  -- ^ that of the best; minus infinity while there is none
-  , stateEqual :: !Double
-  -- ^ how many positions have it, at least
-  , stateMost :: !Double
-  -- ^ and at most
-  , stateLess :: !Double
-  -- ^ the likelihoods of the others that are kept, relative to it
-  , stateFaint :: !Double
-  -- ^ those of the ones that were looked at and not kept
-  , stateForgotten :: !Double
-  -- ^ the logarithm of the largest of these; minus infinity if there are none
-  , stateCount :: !Int
+-- | What is the same for all words.
+data Setting = Setting
+  { settingMost :: !Int
+  -- ^ So many words are looked at.
+  , settingTolerated :: !Double
+  -- ^ The doubt that is tolerated.
+  , settingSheet :: !Bool
+  -- ^ Whether the surface is the sheet.
+  , settingLogs :: !(Primitive.Vector Double)
+  -- ^ The logarithms of the probabilities of all symbols, cell by cell as the cells were given.
+  , settingPlaces :: !(Primitive.Vector Int)
+  -- ^ Of each of these cells, which letter of a word it is.
   }
 
--- | @listPatch most tolerated algebra patch@: the list of likely positions, made until the doubt is at most as large as
--- tolerated, or cannot become so, or until so many words have been looked at. On the sheet, positions are those at which all
--- observed cells lie on it. Refuses too many cells.
-listPatch :: forall k. KnownField k => Int -> Double -> Algebra k -> SoftPatch k -> Either AlgebraError Listing
-listPatch most tolerated algebra observed
-  | null known = Right (Listing Nothing 1 [] (Just (period h, fromIntegral (primitiveDegree h))) 0 Nothing [] 0 0)
-  | otherwise = do
-      code <- observedCode algebra (map fst ordered)
-      pure (listed most tolerated (algebraSurface algebra == Sheet) code (map snd known) (map snd ordered) places)
+-- | The words of one symmetry.
+data Branch (k :: Field) = Branch
+  { branchSymmetry :: !Symmetry
+  , branchCode :: !(ObservedCode k)
+  , branchEach :: !Double
+  -- ^ A word that is not zero is at so many positions, and zero at one less.
+  , branchOutside :: !Double
+  -- ^ The best that the cells of no set can be.
+  , branchSources :: [Source k]
+  }
+
+type role Branch nominal
+
+-- | The list so far.
+data State k = State
+  { stateWords :: !(Map (Down Double, Int, Row k) ())
+  -- ^ By the logarithm of the likelihood, and the index of the symmetry.
+  , stateBest :: !Double
+  -- ^ That of the best; minus infinity while there is none.
+  , stateEqual :: !Double
+  -- ^ How many positions have it, at least.
+  , stateMost :: !Double
+  -- ^ And at most.
+  , stateLess :: !Double
+  -- ^ The likelihoods of the others that are kept, relative to it.
+  , stateFaint :: !Double
+  -- ^ Those of the ones that were looked at and not kept.
+  , stateForgotten :: !Double
+  -- ^ The logarithm of the largest of these; minus infinity if there are none.
+  , stateCount :: !Int
+  -- ^ How many words were looked at.
+  }
+
+-- | Of what is not listed: the logarithms of the likelihood of all words together, and of the
+-- likeliest one, at most.
+data Bounds = Bounds {massBound :: !Double, wordBound :: !Double}
+
+-- | @listPatch most tolerated algebra symmetries patch@: the list of likely candidates of a patch as it
+-- is seen, made until the doubt is at most as large as tolerated, or cannot become so, or until so many
+-- words have been looked at. On the sheet, positions are those at which all observed cells lie on it.
+-- Refuses too many cells.
+listPatch
+  :: forall k. KnownField k
+  => Int -> Double -> Algebra k -> [Symmetry] -> Patch (Belief k) -> Either AlgebraError (Posterior Candidate)
+listPatch most tolerated algebra possible observed
+  | null known = Right (Posterior Nothing 1 [] (Just everything) 0 Nothing [] (Just 0) 0)
+  | otherwise = summary setting <$> traverse branch possible
  where
   h = arrayPrimitive (algebraArray algebra)
-  known = [(offset, Primitive.map log (probabilities b)) | (offset, b) <- softCells observed]
+  everything = case possible of
+    [_] -> (period h, Just (fromIntegral (primitiveDegree h)))
+    several -> (period h * fromIntegral (length several), Nothing)
+  known = [(offset, Primitive.map log (probabilities b)) | (offset, b) <- observedCells observed]
   -- The surest cells first.
-  ordered = map snd byCertainty
   byCertainty = sortOn (Down . Primitive.maximum . snd . snd) (zip [0 :: Int ..] known)
-  -- Where each of the known cells stands in that order.
-  places = Primitive.fromList (map snd (sort (zip (map fst byCertainty) [0 ..]))) :: Primitive.Vector Int
+  ordered = map snd byCertainty
+  setting =
+    Setting
+      { settingMost = most
+      , settingTolerated = tolerated
+      , settingSheet = algebraSurface algebra == Sheet
+      , settingLogs = Primitive.concat (map snd known)
+      , settingPlaces = Primitive.fromList (map snd (sort (zip (map fst byCertainty) [0 ..])))
+      }
+  branch symmetry =
+    branchOf symmetry (map snd ordered)
+      <$> observedCode algebra [onPosition (invert symmetry) (patchShape observed) offset | (offset, _) <- ordered]
 
--- | The same, on the sheet or not, of the code of the cells in an order, with the logarithms of their probabilities as they
--- were given and in that order, and where in it each of the given ones is.
-listed
-  :: forall k. KnownField k
-  => Int -> Double -> Bool -> ObservedCode k -> [Primitive.Vector Double] -> [Primitive.Vector Double] -> Primitive.Vector Int -> Listing
-listed most tolerated onSheet code known ordered places = go start (State Map.empty (-1 / 0) 0 0 0 0 (-1 / 0) 0)
+-- | The words of a symmetry, given the logarithms of the probabilities, cell by cell as the letters of
+-- its code.
+branchOf :: forall k. KnownField k => Symmetry -> [Primitive.Vector Double] -> ObservedCode k -> Branch k
+branchOf symmetry ordered code =
+  Branch
+    { branchSymmetry = symmetry
+    , branchCode = code
+    , branchEach = fromIntegral (fieldOrder (Proxy :: Proxy k) :: Int) ^ wordFreedom code
+    , branchOutside = sum [Primitive.maximum x | (i, x) <- zip [0 ..] ordered, i `notElem` taken]
+    , branchSources = map (sourceOf (Boxed.fromList ordered)) sets
+    }
  where
-  q = fieldOrder (Proxy :: Proxy k)
-  size = Primitive.length places
-  -- A word that is not zero is at so many positions, and zero at one less.
-  each = fromIntegral (q :: Int) ^ wordFreedom code :: Double
-  sets = filter ((== 0) . setDeficit) (informationSets size (codeRows code))
-  start = map (sourceOf logs) sets
-  logs = Boxed.fromList ordered
-  -- The best that the cells of no set can be.
-  outside = sum [Primitive.maximum x | (i, x) <- zip [0 ..] ordered, i `notElem` concatMap (Primitive.toList . setPlaces) sets]
-  table = Primitive.concat known
+  sets = filter ((== 0) . setDeficit) (informationSets (length ordered) (codeRows code))
+  taken = concatMap (Primitive.toList . setPlaces) sets
+
+-- | What is not listed of a symmetry; 'Nothing' where everything possible is.
+branchBounds :: Branch k -> Maybe Bounds
+branchBounds branch
+  | any (null . sourceNext) sources = Nothing
+  | otherwise =
+      -- The second with more than the rounding of logarithms, so that equal likelihoods do not count
+      -- as less.
+      Just (Bounds (unlistedMass sources outside + log (branchEach branch)) (sum (map nextMass sources) + outside + 1e-9))
+ where
+  sources = branchSources branch
+  outside = branchOutside branch
+
+-- | What is not listed of several symmetries together.
+allBounds :: [Bounds] -> Maybe Bounds
+allBounds several = case several of
+  [] -> Nothing
+  [only] -> Just only
+  _
+    | isInfinite most -> Just (Bounds most word)
+    | otherwise -> Just (Bounds (most + log (sum [exp (massBound b - most) | b <- several])) word)
+ where
+  most = maximum (map massBound several)
+  word = maximum (map wordBound several)
+
+-- | The next word of a symmetry: from the set where one word more lowers the logarithm of the bound
+-- most. That is 1 - M for the surest set; for the others the probability of the next letters, which
+-- falls about like a power of how many have been gone through.
+step :: KnownField k => Branch k -> Maybe (Row k, Branch k)
+step branch = case splitAt next sources of
+  (before, source : after) ->
+    let (word, advanced) = advance source
+     in Just (word, branch {branchSources = before ++ advanced : after})
+  _ -> Nothing
+ where
+  sources = branchSources branch
+  next = snd (maximumBy (comparing fst) ((-1 / 0, 0) : [(gain i s, i) | (i, s) <- zip [0 ..] sources]))
+  gain i s
+    | i == surest = exp (nextMass s) / left s
+    | otherwise =
+        let n = fromIntegral (sourceCount s)
+         in sum (take 1 (map fst (sourceNext s))) / ((n + 1) * log (n + 2))
+  surest = snd (minimumBy (comparing fst) ((1 / 0, -1) : [(log (left s) - nextMass s, i) | (i, s) <- zip [0 :: Int ..] sources]))
+
+-- | Go on from the list so far; the end, and what is not listed of it.
+explore :: KnownField k => Setting -> [Branch k] -> State k -> (State k, Maybe Bounds)
+explore setting branches state = case allBounds [b | (_, _, b) <- unfinished] of
+  Nothing -> (state, Nothing)
+  Just bounds
+    | stateCount state >= settingMost setting || enough setting bounds state -> (state, Just bounds)
+    | otherwise -> case maximumBy (comparing (\(_, _, b) -> massBound b)) unfinished of
+        (i, branch, _) -> case step branch of
+          Just (word, advanced) ->
+            explore setting [if j == i then advanced else other | (j, other) <- zip [0 ..] branches]
+              $! include setting i branch word state
+          Nothing -> (state, Just bounds)
+ where
+  unfinished = [(i, branch, b) | (i, branch) <- zip [0 :: Int ..] branches, Just b <- [branchBounds branch]]
+
+-- | Whether the doubt is at most as large as tolerated, or cannot become so.
+enough :: Setting -> Bounds -> State k -> Bool
+enough setting bounds state = satisfied || hopeless
+ where
+  tolerated = settingTolerated setting
+  unlisted = exp (massBound bounds - stateBest state) + stateFaint state
+  beaten = wordBound bounds < stateBest state
+  satisfied =
+    stateEqual state > 0
+      && ( shareOf (stateMost state - 1 + stateLess state + unlisted) 1 <= tolerated
+            || (beaten && shareOf (stateLess state + unlisted) (stateEqual state) <= tolerated)
+         )
+  -- No word to come can be as likely, and those that are listed are too likely already.
+  hopeless = not (settingSheet setting) && beaten && shareOf (stateLess state) (stateEqual state) > tolerated
+
+-- | The list with one word more, of the symmetry of this index.
+include :: forall k. KnownField k => Setting -> Int -> Branch k -> Row k -> State k -> State k
+include setting i branch word state
+  | isInfinite x || each == 0 = counted
+  -- Not kept, so that it may count twice, which is little.
+  | x < stateBest state - faint =
+      counted {stateFaint = stateFaint state + share, stateForgotten = max x (stateForgotten state)}
+  | (Down x, i, word) `Map.member` stateWords state = counted
+  | x < stateBest state = added {stateLess = stateLess state + share}
+  | fewest == 0 = counted
+  | x == stateBest state = added {stateEqual = stateEqual state + fewest, stateMost = stateMost state + each}
+  | otherwise =
+      added
+        { stateBest = x
+        , stateEqual = fewest
+        , stateMost = each
+        , stateLess = (stateMost state + stateLess state) * scale
+        , stateFaint = stateFaint state * scale
+        }
+ where
   -- Summed in the order in which a comparison with all positions sums.
-  likelihood word = Primitive.ifoldl' (\total j place -> total + letter j (Primitive.unsafeIndex word place)) 0 places
-  letter j a = Primitive.unsafeIndex table (j * q + toCode a)
-  go sources state
-    | any (null . sourceNext) sources = finished Nothing state
-    | stateCount state >= most || satisfied || hopeless = finished (Just bounds) state
-    | otherwise = case splitAt next sources of
-        (before, source : after) -> let (word, advanced) = advance source in go (before ++ advanced : after) $! include word state
-        _ -> finished (Just bounds) state
-   where
-    -- The second with more than the rounding of logarithms, so that equal likelihoods do not count as less.
-    bounds = Bounds (unlistedMass sources outside + log each) (sum (map nextMass sources) + outside + 1e-9)
-    -- Where one word more lowers the logarithm of the bound most: 1 - M for the surest set; for the others the
-    -- probability of the next letters, which falls about like a power of how many have been gone through.
-    next = snd (maximumBy (comparing fst) [(gain i source', i) | (i, source') <- zip [0 ..] sources])
-    gain i s
-      | i == snd surest = exp (nextMass s) / left s
-      | otherwise = let n = fromIntegral (sourceCount s) in sum (take 1 (map fst (sourceNext s))) / ((n + 1) * log (n + 2))
-    surest = minimumBy (comparing fst) [(log (left s) - nextMass s, i) | (i, s) <- zip [0 :: Int ..] sources]
-    unlisted = exp (massBound bounds - stateBest state) + stateFaint state
-    beaten = wordBound bounds < stateBest state
-    satisfied =
-      stateEqual state > 0
-        && ( shareOf (stateMost state - 1 + stateLess state + unlisted) 1 <= tolerated
-              || (beaten && shareOf (stateLess state + unlisted) (stateEqual state) <= tolerated)
-           )
-    -- No word to come can be as likely, and those that are listed are too likely already.
-    hopeless = not onSheet && beaten && shareOf (stateLess state) (stateEqual state) > tolerated
-  include word state
-    | isInfinite x || each' == 0 = counted
-    -- Not kept, so that it may count twice, which is little.
-    | x < stateBest state - faint = counted {stateFaint = stateFaint state + share, stateForgotten = max x (stateForgotten state)}
-    | (Down x, word) `Map.member` stateWords state = counted
-    | x < stateBest state = added {stateLess = stateLess state + share}
-    | fewest == 0 = counted
-    | x == stateBest state = added {stateEqual = stateEqual state + fewest, stateMost = stateMost state + each'}
-    | otherwise =
-        added
-          { stateBest = x
-          , stateEqual = fewest
-          , stateMost = each'
-          , stateLess = (stateMost state + stateLess state) * scale
-          , stateFaint = stateFaint state * scale
-          }
-   where
-    x = likelihood word
-    share = each' * exp (x - stateBest state)
-    scale = exp (stateBest state - x)
-    each' = if Primitive.all (== zero) word then each - 1 else each
-    -- How many positions it is at, which on the sheet has to be looked up; of very many whether there are any.
-    fewest
-      | not onSheet = each'
-      | otherwise = fromIntegral (length ((if wordVisits code word > largestListing then take 1 else id) (wordPlaces code word)))
-    counted = state {stateCount = stateCount state + 1}
-    added = counted {stateWords = Map.insert (Down x, word) () (stateWords state)}
-  finished beyond state
-    | stateEqual state == 0 = Listing Nothing 1 [] Nothing 1 Nothing [] (maybe 0 (const 1) beyond) (stateCount state)
-    | otherwise =
-        Listing
-          { listingBest = if null equal then fst <$> firstOf ranking else firstOf equal
-          , listingDoubt = shareOf (stateMost state - 1 + stateLess state + unlisted) 1
-          , listingEqual = equal
-          , listingCoset = coset
-          , listingEqualDoubt =
-              if maybe True ((< stateBest state) . wordBound) beyond then shareOf (stateLess state + unlisted) (stateEqual state) else 1
-          , listingMargin = Just (if stateMost state > 1 then min 0 margin else margin)
-          , listingRanking = ranking
-          , listingUnlisted = shareOf unlisted (if onSheet then stateEqual state else stateEqual state + stateLess state)
-          , listingWords = stateCount state
-          }
-   where
-    unlisted = maybe 0 (\b -> exp (massBound b - stateBest state)) beyond + stateFaint state
-    total = stateMost state + stateLess state + unlisted
-    margin = stateBest state - maximum (stateForgotten state : maybe [] (pure . wordBound) beyond ++ take 1 lesser)
-    entries = map (\((Down x, word), ()) -> (x, word)) (Map.toAscList (stateWords state))
-    lesser = [x | (x, _) <- entries, x < stateBest state]
-    best = [word | (x, word) <- takeWhile ((>= stateBest state) . fst) entries, x == stateBest state]
-    several = sum (map (wordVisits code) best)
-    equal = case best of
-      [word] | Right (Listed places') <- wordListing code word -> sort places'
-      _ -> if several > largestListing then [] else sort (concatMap (wordPlaces code) best)
-    coset = case best of
-      [word] | Right More <- wordListing code word, let s = wordSolutions code word -> Just (solutionCount s, solutionFreedom s)
-      _ -> Nothing
-    ranking = [(place, exp (x - stateBest state) / total) | (x, word) <- entries, place <- wordPlaces code word]
+  x = Primitive.ifoldl' (\total j place -> total + letter j (Primitive.unsafeIndex word place)) 0 (settingPlaces setting)
+  letter j a = Primitive.unsafeIndex (settingLogs setting) (j * q + toCode a)
+  q = fieldOrder (Proxy :: Proxy k)
+  share = each * exp (x - stateBest state)
+  scale = exp (stateBest state - x)
+  each = if Primitive.all (== zero) word then branchEach branch - 1 else branchEach branch
+  code = branchCode branch
+  -- How many positions it is at, which on the sheet has to be looked up; of very many whether there
+  -- are any.
+  fewest
+    | not (settingSheet setting) = each
+    | wordVisits code word > largestListing = fromIntegral (length (take 1 (wordPlaces code word)))
+    | otherwise = fromIntegral (length (wordPlaces code word))
+  counted = state {stateCount = stateCount state + 1}
+  added = counted {stateWords = Map.insert (Down x, i, word) () (stateWords state)}
+
+-- | How likely candidates are, from the words of these symmetries.
+summary :: KnownField k => Setting -> [Branch k] -> Posterior Candidate
+summary setting branches
+  | stateEqual state == 0 =
+      Posterior Nothing 1 [] Nothing 1 Nothing [] (Just (if isJust beyond then 1 else 0)) (stateCount state)
+  | otherwise =
+      Posterior
+        { posteriorBest = if null equal then fst <$> firstOf ranking else firstOf equal
+        , posteriorDoubt = shareOf (stateMost state - 1 + stateLess state + unlisted) 1
+        , posteriorEqual = equal
+        , posteriorMany = many
+        , posteriorEqualDoubt =
+            if maybe True ((< stateBest state) . wordBound) beyond
+              then shareOf (stateLess state + unlisted) (stateEqual state)
+              else 1
+        , posteriorMargin = Just (if stateMost state > 1 then min 0 margin else margin)
+        , posteriorRanking = ranking
+        , posteriorUnlisted = Just (shareOf unlisted (if settingSheet setting then stateEqual state else listed))
+        , posteriorWords = stateCount state
+        }
+ where
+  (state, beyond) = explore setting branches (State Map.empty (-1 / 0) 0 0 0 0 (-1 / 0) 0)
+  listed = stateEqual state + stateLess state
+  unlisted = maybe 0 (\b -> exp (massBound b - stateBest state)) beyond + stateFaint state
+  total = stateMost state + stateLess state + unlisted
+  margin = stateBest state - maximum (stateForgotten state : maybe [] (pure . wordBound) beyond ++ take 1 lesser)
+  numbered = Boxed.fromList branches
+  entries = [(x, branch, word) | ((Down x, i, word), ()) <- Map.toAscList (stateWords state), Just branch <- [numbered Boxed.!? i]]
+  lesser = [x | (x, _, _) <- entries, x < stateBest state]
+  (equal, many) = bestPlaces (settingSheet setting) [(branch, word) | (_, branch, word) <- takeWhile (\(x, _, _) -> x == stateBest state) entries]
+  ranking = [(place, exp (x - stateBest state) / total) | (x, branch, word) <- entries, place <- candidatesOf branch (wordPlaces (branchCode branch) word)]
+
+candidatesOf :: Branch k -> [Position] -> [Candidate]
+candidatesOf branch = map (Candidate (branchSymmetry branch))
+
+-- | The candidates of the best words, on the sheet or not; or how many they are, if they are too many
+-- to list, and the dimension of their coset, if they are of one word.
+bestPlaces :: KnownField k => Bool -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
+bestPlaces onSheet best = case best of
+  [(branch, word)] -> case wordListing (branchCode branch) word of
+    Right (Listed places) -> (candidatesOf branch (sort places), Nothing)
+    Right More -> ([], Just (count (branch, word), Just (solutionFreedom (wordSolutions (branchCode branch) word))))
+    Left _ -> (few, Nothing)
+  several
+    | visits > largestListing, not onSheet || any surelyMany several -> ([], Just (sum (map count several), Nothing))
+    | otherwise -> (few, Nothing)
+ where
+  visits = sum [wordVisits (branchCode branch) word | (branch, word) <- best]
+  few
+    | visits > largestListing = []
+    | otherwise = concat [candidatesOf branch (sort places) | (branch, places) <- bySymmetry]
+  -- The words stand by symmetries already; the positions of one symmetry are sorted together.
+  bySymmetry = foldr gather [] [(branch, wordPlaces (branchCode branch) word) | (branch, word) <- best]
+  gather (branch, places) gathered = case gathered of
+    (other, more) : rest | branchSymmetry other == branchSymmetry branch -> (other, places ++ more) : rest
+    _ -> (branch, places) : gathered
+  count (branch, word) = solutionCount (wordSolutions (branchCode branch) word)
+  surelyMany (branch, word) = wordListing (branchCode branch) word == Right More
 
 -- | 46: words are not kept whose likelihood is less than about 1e-20 of that of the best.
 faint :: Double
 faint = 46
-
--- | Of what is not listed: the logarithms of the likelihood of all words together, and of the likeliest one, at most.
-data Bounds = Bounds {massBound :: !Double, wordBound :: !Double}
 
 -- | a / (a + b), which grows with a.
 shareOf :: Double -> Double -> Double
@@ -311,14 +412,3 @@ advance source = case sourceNext source of
         !carry = (total - sourceMass source) - mass
         add x (i, a) = maybe x (\unit -> addScaled a unit x) (sourceRows source Boxed.!? i)
      in (foldl' add (sourceFirst source) terms, source {sourceNext = later, sourceMass = total, sourceCarry = carry, sourceCount = sourceCount source + 1})
-
--- | @decideListing tolerated@: the likeliest position of the list, or the several that are as likely, if the doubt is
--- tolerated, as 'decide' does; since it is an upper bound, at most that share of many answers is wrong, if the
--- probabilities are honest.
-decideListing :: Double -> Listing -> Outcome
-decideListing tolerated found
-  | Just place <- listingBest found, listingDoubt found <= tolerated = Located place []
-  | listingEqualDoubt found <= tolerated, Just (count, dimension) <- listingCoset found = AmbiguousCoset count dimension
-  | listingEqualDoubt found <= tolerated, several@(_ : _ : _) <- listingEqual found = Ambiguous several []
-  | Nothing <- listingBest found, listingUnlisted found == 0, Nothing <- listingCoset found = Refused Contradiction
-  | otherwise = Refused BelowThreshold

@@ -1,29 +1,30 @@
-{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DeriveTraversable #-}
 {-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
 
 -- |
--- Patches: what was read of the array in one place, with cells that were not read. Internal;
--- "PraTactile.Locate" exports what a user needs.
+-- Patches: what was observed in the cells of a rectangle, and which of them were not observed.
 module PraTactile.Locate.Patch
-  ( Patch
+  ( -- * Patches
+    Patch
   , patch
-  , patchWith
   , patchShape
-  , rectangular
-  , LocateError (..)
-  , patchRows
-  , rearranged
   , observedCells
+  , patchRows
+  , patchOf
+  , uprightAs
   , completeWindows
+  , windowsWithout
+
+    -- * Errors
+  , LocateError (..)
   ) where
 
 import Data.List (sortOn)
-import qualified Data.Vector as Boxed
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Field
+import PraTactile.Symmetry
 import PraTactile.Window
 
 -- | Why there is no table or no patch.
@@ -45,82 +46,68 @@ data LocateError
     PatchesTooMany Natural Natural
   deriving stock (Eq, Show)
 
--- | A rectangle of observed and unobserved cells.
-data Patch (k :: Field) = Patch
+-- | A rectangle of cells, some of them observed.
+data Patch a = Patch
   { patchShape :: !Shape
   -- ^ Its rows and columns; at least one each.
-  , observedCells :: [(Position, GF k)]
-  -- ^ The observed cells with their offsets, row by row.
-  , patchCells :: Boxed.Vector (Maybe (GF k))
-  -- ^ All cells, row by row; made when first asked for, because few observed cells far apart make a large rectangle.
+  , observedCells :: [(Position, a)]
+  -- ^ The observed cells by their offsets, row by row.
   }
-
-type role Patch nominal
+  deriving stock (Eq, Show, Functor, Foldable, Traversable)
 
 -- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
 -- of different lengths.
-patch :: [[Maybe (GF k)]] -> Either LocateError (Patch k)
-patch cells = do
-  shape <- rectangular cells
-  let everything = Boxed.fromList (concat cells)
-  everything `seq` pure (Patch shape (observedIn shape everything) everything)
- where
-  observedIn shape everything =
-    [ (Position r c, a)
-    | (i, Just a) <- zip [0 ..] (Boxed.toList everything)
-    , let (r, c) = i `divMod` columns shape
-    ]
-
--- | The patch of this shape, at least one cell, whose observed cells are these, row by row, all of them within it.
-patchWith :: Shape -> [(Position, GF k)] -> Patch k
-patchWith shape observed = Patch shape observed (unobserved Boxed.// map at observed)
- where
-  unobserved = Boxed.replicate (fromIntegral (area shape)) Nothing
-  at (Position r c, a) = (fromIntegral (r * columns shape + c), Just a)
-
--- | The shape of rows. Refuses as 'patch' does.
-rectangular :: [[a]] -> Either LocateError Shape
-rectangular cells
+patch :: [[Maybe a]] -> Either LocateError (Patch a)
+patch cells
   | width == 0 = Left PatchEmpty
   | (i, r) : _ <- ragged = Left (PatchRagged i (length r) width)
-  | otherwise = Right (Shape height (fromIntegral width))
+  | otherwise = Right (Patch (Shape (fromIntegral (length cells)) (fromIntegral width)) known)
  where
-  height = fromIntegral (length cells)
   ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
   width = sum (map length (take 1 cells))
+  known = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
+
+-- | The patch of this shape, at least one cell, with these observed cells, row by row, all within it.
+patchOf :: Shape -> [(Position, a)] -> Patch a
+patchOf = Patch
 
 -- | The rows, as 'patch' takes them.
-patchRows :: Patch k -> [[Maybe (GF k)]]
-patchRows observed = go (Boxed.toList (patchCells observed))
+patchRows :: Patch a -> [[Maybe a]]
+patchRows (Patch (Shape h w) cells) =
+  [[Map.lookup (Position i j) known | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
  where
-  go cells = case splitAt (fromIntegral (columns (patchShape observed))) cells of
-    ([], _) -> []
-    (r, rest) -> r : go rest
+  known = Map.fromDistinctAscList cells
 
--- | The patch of this shape, at least one cell, whose observed cells are those of another patch, each at the position told; without those that are
--- told one beyond it.
-rearranged :: Shape -> (Position -> Position) -> Patch k -> Patch k
-rearranged shape to observed = patchWith shape (sortOn fst moved)
+-- | The patch upright again that is seen in this symmetry, row by row.
+uprightAs :: Symmetry -> Patch a -> Patch a
+uprightAs symmetry seen@(Patch shape cells)
+  | symmetry == identity = seen
+  | otherwise = Patch (onShape back shape) (sortOn fst [(onPosition back shape offset, a) | (offset, a) <- cells])
  where
-  moved = [(at, a) | (offset, a) <- observedCells observed, let at = to offset, within at]
-  within at = row at < rows shape && column at < columns shape
+  back = invert symmetry
 
 -- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
-completeWindows :: Mask -> Patch k -> [(Position, [GF k])]
-completeWindows mask observed@(Patch (Shape height width) _ cells) =
+completeWindows :: Mask -> Patch a -> [(Position, [a])]
+completeWindows mask (Patch _ cells) =
   [ (Position i j, content)
   | Position i0 j0 <- take 1 offsets
   , -- The window is where its first cell is observed.
-  (Position r0 c0, _) <- observedCells observed
+  (Position r0 c0, _) <- cells
   , r0 >= i0 && c0 >= j0
   , let i = r0 - i0
         j = c0 - j0
-  , i + rows extent <= height && j + columns extent <= width
-  , Just content <- [traverse (\(Position r c) -> at (i + r) (j + c)) offsets]
+  , Just content <- [traverse (\(Position r c) -> Map.lookup (Position (i + r) (j + c)) known) offsets]
   ]
  where
   offsets = maskOffsets mask
-  extent = maskExtent mask
-  at r c = do
-    cell <- cells Boxed.!? fromIntegral (r * width + c)
-    cell
+  known = Map.fromDistinctAscList cells
+
+-- | The offsets of the complete windows without any of these cells, row by row.
+windowsWithout :: [Position] -> Mask -> Patch a -> [Position]
+windowsWithout wrong mask observed =
+  [ offset
+  | (offset@(Position i j), _) <- completeWindows mask observed
+  , and [Position (i + i') (j + j') `Set.notMember` excluded | Position i' j' <- maskOffsets mask]
+  ]
+ where
+  excluded = Set.fromList wrong

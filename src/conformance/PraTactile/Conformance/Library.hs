@@ -11,12 +11,8 @@ import PraTactile.Array (PseudorandomArray, cellAt, arrayPrimitive, arrayState)
 import PraTactile.Conformance.Implementation
 import qualified PraTactile.Field as Field
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
-import PraTactile.Locate
-import PraTactile.Locate.Book (book)
-import PraTactile.Locate.Nearest (Decision (..), Radius (..))
-import qualified PraTactile.Locate.Nearest as Nearest
-import PraTactile.Locate.Soft (PosteriorOver (..), belief, softPatch)
-import qualified PraTactile.Locate.Soft as Soft
+import PraTactile.Locate hiding (locate)
+import qualified PraTactile.Locate as Locate
 import PraTactile.Profile
 import PraTactile.Sequence (termAt)
 import PraTactile.Window (Mask, maskSize)
@@ -31,7 +27,7 @@ library = Implementation
 
 session :: forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
 session p array mask = do
-  table <- either (const (refuse "table-too-large")) pure (buildTable (profilePacking p) (profileSurface p) array mask)
+  _ <- either (const (refuse "table-too-large")) pure (decoderFor byTable surface Guaranteed)
   pure Session
     { profile = p
     , add = \a b -> fromElement <$> ((+) <$> element a <*> element b)
@@ -43,28 +39,36 @@ session p array mask = do
     , pack = \codes -> Window.pack (profilePacking p) q . map toCode <$> traverse element codes
     , unpack = either (const (refuse "out-of-range")) (pure . map fromIntegral) . Window.unpack (profilePacking p) q (maskSize mask)
     , locate = \rows -> do
-        cells <- traverse (traverse (traverse element)) rows
-        observed <- either (const (refuse "invalid")) pure (patch cells)
-        place (locatePatch table observed)
+        observed <- symbols rows
+        answer <- asked byTable (onePatch surface observed)
+        place (answerOutcome answer)
     , nearest = \radius rows -> do
-        cells <- traverse (traverse (traverse element)) rows
-        observed <- either (const (refuse "invalid")) pure (patch cells)
-        shelf <- shelved
-        place (decisionOutcome (Nearest.nearest shelf (maybe Guaranteed UpTo radius) observed))
+        observed <- symbols rows
+        answer <- asked byDistance (onePatch surface observed) {queryRadius = maybe Guaranteed UpTo radius}
+        place (answerOutcome answer)
     , posterior = \rows -> do
         beliefs <- either (const (refuse "invalid")) pure (traverse (traverse (traverse belief)) rows)
-        observed <- either (const (refuse "invalid")) pure (softPatch beliefs)
-        shelf <- shelved
-        case posteriorRanking (Soft.posterior shelf observed) of
+        observed <- either (const (refuse "invalid")) pure (patch (map (map (fmap Probabilities)) beliefs))
+        answer <- asked byProbability (onePatch surface observed)
+        case maybe [] posteriorRanking (answerPosterior answer) of
           [] -> refuse (reasonName Contradiction)
-          ranking -> pure ranking
+          ranking -> pure [(candidatePosition candidate, probability) | (candidate, probability) <- ranking]
     }
   where
-    shelved = either (const (refuse "table-too-large")) pure (book (profileSurface p) array mask)
+    surface = profileSurface p
+    -- Made once for each decoder.
+    byTable = locatorBy TableDecoder
+    byDistance = locatorBy NearestDecoder
+    byProbability = locatorBy PosteriorDecoder
+    locatorBy name = Locate.locator (Just name) (profilePacking p) array mask
+    asked made = either (const (refuse "table-too-large")) pure . Locate.locate made
+    symbols rows = do
+      cells <- traverse (traverse (traverse element)) rows
+      either (const (refuse "invalid")) pure (patch (map (map (fmap Symbol)) cells))
     place outcome = case outcome of
-      Located position _ -> pure (At position)
-      Ambiguous positions _ -> pure (OneOf positions)
-      AmbiguousCoset count dimension -> pure (Coset count dimension)
+      Unique candidate _ -> pure (At (candidatePosition candidate))
+      Ambiguous candidates _ -> pure (OneOf (map candidatePosition candidates))
+      AmbiguousMany count dimension -> maybe (refuse "invalid") (pure . Coset count) dimension
       Refused reason -> refuse (reasonName reason)
     q = fieldOrder (Proxy :: Proxy k)
     -- Prepared once for all terms.

@@ -9,7 +9,7 @@ import Data.List (foldl')
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Book
-import PraTactile.Locate.Nearest (Radius (..), guaranteedRadius)
+import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
 import PraTactile.Locate.Punctured
 import PraTactile.Locate.Rates
 import PraTactile.Rates.Damage

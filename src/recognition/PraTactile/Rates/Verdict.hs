@@ -19,9 +19,10 @@ import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Locate (Outcome (..))
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Soft (PosteriorOver (..), belief, hardened, posterior, softPatch)
+import PraTactile.Locate (Outcome (..), Posterior (..), Radius (..), belief, guaranteedRadius, likeliest, patch)
+import PraTactile.Locate.Decision (Decision (..))
+import PraTactile.Locate.Nearest (nearest)
+import PraTactile.Locate.Soft (posterior)
 import PraTactile.Rates.Ground
 import PraTactile.Rates.Trial
 
@@ -44,11 +45,10 @@ data Answer = Correct | Mistaken | NoAnswer
 judgeByDecoders :: forall k. KnownField k => Radius -> Ground k -> Trial -> Maybe Verdict
 judgeByDecoders radius place trial = do
   readings <- traverse (traverse reading) (chunked (fromIntegral (columns (groundShape place))) [0 .. groundCells place - 1])
-  soft <- either (const Nothing) Just (softPatch readings)
-  hard <- either (const Nothing) Just (hardened soft)
+  soft <- either (const Nothing) Just (patch readings)
   let found = posterior shelf soft
-      answer = case decisionOutcome (nearest shelf radius hard) of
-        Located at _ -> if at == true then Correct else Mistaken
+      answer = case decisionOutcome (nearest shelf radius (likeliest <$> soft)) of
+        Unique at _ -> if at == true then Correct else Mistaken
         _ -> NoAnswer
   pure (Verdict answer (posteriorBest found == Just true) (posteriorDoubt found))
  where

@@ -28,12 +28,13 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
-import PraTactile.Locate
+import PraTactile.Locate hiding (Cell)
 import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Orientation (upright)
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Decision (Decision (..))
+import PraTactile.Locate.Nearest (nearest)
+import PraTactile.Symmetry (identity)
+import PraTactile.Locate.Soft (posterior)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell)
@@ -107,7 +108,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       Guaranteed -> guaranteedRadius distance
       UpTo e -> e
 
-    likely = softPatch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells)))
+    likely = patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells)))
     found = posterior shelf <$> either (const Nothing) Just likely
     evidence = do
       soft <- found
@@ -127,7 +128,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
         , evidenceRadius = radius
         , evidenceChance = do
             here <- either (const Nothing) Just likely
-            around <- spheres (bookSurface shelf) (bookArray shelf) [upright] (softShape here) (map fst (softCells here))
+            around <- spheres (bookSurface shelf) (bookArray shelf) [identity] (patchShape here) (map fst (observedCells here))
             pure (chance (amongCells (fromIntegral (length knownCells)) (correcting distance radius around)))
         }
     exact = fromMaybe (Refused TooFewCells) (exactly cells)
@@ -151,7 +152,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       | otherwise = Unplaced Contradiction
     -- No position is likely enough.
     unclear = case exact of
-      Located _ _ -> Unplaced BelowThreshold
+      Unique _ _ -> Unplaced BelowThreshold
       Ambiguous places (_ : _) -> Undecided places
       Refused reason | reason `notElem` [TooFewCells, NoCompleteWindow] -> if groupsApart then GroupsApart else Unplaced reason
       _ -> Unplaced NoCompleteWindow
@@ -160,7 +161,7 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       place : places -> any (/= place) places
       [] -> False
     alone numbers = case exactly (Map.map (among numbers) cells) of
-      Just (Located place _) -> Just place
+      Just (Unique place _) -> Just place
       _ -> Nothing
     among numbers = filter ((`Set.member` numbers) . readNumber)
     codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellFrom shelf place cell
@@ -206,7 +207,7 @@ beliefIn q orientation here
     total = sum weights
 
 -- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no cells.
-knownPatch :: KnownField k => Cells -> Orientation -> Either LocateError (Patch k)
+knownPatch :: KnownField k => Cells -> Orientation -> Either LocateError (Patch (GF k))
 knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
   where
     agreed here = case [ c | s <- here, Just (o, c) <- [readClass s], o == orientation ] of

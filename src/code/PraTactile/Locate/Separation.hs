@@ -1,23 +1,10 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- Patches that are seen turned or mirrored, and what the code alone can tell of it. Often nothing: every
 -- quarter turn of a 2 x 2 window of the paper's array is another of its windows, and an array of windows with two
 -- columns is its own mirror image (Note [Two columns]); then only the symbols' own axes tell.
-module PraTactile.Locate.Orientation
-  ( -- * Orientations
-    Orientation (..)
-  , upright
-  , rotations
-  , orientations
-  , eachOnce
-  , seenAs
-  , seenAt
-  , seenShape
-  , undone
-
-    -- * What the code can tell
-  , candidateDistance
+module PraTactile.Locate.Separation
+  ( -- * Candidates
+    candidateDistance
   , candidatesDiffer
   , orientedDistance
   , largestOrientedSearch
@@ -29,65 +16,11 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Book
 import PraTactile.Polynomial (primitiveDegree)
+import PraTactile.Symmetry
 import PraTactile.Window
 import PraTactile.Window.Elimination (rowFromList)
 import PraTactile.Window.LinearCode
 import PraTactile.Window.Rank (windowVectors)
-
--- | How a patch is seen: mirrored or not, left and right exchanged; and then turned.
-data Orientation = Orientation
-  { mirrored :: Bool
-  , quarterTurns :: Int
-  -- ^ Clockwise; all that is the same modulo 4 is the same.
-  }
-  deriving stock (Eq, Ord, Show)
-
--- | Neither mirrored nor turned.
-upright :: Orientation
-upright = Orientation False 0
-
--- | The four quarter turns of an object seen from outside, the first of them none.
-rotations :: [Orientation]
-rotations = map (Orientation False) [0 .. 3]
-
--- | Those, and those of its mirror image.
-orientations :: [Orientation]
-orientations = rotations ++ map (Orientation True) [0 .. 3]
-
--- | Each of some orientations once, turned by less than four quarter turns.
-eachOnce :: [Orientation] -> [Orientation]
-eachOnce possible = nub [o {quarterTurns = quarterTurns o `mod` 4} | o <- possible]
-
--- | Rows of cells as they are seen in an orientation.
---
--- >>> seenAs (Orientation False 1) ["ab", "cd"]
--- ["ca","db"]
-seenAs :: Orientation -> [[a]] -> [[a]]
-seenAs (Orientation flipped turns) cells = iterate clockwise (if flipped then map reverse cells else cells) !! (turns `mod` 4)
- where
-  clockwise = map reverse . transpose
-
--- | Where in the patch as it is seen a cell is, given the shape of the patch when upright; for cells within it.
---
--- >>> seenAt (Orientation False 1) (Shape 2 3) (Position 0 2)
--- Position {row = 2, column = 1}
-seenAt :: Orientation -> Shape -> Position -> Position
-seenAt (Orientation flipped turns) shape@(Shape _ w) (Position i j) =
-  snd (iterate clockwise (shape, Position i (if flipped then from w j else j)) !! (turns `mod` 4))
- where
-  clockwise (Shape h w', Position r c) = (Shape w' h, Position c (from h r))
-  -- As far from the last of so many as the index is from the first.
-  from n k = if k < n then n - 1 - k else 0
-
--- | The shape of a patch as it is seen, given that when upright.
-seenShape :: Orientation -> Shape -> Shape
-seenShape (Orientation _ turns) (Shape h w) = if odd turns then Shape w h else Shape h w
-
--- | The orientation that undoes another: the mirrored ones undo themselves.
-undone :: Orientation -> Orientation
-undone (Orientation flipped turns)
-  | flipped = Orientation True turns
-  | otherwise = Orientation False (negate turns `mod` 4)
 
 {- Note [Two columns]
    Let an array be folded along the diagonal for windows of k1 rows and two columns: n1 = Q - 1 and n2 = Q + 1 with
@@ -115,21 +48,21 @@ undone (Orientation flipped turns)
 -- surface that is neither the array's 'naturalSurface' nor the sheet, where no distance is promised. Exact up to
 -- 'largestOrientedSearch' codewords for every two orientations and 4096 cells; beyond, it is a lower bound. See
 -- Note [Distance between orientations].
-candidateDistance :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Natural
+candidateDistance :: KnownField k => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Natural
 candidateDistance surface array possible shape offsets =
   case map (fromIntegral . leastWeight largestOrientedSearch) <$> codesOfDifferences surface array possible shape offsets of
     Just distances@(_ : _) -> minimum distances
     _ -> 0
 
 -- | Whether that distance is above 0, so that any two candidates differ: by ranks alone.
-candidatesDiffer :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Bool
+candidatesDiffer :: KnownField k => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Bool
 candidatesDiffer surface array possible shape offsets =
   maybe False (not . null) (codesOfDifferences surface array possible shape offsets)
 
 -- | The codes of Note [Distance between orientations], one for every two orientations, or that of the only one;
 -- 'Nothing' where one of them has not the full dimension, and where no distance is promised.
 codesOfDifferences
-  :: KnownField k => Surface -> PseudorandomArray k -> [Orientation] -> Shape -> [Position] -> Maybe [LinearCode k]
+  :: KnownField k => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Maybe [LinearCode k]
 codesOfDifferences surface array possible shape offsets
   | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] || null offsets = Nothing
   | any ((< full) . dimension) codes = Nothing
@@ -137,18 +70,18 @@ codesOfDifferences surface array possible shape offsets
  where
   used = take 4096 offsets
   n = primitiveDegree (arrayPrimitive array)
-  (full, codes) = case map words' (eachOnce possible) of
+  (full, codes) = case map words' (nub possible) of
     [only] -> (n, [spannedBy (length used) only])
     several -> (2 * n, [spannedBy (length used) (a ++ b) | (k, a) <- zip [1 ..] several, b <- drop k several])
   -- Codewords that span the code of an orientation.
-  words' o = either (const []) (map rowFromList . transpose . windowVectors array) (maskFrom (map (seenAt (undone o) shape) used))
+  words' o = either (const []) (map rowFromList . transpose . windowVectors array) (maskFrom (map (onPosition (invert o) shape) used))
 
 -- | 2^18: the most codewords that are looked at for two orientations.
 largestOrientedSearch :: Natural
 largestOrientedSearch = 2 ^ (18 :: Int)
 
 -- | The same of all cells of a square patch of so many rows and columns. 0 for no rows.
-orientedDistance :: KnownField k => Book k -> [Orientation] -> Natural -> Natural
+orientedDistance :: KnownField k => Book k -> [Symmetry] -> Natural -> Natural
 orientedDistance shelf possible side =
   candidateDistance (bookSurface shelf) (bookArray shelf) possible (Shape side side) [Position i j | i <- below, j <- below]
  where

@@ -1,0 +1,85 @@
+{-# LANGUAGE DataKinds #-}
+{-# LANGUAGE DerivingStrategies #-}
+{-# LANGUAGE KindSignatures #-}
+{-# LANGUAGE RoleAnnotations #-}
+
+-- |
+-- The one question: cells that were observed, in one patch or in several at known displacements, seen
+-- in one of the symmetries that are possible, on a surface; and how much of them may be wrong.
+module PraTactile.Locate.Query
+  ( Query (..)
+  , onePatch
+  , Cell (..)
+  , cellBelief
+  , Radius (..)
+  , radiusFor
+  , guaranteedRadius
+  ) where
+
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.Grid (Surface)
+import PraTactile.Locate.Belief
+import PraTactile.Locate.Patch
+import PraTactile.Symmetry
+
+-- | What was observed in a cell.
+data Cell (k :: Field)
+  = -- | A symbol.
+    Symbol !(GF k)
+  | -- | The probability of each symbol.
+    Probabilities !(Belief k)
+  deriving stock (Eq, Show)
+
+type role Cell nominal
+
+-- | What is known of a cell as probabilities: a symbol is beyond doubt.
+cellBelief :: KnownField k => Cell k -> Belief k
+cellBelief cell = case cell of
+  Symbol a -> certainly a
+  Probabilities b -> b
+
+-- | How many of the observed cells may be taken to be wrong.
+data Radius
+  = -- | As many as can be corrected for certain: 'guaranteedRadius'.
+    Guaranteed
+  | -- | At most this many. Beyond the guaranteed radius an answer may be wrong.
+    UpTo Natural
+  deriving stock (Eq, Show)
+
+-- | The largest e with 2 e < d, d being the minimum distance: e wrong cells among the observed
+-- ones are always corrected. 0 if d is 0.
+--
+-- >>> map guaranteedRadius [0, 1, 2, 4, 9]
+-- [0,0,0,1,4]
+guaranteedRadius :: Natural -> Natural
+guaranteedRadius d = if d == 0 then 0 else (d - 1) `div` 2
+
+-- | The radius that is meant where the minimum distance is this.
+radiusFor :: Radius -> Natural -> Natural
+radiusFor stated d = case stated of
+  Guaranteed -> guaranteedRadius d
+  UpTo e -> e
+
+-- | Where are these patches?
+data Query (k :: Field) = Query
+  { queryPatches :: [((Integer, Integer), Patch (Cell k))]
+  -- ^ As they are seen, all in the same symmetry, each with the displacement of its upper left cell,
+  -- rows down and columns to the right, from a common point.
+  , querySymmetries :: [Symmetry]
+  -- ^ In which symmetries they may be seen; the identity alone if they are upright.
+  , querySurface :: Surface
+  -- ^ What lies beyond the edges of the array.
+  , queryRadius :: Radius
+  -- ^ How many symbols may be wrong.
+  , queryDoubt :: Double
+  -- ^ The probability of a wrong answer that is tolerated, below 1; if any cell has probabilities.
+  }
+  deriving stock (Show)
+
+type role Query nominal
+
+-- | The question for one upright patch on a surface: of symbols as many may be wrong as can be
+-- corrected for certain, and a doubt of a thousandth is tolerated.
+onePatch :: Surface -> Patch (Cell k) -> Query k
+onePatch surface seen = Query [((0, 0), seen)] [identity] surface Guaranteed 0.001
