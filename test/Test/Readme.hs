@@ -37,7 +37,7 @@ spec = beforeAll (library <$> readText "README.md") $ do
       code `shouldBe` ExitSuccess
       -- Those to be built, of this package: the libraries named, and what they rest on.
       [ part | "-" : package : part : _ <- map words (lines out), "pra-tactile-" `isPrefixOf` package ]
-        `shouldMatchList` ["(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
+        `shouldMatchList` ["(lib:common)", "(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
   where
     inFolder = withSystemTempDirectory "pra-tactile"
     library = dropWhile (/= "## The library") . lines
