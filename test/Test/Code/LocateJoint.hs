@@ -14,7 +14,6 @@ import PraTactile.Window
 import Test.Code.Decided
 import Test.Code.Generators
 import Test.Hspec
-import Test.QuickCheck hiding (total)
 
 spec :: Spec
 spec = do
