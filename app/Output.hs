@@ -137,8 +137,8 @@ orUnwritable name = do
 -- | Write a new folder with these files, whole or not at all. Refuses whatever is there, unless it is an empty folder.
 writeFolder :: FilePath -> [(FilePath, ByteString)] -> IO ()
 writeFolder path files = do
-  taken <- either (const Nothing) Just <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
-  mapM_ refuseUnlessEmpty taken
+  taken <- either (const False) (const True) <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
+  when taken refuseUnlessEmpty
   outcome <- try $ do
     folder <- resolved asked
     createDirectoryIfMissing True (takeDirectory folder)
@@ -153,7 +153,7 @@ writeFolder path files = do
   where
     asked = dropTrailingPathSeparator path
     needed = "; name a folder that is new or empty"
-    refuseUnlessEmpty _ = do
+    refuseUnlessEmpty = do
       content <- try (listDirectory asked) :: IO (Either IOException [FilePath])
       isFolder <- doesDirectoryExist asked
       case content of

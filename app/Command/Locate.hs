@@ -62,12 +62,8 @@ command = described "locate" "Tell the position of a patch of symbols in the arr
       <*> switch (long "json" <> help "Print the answer as JSON")
       <*> (flag' Nothing (long "batch" <> help "Read one patch, or several parted by ';', a line from the standard input; print one JSON answer a line")
         <|> (Just <$> some (strArgument (metavar "PATCH"))))
-    turningReader = eitherReader $ \name -> case lookup name [ (turningName t, t) | t <- [minBound ..] ] of
-      Just found -> Right found
-      Nothing -> Left (show name ++ " is no choice of orientation; write upright, turned or any")
-    roadReader = eitherReader $ \name -> case lookup name [ (decoderText found, found) | found <- namedDecoders ] of
-      Just found -> Right found
-      Nothing -> Left (show name ++ " is no road; write table, algebra or search")
+    turningReader = namedReader "choice of orientation" [ (turningName t, t) | t <- [minBound ..] ]
+    roadReader = namedReader "road" [ (decoderText found, found) | found <- namedDecoders ]
     namedDecoders = [TableDecoder, AlgebraDecoder, SearchDecoder]
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending

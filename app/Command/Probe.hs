@@ -72,9 +72,7 @@ command = described "probe" "Press the simulated 16 x 16 sensor on an object's f
 
 -- | Degrees as quarter turns.
 turnReader :: ReadM Int
-turnReader = eitherReader $ \text -> case lookup text [ (show (90 * turns), turns) | turns <- quarterTurns ] of
-  Just turns -> Right turns
-  Nothing -> Left (show text ++ " is no quarter turn; write 0, 90, 180 or 270")
+turnReader = namedReader "quarter turn" [ (show (90 * turns), turns) | turns <- quarterTurns ]
 
 run :: ArrayChoice -> Options -> IO Ending
 run choice options

@@ -69,9 +69,7 @@ command = described "rates"
       <*> option formReader (long "format" <> metavar "text|csv|json" <> completeWith ["text", "csv", "json"] <> value Text <> help "The form of the table (default text)")
       <*> optional (strOption (long "plot" <> metavar "FILE.svg" <> action "file" <> help "Draw the table as well, into an SVG file; - is the standard output, in place of the table"))
     several standard one = some one <|> pure standard
-    formReader = eitherReader $ \name -> case lookup name [("text", Text), ("csv", Csv), ("json", Json)] of
-      Just known -> Right known
-      Nothing -> Left (show name ++ " is no form; write text, csv or json")
+    formReader = namedReader "form" [("text", Text), ("csv", Csv), ("json", Json)]
 
 run :: ArrayChoice -> Options -> IO Ending
 run choice options

@@ -25,14 +25,15 @@ pra :: [String] -> IO Outcome
 pra = (`praWith` "")
 
 praWith :: [String] -> String -> IO Outcome
-praWith arguments input = do
-  (code, out, err) <- readProcessWithExitCode "pra-tactile" arguments input
-  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
+praWith = ran "pra-tactile"
 
 -- | The same under these options of the run-time system, which the program takes from its environment alone.
 praUnder :: String -> [String] -> String -> IO Outcome
-praUnder options arguments input = do
-  (code, out, err) <- readProcessWithExitCode "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments) input
+praUnder options arguments = ran "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments)
+
+ran :: FilePath -> [String] -> String -> IO Outcome
+ran program arguments input = do
+  (code, out, err) <- readProcessWithExitCode program arguments input
   pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
 
 -- | The value under a path of keys in one line of JSON.
