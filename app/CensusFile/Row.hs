@@ -19,7 +19,6 @@ module CensusFile.Row
   ) where
 
 import Control.Monad (when)
-import qualified Data.ByteString as Octets
 import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
 import Data.Char (isDigit)
@@ -101,7 +100,7 @@ inForm form body = case form of
 
 -- | The first 16 digits of the SHA-256 of a row's body.
 checkOf :: ByteString -> ByteString
-checkOf body = Bytes.pack (take 16 (sha256 (Octets.length body) (Octets.index body)))
+checkOf body = Bytes.pack (take 16 (sha256 body))
 
 -- | A row that was read.
 data Row = Row

@@ -15,7 +15,7 @@ import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import Data.Ratio (denominator, numerator)
 
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt)
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt, naturalsBelow)
 import PraTactile.Field (KnownField)
 import PraTactile.Image (generate)
 import PraTactile.Object.Placement
@@ -42,10 +42,8 @@ symbolHeightMillimetres = 1.5875
 faceClasses :: KnownField k => PseudorandomArray k -> LaidFace -> [[Int]]
 faceClasses array face =
   [ [ classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
-    | j <- upTo (columns (laidGrid face)) ]
-  | i <- upTo (rows (laidGrid face)) ]
-  where
-    upTo n = takeWhile (< n) [0 ..]
+    | j <- naturalsBelow (columns (laidGrid face)) ]
+  | i <- naturalsBelow (rows (laidGrid face)) ]
 
 -- | The height map of a face, in millimetres, in cells of one taxel (1.5875 mm): each symbol lies in the middle of its
 -- cell, and the grid of cells in the middle of the face. Refuses an element without a shape, and lengths that are no
