@@ -22,7 +22,7 @@ import Control.Monad (when)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
 import Data.Char (isDigit)
-import Data.List (find, intercalate)
+import Data.List (find)
 import Numeric.Natural (Natural)
 
 import CensusFile.Verdict
@@ -90,7 +90,7 @@ keyFields scope entries entry = map Bytes.pack
   , shapeText (entryWindow entry)
   ]
   where
-    codes = intercalate " " . map show
+    codes = unwords . map show
 
 -- | A row's body as it stands in a file of a form.
 inForm :: Form -> ByteString -> ByteString

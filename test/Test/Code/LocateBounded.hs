@@ -198,7 +198,7 @@ asNearest count surface array window = do
                     [ decodingOutcome decoded === decisionOutcome decision
                     , decodingWrong decoded === decisionWrong decision
                     , decodingRadius decoded === decisionRadius decision
-                    , if null (concat (map (filter (/= Nothing)) cells)) then property True else decodingDistance decoded === Exactly (decisionDistance decision)
+                    , if all (all (== Nothing)) cells then property True else decodingDistance decoded === Exactly (decisionDistance decision)
                     , property (maybe True (holdsOf (decodingNearest decoded)) (decisionNearest decision))
                     , property (maybe True (\e -> maybe True (`holdsOf` e) (decodingRunnerUp decoded)) (decisionRunnerUp decision))
                     ]

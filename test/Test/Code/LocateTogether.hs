@@ -115,7 +115,7 @@ spec = do
   describe "probabilities" $ do
     it "of the same cell are multiplied and made to add up to 1, which is Bayes' theorem for all looks at once" $ do
       shelf <- paperBook
-      holds 100 $ forAll (vectorOf 3 ((,) <$> genDisplacement <*> (genChancesOf 2 2))) $ \given ->
+      holds 100 $ forAll (vectorOf 3 ((,) <$> genDisplacement <*> genChancesOf 2 2)) $ \given ->
         case traverse (\(at, chances) -> (,) at <$> soft chances) given of
           Left e -> counterexample e False
           Right patches -> case posteriorTogether shelf 0.001 patches of
@@ -123,9 +123,9 @@ spec = do
             Right found -> asBayes shelf given found
     it "that contradict each other make a disputed cell, which counts as not observed" $ do
       shelf <- paperBook
-      a <- certain <$> seen shelf (Position 6 5) (0, 0) 0 >>= right
-      b <- certain <$> seen shelf (Position 6 5) (1, 1) 1 >>= right
-      c <- certain <$> seen shelf (Position 6 5) (0, 4) 0 >>= right
+      a <- seen shelf (Position 6 5) (0, 0) 0 >>= right . certain
+      b <- seen shelf (Position 6 5) (1, 1) 1 >>= right . certain
+      c <- seen shelf (Position 6 5) (0, 4) 0 >>= right . certain
       found <- right (posteriorTogether shelf 0.001 [((0, 0), a), ((1, 1), b), ((0, 4), c)])
       (posteriorBest (togetherDecision found), togetherDisputed found, togetherWrong found, togetherInconsistent found)
         `shouldBe` (Just (Position 6 5), [Position 1 1], [0, 0, 0], [1])

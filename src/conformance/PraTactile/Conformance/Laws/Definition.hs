@@ -58,7 +58,7 @@ onTorus looked = looked { lookedProfile = (lookedProfile looked) { profileSurfac
 contentsAt :: Surface -> Looked -> [Position] -> [(Position, [Int])]
 contentsAt surface looked offsets =
   [ (Position (fromIntegral r) (fromIntegral c), content)
-  | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1], Just content <- [traverse (\(i, j) -> at (r + i) (c + j)) (map ints offsets)] ]
+  | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1], Just content <- [traverse ((\(i, j) -> at (r + i) (c + j)) . ints) offsets] ]
   where
     Shape high wide = profileShape (lookedProfile looked)
     n1 = fromIntegral high :: Int

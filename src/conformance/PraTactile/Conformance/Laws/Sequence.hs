@@ -3,7 +3,7 @@ module PraTactile.Conformance.Laws.Sequence
   ( sequenceLaws
   ) where
 
-import Control.Monad (foldM, join)
+import Control.Monad (foldM, join, zipWithM)
 import Data.List (tails)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
@@ -77,5 +77,5 @@ sequenceLaws =
       Reciprocal -> reverse (polynomialOf s)
     combination s coefficients terms = do
       values <- terms
-      products <- sequence (zipWith (multiply s) coefficients values)
+      products <- zipWithM (multiply s) coefficients values
       foldM (add s) 0 products
