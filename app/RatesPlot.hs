@@ -33,13 +33,15 @@ ratesSvg seed table = renderBS root <> "\n"
       [ style_ [] (toElement style)
       , rect_ [Class_ <<- "paper", Width_ <<- number wide, Height_ <<- number high]
       , text (wide / 2) 24 "middle" "title" "Patches located from damaged readings"
-      , text (wide / 2) 42 "middle" "ink" (trialsText ++ "; what never happened in them is not drawn") ]
+      , text (wide / 2) 42 "middle" "ink"
+          (trialsText ++ "; what never happened in them is not drawn") ]
       ++ concat
         [ panel table (columnAt i) (rowAt j) (i == 0) size what
         | (j, what) <- zip [0 ..] [NotRight, Wrong], (i, size) <- zip [0 :: Int ..] sizes ]
       ++ [ text (wide / 2) (bottom + 38) "middle" "ink" "wrong symbols among the observed ones, %" ]
       ++ legend table (bottom + 62)
-    trialsText = concat (nub [ show (lineTrials l) ++ " trials a dot, seed " | l <- table ]) ++ show seed
+    trialsText =
+      concat (nub [ show (lineTrials l) ++ " trials a dot, seed " | l <- table ]) ++ show seed
     columnAt i = left + fromIntegral i * (panelWide + gap)
     rowAt j = top + fromIntegral (j :: Int) * (panelHigh + 44)
     sizes = nub (map lineSize table)
@@ -177,7 +179,8 @@ decadeText k
   | k >= -2 = "0." ++ replicate (-k - 1) '0' ++ "1"
   | otherwise = "10\8315" ++ map raised (show (negate k))
   where
-    raised digit = fromMaybe digit (lookup digit (zip ['0' ..] "\8304\185\178\179\8308\8309\8310\8311\8312\8313"))
+    raised digit = fromMaybe digit (lookup digit (zip ['0' ..] superscripts))
+    superscripts = "\8304\185\178\179\8308\8309\8310\8311\8312\8313"
 
 legend :: [Line] -> Double -> [Element]
 legend table y0 = concat (zipWith entry [0 ..] (zipWith ofSeries [0 ..] allSeries ++ zipWith ofErasures [0 ..] (erasuresOf table)))

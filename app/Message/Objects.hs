@@ -62,9 +62,11 @@ placementMessage e = case e of
 reliefMessage :: ReliefError -> String
 reliefMessage e = case e of
   NoShape why -> shapeMessage why
-  OffTaxelGrid length' -> show (fromRational length' :: Double) ++ " mm is no whole number of taxels of "
+  OffTaxelGrid length' ->
+    show (fromRational length' :: Double) ++ " mm is no whole number of taxels of "
     ++ show (taxelPitch :: Double) ++ " mm"
-  CellTooSmall across down -> "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of "
+  CellTooSmall across down ->
+    "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of "
     ++ show symbolWidth ++ " x " ++ show symbolHeight
 
 storeMessage :: StoreError -> String
@@ -124,10 +126,11 @@ recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of
   RecogniserArray why -> locateMessage why
   ClassesDiffer given shaped q -> "the network knows " ++ show given ++ " classes and the alphabet has " ++ show shaped ++ " shapes; the array has " ++ show q ++ " symbols"
-  ArraysDiffer laid given -> "the objects are laid on an array of " ++ shapeText laid ++ "; the chosen one is "
-    ++ shapeText given
-  PitchesDiffer laid given -> "the objects' symbols are " ++ pitchText laid ++ " mm apart; symbols are read at "
-    ++ pitchText given ++ " mm"
+  ArraysDiffer laid given ->
+    "the objects are laid on an array of " ++ shapeText laid ++ "; the chosen one is " ++ shapeText given
+  PitchesDiffer laid given ->
+    "the objects' symbols are " ++ pitchText laid ++ " mm apart; symbols are read at " ++ pitchText given
+    ++ " mm"
   where
     pitchText (Pitch right down) = millimetres right ++ " x " ++ millimetres down
     millimetres = show . (fromRational :: Rational -> Double)

@@ -107,8 +107,8 @@ canonicalPosition surface shape r c
   width = toInteger (columns shape)
   position i j = Position (fromInteger i) (fromInteger j)
 
--- | The cell that lies so many rows below and columns to the right of a position, on this surface of this
--- shape, as 'canonicalPosition' has it.
+-- | The cell that lies an offset's rows below and columns to the right of a position, on this surface of
+-- this shape, as 'canonicalPosition' has it.
 --
 -- >>> displaced Torus (Shape 15 17) (Position 14 16) (Position 1 2)
 -- Just (Position {row = 0, column = 1})

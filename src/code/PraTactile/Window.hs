@@ -121,7 +121,8 @@ maskFromDrawing drawing
 -- >>> maskDrawing <$> maskFromDrawing "##./.##"
 -- Right "##./.##"
 maskDrawing :: Mask -> String
-maskDrawing mask = intercalate "/" [[drawn (Position i j) | j <- naturalsBelow width] | i <- naturalsBelow height]
+maskDrawing mask =
+  intercalate "/" [[drawn (Position i j) | j <- naturalsBelow width] | i <- naturalsBelow height]
  where
   cells = Set.fromList (maskOffsets mask)
   Shape height width = maskExtent mask

@@ -82,9 +82,9 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface; refuses what 'book' refuses, classes
--- that are not one an element, and a placement on an array of another shape or with symbols at another pitch than
--- 'canonicalPitch', at which they are read.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses what 'book' refuses, classes
+-- that are not one an element, and a placement on an array of another shape or with symbols at another
+-- pitch than 'canonicalPitch', at which they are read.
 recogniser
   :: KnownField k
   => Surface -> PseudorandomArray k -> Mask -> Placement -> Alphabet -> Network

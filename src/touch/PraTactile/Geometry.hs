@@ -1,6 +1,6 @@
 -- | The sizes of the sensor and of the symbols that it reads (the paper's sections III and IV), once for
--- simulation, reading, objects and pictures. Those in millimetres are numbers of whatever type is calculated with:
--- exact as a 'Rational', the nearest machine number as a 'Double'.
+-- simulation, reading, objects and pictures. Lengths in millimetres are of the type that is calculated
+-- with: exact as a 'Rational', the nearest machine number as a 'Double'.
 --
 -- > +----------------+  - - -      columnPitch = 16 taxels across
 -- > |   . . . . .    |    |        rowPitch    = 20 taxels down

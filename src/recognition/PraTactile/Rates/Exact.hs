@@ -39,7 +39,9 @@ exactRates stated shelf mask = \damage -> do
     UpTo e -> fromIntegral e
   whole = either (const Nothing) Just (weightEnumerator array mask)
   -- The words are not even made where there are too many.
-  holed = guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork) >> punctured n (map support contents)
+  holed = do
+    guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork)
+    punctured n (map support contents)
   support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
   contents =
     [ content

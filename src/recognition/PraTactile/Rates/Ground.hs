@@ -107,7 +107,8 @@ ground shelf shape
   limbs = (n + 63) `div` 64
   planes = length (takeWhile (< q) (iterate (* 2) 1))
   contents = Primitive.fromListN (positions * n) (concatMap (contentAt . positionOf shelf) [0 .. positions - 1])
-  contentAt position = map (codeOn . displaced surface (arrayShape (bookArray shelf)) position) (shapeCells shape)
+  contentAt position = map (codeOn . displacedFrom position) (shapeCells shape)
+  displacedFrom = displaced surface (arrayShape (bookArray shelf))
   -- A torus has no place that is none.
   codeOn place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf)) :: Int32
   limb :: (Int32 -> Bool) -> Int -> Word64

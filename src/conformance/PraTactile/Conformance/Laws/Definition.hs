@@ -115,7 +115,7 @@ originalOf :: Looked -> Seen -> Map Position Code
 originalOf looked seen = Map.fromList (concat [ zip offsets (map fromIntegral content) | (place, content) <- contentsAt surface looked offsets, place == seenPlace seen ])
   where
     Shape h w = seenShape seen
-    offsets = (shapeCells (Shape h w))
+    offsets = shapeCells (Shape h w)
     surface = profileSurface (lookedProfile looked)
 
 -- | The offsets and codes of the observed cells.
