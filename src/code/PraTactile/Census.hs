@@ -217,8 +217,8 @@ shapesOf k scope = do
 -- | Bring the alphabet into scope.
 overField :: Scope -> (forall k. KnownField k => Proxy k -> Either CensusError r) -> Either CensusError r
 overField scope use = do
-  (p, given, needed) <-
+  (p, given, needs) <-
     first CensusField (modulusDegrees (scopeOrder scope) (take 10 (scopeModulus scope)))
-  when (given /= needed) (Left (CensusModulus given needed))
+  when (given /= needs) (Left (CensusModulus given needs))
   inField <- first CensusField (withField p (scopeModulus scope) use)
   inField
