@@ -6,7 +6,7 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test lint fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -19,7 +19,11 @@ demo: build ## recognise an object by touch, from PGM frames on disk
 test: setup ## run the whole test suite (MATCH=... for a part of it)
 	@tools/build.sh test:spec
 	@$(CABAL) doctests
+	@tools/lint.sh
 	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
+
+lint: ## give the sources to hlint, where version 3 of it is installed
+	@tools/lint.sh
 
 build: setup ## build the program, as bin/pra-tactile
 	@tools/build.sh

@@ -32,6 +32,7 @@ module Drawing
 
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Semigroup (sconcat)
 import Data.Text (Text)
 import Numeric (showFFloat)
@@ -130,7 +131,7 @@ type Drawing = [Mark]
 
 -- | What a drawing takes up; a point for an empty one.
 extentOf :: Drawing -> Extent
-extentOf drawing = maybe (Extent 0 0 0 0) id (hull [ e | Just e <- map markExtent drawing ])
+extentOf drawing = fromMaybe (Extent 0 0 0 0) (hull (mapMaybe markExtent drawing))
 
 -- | A drawing moved to the right and down.
 shifted :: (Double, Double) -> Drawing -> Drawing

@@ -15,7 +15,7 @@ import ArrayChoice (modulusOption, orderOption)
 import Ending
 import Message (fieldMessage, profileMessage)
 import PraTactile.Field
-import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Field.Named (conwayModulus, modulusDegrees)
 import PraTactile.Profile (ProfileError (ModulusDegree))
 
 -- | q and the modulus.
@@ -28,9 +28,9 @@ fieldChoice = FieldChoice <$> orderOption <*> optional modulusOption
 -- | Go on in the chosen field; leaves with status 2 and the reason where there is none.
 withChosenField :: FieldChoice -> (forall k. KnownField k => Proxy k -> IO Ending) -> IO Ending
 withChosenField (FieldChoice q chosen) use = do
-  (p, conway) <- orUnusable fieldMessage (conwayModulus q)
+  (_, conway) <- orUnusable fieldMessage (conwayModulus q)
   let modulus = fromMaybe conway chosen
-      degree coefficients = fromIntegral (max 1 (length coefficients) - 1) :: Natural
-  if degree modulus /= degree conway
-    then unusable (profileMessage (ModulusDegree (degree modulus) (degree conway)))
+  (p, given, needed) <- orUnusable fieldMessage (modulusDegrees q modulus)
+  if given /= needed
+    then unusable (profileMessage (ModulusDegree given needed))
     else either (unusable . fieldMessage) id (withField p modulus use)

@@ -18,7 +18,7 @@ suitable_tools() {
     && at_least "$(cabal --numeric-version)" 3.4
 }
 
-libraries="aeson base64-bytestring cassava criterion file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
+libraries="aeson base64-bytestring cassava criterion cryptohash-sha256 file-embed hmatrix hspec JuicyPixels optparse-applicative parallel persistent
            persistent-sqlite QuickCheck random reflection svg-builder temporary vector"
 
 # Are all these libraries in GHC's own package database?

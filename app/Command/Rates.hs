@@ -8,7 +8,6 @@ module Command.Rates
 import Control.Monad (foldM, forM, forM_, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson ((.=))
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Options.Applicative hiding (columns, command)
 import System.IO (hFlush, hIsTerminalDevice, stdout)
@@ -112,7 +111,7 @@ tables profile options shelf = do
     Csv -> pure ()
     Json -> unless drawnOnly $ printJson ("schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
       <> "trials" .= trials options <> "seed" .= seed options <> "radius" .= stated <> "rates" .= map lineValue made)
-  for_ (plot options) $ \file -> writeWhole file (Lazy8.pack (ratesSvg (seed options) made))
+  for_ (plot options) $ \file -> writeWhole file (ratesSvg (seed options) made)
   pure Answered
   where
     drawnOnly = plot options == Just standardOutput

@@ -9,6 +9,7 @@ import Control.Monad (when)
 import Data.Aeson ((.=))
 import Data.Bifunctor (first)
 import Data.List (intercalate)
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
@@ -49,7 +50,7 @@ run q chosen asJson = do
   let symbols = words (map (\c -> if c == ',' then ' ' else c) (Text.unpack text))
   when (null symbols) (unusable "there are no symbols on the standard input")
   (p, usual) <- orUnusable fieldMessage (conwayModulus q)
-  let modulus = maybe usual id chosen
+  let modulus = fromMaybe usual chosen
   when (length (take (length usual + 1) modulus) /= length usual)
     (unusable ("the modulus of GF(" ++ show q ++ ") has degree " ++ show (length usual - 1)))
   found <- orUnusable id (join' (first fieldMessage (withField p modulus (`search` symbols))))

@@ -7,11 +7,11 @@ module Message.Objects
   , refusalMessage
   ) where
 
-
 import Json (shapeText)
 import Message.Code (locateMessage, reasonMessage)
 import Message.Touch (shapeMessage)
 import PraTactile.Array (Position (..))
+import PraTactile.Geometry (symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (RelationError (..), Table (..))
@@ -62,8 +62,12 @@ placementMessage e = case e of
 reliefMessage :: ReliefError -> String
 reliefMessage e = case e of
   NoShape why -> shapeMessage why
-  OffTaxelGrid length' -> show (fromRational length' :: Double) ++ " mm is no whole number of taxels of 1.5875 mm"
-  CellTooSmall across down -> "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of 8 x 12"
+  OffTaxelGrid length' ->
+    show (fromRational length' :: Double) ++ " mm is no whole number of taxels of "
+    ++ show (taxelPitch :: Double) ++ " mm"
+  CellTooSmall across down ->
+    "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of "
+    ++ show symbolWidth ++ " x " ++ show symbolHeight
 
 storeMessage :: StoreError -> String
 storeMessage e = case e of
@@ -122,6 +126,14 @@ recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of
   RecogniserArray why -> locateMessage why
   ClassesDiffer given shaped q -> "the network knows " ++ show given ++ " classes and the alphabet has " ++ show shaped ++ " shapes; the array has " ++ show q ++ " symbols"
+  ArraysDiffer laid given ->
+    "the objects are laid on an array of " ++ shapeText laid ++ "; the chosen one is " ++ shapeText given
+  PitchesDiffer laid given ->
+    "the objects' symbols are " ++ pitchText laid ++ " mm apart; symbols are read at " ++ pitchText given
+    ++ " mm"
+  where
+    pitchText (Pitch right down) = millimetres right ++ " x " ++ millimetres down
+    millimetres = show . (fromRational :: Rational -> Double)
 
 refusalMessage :: Refusal -> String
 refusalMessage refusal = case refusal of

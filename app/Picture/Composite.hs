@@ -16,12 +16,11 @@ import Data.Text (Text)
 
 import Drawing
 import Picture.Style
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
-import PraTactile.Probe (taxelPitch)
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
-import PraTactile.Segment.Lattice (columnPitch, rowPitch)
-import PraTactile.Shape (Alphabet, symbolHeight, symbolWidth)
+import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
 
 -- | What was made of a symbol or a part of one.

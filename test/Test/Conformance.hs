@@ -2,6 +2,7 @@
 -- must find.
 module Test.Conformance (spec) where
 
+import Control.Applicative ((<|>))
 import Control.Monad.Trans.Except (catchE, runExceptT, throwE)
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
@@ -121,7 +122,7 @@ damageMutants =
   , Mutant "corrects nothing" paper (\s -> pure s { nearest = \radius -> nearest s (Just (fromMaybe 0 radius)) })
   , Mutant "corrects one cell less than it is told" paper (\s -> pure s { nearest = \radius -> nearest s (fmap (\e -> if e == 0 then 0 else e - 1) radius) })
   , Mutant "knows a radius for the whole window only, and not for the cells observed" paper (\s -> pure s { nearest = \radius rows ->
-      nearest s (maybe (if any (elem Nothing) rows then Just 0 else Nothing) Just radius) rows })
+      nearest s (radius <|> (if any (elem Nothing) rows then Just 0 else Nothing)) rows })
   , Mutant "takes the first of several positions" paper (\s -> pure s { nearest = \radius rows -> nearest s radius rows >>= \place -> pure (case place of
       OneOf (first' : _) -> At first'
       other -> other) })

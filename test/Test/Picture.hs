@@ -23,6 +23,7 @@ import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Evaluate (Trial (..), trial)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
+import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
@@ -131,8 +132,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
         _ -> property True
   it "each face is drawn with the symbols that are embossed on it, taxel by taxel, and its four vertices" $
     for_ [ (face, heights) | face <- laidFaces layout, Right heights <- [relief array layout alphabet face] ] $ \(face, heights) -> do
-      let margin side = round (fromRational (side (laidMargin face)) / taxelPitch) :: Int
-          image = generate 32 40 (\i j -> maybe 0 (/ symbolHeightMillimetres) (index (heightValues heights) (margin spotRight + i) (margin spotDown + j)))
+      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+          image = generate 32 40 (\i j -> maybe 0 (/ symbolThickness) (index (heightValues heights) (margin spotRight + i) (margin spotDown + j)))
       recognition <- either (fail . show) pure (recognise reader (compositeOf image))
       let drawn = pageFace (pageOf (compositeOf image) recognition)
           taxels = [ within (only "face" drawn) (fromIntegral (rasterWidth (heightValues heights))) patch
@@ -140,7 +141,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
           covered i j = or [ leftEdge e < x && x < rightEdge e && topEdge e < y && y < bottomEdge e | e <- taxels ]
             where (x, y) = (fromIntegral i + 0.5, fromIntegral j + 0.5)
       generate (rasterWidth (heightValues heights)) (rasterHeight (heightValues heights))
-        (\i j -> if covered (i :: Int) (j :: Int) then symbolHeightMillimetres else 0) `shouldBe` heightValues heights
+        (\i j -> if covered (i :: Int) (j :: Int) then symbolThickness else 0) `shouldBe` heightValues heights
       length (named "vertex" drawn) `shouldBe` 4
   it "no answer, no face: the reason is told" $ do
     let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing (Left NoSymbols))

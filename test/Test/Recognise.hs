@@ -3,7 +3,8 @@
 module Test.Recognise (spec) where
 
 import Data.Foldable (for_)
-import Data.List (nub)
+import Data.List (nub, sort)
+import qualified Data.Map.Strict as Map
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -15,17 +16,21 @@ import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
+import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Locate (Reason (..))
-import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Canonical (canonicalLayings, canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Probe (movePoint, taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.Reading (Group (..), groups)
 import PraTactile.Relief
+import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape
 import PraTactile.Stitch (compositeOf, standardRegistration)
+import PraTactile.Window (Mask)
 
 spec :: Spec
 spec = case shippedParts of
@@ -35,6 +40,8 @@ spec = case shippedParts of
       case recogniser Torus array mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
         Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
         Right reader -> do
+          recogniserSpec parts array mask
+          groupSpec
           reliefSpec parts array
           exploreSpec parts
           recogniseSpec parts array reader
@@ -51,10 +58,41 @@ reliefs :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, HeightMap
 reliefs parts array =
   [ (face, heights) | face <- laidFaces (placementOf parts), Right heights <- [relief array (placementOf parts) (alphabetOf parts) face] ]
 
+recogniserSpec :: KnownField k => Parts -> PseudorandomArray k -> Mask -> Spec
+recogniserSpec parts array mask = describe "a recogniser" $ do
+  it "refuses a placement whose symbols are at another pitch than they are read at" $
+    for_ [Pitch 25 31.75, Pitch 25.4 31, Pitch 12.7 15.875] $ \pitch ->
+      refusal (Shape 15 17) pitch `shouldBe` Just (PitchesDiffer pitch (Pitch 25.4 31.75))
+  it "refuses a placement on an array of another shape" $
+    for_ [Shape 17 17, Shape 15 18, Shape 63 65] $ \shape ->
+      refusal shape (Pitch 25.4 31.75) `shouldBe` Just (ArraysDiffer shape (Shape 15 17))
+  it "takes the canonical placement, laid again" $
+    refusal (Shape 15 17) (Pitch 25.4 31.75) `shouldBe` Nothing
+  where
+    refusal shape pitch = case placement shape pitch (placementSolids (placementOf parts)) canonicalLayings of
+      Left e -> error ("no placement: " ++ show e)
+      Right laid -> either Just (const Nothing) (recogniser Torus array mask laid (alphabetOf parts) (networkOf parts))
+
+groupSpec :: Spec
+groupSpec = describe "groups of symbols" $ do
+  it "have each symbol by its number, though several lie at the same place" $
+    let found = groups [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
+    in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
+  it "have each symbol once, in its cell, wherever the symbols lie and in whatever order they come" $
+    property $ forAll (shuffle (zip [0 ..] [ (i, j) | i <- [0 .. 2], j <- [0 .. 3] ])) $ \placed ->
+      forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
+        map (fmap (fmap readNumber) . groupCells)
+          (groups [ symbolAt n 0 (x + 16 * fromIntegral j, y + 20 * fromIntegral i) | (n, (i, j)) <- placed ])
+          === [Just (Map.fromList [ (cell, n) | (n, cell) <- placed ])]
+  where
+    symbolAt number source centre = ReadSymbol
+      { readNumber = number, readSource = source, readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12)
+      , readAt = centre, readClass = Nothing, readSeen = 1, readLikeliest = (Upright, 0), readChances = [((Upright, 0), 1)] }
+
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
 region :: HeightMap -> (Int, Int, Int, Int) -> Raster
 region heights (x, y, w, h) =
-  generate w h (\i j -> maybe 0 (/ symbolHeightMillimetres) (index (heightValues heights) (x + i) (y + j)))
+  generate w h (\i j -> maybe 0 (/ symbolThickness) (index (heightValues heights) (x + i) (y + j)))
 
 reliefSpec :: KnownField k => Parts -> PseudorandomArray k -> Spec
 reliefSpec parts array = describe "reliefs" $ do
@@ -70,7 +108,7 @@ reliefSpec parts array = describe "reliefs" $ do
                    | let Position r0 c0 = laidAt face, let Shape h w = laidGrid face, r <- [r0 .. r0 + h - 1], c <- [c0 .. c0 + w - 1] ]
   it "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else" $
     for_ (reliefs parts array) $ \(face, heights) -> do
-      let margin side = round (fromRational (side (laidMargin face)) / taxelPitch) :: Int
+      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
       for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) -> for_ (zip [0 ..] line) $ \(j, c) -> do
         let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
             expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
@@ -97,7 +135,7 @@ recogniseSpec parts array reader = describe "recognition" $ do
     let cases = [ (face, heights, i, j) | (face, heights) <- reliefs parts array, let Shape h w = laidGrid face, i <- [0 .. h - 2], j <- [0 .. w - 2] ]
     length cases `shouldBe` 132
     for_ cases $ \(face, heights, i, j) -> for_ [(Upright, id), (TurnedRight, quarterTurn), (HalfTurned, halfTurn), (TurnedLeft, halfTurn . quarterTurn)] $ \(orientation, turn) -> do
-      let margin side = round (fromRational (side (laidMargin face)) / taxelPitch) :: Int
+      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
           image = region heights (margin spotRight + 16 * fromIntegral j, margin spotDown + 20 * fromIntegral i, 32, 40)
           Position r c = laidAt face
       found (turn image) `shouldBe` Right (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))

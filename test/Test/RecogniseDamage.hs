@@ -7,7 +7,7 @@ import Control.Monad (when)
 import Data.Foldable (for_, toList)
 import Data.List (nub, sort, sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes)
+import Data.Maybe (catMaybes, fromMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import Test.Hspec
@@ -168,7 +168,7 @@ damageSpec alphabetOfAll layout net array mask = do
         for_ [(l, t, r, b) | l <- [0, 2, 4], r <- [4, 6, 8], r > l, t <- [0, 3, 6], b <- [6, 9, 12], b > t] $ \(l, t, r, b) -> do
           let image = (if turned then halfTurn else id) (toRaster shape)
               seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
-              masked = generate 8 12 (\x y -> maybe 0 id (index image x y) * maybe 0 id (index seen x y))
+              masked = generate 8 12 (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
               part = Part masked seen
               e = estimatePart (templates alphabetOfAll) part
               (distances, _) = partDistances (templates alphabetOfAll) part
@@ -213,7 +213,7 @@ damageSpec alphabetOfAll layout net array mask = do
   cells h w (Position r c) = [[Just (codeAt (Position (r + i) (c + j)), id) | j <- upTo w] | i <- upTo h]
   upTo n = takeWhile (< n) [0 ..]
   blockOf h w (Position r c) = [Position ((r + i) `mod` 15) ((c + j) `mod` 17) | i <- upTo (h :: Natural), j <- upTo (w :: Natural)]
-  cropped (l, t, r, b) image = generate (r - l) (b - t) (\x y -> maybe 0 id (index image (x + l) (y + t)))
+  cropped (l, t, r, b) image = generate (r - l) (b - t) (\x y -> fromMaybe 0 (index image (x + l) (y + t)))
   withoutSource source recognition answer = case answer of
     Found found -> Found found {foundPlaces = Map.withoutKeys (foundPlaces found) (Set.fromList [readNumber s | s <- recognisedSymbols recognition, readSource s == source])}
     other -> other
@@ -241,7 +241,7 @@ damageSpec alphabetOfAll layout net array mask = do
 -- | Two images side by side, so many blank columns between them.
 beside :: Int -> Raster -> Raster -> Raster
 beside gap a b = generate (rasterWidth a + gap + rasterWidth b) (max (rasterHeight a) (rasterHeight b)) $ \x y ->
-  maybe 0 id (if x < rasterWidth a then index a x y else index b (x - rasterWidth a - gap) y)
+  fromMaybe 0 (if x < rasterWidth a then index a x y else index b (x - rasterWidth a - gap) y)
 
 removing :: [Int] -> Drawn -> Drawn
 removing gone = numbered (\i cell -> if i `elem` gone then Nothing else cell)

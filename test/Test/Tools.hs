@@ -1,10 +1,11 @@
--- | What stands around the program: completions, manual pages, installing, the quiet build and the Makefile's help.
+-- | What stands around the program: completions, manual pages, installing, the quiet build, the Makefile's help and the
+-- linter.
 module Test.Tools (spec) where
 
 import Control.Monad (filterM, forM)
-import Data.Char (isAlphaNum, isLower)
+import Data.Char (isAlphaNum, isLower, isUpper)
 import Data.Foldable (for_)
-import Data.List (isInfixOf, sort, stripPrefix, (\\))
+import Data.List (isInfixOf, isPrefixOf, partition, sort, stripPrefix, (\\))
 import Data.Maybe (fromMaybe)
 import System.Directory (doesDirectoryExist, doesFileExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
@@ -21,6 +22,7 @@ spec = do
   installSpec
   quietSpec
   makeSpec
+  lintSpec
 
 -- | What completes the last of these words.
 completions :: [String] -> IO [String]
@@ -151,3 +153,27 @@ withShell name test = findExecutable name >>= maybe (pendingWith (name ++ " is n
 
 inFolder :: (FilePath -> IO a) -> IO a
 inFolder = withSystemTempDirectory "pra-tactile"
+
+-- | A file that breaks every restriction once: each is found there, with the settings that @make lint@ gives to pure code.
+lintSpec :: Spec
+lintSpec = describe "hlint" $
+  it "finds every module and every function that pure code may not use" $ inFolder $ \folder -> do
+    hlint <- findExecutable "hlint"
+    version <- maybe (pure "") (\program -> readProcess program ["--numeric-version"] "") hlint
+    if not ("3." `isPrefixOf` version) then pendingWith "there is no hlint of version 3" else do
+      restricted <- concatMap namesIn <$> traverse readFile settings
+      let (modules, functions) = partition (any isUpper . take 1) restricted
+          file = folder </> "Breach.hs"
+      writeFile file (unlines (["module Breach where"] ++ [ "import " ++ concatMap instead name | name <- modules ]
+        ++ [ "breach" ++ show i ++ " = " ++ name | (i, name) <- zip [1 :: Int ..] functions ]))
+      (_, out, _) <- readProcessWithExitCode "hlint" (map ("--hint=" ++) settings ++ ["--no-summary", file]) ""
+      length restricted `shouldSatisfy` (> 30)
+      length (filter ("Avoid restricted" `isInfixOf`) (lines out)) `shouldBe` length restricted
+  where
+    settings = [".hlint.yaml", "tools/pure.hlint.yaml"]
+    namesIn text =
+      [ name
+      | line <- lines text, Just names <- [stripPrefix "    - {name: [" line]
+      , name <- words (filter (/= ',') (takeWhile (/= ']') names)) ]
+    -- A pattern stands for any module.
+    instead letter = if letter == '*' then "Any" else [letter]

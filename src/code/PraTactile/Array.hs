@@ -13,6 +13,8 @@ module PraTactile.Array
     Shape (..)
   , area
   , Position (..)
+  , shapeCells
+  , naturalsBelow
   , Surface (..)
 
     -- * Arrays

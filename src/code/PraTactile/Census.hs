@@ -34,7 +34,7 @@ import PraTactile.Advise.Layout (divisors)
 import PraTactile.Array
 import PraTactile.Factorisation
 import PraTactile.Field
-import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Field.Named (conwayModulus, modulusDegrees)
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
@@ -217,9 +217,8 @@ shapesOf k scope = do
 -- | Bring the alphabet into scope.
 overField :: Scope -> (forall k. KnownField k => Proxy k -> Either CensusError r) -> Either CensusError r
 overField scope use = do
-  (p, standard) <- first CensusField (conwayModulus (scopeOrder scope))
-  let degree modulus = max 1 (length (take 10 modulus)) - 1
-      (given, needs) = (degree (scopeModulus scope), degree standard)
-  when (given /= needs) (Left (CensusModulus (fromIntegral given) (fromIntegral needs)))
+  (p, given, needs) <-
+    first CensusField (modulusDegrees (scopeOrder scope) (take 10 (scopeModulus scope)))
+  when (given /= needs) (Left (CensusModulus given needs))
   inField <- first CensusField (withField p (scopeModulus scope) use)
   inField

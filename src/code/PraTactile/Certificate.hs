@@ -22,7 +22,7 @@ module PraTactile.Certificate
   , CertificateError (..)
   ) where
 
-import Control.Monad (when)
+import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.List (find)
 import Numeric.Natural (Natural)
@@ -144,7 +144,7 @@ certifyArray
   :: forall k. KnownField k => Road -> Profile -> PseudorandomArray k -> Mask -> Either CertificateError Certificate
 certifyArray road profile array mask = do
   (verdict, _) <- first CertificateProof (prove on array mask)
-  when (not (proved verdict)) (Left (NotDistinct verdict))
+  unless (proved verdict) (Left (NotDistinct verdict))
   evidence <- case road of
     EnumerationRoad -> enumerated verdict
     RankRoad -> ranked verdict

@@ -8,8 +8,12 @@ module PraTactile.Grid
     Shape (..)
   , area
   , Position (..)
+  , shapeCells
+  , naturalsBelow
+  , raggedRow
   , Surface (..)
   , canonicalPosition
+  , displaced
 
     -- * Grids
   , Grid
@@ -26,11 +30,36 @@ module PraTactile.Grid
   , largestGrid
   ) where
 
+import Data.Maybe (listToMaybe)
 import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Position
+
+-- | The cells of a rectangle, row by row.
+--
+-- >>> [(r, c) | Position r c <- shapeCells (Shape 2 2)]
+-- [(0,0),(0,1),(1,0),(1,1)]
+shapeCells :: Shape -> [Position]
+shapeCells shape = Position <$> naturalsBelow (rows shape) <*> naturalsBelow (columns shape)
+
+-- | The natural numbers below this one, ascending: @[0 .. n - 1]@ would underflow for 0.
+--
+-- >>> naturalsBelow 3
+-- [0,1,2]
+naturalsBelow :: Natural -> [Natural]
+naturalsBelow n = takeWhile (< n) [0 ..]
+
+-- | The first row whose length is not that of the first: its index from 0, its length, and the
+-- first row's.
+--
+-- >>> raggedRow ["ab", "cd", "e"]
+-- Just (2,1,2)
+raggedRow :: [[a]] -> Maybe (Int, Int, Int)
+raggedRow given = listToMaybe [(i, n, width) | (i, n) <- zip [0 ..] (map length given), n /= width]
+ where
+  width = sum (map length (take 1 given))
 
 -- | What lies beyond the last row and the last column.
 data Surface
@@ -60,6 +89,15 @@ canonicalPosition surface shape r c
   height = toInteger (rows shape)
   width = toInteger (columns shape)
   position i j = Position (fromInteger i) (fromInteger j)
+
+-- | The cell that lies an offset's rows below and columns to the right of a position, on this surface of
+-- this shape, as 'canonicalPosition' has it.
+--
+-- >>> displaced Torus (Shape 15 17) (Position 14 16) (Position 1 2)
+-- Just (Position {row = 0, column = 1})
+displaced :: Surface -> Shape -> Position -> Position -> Maybe Position
+displaced surface shape (Position r c) (Position i j) =
+  canonicalPosition surface shape (toInteger (r + i)) (toInteger (c + j))
 
 -- | Why a matrix is not accepted.
 data GridError
@@ -98,13 +136,12 @@ gridFromRows :: Int -> [[Int]] -> Either GridError Grid
 gridFromRows q codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
   | width == 0 = Left GridEmpty
-  | (i, r) : _ <- filter ((/= width) . length . snd) indexed = Left (GridRagged i (length r) width)
+  | Just (i, given, first) <- raggedRow codes = Left (GridRagged i given first)
   | (position, c) : _ <- outside = Left (GridCode position c)
   | cells > largestGrid = Left (GridCells cells)
   | otherwise = Right (Grid q height width (Primitive.fromListN (height * width) flat))
  where
   flat = map fromIntegral (concat codes)
-  indexed = zip [0 ..] codes
   height = length codes
   width = sum (map length (take 1 codes))
   cells = fromIntegral height * fromIntegral width

@@ -28,7 +28,7 @@ import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Field.Named (conwayModulus)
+import PraTactile.Field.Named (conwayModulus, modulusDegrees)
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
@@ -157,10 +157,8 @@ inferWindow q n (Shape n1 _)
 withProfile
   :: Profile -> (forall k. KnownField k => PseudorandomArray k -> Mask -> r) -> Either ProfileError r
 withProfile profile use = do
-  (p, defaultModulus) <- first ProfileField (conwayModulus (profileOrder profile))
-  let degree = length defaultModulus - 1
-      given = max 1 (length (take 10 modulus)) - 1
-  when (given /= degree) (Left (ModulusDegree (fromIntegral given) (fromIntegral degree)))
+  (p, given, needed) <- first ProfileField (modulusDegrees (profileOrder profile) (take 10 modulus))
+  when (given /= needed) (Left (ModulusDegree given needed))
   mask <- first ProfileWindow (rectangle (profileWindow profile))
   checked <- first ProfileField (withField p modulus (\k -> (`use` mask) <$> arrayOver k profile))
   checked

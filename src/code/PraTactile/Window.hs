@@ -30,7 +30,7 @@ import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition)
+import PraTactile.Grid (displaced, raggedRow)
 
 -- | Why there is no such window.
 data WindowError
@@ -60,7 +60,7 @@ rectangle :: Shape -> Either WindowError Mask
 rectangle shape
   | area shape == 0 = Left WindowEmpty
   | area shape > largestMask = Left (WindowTooLarge (area shape))
-  | otherwise = Right (Mask [Position i j | i <- [0 .. rows shape - 1], j <- [0 .. columns shape - 1]])
+  | otherwise = Right (Mask (shapeCells shape))
 
 -- | The cells with these offsets, read in this order. Refuses no cells, more than 4096, and an
 -- offset that occurs twice.
@@ -108,12 +108,10 @@ maskRectangle mask
 maskFromDrawing :: String -> Either WindowError Mask
 maskFromDrawing drawing
   | c : _ <- filter (`notElem` "#./") drawing = Left (DrawingCharacter c)
-  | (i, r) : _ <- filter ((/= width) . length . snd) indexed = Left (DrawingRagged i (length r) width)
+  | Just (i, given, first) <- raggedRow drawn = Left (DrawingRagged i given first)
   | otherwise = maskFrom [Position i j | (i, r) <- zip [0 ..] drawn, (j, '#') <- zip [0 ..] r]
  where
   drawn = splitRows drawing
-  indexed = zip [0 ..] drawn
-  width = sum (map length (take 1 drawn))
   splitRows text = case break (== '/') text of
     (r, _ : others) -> r : splitRows others
     (r, []) -> [r]
@@ -123,19 +121,19 @@ maskFromDrawing drawing
 -- >>> maskDrawing <$> maskFromDrawing "##./.##"
 -- Right "##./.##"
 maskDrawing :: Mask -> String
-maskDrawing mask = intercalate "/" [[if Position i j `Set.member` cells then '#' else '.' | j <- to width] | i <- to height]
+maskDrawing mask =
+  intercalate "/" [[drawn (Position i j) | j <- naturalsBelow width] | i <- naturalsBelow height]
  where
   cells = Set.fromList (maskOffsets mask)
   Shape height width = maskExtent mask
-  to side = [0 .. side - 1]
+  drawn cell = if cell `Set.member` cells then '#' else '.'
 
 -- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
 -- beyond the edges of the sheet.
 windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
-windowAt surface array mask (Position r c) = traverse cell (maskOffsets mask)
+windowAt surface array mask position = traverse cell (maskOffsets mask)
  where
-  cell (Position i j) = cellAt array <$> at (toInteger (r + i)) (toInteger (c + j))
-  at = canonicalPosition surface (arrayShape array)
+  cell offset = cellAt array <$> displaced surface (arrayShape array) position offset
 
 -- | How a window becomes a number in base q.
 data Packing

@@ -41,19 +41,22 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust, isNothing, listToMaybe)
 import Data.Ord (Down (..))
 
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, cellAt)
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface, arrayShape, cellAt)
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Classify.Network (Network, NetworkError, outputCount)
 import PraTactile.Field (KnownField, fieldOrder, toCode)
+import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Locate (LocateError, Reason (..), reasonName, reasons)
 import PraTactile.Locate.Book
-import PraTactile.Object.Placement (Placement, Whereabouts (..), whereabouts)
+import PraTactile.Object.Canonical (canonicalPitch)
+import PraTactile.Object.Placement
+  (Pitch, Placement, Whereabouts (..), placementPitch, placementShape, whereabouts)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Judgement
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Segment (Segmentation (..))
-import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
+import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Stitch (Composite)
 import PraTactile.Window (Mask, maskExtent)
@@ -73,14 +76,25 @@ data RecogniserError
     RecogniserArray LocateError
   | -- | The network has this many outputs, the alphabet this many shapes, and the field this many elements, which must be as many.
     ClassesDiffer Int Int Int
+  | -- | The objects are laid on an array of the first shape; the array has the second.
+    ArraysDiffer Shape Shape
+  | -- | The objects' symbols are the first distances apart; symbols are read at the second.
+    PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface; refuses what 'book' refuses, and classes that are not one an
--- element.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses what 'book' refuses, classes
+-- that are not one an element, and a placement on an array of another shape or with symbols at another
+-- pitch than 'canonicalPitch', at which they are read.
 recogniser
-  :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Placement -> Alphabet -> Network -> Either RecogniserError (Recogniser k)
+  :: KnownField k
+  => Surface -> PseudorandomArray k -> Mask -> Placement -> Alphabet -> Network
+  -> Either RecogniserError (Recogniser k)
 recogniser surface array window layout alphabetOfAll network
   | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
+  | placementShape layout /= arrayShape array =
+      Left (ArraysDiffer (placementShape layout) (arrayShape array))
+  | placementPitch layout /= canonicalPitch =
+      Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | otherwise = do
       shelf <- either (Left . RecogniserArray) Right (book surface array window)
       pure (Recogniser shelf (maskExtent window) layout (Reader (templates alphabetOfAll) network))
@@ -245,8 +259,8 @@ windowIn reader judgement right place0 (i, j) = do
     }
   where
     window = recogniserWindow reader
-    below n = takeWhile (< fromIntegral n) [0 ..]
-    block = [ [ (i + di, j + dj) | dj <- below (columns window) ] | di <- below (rows window) ]
+    block = [ [ (i + di, j + dj) | dj <- [0 .. wide - 1] ] | di <- [0 .. high - 1] ]
+    (high, wide) = (fromIntegral (rows window), fromIntegral (columns window))
     centres = [ centreFrom s cell | line <- block, cell <- line, Just here <- [Map.lookup cell (judgedCells judgement)], s <- here ]
     -- Where the window's centre is, by the symbol in this cell.
     centreFrom s (i', j') =

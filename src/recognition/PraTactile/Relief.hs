@@ -4,7 +4,6 @@
 module PraTactile.Relief
   ( -- * The relief of a face
     relief
-  , symbolHeightMillimetres
     -- * The symbols of a face
   , faceClasses
     -- * What is refused
@@ -15,12 +14,13 @@ import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import Data.Ratio (denominator, numerator)
 
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt)
+import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), cellAt, naturalsBelow)
 import PraTactile.Field (KnownField)
+import PraTactile.Geometry (symbolHeight, symbolThickness, symbolWidth, taxelPitch)
 import PraTactile.Image (generate)
 import PraTactile.Object.Placement
 import PraTactile.Probe.Sensor (HeightMap (..))
-import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf, symbolHeight, symbolWidth)
+import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf)
 import PraTactile.Symbol (classOfElement)
 
 -- | Why a face has no relief.
@@ -34,20 +34,14 @@ data ReliefError
     CellTooSmall Int Int
   deriving stock (Eq, Show)
 
--- | How far a symbol stands out of its face: 1.5875 mm (1\/16 in), the paper's thickness.
-symbolHeightMillimetres :: Double
-symbolHeightMillimetres = 1.5875
-
 -- | The classes embossed on a face, row by row as seen from outside, its grid's shape.
 faceClasses :: KnownField k => PseudorandomArray k -> LaidFace -> [[Int]]
 faceClasses array face =
   [ [ classOfElement (cellAt array (Position (row (laidAt face) + i) (column (laidAt face) + j)))
-    | j <- upTo (columns (laidGrid face)) ]
-  | i <- upTo (rows (laidGrid face)) ]
-  where
-    upTo n = takeWhile (< n) [0 ..]
+    | j <- naturalsBelow (columns (laidGrid face)) ]
+  | i <- naturalsBelow (rows (laidGrid face)) ]
 
--- | The height map of a face, in millimetres, in cells of one taxel (1.5875 mm): each symbol lies in the middle of its
+-- | The height map of a face, in millimetres, in cells of one taxel: each symbol lies in the middle of its
 -- cell, and the grid of cells in the middle of the face. Refuses an element without a shape, and lengths that are no
 -- whole number of taxels.
 relief :: KnownField k => PseudorandomArray k -> Placement -> Alphabet -> LaidFace -> Either ReliefError HeightMap
@@ -69,8 +63,8 @@ relief array layout alphabet face = do
              Just bitmap -> embossedAt bitmap (u - (across - symbolWidth) `div` 2) (v - (down - symbolHeight) `div` 2)
              Nothing -> False
   pure HeightMap
-    { heightPitch = 1.5875
-    , heightValues = generate width height (\x y -> if embossed x y then symbolHeightMillimetres else 0)
+    { heightPitch = taxelPitch
+    , heightValues = generate width height (\x y -> if embossed x y then symbolThickness else 0)
     }
 
 -- | Millimetres to whole taxels.
@@ -79,4 +73,4 @@ taxels millimetres
   | denominator count == 1 = Right (fromInteger (numerator count))
   | otherwise = Left (OffTaxelGrid millimetres)
   where
-    count = millimetres / (15875 / 10000)
+    count = millimetres / taxelPitch

@@ -92,7 +92,7 @@ isStore path = do
         sequence [hGetChar handle, hGetChar handle]
       if modes /= "\1\1" then pure False else do
         tables <- withBackend path (runSqlConn (rawSql (Text.pack "SELECT name FROM sqlite_master WHERE type = 'table'") []))
-        pure (all (`elem` map unSingle tables) (map fst tableColumns))))
+        pure (all ((`elem` map unSingle tables) . fst) tableColumns)))
 
 -- | Open a store, check that its file is whole, that its tables are of this version, that it was made for the profile
 -- expected (if one is), and that its rows make a placement ('placementOf'), and go on with it. Exceptions of what goes on

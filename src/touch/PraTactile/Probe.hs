@@ -27,15 +27,8 @@ module PraTactile.Probe
   , ProbeError (..)
   ) where
 
+import PraTactile.Geometry (sensorSide, taxelPitch)
 import PraTactile.Image (Raster)
-
--- | The distance between neighbouring sensing elements: 1/16 inch, in millimetres.
-taxelPitch :: Double
-taxelPitch = 1.5875
-
--- | The sensing elements along each side of the sensor.
-sensorSide :: Int
-sensorSide = 16
 
 -- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some frame of
 -- coordinates.

@@ -53,6 +53,7 @@ import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 
+import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate)
 
 -- | Why a bitmap, an alphabet, its drawing file or a design is refused.
@@ -84,14 +85,6 @@ data ShapeError
   | -- | No alphabet meets the constraints of a design.
     NoAlphabet
   deriving stock (Eq, Show)
-
--- | The width of a symbol, 8 taxels.
-symbolWidth :: Int
-symbolWidth = 8
-
--- | The height of a symbol, 12 taxels.
-symbolHeight :: Int
-symbolHeight = 12
 
 -- | A shape: which of its 8 x 12 taxels are embossed. The order is that of the rows' first difference, embossed after flat, read
 -- backwards; it serves only to make sets.

@@ -41,7 +41,7 @@ spec = do
         length (filter (all (== 0)) (transpose cells)) `shouldBe` 1
     it "are symmetric about a column: for some j, the columns j + i and j - i are equal" $
       forQuartics $ \array -> do
-        cells <- transpose <$> (right (toRows array))
+        cells <- transpose <$> right (toRows array)
         let column' i = take 1 (drop (i `mod` 17) cells)
         [j | j <- [0 .. 16], and [column' (j + i) == column' (j - i) | i <- [0 .. 16]]] `shouldSatisfy` ((== 1) . length)
   describe "folding" $ do

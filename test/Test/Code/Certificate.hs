@@ -4,7 +4,9 @@
 module Test.Code.Certificate (spec) where
 
 import Control.Monad (forM_)
+import qualified Data.ByteString as Bytes
 import Data.Either (isLeft)
+import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Certificate
@@ -26,7 +28,7 @@ spec = do
       sha256OfText "abc" `shouldBe` "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
       sha256OfText "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"
         `shouldBe` "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"
-      sha256 1000000 (const 97) `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
+      sha256 (Bytes.replicate 1000000 97) `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
     it "the digest of windows is that of their positions, eight bytes each, by increasing content" $ do
       -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
       h <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF2))
@@ -35,10 +37,10 @@ spec = do
       m <- right (rectangle (Shape 1 2))
       toRows array `shouldBe` Right [[0, 1, 1]]
       digestOfWindows MostSignificantFirst Sheet grid m
-        `shouldBe` Just (sha256 16 (\i -> if i == 15 then 1 else 0))
+        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [0, 1])))
       digestOfWindows LeastSignificantFirst Torus grid m
         -- 01, 11 and 10, read backwards: 2, 3 and 1.
-        `shouldBe` Just (sha256 24 (\i -> case i of 7 -> 2; 15 -> 0; 23 -> 1; _ -> 0))
+        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
     it "there is none of windows that repeat" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       grid <- right (toGrid array)
@@ -170,3 +172,7 @@ certified road profile window = certify road profile <$> right window
 
 made :: Road -> Profile -> Either WindowError Mask -> IO Certificate
 made road profile window = certified road profile window >>= right
+
+-- A number below 256 as a position is digested.
+eightBytes :: Word8 -> Bytes.ByteString
+eightBytes = Bytes.snoc (Bytes.replicate 7 0)

@@ -7,6 +7,7 @@ module Test.Code.FieldStructure (spec) where
 
 import Control.Monad (forM_)
 import Data.List (find, group, nub, sort)
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Field
@@ -87,7 +88,7 @@ spec = do
                 || polynomialDegree f /= Just (length (conjugates s a)) ]) `shouldBe` (q, [])
     it "no monic polynomial of lower degree over the subfield has the root, up to q = 32" $
       forM_ (fieldsUpTo 32) $ \(q, SomeField k) ->
-        (q, [ (subfieldDegree s, a) | s <- subfieldsOf k, a <- elementsOf k, let n = maybe 0 id (polynomialDegree (minimalPolynomial s a))
+        (q, [ (subfieldDegree s, a) | s <- subfieldsOf k, a <- elementsOf k, let n = fromMaybe 0 (polynomialDegree (minimalPolynomial s a))
             , or [ valueAt (polynomial (lower ++ [1])) a == 0 | d <- [0 .. n - 1], lower <- mapM (const (subfieldElements s)) [1 .. d]] ])
           `shouldBe` (q, [])
     it "multiply, each taken once, to x^q - x" $

@@ -245,7 +245,7 @@ type Natural' = Integer
 -- | Fewer rows, fewer columns, fewer observed cells.
 shrinkPatch :: Cells -> [Cells]
 shrinkPatch cells =
-  [fewer | fewer <- [drop 1 cells, take (length cells - 1) cells, map (drop 1) cells, map (\r -> take (length r - 1) r) cells], not (null (concat fewer))]
+  [fewer | fewer <- [drop 1 cells, take (length cells - 1) cells, map (drop 1) cells, map (\r -> take (length r - 1) r) cells], not (all null fewer)]
     ++ [ [[if (i, j) == (i0, j0) then Nothing else a | (j, a) <- zip [0 ..] r] | (i, r) <- zip [0 :: Int ..] cells]
        | (i0, r0) <- zip [0 ..] cells
        , (j0, Just _) <- zip [0 :: Int ..] r0

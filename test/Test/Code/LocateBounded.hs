@@ -200,7 +200,7 @@ asNearest count surface array window = do
                     [ decisionOutcome decoded === decisionOutcome decision
                     , decisionWrong decoded === decisionWrong decision
                     , decisionRadius decoded === decisionRadius decision
-                    , if null (concat (map (filter (/= Nothing)) cells)) then property True else knownDistance decoded === Exactly (decisionDistance decision)
+                    , if all (all (== Nothing)) cells then property True else knownDistance decoded === Exactly (decisionDistance decision)
                     , property (maybe True (holdsOf (knownNearest decoded)) (decisionNearest decision))
                     , property (maybe True (\e -> maybe True (`holdsOf` e) (knownRunnerUp decoded)) (decisionRunnerUp decision))
                     ]

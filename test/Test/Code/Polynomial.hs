@@ -6,6 +6,7 @@ module Test.Code.Polynomial (spec) where
 
 import Control.Monad (forM_)
 import Data.List (find)
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Factorisation (totient)
@@ -134,7 +135,7 @@ wrongDivisors _ top = [(a, b) | a <- list, b <- list, greatestCommonDivisor a b 
   monic = concatMap monicPolynomials [fromIntegral top, fromIntegral top - 1 .. 0] :: [Polynomial k]
   bySearch a b
     | a == 0 && b == 0 = 0
-    | otherwise = maybe 0 id (find (\d -> divides d a && divides d b) monic)
+    | otherwise = fromMaybe 0 (find (\d -> divides d a && divides d b) monic)
   divides d a = fmap snd (quotientRemainder a d) == Just 0
 
 -- | On random h of a degree, a and exponents.
@@ -178,4 +179,4 @@ stepsToOne :: forall k. KnownField k => Polynomial k -> Maybe Natural
 stepsToOne h = fst <$> find ((== Just 1) . snd) (zip [1 .. limit] (drop 1 (iterate step (Just 1))))
  where
   step a = a >>= \r -> snd <$> quotientRemainder (r * variable) h
-  limit = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ maybe 0 id (polynomialDegree h)
+  limit = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ fromMaybe 0 (polynomialDegree h)

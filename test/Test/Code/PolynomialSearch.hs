@@ -6,6 +6,7 @@ module Test.Code.PolynomialSearch (spec) where
 
 import Control.Monad (forM_)
 import Data.List (nub, sort, sortOn)
+import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Field
@@ -166,7 +167,7 @@ certificateSpec = do
   it "no irreducible polynomial that is not primitive has one: its honest residues give it away" $ do
     -- x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
     let h = polynomial [1, 1, 1, 1, 1] :: Polynomial GF2
-        residues = [(r, maybe 0 id (powerModulo h variable (15 `div` r))) | r <- [3, 5]]
+        residues = [(r, fromMaybe 0 (powerModulo h variable (15 `div` r))) | r <- [3, 5]]
     fmap (const ()) (verifyPrimitive (PrimitiveCertificate h [(3, 1), (5, 1)] residues)) `shouldBe` Left (OrderLower 3)
   it "of an irreducible polynomial, tampered with, is refused" $ do
     let h = polynomial [1, 1, 0, 0, 0, 0, 1] :: Polynomial GF2

@@ -111,7 +111,7 @@ spec = do
         array <- right (folded Diagonal shape h)
         holds 100 $ forAllShrink genMask shrinkOffsets $ agree Torus array
     it "rank: of a matrix whose row space has q^r vectors" $
-      holds 100 $ forAllShrink (choose (0, 4) >>= (`vectorOf` (genElements 3))) (shrinkList (const [])) $ \matrix ->
+      holds 100 $ forAllShrink (choose (0, 4) >>= (`vectorOf` genElements 3)) (shrinkList (const [])) $ \matrix ->
         let spanned = nub [foldr (zipWith (+)) [0, 0, 0] (zipWith (\a v -> map (a *) v) as matrix) | as <- mapM (const elements) matrix]
          in fromIntegral (length spanned) === (3 :: Natural) ^ rankOf (matrix :: [[GF GF3]])
   describe "visiting" $ do
@@ -244,7 +244,7 @@ contentsOf on k1 k2 codes = IntSet.fromList (concatMap rowOfWindows (take visite
 
 shrinkMatrix :: ([[Int]], [(Natural, Natural)]) -> [([[Int]], [(Natural, Natural)])]
 shrinkMatrix (codes, offsets) =
-  [(fewer, offsets) | fewer <- [take (length codes - 1) codes, map (drop 1) codes], not (null (concat fewer))]
+  [(fewer, offsets) | fewer <- [take (length codes - 1) codes, map (drop 1) codes], not (all null fewer)]
     ++ [(codes, fewer) | fewer <- shrinkOffsets offsets]
 
 -- | What 'enumerate' must see, by lists and sets alone.

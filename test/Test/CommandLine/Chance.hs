@@ -65,7 +65,7 @@ spec = do
         let answers = [ask Nothing (surface, array, window) turning Guaranteed 0.2 [((0, 0), Probabilities <$> p)] | content <- mapM (const elements) [1 .. 5 :: Int], Right p <- [patch [map (Just . certainly) (take 3 content), Just unsure : map (Just . certainly) (drop 3 content)]]]
             places = if surface == Sheet then 14 * 15 else 255 :: Double
         enumerated' answers `shouldBe` []
-        fmap worth (take 1 <$> sequence answers >>= maybe (Left NoSymmetry) Right . firstOf)
+        fmap worth (sequence answers >>= maybe (Left NoSymmetry) Right . firstOf . take 1)
           `shouldBe` Right (Just (Chance (min 1 (case length turning of { 1 -> places; 4 -> inTurns surface; _ -> 2 * inTurns surface } / 4 ^ (5 :: Int))) False))
   describe "as it is told" $ do
     it "locate --json: exact for 4, 6, 9 and 12 cells, at most where the radius is larger or the orientation unknown, null of no cells" $ do

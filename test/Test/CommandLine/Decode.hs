@@ -7,6 +7,7 @@ import qualified Data.ByteString as Bytes
 import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -95,7 +96,7 @@ spec = do
   changed folder f = readImage worked >>= writeImage folder . f
   readImage file = Bytes.readFile file >>= either (fail . show) (pure . pgmIntensity) . decodePgm
   writeImage folder image = either (fail . show) (Bytes.writeFile (folder </> "changed.pgm") . encodePgm Binary) (pgmFromIntensity 255 image)
-  at image u v = maybe 0 id (index image u v)
+  at image u v = fromMaybe 0 (index image u v)
   inBox (x, y) u v = abs (fromIntegral (u :: Int) - x) < 5.5 && abs (fromIntegral (v :: Int) - y) < (7.5 :: Double)
   cubeTop folder = do
     _ <- pra ["probe", "--object", "cube", "--face", "C1 C2 C3 C4", "--at", "12.7,0", "--upright", "--size", "56x72", "--seed", "4", "--output", folder </> "frames"]

@@ -45,7 +45,7 @@ countSpec = do
           doubts = [ d | r <- outcomes, Just d <- [doubtOf r] ]
       (tallyRight counted, tallyWrong counted, sum (tallyRefused counted))
         === (length [ () | Correct _ <- outcomes ], length [ () | Mistaken _ <- outcomes ], length outcomes - length doubts)
-        .&&. tallyExpected counted === foldl (+) 0 doubts
+        .&&. tallyExpected counted === sum doubts
         .&&. Map.toList (tallyRefused counted)
           === [ (name, n) | name <- reasons, let n = length (filter (== NoAnswer name) outcomes), n > 0 ]
   it "regions fit where trials are made, turned or not" $

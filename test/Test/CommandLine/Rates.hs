@@ -80,7 +80,7 @@ spec = do
     table <- pra arguments
     pra (arguments ++ ["--plot", file]) `shouldReturn` table
     picture <- readFile file
-    forM_ ["<svg xmlns=", "2x2 cells", "4x4 cells", "5 % of the cells not observed", "</svg>"] $ \part ->
+    forM_ ["<svg ", "http://www.w3.org/2000/svg", "2x2 cells", "4x4 cells", "5 % of the cells not observed", "</svg>"] $ \part ->
       picture `shouldSatisfy` (part `isInfixOf`)
     listDirectory folder `shouldReturn` ["rates.svg"]
     complains (arguments ++ ["--plot", folder </> "no" </> "rates.svg"]) "folder does not exist"

@@ -2,6 +2,7 @@
 
 module Test.Touch.Network (spec) where
 
+import Control.Monad (replicateM)
 import Data.Either (isRight)
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
@@ -52,7 +53,7 @@ spec = do
             NoSymbol best -> null (winners values) && best < 0.75 && best == maximum values
             Undecided (k, best) (j, next) ->
               null (winners values) && best >= 0.75 && best - next < 0.5 && k /= j && best == maximum values && lookup j (zip [0 ..] values) == Just next
-        | values <- sequence (replicate 3 [0, 0.25, 0.5, 0.75, 1])
+        | values <- replicateM 3 [0, 0.25, 0.5, 0.75, 1]
         ]
     it "on no outputs at all is no symbol" $
       decide standardThresholds [] `shouldBe` NoSymbol 0

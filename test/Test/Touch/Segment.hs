@@ -189,22 +189,22 @@ lattice = do
     forAll (vectorOf 12 ((,) <$> choose (-2, 2) <*> choose (-2, 2))) $ \jitter ->
       forAll (shuffle (zip [(row, column) | row <- [0 .. 3], column <- [0 .. 2]] jitter)) $ \placed ->
         let symbols = [(cell, at (100 + 16 * fromIntegral column + dx, 50 + 20 * fromIntegral row + dy)) | (cell@(row, column), (dx, dy)) <- placed]
-         in arrange (map snd symbols) === [Cluster (Map.fromList symbols)]
+         in arrange id (map snd symbols) === [Cluster (Map.fromList symbols)]
   it "the cells count from the uppermost row and the leftmost column, though no symbol need lie there" $
     -- An L upside down and mirrored: the upper left cell is empty.
-    arrange [at (16, 0), at (16, 20), at (0, 20)] `shouldBe` [Cluster (Map.fromList [((0, 1), at (16, 0)), ((1, 1), at (16, 20)), ((1, 0), at (0, 20))])]
+    arrange id [at (16, 0), at (16, 20), at (0, 20)] `shouldBe` [Cluster (Map.fromList [((0, 1), at (16, 0)), ((1, 1), at (16, 20)), ((1, 0), at (0, 20))])]
   it "symbols that no neighbours connect stay in clusters of their own" $
-    arrange [at (0, 0), at (16, 0), at (48, 0), at (0, 60)]
+    arrange id [at (0, 0), at (16, 0), at (48, 0), at (0, 60)]
       `shouldBe` [Cluster (Map.fromList [((0, 0), at (0, 0)), ((0, 1), at (16, 0))]), Cluster (Map.fromList [((0, 0), at (48, 0))]), Cluster (Map.fromList [((0, 0), at (0, 60))])]
   it "diagonal neighbours alone do not connect" $
-    length (arrange [at (0, 0), at (16, 20)]) `shouldBe` 2
+    length (arrange id [at (0, 0), at (16, 20)]) `shouldBe` 2
   it "two symbols in one place are a contradiction" $
-    case arrange [at (0, 0), at (16, -1), at (16, 3)] of
+    case arrange id [at (0, 0), at (16, -1), at (16, 3)] of
       [Contradiction (SharedCell _ a b) members] -> (map symbolCentre [a, b], length members) `shouldBe` ([(16, -1), (16, 3)], 3)
       other -> expectationFailure (show other)
   it "two roads that lead to different cells are a contradiction" $
     -- From (0, 0) to (60, 0) in five short steps and in three long ones.
-    case arrange (map at [(0, 0), (12, 4), (24, 8), (36, 8), (48, 4), (60, 0), (20, -4), (40, -4)]) of
+    case arrange id (map at [(0, 0), (12, 4), (24, 8), (36, 8), (48, 4), (60, 0), (20, -4), (40, -4)]) of
       [Contradiction (TwoCells _ a b) members] -> (a /= b, length members) `shouldBe` (True, 8)
       other -> expectationFailure (show other)
   it "distances are measured along the symbols' axes" $
@@ -212,9 +212,9 @@ lattice = do
     let turned (x, y) = (at (x, y)) {symbolAxis = 30}
         (c, s) = (cos (pi / 6), sin (pi / 6))
      in do
-          arrange [turned (0, 0), turned (16 * c, 16 * s)] `shouldBe` [Cluster (Map.fromList [((0, 0), turned (0, 0)), ((0, 1), turned (16 * c, 16 * s))])]
-          length (arrange [turned (0, 0), turned (16, 0)]) `shouldBe` 2
-  it "no symbols make no cluster" $ arrange [] `shouldBe` []
+          arrange id [turned (0, 0), turned (16 * c, 16 * s)] `shouldBe` [Cluster (Map.fromList [((0, 0), turned (0, 0)), ((0, 1), turned (16 * c, 16 * s))])]
+          length (arrange id [turned (0, 0), turned (16, 0)]) `shouldBe` 2
+  it "no symbols make no cluster" $ arrange id [] `shouldBe` []
   it "halfTurned (halfTurned cells) = cells, when the first row and column are taken" $
     let cells = Map.fromList [((0, 1), 'a'), ((1, 0), 'b'), ((1, 2), 'c')]
      in do

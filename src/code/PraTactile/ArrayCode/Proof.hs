@@ -16,12 +16,9 @@ module PraTactile.ArrayCode.Proof
   , CodeProofError (..)
   ) where
 
-import Control.Monad.ST (ST, runST)
-import Data.Bits (setBit, shiftR, testBit, (.&.))
+import Control.Applicative ((<|>))
+import Control.Monad.ST (runST)
 import Data.Maybe (listToMaybe)
-import Data.Vector.Primitive (MVector)
-import qualified Data.Vector.Primitive.Mutable as Mutable
-import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.ArrayCode
@@ -29,6 +26,7 @@ import PraTactile.Field
 import PraTactile.Polynomial
 import PraTactile.Window
 import PraTactile.Window.Enumeration (largestSpan)
+import PraTactile.Window.Seen
 import PraTactile.Window.Visit
 
 -- | What is known of the windows of all arrays together, each on its torus.
@@ -99,7 +97,7 @@ jointly code mask
       pure (different, collision)
  where
   spanned = fromIntegral (fieldOrder code) ^ maskSize mask
-  numbers = takeWhile (< codeArrays code) [0 ..]
+  numbers = naturalsBelow (codeArrays code)
   windowsOf grid = visit MostSignificantFirst Torus grid mask
   keyAt w = uncurry (visitKey w)
   everywhere w = [(r, c) | r <- [0 .. visitRows w - 1], c <- [0 .. visitColumns w - 1]]
@@ -107,7 +105,7 @@ jointly code mask
 -- | One bit a content, for all arrays.
 visitAll :: [Visit] -> (Natural, Maybe (Natural, Int, Int))
 visitAll windows = runST $ do
-  seen <- Mutable.replicate (maximum (0 : map visitSpan windows) `shiftR` 6 + 1) 0
+  seen <- nothingSeen (maximum (0 : map visitSpan windows))
   let each !_ !different !repeated [] = pure (fromIntegral different, repeated)
       each !j !different !repeated (w : more) = go 0 0 different repeated
        where
@@ -116,16 +114,5 @@ visitAll windows = runST $ do
           | c == visitColumns w = go (r + 1) 0 n again
           | otherwise = do
               new <- insert seen (visitKey w r c)
-              if new then go r (c + 1) (n + 1) again else go r (c + 1) n (earlier again (j, r, c))
+              if new then go r (c + 1) (n + 1) again else go r (c + 1) n (again <|> Just (j, r, c))
   each 0 (0 :: Int) Nothing windows
- where
-  earlier old new = maybe (Just new) Just old
-
--- | Put a key into the set; whether it is new.
-insert :: MVector s Word64 -> Int -> ST s Bool
-insert seen key = do
-  word <- Mutable.read seen (key `shiftR` 6)
-  let bit = key .&. 63
-  if testBit word bit
-    then pure False
-    else True <$ Mutable.write seen (key `shiftR` 6) (setBit word bit)

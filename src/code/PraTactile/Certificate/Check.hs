@@ -213,6 +213,7 @@ isShownPrime before (PrimeProof prime witnesses) =
       && knownPrime before l
       && powerModulo a (prime - 1) == 1
       && gcd prime (powerModulo a ((prime - 1) `div` l) + prime - 1) == 1
+  -- Not the factorisation's: what checks stands apart from what it checks.
   powerModulo a e
     | e == 0 = 1
     | odd e = a * powerModulo a (e - 1) `mod` prime

@@ -1,8 +1,6 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- |
--- Digests that a stranger can recompute: SHA-256 (FIPS 180-4), and what is fed to it of the windows of
--- an array.
+-- Digests that anyone can recompute: SHA-256 (FIPS 180-4), and which bytes of an array's windows it
+-- is taken of.
 module PraTactile.Certificate.Digest
   ( -- * SHA-256
     sha256
@@ -12,105 +10,35 @@ module PraTactile.Certificate.Digest
   , digestOfWindows
   ) where
 
-import Control.Monad (forM_)
-import Control.Monad.ST (ST)
-import Data.Bits (complement, rotateR, shiftL, shiftR, xor, (.&.), (.|.))
-import Data.Char (ord)
+import qualified Crypto.Hash.SHA256 as SHA256
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Builder.Prim as Prim
+import qualified Data.ByteString.Char8 as Char8
+import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Int (Int32)
 import Data.List (sort)
-import Data.Vector.Primitive (MVector, Vector)
+import Data.Vector.Primitive (Vector)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
-import Data.Word (Word32, Word8)
-import Numeric (showHex)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
 import PraTactile.Window.Visit
 
--- | The SHA-256 of a message, as 64 hexadecimal digits in lower case: the number of its bytes, and the
--- bytes from index 0 on.
---
--- >>> sha256 0 (const 0)
--- "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
-sha256 :: Int -> (Int -> Word8) -> String
-sha256 size byte = concatMap hexadecimal (Primitive.toList final)
- where
-  final = Primitive.create $ do
-    state <- Primitive.thaw initialState
-    schedule <- Mutable.replicate 64 0
-    forM_ [0 .. blocks - 1] $ \b -> do
-      forM_ [0 .. 15] $ \w -> Mutable.write schedule w (word (16 * b + w))
-      compress state schedule
-    pure state
-  -- A bit 1 follows the message, zeros, and its length in bits as 64 bits, up to whole blocks.
-  blocks = (size + 9 + 63) `div` 64
-  word w
-    | 4 * w + 3 < size = bytes (4 * w)
-    | w == 16 * blocks - 2 = fromIntegral (size `shiftR` 29)
-    | w == 16 * blocks - 1 = fromIntegral (size `shiftL` 3)
-    | otherwise = foldl (\acc i -> acc `shiftL` 8 .|. padded i) 0 [4 * w .. 4 * w + 3]
-  bytes i = at i `shiftL` 24 .|. at (i + 1) `shiftL` 16 .|. at (i + 2) `shiftL` 8 .|. at (i + 3)
-  at i = fromIntegral (byte i) :: Word32
-  padded i
-    | i < size = at i
-    | i == size = 0x80
-    | otherwise = 0
-  hexadecimal w = let digits = showHex w "" in replicate (8 - length digits) '0' ++ digits
-{-# INLINE sha256 #-}
+-- | The SHA-256 of a message, as 64 hexadecimal digits in lower case.
+sha256 :: ByteString -> String
+sha256 = hexadecimal . SHA256.hash
 
 -- | The SHA-256 of a text of ASCII characters, a byte each.
+--
+-- >>> sha256OfText "abc"
+-- "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
 sha256OfText :: String -> String
-sha256OfText text = sha256 (Primitive.length message) (Primitive.unsafeIndex message)
- where
-  message = Primitive.fromList (map (fromIntegral . ord) text) :: Vector Word8
+sha256OfText = sha256 . Char8.pack
 
--- | The first 32 bits of the fractional parts of the square roots of the first 8 primes.
-initialState :: Vector Word32
-initialState = Primitive.fromList (map (\p -> fromInteger (root 2 (p * 2 ^ (64 :: Int)))) (take 8 primes))
-
--- | The first 32 bits of the fractional parts of the cube roots of the first 64 primes.
-roundConstants :: Vector Word32
-roundConstants = Primitive.fromList (map (\p -> fromInteger (root 3 (p * 2 ^ (96 :: Int)))) (take 64 primes))
-
--- | The largest integer whose power with this exponent is no larger, below 2^64.
-root :: Int -> Integer -> Integer
-root e x = foldl (\r bit -> if (r + bit) ^ e <= x then r + bit else r) 0 [2 ^ i | i <- [63, 62 .. 0 :: Int]]
-
-primes :: [Integer]
-primes = [n | n <- [2 .. 400], all (\d -> n `mod` d /= 0) (takeWhile (\d -> d * d <= n) [2 ..])]
-
--- | Take a block, the first 16 words of the schedule, into the state. All indices are constants or
--- run to 64, the length of the schedule and of the constants.
-compress :: MVector s Word32 -> MVector s Word32 -> ST s ()
-compress state schedule = do
-  forM_ [16 .. 63] $ \t -> do
-    w2 <- Mutable.unsafeRead schedule (t - 2)
-    w7 <- Mutable.unsafeRead schedule (t - 7)
-    w15 <- Mutable.unsafeRead schedule (t - 15)
-    w16 <- Mutable.unsafeRead schedule (t - 16)
-    let s0 = rotateR w15 7 `xor` rotateR w15 18 `xor` shiftR w15 3
-        s1 = rotateR w2 17 `xor` rotateR w2 19 `xor` shiftR w2 10
-    Mutable.unsafeWrite schedule t (w16 + s0 + w7 + s1)
-  let rounds !t !a !b !c !d !e !f !g !h
-        | t == 64 = forM_ (zip [0 ..] [a, b, c, d, e, f, g, h]) $ \(i, x) -> Mutable.modify state (+ x) i
-        | otherwise = do
-            w <- Mutable.unsafeRead schedule t
-            let s1 = rotateR e 6 `xor` rotateR e 11 `xor` rotateR e 25
-                choice = (e .&. f) `xor` (complement e .&. g)
-                t1 = h + s1 + choice + Primitive.unsafeIndex roundConstants t + w
-                s0 = rotateR a 2 `xor` rotateR a 13 `xor` rotateR a 22
-                majority = (a .&. b) `xor` (a .&. c) `xor` (b .&. c)
-            rounds (t + 1) (t1 + s0 + majority) a b c (d + t1) e f g
-  a0 <- Mutable.read state 0
-  b0 <- Mutable.read state 1
-  c0 <- Mutable.read state 2
-  d0 <- Mutable.read state 3
-  e0 <- Mutable.read state 4
-  f0 <- Mutable.read state 5
-  g0 <- Mutable.read state 6
-  h0 <- Mutable.read state 7
-  rounds (0 :: Int) a0 b0 c0 d0 e0 f0 g0 h0
+hexadecimal :: ByteString -> String
+hexadecimal = Lazy.unpack . Builder.toLazyByteString . Builder.byteStringHex
 
 -- | The SHA-256 of the positions of all windows on the surface, sorted by their packed contents: each is
 -- the number row * columns + column, of the grid, as 8 bytes, the most significant first. 'Nothing'
@@ -119,17 +47,22 @@ compress state schedule = do
 digestOfWindows :: Packing -> Surface -> Grid -> Mask -> Maybe String
 digestOfWindows packing surface grid mask = do
   ordered <- positionsByContent packing surface grid mask
-  let byte i = fromIntegral (Primitive.unsafeIndex ordered (i `shiftR` 3) `shiftR` (56 - 8 * (i .&. 7)))
-  if Primitive.null ordered then Nothing else Just (sha256 (8 * Primitive.length ordered) byte)
+  if Primitive.null ordered then Nothing else Just (hexadecimal (SHA256.hashlazy (bytesOf ordered)))
+ where
+  -- Made chunk by chunk as they are digested: the bytes are never in memory together.
+  bytesOf ordered = Builder.toLazyByteString (Prim.primUnfoldrFixed Prim.int64BE next 0)
+   where
+    next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i
 
 -- | The positions of all windows by increasing packed content, if they are distinct and not too many.
 positionsByContent :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 positionsByContent packing surface grid mask
   | spanned <= 2 ^ (26 :: Int) = visit packing surface grid mask >>= byTable (gridWidth grid)
-  | area (visitedShape surface (gridShape grid) mask) <= 2 ^ (20 :: Int) = bySorting packing surface grid mask
+  | area visited <= 2 ^ (20 :: Int) = bySorting packing surface grid mask
   | otherwise = Nothing
  where
   spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
+  visited = visitedShape surface (gridShape grid) mask
 
 -- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most 2^28
 -- cells.
@@ -147,8 +80,13 @@ byTable width windows
 -- | By sorting the windows.
 bySorting :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 bySorting packing surface grid mask
-  | and (zipWith (<) (map fst ordered) (drop 1 (map fst ordered))) = Just (Primitive.fromList (map snd ordered))
+  | and (zipWith (<) found (drop 1 found)) = Just (Primitive.fromList (map snd ordered))
   | otherwise = Nothing
  where
-  ordered = sort [(content, fromIntegral (r * width + c)) | (Position r c, content) <- packedWindows packing surface grid mask]
+  ordered =
+    sort
+      [ (content, fromIntegral (r * width + c))
+      | (Position r c, content) <- packedWindows packing surface grid mask
+      ]
+  found = map fst ordered
   width = columns (gridShape grid)

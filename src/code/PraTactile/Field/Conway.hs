@@ -14,6 +14,7 @@
 module PraTactile.Field.Conway
   ( NamedField (..)
   , conwayModulus
+  , modulusDegrees
   , conwayModuli
   , GF2, GF3, GF4, GF5, GF7, GF8, GF9, GF11, GF13, GF16
   , GF17, GF19, GF23, GF25, GF27, GF29, GF31, GF32, GF37, GF41
@@ -38,7 +39,7 @@ class NamedField (k :: Field) where
 -- | p and the default modulus, constant term first, of GF(q): the Conway polynomial.
 -- Refuses orders above 256 ('FieldTooLarge') and those that are no prime power.
 --
--- >>> import PraTactile.Field.Conway (conwayModulus)
+-- >>> import PraTactile.Field.Conway (conwayModulus, modulusDegrees)
 -- >>> conwayModulus 9
 -- Right (3,[2,2,1])
 -- >>> conwayModulus 6
@@ -47,6 +48,18 @@ conwayModulus :: Natural -> Either FieldError (Natural, [Natural])
 conwayModulus q
   | q > largestOrder = Left (FieldTooLarge q 1)
   | otherwise = maybe (Left (NotAPrimePower q)) Right (lookup q conwayModuli)
+
+-- | p of GF(q), the degree of a modulus given for it, and the degree that it needs, the default
+-- modulus's. No coefficients count as a constant. Refuses q as 'conwayModulus' does.
+--
+-- >>> modulusDegrees 9 [2, 1]
+-- Right (3,1,2)
+modulusDegrees :: Natural -> [Natural] -> Either FieldError (Natural, Natural, Natural)
+modulusDegrees q given = do
+  (p, conway) <- conwayModulus q
+  Right (p, degree given, degree conway)
+ where
+  degree coefficients = fromIntegral (max 1 (length coefficients) - 1)
 
 -- | The order q of every named field with its p and modulus, by increasing q.
 conwayModuli :: [(Natural, (Natural, [Natural]))]

@@ -5,6 +5,7 @@
 module PraTactile.Field.Named
   ( -- * Default moduli
     conwayModulus
+  , modulusDegrees
   , conwayModuli
 
     -- * Fields

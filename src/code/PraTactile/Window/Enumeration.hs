@@ -15,19 +15,17 @@ module PraTactile.Window.Enumeration
   , largestMap
   ) where
 
-import Control.Monad.ST (ST, runST)
-import Data.Bits (setBit, shiftR, testBit, (.&.))
+import Control.Monad.ST (runST)
 import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
-import Data.Vector.Primitive (MVector)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
-import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.Window
 import PraTactile.Window.Contents
+import PraTactile.Window.Seen
 import PraTactile.Window.Sorting
 import PraTactile.Window.Visit
 
@@ -157,7 +155,7 @@ firstRepeated windows size numbered = do
   pure (earlier, visitPosition r c)
  where
   repeated = runST $ do
-    seen <- Mutable.replicate (size `shiftR` 6 + 1) 0
+    seen <- nothingSeen size
     let go !r !c
           | r == visitRows windows = pure Nothing
           | c == visitColumns windows = go (r + 1) 0
@@ -175,15 +173,6 @@ firstWhere windows holds = go 0 0
     | c == visitColumns windows = go (r + 1) 0
     | holds r c = Just (r, c)
     | otherwise = go r (c + 1)
-
--- | Put a key into the set; whether it is new.
-insert :: MVector s Word64 -> Int -> ST s Bool
-insert seen key = do
-  word <- Mutable.read seen (key `shiftR` 6)
-  let bit = key .&. 63
-  if testBit word bit
-    then pure False
-    else True <$ Mutable.write seen (key `shiftR` 6) (setBit word bit)
 
 -- | All contents in order, so that the same ones come together.
 bySorting :: Visit -> Enumeration

@@ -2,6 +2,10 @@
 
 -- |
 -- Sorting machine words in place, for windows that have too many contents for a bit each. Internal.
+--
+-- Not by vector-algorithms 0.8, whose American flag sort of the same bytes is slower: it takes 5.0 ms
+-- for 65536 random words of 24 bits, and this one 2.7; for 2^22 words of 24, 40 and 60 bits 0.26, 0.32
+-- and 0.41 s, and this one 0.23, 0.30 and 0.17 (GHC 9.0.2). Its binary search takes mutable vectors only.
 module PraTactile.Window.Sorting
   ( sortWords
   , repetitions

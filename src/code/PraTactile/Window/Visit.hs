@@ -173,18 +173,17 @@ packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >
 -- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
 packedWindows packing surface grid mask =
-  [(p, content) | r <- counted height, c <- counted width, let p = Position r c, Just content <- [packedAt packing surface grid mask p]]
- where
-  Shape height width = visitedShape surface (gridShape grid) mask
-  counted n = takeWhile (< n) [0 ..]
+  [ (p, content)
+  | p <- shapeCells (visitedShape surface (gridShape grid) mask)
+  , Just content <- [packedAt packing surface grid mask p]
+  ]
 
 -- | The packed content of one window; 'Nothing' where it sticks out of the sheet.
 packedAt :: Packing -> Surface -> Grid -> Mask -> Position -> Maybe Natural
-packedAt packing surface grid mask (Position r c) =
+packedAt packing surface grid mask position =
   pack packing (gridAlphabet grid) <$> traverse cell (maskOffsets mask)
  where
-  cell (Position i j) = at (toInteger (r + i)) (toInteger (c + j)) >>= codeAt grid
-  at = canonicalPosition surface (gridShape grid)
+  cell offset = displaced surface (gridShape grid) position offset >>= codeAt grid
 
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
 -- mask does not stick out.

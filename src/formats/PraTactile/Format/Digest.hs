@@ -4,7 +4,6 @@ module PraTactile.Format.Digest
   ) where
 
 import Data.ByteString (ByteString)
-import qualified Data.ByteString as Bytes
 
 import PraTactile.Certificate.Digest (sha256)
 
@@ -14,4 +13,4 @@ import PraTactile.Certificate.Digest (sha256)
 -- >>> digestOf (Char8.pack "abc")
 -- "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
 digestOf :: ByteString -> String
-digestOf bytes = sha256 (Bytes.length bytes) (Bytes.index bytes)
+digestOf = sha256

@@ -12,14 +12,18 @@ module PraTactile.Object.Canonical
 import Data.Bifunctor (first)
 
 import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Object.Placement
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 
 -- | One symbol each 25.4 mm (1 in) along a row and each 31.75 mm (1 1/4 in) along a column (section IV; its second
--- \"horizontal\" is a slip).
+-- \"horizontal\" is a slip): the distances at which symbols are read.
+--
+-- >>> canonicalPitch
+-- Pitch {pitchRight = 127 % 5, pitchDown = 127 % 4}
 canonicalPitch :: Pitch
-canonicalPitch = Pitch 25.4 31.75
+canonicalPitch = Pitch (columnPitch * taxelPitch) (rowPitch * taxelPitch)
 
 -- | The paper's window: 2 rows, 2 columns.
 canonicalWindow :: Shape

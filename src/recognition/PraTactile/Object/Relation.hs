@@ -24,7 +24,7 @@ import Data.Bifunctor (first)
 import Data.List (sort, sortOn)
 import Numeric.Natural (Natural)
 
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 
@@ -133,7 +133,7 @@ relation place = Relation
 cellsOf :: LaidFace -> [CellRow]
 cellsOf laid =
   [ CellRow (row (laidAt laid) + r, column (laidAt laid) + c) (laidFace laid) (r, c)
-  | r <- takeWhile (< rows (laidGrid laid)) [0 ..], c <- takeWhile (< columns (laidGrid laid)) [0 ..] ]
+  | Position r c <- shapeCells (laidGrid laid) ]
 
 -- | The placement that the rows describe. Objects, vertices, faces and layings keep their order, that of other rows says
 -- nothing. Refuses rows that make no solids, no placement, or that are not exactly those of the placement that they make.

@@ -39,12 +39,12 @@ exactRates stated shelf mask = \damage -> do
     UpTo e -> fromIntegral e
   whole = either (const Nothing) Just (weightEnumerator array mask)
   -- The words are not even made where there are too many.
-  holed = guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork) >> punctured n (map support positions)
+  holed = do
+    guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork)
+    punctured n (map support contents)
   support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
-  positions =
+  contents =
     [ content
-    | r <- below (rows (arrayShape array))
-    , c <- below (columns (arrayShape array))
-    , Just content <- [windowAt (bookSurface shelf) array mask (Position r c)]
+    | position <- shapeCells (arrayShape array)
+    , Just content <- [windowAt (bookSurface shelf) array mask position]
     ]
-  below side = takeWhile (< side) [0 ..]

@@ -37,7 +37,7 @@ import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition, codeAt)
+import PraTactile.Grid (codeAt, displaced)
 import PraTactile.Locate.Book
 
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
@@ -81,7 +81,7 @@ largestGround = 2 ^ (25 :: Int)
 -- | Patches of this shape on an array that has no edges. A patch larger than the array reads some cells again.
 ground :: forall k. KnownField k => Book k -> Shape -> Either GroundError (Ground k)
 ground shelf shape
-  | bookSurface shelf == Sheet = Left GroundSheet
+  | surface == Sheet = Left GroundSheet
   | area shape == 0 = Left GroundEmpty
   | cells > largestGround = Left (GroundTooLarge cells largestGround)
   | otherwise =
@@ -98,6 +98,7 @@ ground shelf shape
           , groundSupports = Primitive.generate (positions * limbs) (limb (/= 0))
           }
  where
+  surface = bookSurface shelf
   cells = area shape * positionCount
   positionCount = area (arrayShape (bookArray shelf))
   positions = fromIntegral positionCount
@@ -106,11 +107,10 @@ ground shelf shape
   limbs = (n + 63) `div` 64
   planes = length (takeWhile (< q) (iterate (* 2) 1))
   contents = Primitive.fromListN (positions * n) (concatMap (contentAt . positionOf shelf) [0 .. positions - 1])
-  contentAt (Position r c) = [codeOn (r + i) (c + j) | i <- below (rows shape), j <- below (columns shape)]
+  contentAt position = map (codeOn . displacedFrom position) (shapeCells shape)
+  displacedFrom = displaced surface (arrayShape (bookArray shelf))
   -- A torus has no place that is none.
-  codeOn r c = maybe 0 fromIntegral (within r c >>= codeAt (bookGrid shelf)) :: Int32
-  within r c = canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r) (toInteger c)
-  below side = takeWhile (< side) [0 ..]
+  codeOn place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf)) :: Int32
   limb :: (Int32 -> Bool) -> Int -> Word64
   limb holds i = foldl' (.|.) 0 [bit j | j <- [0 .. min 63 (n - 1 - from)], holds (contents Primitive.! (position * n + from + j))]
    where

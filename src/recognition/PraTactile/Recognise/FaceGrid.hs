@@ -16,8 +16,9 @@ import Data.Maybe (isJust)
 import Data.Set (Set)
 import qualified Data.Set as Set
 
+import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Recognise.Reading
-import PraTactile.Segment.Lattice (Cell, columnPitch, halfTurned, pitchTolerance, rowPitch)
+import PraTactile.Segment.Lattice (Cell, halfTurned, pitchTolerance)
 
 -- | By cell, the symbols that were read there; several where several composites show it.
 type Cells = Map Cell [ReadSymbol]

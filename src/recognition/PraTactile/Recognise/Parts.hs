@@ -11,12 +11,12 @@ import qualified Data.Vector.Storable as V
 
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Part
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterValues)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment
-import PraTactile.Segment.Lattice (Cell, columnPitch, rowPitch)
-import PraTactile.Shape (symbolHeight, symbolWidth)
+import PraTactile.Segment.Lattice (Cell)
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own symbols, and the parts. Numbers them from
 -- the one given.
@@ -40,13 +40,14 @@ partsOf (Reader shapesSeen _) cells view =
     look = partAt (viewComposite view) (viewSegmentation view)
     own = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view ]
     taken = Set.fromList (map fst own)
+    axis = if viewSideways view then TurnedRight else Upright
     -- Where the symbols around a free cell say that its centre is.
     expected = Map.fromListWith (++)
       [ (cell, [(x + dx, y + dy)])
       | ((i, j), s) <- own, di <- [-1, 0, 1], dj <- [-1, 0, 1]
       , let cell = (i + di, j + dj), cell `Set.notMember` taken
       , let (x, y) = readAt s
-      , let (dx, dy) = onComposite (if viewSideways view then TurnedRight else Upright) (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
+      , let (dx, dy) = onComposite axis (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
       ]
 
 readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol

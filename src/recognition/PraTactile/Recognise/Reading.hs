@@ -25,13 +25,13 @@ module PraTactile.Recognise.Reading
 import Data.Bifunctor (first)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, mapMaybe)
+import Data.Maybe (isJust)
 
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), decide, outputs, standardThresholds)
 import PraTactile.Classify.Templates (Templates)
+import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (halfTurn, mirrorColumns, rasterHeight)
-import PraTactile.Probe (taxelPitch)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell, arrange)
 import qualified PraTactile.Segment.Lattice as Lattice
@@ -195,18 +195,14 @@ data Group = Group
 
 -- | The groups of symbols of one axis, by neighbourhood within each composite.
 groups :: [ReadSymbol] -> [Group]
-groups symbols = concat [ map (grouped (byPlace here)) (arrange (map placed here)) | here <- Map.elems bySource ]
+groups symbols = concatMap (map grouped . arrange placed) (Map.elems bySource)
   where
     bySource = Map.fromListWith (flip (++)) [ (readSource s, [s]) | s <- symbols ]
     placed s = (readImage s) {symbolCentre = readAt s}
-    byPlace here = Map.fromList [ (readAt s, s) | s <- here ]
-    grouped here cluster = case cluster of
-      Lattice.Cluster cells ->
-        let found = Map.mapMaybe (named here) cells
-        in Group (Just found) (anchor (Map.toList found)) (Map.elems found)
-      Lattice.Contradiction _ images -> Group Nothing (0, 0) (mapMaybe (named here) images)
-    named here image = Map.lookup (symbolCentre image) here
+    grouped cluster = case cluster of
+      Lattice.Cluster cells -> Group (Just cells) (anchor (Map.toList cells)) (Map.elems cells)
+      Lattice.Contradiction _ members -> Group Nothing (0, 0) members
     anchor found = centroid
-      [ (across - Lattice.columnPitch * fromIntegral j, down - Lattice.rowPitch * fromIntegral i)
+      [ (across - columnPitch * fromIntegral j, down - rowPitch * fromIntegral i)
       | ((i, j), s) <- found, let (across, down) = alongAxes s ]
     alongAxes s = let (x, y) = readAt s in if isSideways (fst (readLikeliest s)) then (y, negate x) else (x, y)

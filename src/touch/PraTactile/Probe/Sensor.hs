@@ -25,6 +25,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import System.Random (RandomGen)
 
+import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn)
 import PraTactile.Probe (Frame (..), Motion (..), Pose (..), move, sensorSide, taxelPitch)
 import PraTactile.Random (normalPair, normals)
@@ -51,9 +52,9 @@ data Sensor = Sensor
   }
   deriving stock (Eq, Show)
 
--- | Full scale at a symbol's thickness (1.5875 mm), noise of 0.1 of full scale, position errors of one taxel, 10 N.
+-- | Full scale at a symbol's thickness, noise of 0.1 of full scale, position errors of one taxel, 10 N.
 standardSensor :: Sensor
-standardSensor = Sensor 1.5875 0.1 1 10
+standardSensor = Sensor symbolThickness 0.1 1 10
 
 -- | 'standardSensor' without noise or position error.
 idealSensor :: Sensor

@@ -16,9 +16,7 @@ module PraTactile.Segment.Lattice
     -- * The other reading
   , halfTurned
 
-    -- * The lattice's dimensions
-  , columnPitch
-  , rowPitch
+    -- * The lattice's tolerance
   , pitchTolerance
   ) where
 
@@ -27,59 +25,53 @@ import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 
+import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Segment (SymbolImage (..))
 
 -- | A row and a column, counted from 0 from the uppermost row and the leftmost column of a cluster.
 type Cell = (Int, Int)
 
 -- | Symbols that neighbourhood ties together.
-data Cluster
+data Cluster symbol
   = -- | Each symbol in its cell.
-    Cluster !(Map Cell SymbolImage)
+    Cluster !(Map Cell symbol)
   | -- | The distances contradict each other: how, and all the symbols concerned.
-    Contradiction !Conflict ![SymbolImage]
+    Contradiction !(Conflict symbol) ![symbol]
   deriving stock (Eq, Show)
 
 -- | How distances between symbols contradict each other. Cells count from an arbitrary symbol of the cluster.
-data Conflict
-  = -- | Two roads from neighbour to neighbour lead to two cells for the symbol.
-    TwoCells !SymbolImage !Cell !Cell
+data Conflict symbol
+  = -- | Two paths from neighbour to neighbour lead to two cells for the symbol.
+    TwoCells !symbol !Cell !Cell
   | -- | Two symbols lie in one cell.
-    SharedCell !Cell !SymbolImage !SymbolImage
+    SharedCell !Cell !symbol !symbol
   deriving stock (Eq, Show)
-
--- | The distance between neighbouring symbols' centres in a row: 16 taxels (25.4 mm).
-columnPitch :: Double
-columnPitch = 16
-
--- | The distance between neighbouring symbols' centres in a column: 20 taxels (31.75 mm).
-rowPitch :: Double
-rowPitch = 20
 
 -- | How far a neighbour may be from where the pitch has it, in taxels along each axis: half the clear space
 -- between symbols.
 pitchTolerance :: Double
 pitchTolerance = 4
 
--- | The symbols in clusters, from top to bottom and left to right of their first symbols. Symbols that no
--- chain of neighbours connects are in different clusters: nothing says how many cells lie between them.
-arrange :: [SymbolImage] -> [Cluster]
-arrange symbols = go (Set.fromList (Map.keys numbered))
+-- | The symbols in clusters, from top to bottom and left to right of their first symbols, each by what
+-- the function says of where it lies. Symbols that no chain of neighbours connects are in different
+-- clusters: nothing says how many cells lie between them.
+arrange :: (symbol -> SymbolImage) -> [symbol] -> [Cluster symbol]
+arrange image symbols = go (Set.fromList (Map.keys numbered))
  where
-  ordered = sortOn (\s -> let (x, y) = symbolCentre s in (y, x)) symbols
+  ordered = sortOn (\s -> let (x, y) = symbolCentre (image s) in (y, x)) symbols
   numbered = Map.fromList (zip [0 :: Int ..] ordered)
   go waiting = case Set.minView waiting of
     Nothing -> []
     Just (first, _) ->
-      let (cells, conflict) = walk numbered first
+      let (cells, conflict) = walk image numbered first
           members = Map.restrictKeys numbered (Map.keysSet cells)
           cluster = maybe (settle members cells) (`Contradiction` Map.elems members) conflict
        in cluster : go (waiting `Set.difference` Map.keysSet cells)
 
--- | All the symbols that can be reached from one, each with its cell by the shortest road, and the first
+-- | All the symbols that can be reached from one, each with its cell by the shortest path, and the first
 -- contradiction met on the way.
-walk :: Map Int SymbolImage -> Int -> (Map Int Cell, Maybe Conflict)
-walk symbols first = go [first] (Map.singleton first (0, 0)) Nothing
+walk :: (symbol -> SymbolImage) -> Map Int symbol -> Int -> (Map Int Cell, Maybe (Conflict symbol))
+walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
  where
   go [] cells conflict = (cells, conflict)
   go (here : queue) cells conflict =
@@ -90,7 +82,7 @@ walk symbols first = go [first] (Map.singleton first (0, 0)) Nothing
       [ (there, (row + i, column + j))
       | Just symbol <- [Map.lookup here symbols]
       , (there, other) <- Map.toList symbols
-      , Just (i, j) <- [neighbour symbol other]
+      , Just (i, j) <- [neighbour (image symbol) (image other)]
       ]
     new = reached `Map.difference` cells
     contradiction = case filter (uncurry (/=) . snd) (Map.toList (Map.intersectionWith (,) cells reached)) of
@@ -122,12 +114,14 @@ step here there
   down = cos axis * (y' - y) - sin axis * (x' - x)
 
 -- | The symbols at their cells counted from the upper left, unless two share one.
-settle :: Map Int SymbolImage -> Map Int Cell -> Cluster
+settle :: Map Int symbol -> Map Int Cell -> Cluster symbol
 settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toList occupants] of
   conflict : _ -> Contradiction conflict (Map.elems members)
   [] -> Cluster (Map.mapKeys (\(row, column) -> (row - top, column - left)) (Map.mapMaybe single occupants))
  where
-  occupants = Map.fromListWith (flip (++)) (Map.elems (Map.intersectionWith (\cell symbol -> (cell, [symbol])) cells members))
+  occupants =
+    Map.fromListWith (flip (++))
+      (Map.elems (Map.intersectionWith (\cell symbol -> (cell, [symbol])) cells members))
   top = minimum (0 : map fst (Map.elems cells))
   left = minimum (0 : map snd (Map.elems cells))
   single occupant = case occupant of

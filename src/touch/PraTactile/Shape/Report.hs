@@ -10,6 +10,8 @@ module PraTactile.Shape.Report
 
 import Data.Text (Text)
 import qualified Data.Text as T
+import qualified Data.Text.Lazy as LazyText
+import Graphics.Svg (AttrTag (..), Element, renderText, rect_, svg11_, text_, toElement, with, (<<-))
 import Numeric (showFFloat)
 
 import PraTactile.Shape
@@ -70,23 +72,25 @@ renderReport a r =
 
 -- | The shapes side by side as an SVG picture, 10 units a taxel, the box of each outlined.
 alphabetSvg :: Alphabet -> Text
-alphabetSvg a =
-  T.unlines $
-    [ "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " <> number (alphabetSize a * step + 40) <> " 200\" font-family=\"sans-serif\" font-size=\"20\">"
-    ]
-      ++ concat [placed (i * step + 40) name b | (i, (name, b)) <- zip [0 ..] (zip (shapeNames a) (shapes a))]
-      ++ ["</svg>"]
+alphabetSvg a = LazyText.toStrict (renderText root) <> "\n"
  where
+  root =
+    with (svg11_ (foldMap ("\n" <>) (concat (zipWith placed [0 ..] (zip (shapeNames a) (shapes a))))))
+      [ ViewBox_ <<- T.unwords (map number [0, 0, alphabetSize a * step + 40, 200])
+      , Font_family_ <<- "sans-serif"
+      , Font_size_ <<- "20"
+      ]
   step = 120
   number = T.pack . show :: Int -> Text
-  placed x name b =
-    ["<rect x=\"" <> number x <> "\" y=\"20\" width=\"80\" height=\"120\" fill=\"none\" stroke=\"#999\"/>"]
-      ++ [ "<rect x=\"" <> number (x + 10 * i) <> "\" y=\"" <> number (20 + 10 * j) <> "\" width=\"10\" height=\"10\"/>"
-         | (j, row) <- zip [0 ..] (bitmapRows b)
-         , (i, True) <- zip [0 ..] row
+  rectangle x y width height =
+    [X_ <<- number x, Y_ <<- number y, Width_ <<- number width, Height_ <<- number height]
+  placed :: Int -> (Text, Bitmap) -> [Element]
+  placed i (name, shape) =
+    [rect_ (rectangle x 20 (10 * symbolWidth) (10 * symbolHeight) ++ [Fill_ <<- "none", Stroke_ <<- "#999"])]
+      ++ [ rect_ (rectangle (x + 10 * u) (20 + 10 * v) 10 10)
+         | (v, row) <- zip [0 ..] (bitmapRows shape)
+         , (u, True) <- zip [0 ..] row
          ]
-      ++ ["<text x=\"" <> number (x + 40) <> "\" y=\"170\" text-anchor=\"middle\">" <> T.concatMap escaped name <> "</text>"]
-  escaped c = case c of
-    '<' -> "&lt;"
-    '&' -> "&amp;"
-    _ -> T.singleton c
+      ++ [text_ [X_ <<- number (x + 40), Y_ <<- "170", Text_anchor_ <<- "middle"] (toElement name)]
+   where
+    x = i * step + 40

@@ -8,7 +8,7 @@ import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import Test.QuickCheck hiding (total)
 
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Definition
@@ -32,7 +32,7 @@ chanceLaws =
   ]
   where
     few = withMaxSuccess 30
-    certain s code = [ if c == code then 64 else 0 | c <- takeWhile (< profileOrder (profile s)) [0 ..] ]
+    certain s code = [ if c == code then 64 else 0 | c <- naturalsBelow (profileOrder (profile s)) ]
 
 -- | For patches in which each cell that was observed has the probabilities of all symbols, in 64ths.
 forChances :: Session -> ([[Maybe [Integer]]] -> Property) -> Property

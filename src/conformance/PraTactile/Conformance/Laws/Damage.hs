@@ -8,7 +8,7 @@ import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import Test.QuickCheck
 
-import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..), naturalsBelow, shapeCells)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Definition
@@ -38,8 +38,8 @@ damageLaws =
   , Law "zeros, and with them as few other cells as are corrected, are refused where windows of the shape differ: zero-window" (\s -> lookedAt s (\looked ->
       few (forSeen (genSeen (profile s) (shapesAround (profile s)) 0 10) (\seen ->
         let Shape high wide = seenShape seen
-            d = leastDistance looked [ Position i j | i <- below high, j <- below wide ]
-            zeros = [ [ Just (fromMaybe 0 (lookup (Position i j) (seenWrong seen))) | j <- below wide ] | i <- below high ]
+            d = leastDistance looked (shapeCells (Shape high wide))
+            zeros = [ [ Just (fromMaybe 0 (lookup (Position i j) (seenWrong seen))) | j <- naturalsBelow wide ] | i <- naturalsBelow high ]
         in d > 0 && fromIntegral (length (seenWrong seen)) <= radiusOf d ==> refuses "zero-window" (nearest s Nothing zeros)))))
   , Law "a patch of which nothing was observed is refused: too-few-cells, and what is no patch: invalid" (\s ->
       once (conjoin
@@ -51,7 +51,6 @@ damageLaws =
   where
     -- Each compares all windows with all.
     few = withMaxSuccess 30
-    below n = takeWhile (< n) [0 ..]
     -- As the torus continues it, whatever the surface.
     wrapped looked shape place = patchOf (onTorus looked) (Seen place shape [] [])
 
@@ -61,8 +60,7 @@ forSeenWithin looked s law = forSeen damaged law
   where
     damaged = do
       seen <- genSeen (profile s) (shapesAround (profile s)) 0 0
-      let Shape high wide = seenShape seen
-          offsets = [ Position i j | i <- takeWhile (< high) [0 ..], j <- takeWhile (< wide) [0 ..] ]
+      let offsets = shapeCells (seenShape seen)
           d = leastDistance looked offsets
       -- Where nothing is forgiven, a window without damage.
       if d == 0 then genSeen (profile s) [profileWindow (profile s)] 0 0 else do

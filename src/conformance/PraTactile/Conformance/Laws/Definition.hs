@@ -28,7 +28,7 @@ import qualified Data.Vector.Unboxed as Vector
 import Numeric.Natural (Natural)
 import Test.QuickCheck
 
-import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalSurface)
+import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalSurface, naturalsBelow, shapeCells)
 import PraTactile.Conformance.Implementation
 import PraTactile.Profile (Profile (..))
 
@@ -43,7 +43,7 @@ lookedAt :: Session -> (Looked -> Property) -> Property
 lookedAt s property'
   | area shape > 1024 = label "not compared: more than 1024 cells" True
   | otherwise = idempotentIOProperty $ do
-      cells <- runExceptT (traverse (cell s) [ Position r c | r <- below (rows shape), c <- below (columns shape) ])
+      cells <- runExceptT (traverse (cell s) (shapeCells shape))
       pure $ case cells of
         Left found -> counterexample ("a cell of the array was refused: " ++ show found) False
         Right found -> property' (Looked (profile s) (Vector.fromList (map fromIntegral found)))
@@ -58,7 +58,7 @@ onTorus looked = looked { lookedProfile = (lookedProfile looked) { profileSurfac
 contentsAt :: Surface -> Looked -> [Position] -> [(Position, [Int])]
 contentsAt surface looked offsets =
   [ (Position (fromIntegral r) (fromIntegral c), content)
-  | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1], Just content <- [traverse (\(i, j) -> at (r + i) (c + j)) (map ints offsets)] ]
+  | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1], Just content <- [traverse ((\(i, j) -> at (r + i) (c + j)) . ints) offsets] ]
   where
     Shape high wide = profileShape (lookedProfile looked)
     n1 = fromIntegral high :: Int
@@ -104,7 +104,7 @@ data Seen = Seen
 -- | The rows as they are seen.
 patchOf :: Looked -> Seen -> [[Maybe Code]]
 patchOf looked seen =
-  [ [ if cell' `elem` seenGone seen then Nothing else changed cell' <$> Map.lookup cell' content | j <- below w, let cell' = Position i j ] | i <- below h ]
+  [ [ if cell' `elem` seenGone seen then Nothing else changed cell' <$> Map.lookup cell' content | j <- naturalsBelow w, let cell' = Position i j ] | i <- naturalsBelow h ]
   where
     Shape h w = seenShape seen
     content = originalOf looked seen
@@ -115,7 +115,7 @@ originalOf :: Looked -> Seen -> Map Position Code
 originalOf looked seen = Map.fromList (concat [ zip offsets (map fromIntegral content) | (place, content) <- contentsAt surface looked offsets, place == seenPlace seen ])
   where
     Shape h w = seenShape seen
-    offsets = [ Position i j | i <- below h, j <- below w ]
+    offsets = shapeCells (Shape h w)
     surface = profileSurface (lookedProfile looked)
 
 -- | The offsets and codes of the observed cells.
@@ -137,7 +137,7 @@ genSeen p shapes erased wrong = do
       last' n size = if profileSurface p == Sheet then n - size else n - 1
   place <- Position <$> upTo (last' n1 h) <*> upTo (last' n2 w)
   fates <- vectorOf (fromIntegral (h * w)) ((,,) <$> choose (1, 100) <*> choose (1, 100) <*> upTo (profileOrder p - 2))
-  let cells = zip [ Position i j | i <- below h, j <- below w ] fates
+  let cells = zip (shapeCells (Shape h w)) fates
   pure (Seen place shape [ cell' | (cell', (a, _, _)) <- cells, a <= erased ] [ (cell', 1 + by) | (cell', (a, b, by)) <- cells, a > erased, b <= wrong ])
   where
     upTo n = fromInteger <$> chooseInteger (0, toInteger n)
@@ -148,6 +148,3 @@ forSeen gen = forAllShrink gen $ \seen ->
   [ seen { seenWrong = fewer } | fewer <- without (seenWrong seen) ] ++ [ seen { seenGone = fewer } | fewer <- without (seenGone seen) ]
   where
     without xs = [ take i xs ++ drop (i + 1) xs | i <- [0 .. length xs - 1] ]
-
-below :: Natural -> [Natural]
-below n = takeWhile (< n) [0 ..]

@@ -5,7 +5,7 @@ module PraTactile.Conformance.Laws.Locate
 
 import Test.QuickCheck
 
-import PraTactile.Array (Position (..), Shape (..), Surface (..))
+import PraTactile.Array (Position (..), Shape (..), Surface (..), naturalsBelow)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Profile (Profile (..))
@@ -35,9 +35,8 @@ locateLaws =
 
 -- | The cells of a patch on the profile's surface.
 look :: Session -> Shape -> Position -> Wire [[Code]]
-look s (Shape high wide) (Position r c) = traverse (traverse (cell s . onSurface)) [ [ (r + i, c + j) | j <- upTo wide ] | i <- upTo high ]
+look s (Shape high wide) (Position r c) = traverse (traverse (cell s . onSurface)) [ [ (r + i, c + j) | j <- naturalsBelow wide ] | i <- naturalsBelow high ]
   where
-    upTo n = takeWhile (< n) [0 ..]
     Shape n1 n2 = profileShape (profile s)
     onSurface (i, j) = case profileSurface (profile s) of
       TwistedTorus -> Position ((i + j `div` n2) `mod` n1) (j `mod` n2)

@@ -3,13 +3,14 @@ module PraTactile.Conformance.Laws.Sequence
   ( sequenceLaws
   ) where
 
-import Control.Monad (foldM, join)
+import Control.Monad (foldM, join, zipWithM)
 import Data.List (tails)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import Test.QuickCheck
 
+import PraTactile.Array (naturalsBelow)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Profile (Profile (..), Reading (..))
@@ -20,7 +21,7 @@ sequenceLaws =
   [ Law "s(0), ..., s(n-1) are the initial state" (\s -> equal (traverse (term s) [0 .. degree s - 1]) (pure (profileState (profile s))))
   , Law "c0 s(i) + c1 s(i+1) + ... + cn s(i+n) = 0, with c read backwards for a reciprocal polynomial" (\s ->
       let obeyed i = equal (combination s (recurrence s) (traverse (\k -> term s (i + k)) [0 .. degree s])) (pure 0)
-      in if period s <= 4096 then once (conjoin [ counterexample (show i) (obeyed i) | i <- takeWhile (< period s) [0 ..] ]) else forTerms s obeyed)
+      in if period s <= 4096 then once (conjoin [ counterexample (show i) (obeyed i) | i <- naturalsBelow (period s) ]) else forTerms s obeyed)
   , Law "s(i + q^n - 1) = s(i)" (\s -> forTerms s (\i -> equal (term s (i + period s)) (term s i)))
   , Law "in a period 0 occurs q^(n-1) - 1 times and every other element q^(n-1) times" (\s ->
       period s <= 4096 ==>
@@ -76,5 +77,5 @@ sequenceLaws =
       Reciprocal -> reverse (polynomialOf s)
     combination s coefficients terms = do
       values <- terms
-      products <- sequence (zipWith (multiply s) coefficients values)
+      products <- zipWithM (multiply s) coefficients values
       foldM (add s) 0 products
