@@ -6,7 +6,7 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test lint fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test lint format fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -22,8 +22,11 @@ test: setup ## run the whole test suite (MATCH=... for a part of it)
 	@tools/lint.sh
 	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
 
-lint: ## give the sources to hlint, where version 3 of it is installed
+lint: ## check the sources: 100 columns, ormolu, hlint
 	@tools/lint.sh
+
+format: ## format the sources by ormolu 0.3.1
+	@tools/format.sh
 
 build: setup ## build the program, as bin/pra-tactile
 	@tools/build.sh
@@ -46,7 +49,7 @@ evaluate: build ## the figure that matters: 1000 simulated presses, with and wit
 
 # A file or more: make figures FILES=docs/locating.md. Half an hour for all, on two cores with nothing else to do.
 figures: build ## run the commands that README and docs show, and put there what they print
-	@PATH="$(CURDIR)/bin:$$PATH" runghc -itest tools/Figures.hs $(FILES)
+	@PATH="$(CURDIR)/bin:$$PATH" runghc $$(tools/extensions.sh) -itest tools/Figures.hs $(FILES)
 
 # About half an hour; the test suite has a tenth of them. What is found is printed with the seed that finds it again.
 fuzz: setup ## a million hostile inputs through the parsers, ten thousand through the program
@@ -62,7 +65,7 @@ bench: setup ## the benchmarks
 	@$(CABAL) bench -v1
 
 house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
-	@runghc -itest tools/House.hs > house.dot
+	@runghc $$(tools/extensions.sh) -itest tools/House.hs > house.dot
 	@if command -v dot >/dev/null 2>&1; then dot -Tsvg house.dot > house.svg && echo "wrote house.dot and house.svg"; \
 	 else echo "wrote house.dot (install Graphviz to have house.svg drawn)"; fi
 

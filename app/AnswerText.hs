@@ -1,16 +1,16 @@
 -- | Where patches are, in words, as @locate@ prints it.
 module AnswerText
-  ( Asked (..)
-  , upright
-  , answerText
-  , candidatesOf
-  , degrees
-  , orientationText
-  , pairText
-  ) where
+  ( Asked (..),
+    upright,
+    answerText,
+    candidatesOf,
+    degrees,
+    orientationText,
+    pairText,
+  )
+where
 
 import Data.List (intercalate, nub, sort)
-
 import Message
 import PraTactile.Locate
 import PraTactile.Position
@@ -18,9 +18,9 @@ import PraTactile.Symmetry
 
 -- | What was asked, as far as the words of the answer depend on it.
 data Asked = Asked
-  { askedSymmetries :: [Symmetry]
-  , askedDisplaced :: Bool
-  -- ^ Whether patches were given with displacements; else it is one patch alone.
+  { askedSymmetries :: [Symmetry],
+    -- | Whether patches were given with displacements; else it is one patch alone.
+    askedDisplaced :: Bool
   }
 
 -- | Whether patches are seen upright, so that there is nothing to say of orientations.
@@ -30,7 +30,9 @@ upright asked = askedSymmetries asked == [identity]
 -- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
 answerText :: Asked -> Answer -> String
 answerText asked answer =
-  intercalate "; " ((outcomeText asked (answerOutcome answer) ++ corrections) : patchesText asked answer)
+  intercalate
+    "; "
+    ((outcomeText asked (answerOutcome answer) ++ corrections) : patchesText asked answer)
   where
     corrections = case maybe 0 (length . corrected) (answerDistances answer) of
       0 -> ""
@@ -40,26 +42,45 @@ answerText asked answer =
 outcomeText :: Asked -> Outcome Candidate -> String
 outcomeText asked outcome = case outcome of
   Unique (Candidate o (Position r c)) _ ->
-    "row " ++ show r ++ ", column " ++ show c ++ (if upright asked then "" else ", " ++ orientationText o)
+    "row "
+      ++ show r
+      ++ ", column "
+      ++ show c
+      ++ (if upright asked then "" else ", " ++ orientationText o)
   Ambiguous candidates _
     | upright asked -> fitting (length places) ++ ": " ++ unwords (map pairText places)
-    | otherwise -> fitting (length candidates) ++ ": " ++ intercalate "; " (map candidateText candidates)
-    where places = nub (sort (map candidatePosition candidates))
+    | otherwise ->
+      fitting (length candidates) ++ ": " ++ intercalate "; " (map candidateText candidates)
+    where
+      places = nub (sort (map candidatePosition candidates))
   AmbiguousMany count _ -> fitting count
   Refused reason -> "refused (" ++ reasonName reason ++ "): " ++ reasonMessage reason
   where
-    fitting count = "ambiguous: " ++ show count ++ (if upright asked then " positions fit" else " positions and orientations fit")
-    candidateText candidate = pairText (candidatePosition candidate) ++ " " ++ orientationText (candidateSymmetry candidate)
+    fitting count =
+      "ambiguous: "
+        ++ show count
+        ++ (if upright asked then " positions fit" else " positions and orientations fit")
+    candidateText candidate =
+      pairText (candidatePosition candidate) ++ " " ++ orientationText (candidateSymmetry candidate)
 
 -- | Which of the patches do not belong, and which cells they saw differently.
 patchesText :: Asked -> Answer -> [String]
 patchesText asked answer
   | not (askedDisplaced asked) = []
   | otherwise =
-      [ "inconsistent: patch" ++ (if length strays == 1 then " " else "es ") ++ intercalate ", " (map show strays)
-      | strays@(_ : _) <- [[i | (i, verdict) <- zip [1 :: Int ..] (answerPatches answer), patchInconsistent verdict]]
-      ]
-        ++ ["in dispute: " ++ unwords (map pairText disputed) | disputed@(_ : _) <- [answerDisputed answer]]
+    [ "inconsistent: patch"
+        ++ (if length strays == 1 then " " else "es ")
+        ++ intercalate ", " (map show strays)
+      | strays@(_ : _) <-
+          [ [ i
+              | (i, verdict) <- zip [1 :: Int ..] (answerPatches answer),
+                patchInconsistent verdict
+            ]
+          ]
+    ]
+      ++ [ "in dispute: " ++ unwords (map pairText disputed)
+           | disputed@(_ : _) <- [answerDisputed answer]
+         ]
 
 -- | The candidates, as far as they are listed.
 candidatesOf :: Answer -> [Candidate]
@@ -77,7 +98,8 @@ orientationText :: Symmetry -> String
 orientationText o = case (mirrored o, degrees o) of
   (False, 0) -> "upright"
   (True, 0) -> "mirrored"
-  (flipped, turn) -> (if flipped then "mirrored and " else "") ++ "turned by " ++ show turn ++ " degrees"
+  (flipped, turn) ->
+    (if flipped then "mirrored and " else "") ++ "turned by " ++ show turn ++ " degrees"
 
 -- | @r,c@.
 pairText :: Position -> String

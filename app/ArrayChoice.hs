@@ -1,28 +1,29 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window --state@, or
--- @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
+-- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window
+-- --state@, or @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
 module ArrayChoice
-  ( module Readers
-    -- * The choice
-  , ArrayChoice
-  , arrayChoice
-  , chosenProfile
-  , chosenSequence
-  , chosenProfileFor
-  , choiceBesideFile
-    -- * Options of several commands
-  , orderOption
-  , modulusOption
-  , radiusOption
-  ) where
+  ( module Readers,
 
-import Numeric.Natural (Natural)
-import Options.Applicative
+    -- * The choice
+    ArrayChoice,
+    arrayChoice,
+    chosenProfile,
+    chosenSequence,
+    chosenProfileFor,
+    choiceBesideFile,
+
+    -- * Options of several commands
+    orderOption,
+    modulusOption,
+    radiusOption,
+  )
+where
 
 import Ending
-import Json (foldingName)
 import FormatFile (readProfile)
+import Json (foldingName)
 import Message (profileMessage)
+import Numeric.Natural (Natural)
+import Options.Applicative
 import PraTactile.Array (Folding, Shape (..))
 import PraTactile.Locate (Radius (..))
 import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
@@ -30,14 +31,14 @@ import Readers
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
-  { choiceOrder :: Maybe Natural
-  , choiceModulus :: Maybe [Natural]
-  , choicePolynomial :: Maybe [Natural]
-  , choiceShape :: Maybe Shape
-  , choiceWindow :: Maybe Shape
-  , choiceState :: Maybe [Natural]
-  , choiceFolding :: Maybe Folding
-  , choiceFile :: Maybe FilePath
+  { choiceOrder :: Maybe Natural,
+    choiceModulus :: Maybe [Natural],
+    choicePolynomial :: Maybe [Natural],
+    choiceShape :: Maybe Shape,
+    choiceWindow :: Maybe Shape,
+    choiceState :: Maybe [Natural],
+    choiceFolding :: Maybe Folding,
+    choiceFile :: Maybe FilePath
   }
   deriving stock (Eq, Show)
 
@@ -46,61 +47,140 @@ nothingChosen = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Noth
 
 -- | The options, all of them optional.
 arrayChoice :: Parser ArrayChoice
-arrayChoice = ArrayChoice
-  <$> optional orderOption
-  <*> optional modulusOption
-  <*> optional (option numbersReader (long "polynomial" <> metavar "C0,C1,.." <> help "Primitive characteristic polynomial over GF(q) as codes, constant term first, monic"))
-  <*> optional (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
-  <*> optional (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"))
-  <*> optional (option numbersReader (long "state" <> metavar "S0,S1,.." <> help "Initial state of the shift register as codes (default 0,..,0,1)"))
-  <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> completeWith (map foldingName [minBound ..]) <> help "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"))
-  <*> optional (strOption (long "profile" <> metavar "FILE" <> action "file" <> help "Take the profile from a JSON file, as the command 'profile' prints it"))
+arrayChoice =
+  ArrayChoice
+    <$> optional orderOption
+    <*> optional modulusOption
+    <*> optional
+      ( option
+          numbersReader
+          ( long "polynomial"
+              <> metavar "C0,C1,.."
+              <> help
+                "Primitive characteristic polynomial over GF(q) as codes, constant term first, \
+                \monic"
+          )
+      )
+    <*> optional
+      (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
+    <*> optional
+      ( option
+          shapeReader
+          ( long "window"
+              <> metavar "ROWSxCOLUMNS"
+              <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"
+          )
+      )
+    <*> optional
+      ( option
+          numbersReader
+          ( long "state"
+              <> metavar "S0,S1,.."
+              <> help "Initial state of the shift register as codes (default 0,..,0,1)"
+          )
+      )
+    <*> optional
+      ( option
+          foldingReader
+          ( long "folding"
+              <> metavar "FOLDING"
+              <> completeWith (map foldingName [minBound ..])
+              <> help
+                "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"
+          )
+      )
+    <*> optional
+      ( strOption
+          ( long "profile"
+              <> metavar "FILE"
+              <> action "file"
+              <> help "Take the profile from a JSON file, as the command 'profile' prints it"
+          )
+      )
 
 -- | @--q@.
 orderOption :: Parser Natural
-orderOption = option naturalReader (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256")
+orderOption =
+  option
+    naturalReader
+    (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256")
 
 -- | @--modulus@.
 modulusOption :: Parser [Natural]
-modulusOption = option numbersReader (long "modulus" <> metavar "C0,C1,.." <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)")
+modulusOption =
+  option
+    numbersReader
+    ( long "modulus"
+        <> metavar "C0,C1,.."
+        <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"
+    )
 
 -- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
 chosenProfile :: ArrayChoice -> IO Profile
 chosenProfile choice = case choice of
-  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) -> readProfile file
-  ArrayChoice { choiceFile = Just _ } ->
-    unusable "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, --window, --state and --folding"
-  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing folding Nothing -> pure (maybe id foldedBy folding canonicalProfile)
-  ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Just shape } ->
-    maybe id foldedBy (choiceFolding choice) <$> orUnusable profileMessage
-      (chooseProfile q (choiceModulus choice) h shape (choiceWindow choice) (choiceState choice))
-  _ -> unusable ("to choose an array, give --q, --polynomial and --shape together (missing: " ++ missing ++ ")")
+  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) ->
+    readProfile file
+  ArrayChoice {choiceFile = Just _} ->
+    unusable
+      "--profile FILE already chooses the array; leave out --q, --modulus, --polynomial, --shape, \
+      \--window, --state and --folding"
+  ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing folding Nothing ->
+    pure (maybe id foldedBy folding canonicalProfile)
+  ArrayChoice {choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Just shape} ->
+    maybe id foldedBy (choiceFolding choice)
+      <$> orUnusable
+        profileMessage
+        (chooseProfile q (choiceModulus choice) h shape (choiceWindow choice) (choiceState choice))
+  _ ->
+    unusable
+      ( "to choose an array, give --q, --polynomial and --shape together (missing: "
+          ++ missing
+          ++ ")"
+      )
   where
-    missing = unwords
-      ( [ "--q" | Nothing <- [choiceOrder choice] ]
-        ++ [ "--polynomial" | Nothing <- [choicePolynomial choice] ]
-        ++ [ "--shape" | Nothing <- [choiceShape choice] ] )
+    missing =
+      unwords
+        ( ["--q" | Nothing <- [choiceOrder choice]]
+            ++ ["--polynomial" | Nothing <- [choicePolynomial choice]]
+            ++ ["--shape" | Nothing <- [choiceShape choice]]
+        )
 
--- | The same for a window that is given otherwise and has this extent: it takes the place of @--window@.
+-- | The same for a window that is given otherwise and has this extent: it takes the place of
+-- @--window@.
 chosenProfileFor :: Shape -> ArrayChoice -> IO Profile
 chosenProfileFor extent choice = case choice of
-  ArrayChoice { choiceWindow = Just _ } -> unusable "--mask already says what a window is; leave out --window"
-  ArrayChoice { choiceShape = Just _ } -> chosenProfile choice { choiceWindow = Just extent }
-  _ -> (\profile -> profile { profileWindow = extent }) <$> chosenProfile choice
+  ArrayChoice {choiceWindow = Just _} ->
+    unusable "--mask already says what a window is; leave out --window"
+  ArrayChoice {choiceShape = Just _} -> chosenProfile choice {choiceWindow = Just extent}
+  _ -> (\profile -> profile {profileWindow = extent}) <$> chosenProfile choice
 
--- | Beside a file that holds the array itself: q and the window, if they are given, and nothing else.
+-- | Beside a file that holds the array itself: q and the window, if they are given, and nothing
+-- else.
 choiceBesideFile :: ArrayChoice -> Either String (Maybe Natural, Maybe Shape)
 choiceBesideFile choice
-  | choice { choiceOrder = Nothing, choiceWindow = Nothing } == nothingChosen = Right (choiceOrder choice, choiceWindow choice)
-  | otherwise = Left "FILE already holds the array; beside it only --q and --window (or --mask) say more"
+  | choice {choiceOrder = Nothing, choiceWindow = Nothing} == nothingChosen =
+    Right (choiceOrder choice, choiceWindow choice)
+  | otherwise =
+    Left "FILE already holds the array; beside it only --q and --window (or --mask) say more"
 
 -- | As 'chosenProfile', where only the sequence matters: without a shape, all terms lie in one row.
 chosenSequence :: ArrayChoice -> IO Profile
 chosenSequence choice = case choice of
-  ArrayChoice { choiceOrder = Just q, choicePolynomial = Just h, choiceShape = Nothing, choiceFile = Nothing } ->
-    chosenProfile choice { choiceShape = Just (Shape 1 (q ^ (max 1 (length h) - 1) - 1)), choiceWindow = Just (Shape 1 1) }
+  ArrayChoice
+    { choiceOrder = Just q,
+      choicePolynomial = Just h,
+      choiceShape = Nothing,
+      choiceFile = Nothing
+    } ->
+      chosenProfile
+        choice
+          { choiceShape = Just (Shape 1 (q ^ (max 1 (length h) - 1) - 1)),
+            choiceWindow = Just (Shape 1 1)
+          }
   _ -> chosenProfile choice
 
 -- | @--radius N@, with what it says of itself; the guaranteed radius without it.
 radiusOption :: String -> Parser Radius
-radiusOption said = maybe Guaranteed UpTo <$> optional (option naturalReader (long "radius" <> metavar "N" <> help said))
+radiusOption said =
+  maybe Guaranteed UpTo
+    <$> optional (option naturalReader (long "radius" <> metavar "N" <> help said))

@@ -1,10 +1,11 @@
 -- | The command line: one parser a command, each in its own module.
 module CommandLine
-  ( main
-  , commandLine
-  , preferences
-  , misunderstood
-  ) where
+  ( main,
+    commandLine,
+    preferences,
+    misunderstood,
+  )
+where
 
 import qualified Command.Advise
 import qualified Command.Array
@@ -31,16 +32,15 @@ import qualified Command.Table
 import qualified Command.Train
 import Data.Char (isLower)
 import Data.Version (showVersion)
+import Ending
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp)
+import Paths_pra_tactile (version)
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..))
 import System.IO (hPutStrLn, hSetEncoding, stderr, stdout)
 import System.Posix.Signals (Handler (Default), installHandler, sigPIPE)
-
-import Ending
-import Paths_pra_tactile (version)
 
 main :: IO ()
 main = do
@@ -66,42 +66,85 @@ main = do
 preferences :: ParserPrefs
 preferences = prefs showHelpOnEmpty
 
--- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read what is right, a line
--- each, or with nothing where the help is all that is to be said. The name is the program's.
+-- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read
+-- what is right, a line each, or with nothing where the help is all that is to be said. The name is
+-- the program's.
 misunderstood :: String -> ParserFailure ParserHelp -> Either [String] String
 misunderstood name failure = case execFailure failure name of
   (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
   (explained, ExitFailure _, _)
     | null complaint -> Left []
-    | otherwise -> Left
-        [ text mempty { helpError = helpError explained, helpSuggestions = if brief then helpSuggestions explained else mempty }
-        , "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'" ]
+    | otherwise ->
+      Left
+        [ text
+            mempty
+              { helpError = helpError explained,
+                helpSuggestions = if brief then helpSuggestions explained else mempty
+              },
+          "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'"
+        ]
     where
-      complaint = text mempty { helpError = helpError explained }
-      -- The words near to a longer one would be sought in a time and a memory that grow with it, for nothing.
+      complaint = text mempty {helpError = helpError explained}
+      -- The words near to a longer one would be sought in a time and a memory that grow with it,
+      -- for nothing.
       brief = null (drop 500 complaint)
   where
     text = unwords . words . renderHelp 100000
     -- The usage begins with the words of the command.
     commandOf usage =
-      takeWhile (all (\c -> isLower c || c == '-')) (drop 1 (words (renderHelp 100000 mempty { helpUsage = usage })))
+      takeWhile
+        (all (\c -> isLower c || c == '-'))
+        (drop 1 (words (renderHelp 100000 mempty {helpUsage = usage})))
 
 commandLine :: ParserInfo (IO Ending)
-commandLine = info (commands <**> helper <**> versionOption) $
-  fullDesc
-    <> header "pra-tactile - recognise objects by touch from the pseudorandom array embossed on their faces"
-    <> footer "Exit status: 0 answered; 1 well formed, but refused, ambiguous or refuted; 2 bad usage or bad input."
+commandLine =
+  info (commands <**> helper <**> versionOption) $
+    fullDesc
+      <> header
+        "pra-tactile - recognise objects by touch from the pseudorandom array embossed on their \
+        \faces"
+      <> footer
+        "Exit status: 0 answered; 1 well formed, but refused, ambiguous or refuted; 2 bad usage \
+        \or bad input."
 
 versionOption :: Parser (a -> a)
-versionOption = infoOption ("pra-tactile " ++ showVersion version) (long "version" <> help "Show the version")
+versionOption =
+  infoOption ("pra-tactile " ++ showVersion version) (long "version" <> help "Show the version")
 
 commands :: Parser (IO Ending)
-commands = subparser (commandGroup "The code:" <> metavar "COMMAND" <> mconcat
-    [ Command.Array.command, Command.Prove.command, Command.Certificate.command, Command.Check.command
-    , Command.Locate.command, Command.Rates.command, Command.Table.command, Command.Profile.command
-    , Command.Sequence.command, Command.Synthesise.command, Command.Advise.command
-    , Command.Field.command, Command.Polynomials.command, Command.Census.command, Command.Merge.command ])
-  <|> subparser (commandGroup "Touch:" <> hidden <> mconcat
-    [ Command.Probe.command, Command.Stitch.command, Command.Decode.command, Command.Compare.command, Command.Evaluate.command ])
-  <|> subparser (commandGroup "Objects and symbols:" <> hidden <> mconcat
-    [ Command.Objects.command, Command.Shapes.command, Command.Train.command ])
+commands =
+  subparser
+    ( commandGroup "The code:" <> metavar "COMMAND"
+        <> mconcat
+          [ Command.Array.command,
+            Command.Prove.command,
+            Command.Certificate.command,
+            Command.Check.command,
+            Command.Locate.command,
+            Command.Rates.command,
+            Command.Table.command,
+            Command.Profile.command,
+            Command.Sequence.command,
+            Command.Synthesise.command,
+            Command.Advise.command,
+            Command.Field.command,
+            Command.Polynomials.command,
+            Command.Census.command,
+            Command.Merge.command
+          ]
+    )
+    <|> subparser
+      ( commandGroup "Touch:" <> hidden
+          <> mconcat
+            [ Command.Probe.command,
+              Command.Stitch.command,
+              Command.Decode.command,
+              Command.Compare.command,
+              Command.Evaluate.command
+            ]
+      )
+    <|> subparser
+      ( commandGroup "Objects and symbols:" <> hidden
+          <> mconcat
+            [Command.Objects.command, Command.Shapes.command, Command.Train.command]
+      )

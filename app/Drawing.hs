@@ -1,34 +1,38 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below another by what
--- each really takes up. Units are those of the picture, x to the right and y down.
+
+-- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below
+-- another by what each really takes up. Units are those of the picture, x to the right and y down.
 module Drawing
   ( -- * Extents
-    Extent (..)
-  , around
-  , width
-  , height
+    Extent (..),
+    around,
+    width,
+    height,
+
     -- * Marks
-  , Mark (..)
-  , Form (..)
-  , Paint (..)
-  , outlined
-  , filled
-  , Font (..)
-  , Anchor (..)
-  , markExtent
+    Mark (..),
+    Form (..),
+    Paint (..),
+    outlined,
+    filled,
+    Font (..),
+    Anchor (..),
+    markExtent,
+
     -- * Drawings
-  , Drawing
-  , extentOf
-  , shifted
-  , beside
-  , above
-  , flowing
+    Drawing,
+    extentOf,
+    shifted,
+    beside,
+    above,
+    flowing,
+
     -- * Words
-  , textWidth
-  , wrapped
-  , hundredths
-  ) where
+    textWidth,
+    wrapped,
+    hundredths,
+  )
+where
 
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.List.NonEmpty as NonEmpty
@@ -36,15 +40,14 @@ import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Semigroup (sconcat)
 import Data.Text (Text)
 import Numeric (showFFloat)
-
 import PraTactile.Image (Raster)
 
 -- | A rectangle, by its sides.
 data Extent = Extent
-  { leftEdge :: !Double
-  , topEdge :: !Double
-  , rightEdge :: !Double
-  , bottomEdge :: !Double
+  { leftEdge :: !Double,
+    topEdge :: !Double,
+    rightEdge :: !Double,
+    bottomEdge :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -62,28 +65,33 @@ height e = bottomEdge e - topEdge e
 
 -- | Something drawn, with the word that says what it is: its class in the SVG.
 data Mark = Mark
-  { markClass :: !Text
-  , markForm :: !Form
+  { markClass :: !Text,
+    markForm :: !Form
   }
   deriving stock (Eq, Show)
 
 -- | What is drawn.
 data Form
   = Rectangle !Paint !Extent
-  | Patches !Paint [Extent]                          -- ^ rectangles as one path
-  | Outline !Paint [(Double, Double)]                -- ^ a closed polygon
-  | Line !Paint [(Double, Double)]                   -- ^ an open one
-  | Grey !Raster !Extent                             -- ^ an image: white for 0, dark for 1; each pixel a sharp square
-  | Words !Anchor !Font !(Double, Double) String     -- ^ one line of text, from a point of its baseline
+  | -- | rectangles as one path
+    Patches !Paint [Extent]
+  | -- | a closed polygon
+    Outline !Paint [(Double, Double)]
+  | -- | an open one
+    Line !Paint [(Double, Double)]
+  | -- | an image: white for 0, dark for 1; each pixel a sharp square
+    Grey !Raster !Extent
+  | -- | one line of text, from a point of its baseline
+    Words !Anchor !Font !(Double, Double) String
   deriving stock (Eq, Show)
 
 -- | Colours as CSS has them, and how thick and opaque.
 data Paint = Paint
-  { fillColour :: !Text
-  , strokeColour :: !Text
-  , strokeWidth :: !Double
-  , dashed :: !Bool
-  , opacity :: !Double
+  { fillColour :: !Text,
+    strokeColour :: !Text,
+    strokeWidth :: !Double,
+    dashed :: !Bool,
+    opacity :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -96,9 +104,9 @@ filled :: Text -> Double -> Paint
 filled colour = Paint colour "none" 0 False
 
 data Font = Font
-  { fontSize :: !Double
-  , fontBold :: !Bool
-  , fontColour :: !Text
+  { fontSize :: !Double,
+    fontBold :: !Bool,
+    fontColour :: !Text
   }
   deriving stock (Eq, Show)
 
@@ -106,8 +114,8 @@ data Font = Font
 data Anchor = FromLeft | FromMiddle | FromRight
   deriving stock (Eq, Show)
 
--- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of the usual
--- sans-serif fonts. 'Nothing' for no patches and no points.
+-- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of
+-- the usual sans-serif fonts. 'Nothing' for no patches and no points.
 markExtent :: Mark -> Maybe Extent
 markExtent (Mark _ form) = case form of
   Rectangle paint e -> Just (stroked paint e)
@@ -117,11 +125,12 @@ markExtent (Mark _ form) = case form of
   Grey _ e -> Just e
   Words anchor font (x, y) words' ->
     let w = textWidth font words'
-        left = case anchor of { FromLeft -> x; FromMiddle -> x - w / 2; FromRight -> x - w }
-    in Just (Extent left (y - 0.8 * fontSize font) (left + w) (y + 0.24 * fontSize font))
+        left = case anchor of FromLeft -> x; FromMiddle -> x - w / 2; FromRight -> x - w
+     in Just (Extent left (y - 0.8 * fontSize font) (left + w) (y + 0.24 * fontSize font))
   where
     point (x, y) = Extent x y x y
-    stroked paint (Extent l t r b) = let s = strokeWidth paint / 2 in Extent (l - s) (t - s) (r + s) (b + s)
+    stroked paint (Extent l t r b) =
+      let s = strokeWidth paint / 2 in Extent (l - s) (t - s) (r + s) (b + s)
 
 hull :: [Extent] -> Maybe Extent
 hull = fmap sconcat . NonEmpty.nonEmpty
@@ -154,22 +163,23 @@ beside gap first second = shifted (rightEdge a + gap - leftEdge b, topEdge a - t
     a = extentOf first
     b = extentOf second
 
--- | Drawings one below the other, this far apart, their left sides flush with that of the first; none if they are
--- empty.
+-- | Drawings one below the other, this far apart, their left sides flush with that of the first;
+-- none if they are empty.
 above :: Double -> [Drawing] -> Drawing
 above gap drawings = case NonEmpty.nonEmpty (filter (not . null) drawings) of
   Nothing -> []
   Just (first :| others) -> concat (go first others)
   where
-    go first others = first : case others of
-      [] -> []
-      next : rest ->
-        let a = extentOf first
-            b = extentOf next
-        in go (shifted (leftEdge a - leftEdge b, bottomEdge a + gap - topEdge b) next) rest
+    go first others =
+      first : case others of
+        [] -> []
+        next : rest ->
+          let a = extentOf first
+              b = extentOf next
+           in go (shifted (leftEdge a - leftEdge b, bottomEdge a + gap - topEdge b) next) rest
 
--- | Drawings one after the other as words are, this far apart, in rows no wider than the width; a drawing that is
--- wider has a row of its own.
+-- | Drawings one after the other as words are, this far apart, in rows no wider than the width; a
+-- drawing that is wider has a row of its own.
 flowing :: Double -> Double -> [Drawing] -> Drawing
 flowing gap room = above gap . rows []
   where
@@ -182,10 +192,11 @@ flowing gap room = above gap . rows []
         where
           placed = beside (2 * gap) line next
 
--- | How wide a line of text is at most in the usual sans-serif fonts: letters of DejaVu Sans, which is among the
--- widest, average less.
+-- | How wide a line of text is at most in the usual sans-serif fonts: letters of DejaVu Sans, which
+-- is among the widest, average less.
 textWidth :: Font -> String -> Double
-textWidth font words' = fontSize font * (if fontBold font then 0.7 else 0.62) * fromIntegral (length words')
+textWidth font words' =
+  fontSize font * (if fontBold font then 0.7 else 0.62) * fromIntegral (length words')
 
 -- | Text in lines that are no wider than the width, where its words allow.
 wrapped :: Double -> Font -> String -> [String]
@@ -193,7 +204,9 @@ wrapped room font = go . words
   where
     go [] = []
     go (first : rest) = let (line, others) = fill first rest in line : go others
-    fill line (next : rest) | textWidth font (line ++ " " ++ next) <= room = fill (line ++ " " ++ next) rest
+    fill line (next : rest)
+      | textWidth font (line ++ " " ++ next) <= room =
+        fill (line ++ " " ++ next) rest
     fill line rest = (line, rest)
 
 -- | A number to a hundredth, without zeros that say nothing.

@@ -1,17 +1,19 @@
-{-# LANGUAGE DerivingStrategies #-}
 -- | How a command ends: the exit statuses, which scripts rely on, and the one form of a complaint.
 module Ending
   ( -- * Exit statuses
-    Ending (..)
-  , finish
+    Ending (..),
+    finish,
+
     -- * Bad usage and bad input
-  , unusable
-  , orUnusable
-  , warn
-  , systemReason
+    unusable,
+    orUnusable,
+    warn,
+    systemReason,
+
     -- * Running a program
-  , ending
-  ) where
+    ending,
+  )
+where
 
 import Control.Exception
 import Control.Monad (void)
@@ -19,14 +21,16 @@ import Data.Char (toLower)
 import GHC.IO.Exception (IOException (..))
 import System.Exit (ExitCode (..), exitWith)
 import System.IO (hFlush, hPutStrLn, stderr, stdout)
-
 import Visible
 
 -- | The exit status.
 data Ending
-  = Answered      -- ^ 0
-  | NotAnswered   -- ^ 1: well formed, but refused, ambiguous or refuted
-  | Unusable      -- ^ 2: bad usage or bad input
+  = -- | 0
+    Answered
+  | -- | 1: well formed, but refused, ambiguous or refuted
+    NotAnswered
+  | -- | 2: bad usage or bad input
+    Unusable
   deriving stock (Eq, Ord, Show)
 
 -- | Leave with the status of an ending.
@@ -44,9 +48,11 @@ unusable message = warn message >> finish Unusable
 orUnusable :: (e -> String) -> Either e a -> IO a
 orUnusable inWords = either (unusable . inWords) pure
 
--- | A line on the standard error, after all that was said before on the standard output. Where that cannot be written, nothing is left to say it to.
+-- | A line on the standard error, after all that was said before on the standard output. Where that
+-- cannot be written, nothing is left to say it to.
 warn :: String -> IO ()
-warn message = whatever (hFlush stdout) >> whatever (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message)))
+warn message =
+  whatever (hFlush stdout) >> whatever (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message)))
   where
     whatever action = void (try action :: IO (Either IOException ()))
 
@@ -56,16 +62,18 @@ systemReason problem = case ioe_description problem of
   [] -> show (ioe_type problem)
   first : others -> toLower first : others
 
--- | Run a command to its end and leave with its status; with status 2 and a line where its output cannot be written to the
--- end, or where something happens that should not.
+-- | Run a command to its end and leave with its status; with status 2 and a line where its output
+-- cannot be written to the end, or where something happens that should not.
 ending :: IO Ending -> IO a
-ending command = (command <* hFlush stdout >>= finish) `catch` \problem -> case fromException problem of
-  Just status -> hFlush stdout `catch` outputLost >> throwIO (status :: ExitCode)
-  Nothing
-    | Just asynchronous <- fromException problem -> throwIO (asynchronous :: SomeAsyncException)
-    | Just io <- fromException problem, ioe_handle io == Just stdout -> outputLost io
-    | Just io <- fromException problem ->
+ending command =
+  (command <* hFlush stdout >>= finish) `catch` \problem -> case fromException problem of
+    Just status -> hFlush stdout `catch` outputLost >> throwIO (status :: ExitCode)
+    Nothing
+      | Just asynchronous <- fromException problem -> throwIO (asynchronous :: SomeAsyncException)
+      | Just io <- fromException problem, ioe_handle io == Just stdout -> outputLost io
+      | Just io <- fromException problem ->
         unusable ("cannot go on: " ++ systemReason io ++ maybe "" (": " ++) (ioe_filename io))
-    | otherwise -> unusable ("this should not have happened, please report it: " ++ displayException problem)
+      | otherwise ->
+        unusable ("this should not have happened, please report it: " ++ displayException problem)
   where
     outputLost io = unusable ("cannot write the standard output: " ++ systemReason io)

@@ -1,19 +1,21 @@
 {-# LANGUAGE RankNTypes #-}
--- | Choosing a field, alike in the commands about fields: @--q@ and, if it is not to be the default one, @--modulus@.
-module FieldChoice
-  ( FieldChoice
-  , fieldChoice
-  , withChosenField
-  ) where
 
-import Data.Maybe (fromMaybe)
-import Data.Proxy (Proxy)
-import Numeric.Natural (Natural)
-import Options.Applicative
+-- | Choosing a field, alike in the commands about fields: @--q@ and, if it is not to be the default
+-- one, @--modulus@.
+module FieldChoice
+  ( FieldChoice,
+    fieldChoice,
+    withChosenField,
+  )
+where
 
 import ArrayChoice (modulusOption, orderOption)
+import Data.Maybe (fromMaybe)
+import Data.Proxy (Proxy)
 import Ending
 import Message (fieldMessage, profileMessage)
+import Numeric.Natural (Natural)
+import Options.Applicative
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus, modulusDegrees)
 import PraTactile.Profile (ProfileError (ModulusDegree))

@@ -1,17 +1,18 @@
--- | Reading files: one that cannot be read is a plain message and status 2. The name @-@ is the standard input.
+-- | Reading files: one that cannot be read is a plain message and status 2. The name @-@ is the
+-- standard input.
 module Files
-  ( readBytes
-  , readBytesUpTo
-  ) where
+  ( readBytes,
+    readBytesUpTo,
+  )
+where
 
-import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import System.IO (stdin)
-
 import Ending
 import Message.Files (filesMessage)
 import PraTactile.Files (FilesError (TooLarge), largestInput, readUpTo)
+import System.IO (stdin)
 
 -- | A file's bytes; at most 256 MiB.
 readBytes :: FilePath -> IO ByteString
@@ -21,5 +22,7 @@ readBytes = readBytesUpTo largestInput
 readBytesUpTo :: Int -> FilePath -> IO ByteString
 readBytesUpTo limit "-" = do
   bytes <- Lazy.toStrict <$> Lazy.hGet stdin (limit + 1)
-  if Bytes.length bytes > limit then unusable (filesMessage (TooLarge "the standard input" limit)) else pure bytes
+  if Bytes.length bytes > limit
+    then unusable (filesMessage (TooLarge "the standard input" limit))
+    else pure bytes
 readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage

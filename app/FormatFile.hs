@@ -1,14 +1,14 @@
 -- | Files in the formats of "PraTactile.Format". Each reader leaves with status 2 and the reason
 -- where a file is not what it should be.
 module FormatFile
-  ( readProfile
-  , readCertificate
-  , readTruth
-  , readClaim
-  ) where
+  ( readProfile,
+    readCertificate,
+    readTruth,
+    readClaim,
+  )
+where
 
 import Data.ByteString (ByteString)
-
 import Ending
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, profileMessage)
@@ -20,7 +20,10 @@ import PraTactile.Truth (Claim, Truth)
 readProfile :: FilePath -> IO Profile
 readProfile file = do
   profile <-
-    readAs (readBytesUpTo mebibyte) decodeProfile "a profile as 'pra-tactile profile' prints it"
+    readAs
+      (readBytesUpTo mebibyte)
+      decodeProfile
+      "a profile as 'pra-tactile profile' prints it"
       file
   orUnusable (\e -> file ++ ": " ++ profileMessage e) (withProfile profile (\_ _ -> ()))
   pure profile
@@ -42,12 +45,12 @@ readClaim :: FilePath -> IO (Maybe Claim)
 readClaim = readAs readBytes decodeClaim "one answer as 'pra-tactile decode --json' prints it"
 
 -- | A file, by how it is read, what its bytes stand for, and what it should be.
-readAs
-  :: (FilePath -> IO ByteString)
-  -> (ByteString -> Either FormatError a)
-  -> String
-  -> FilePath
-  -> IO a
+readAs ::
+  (FilePath -> IO ByteString) ->
+  (ByteString -> Either FormatError a) ->
+  String ->
+  FilePath ->
+  IO a
 readAs bytesOf decoder wanted file =
   bytesOf file >>= orUnusable (formatMessage file wanted) . decoder
 

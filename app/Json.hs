@@ -1,13 +1,13 @@
 -- | Results printed as JSON, and the pieces that they are made of.
 module Json
-  ( printJson
-  , module PraTactile.Format.Json
-  , module PraTactile.Format.Name
-  ) where
+  ( printJson,
+    module PraTactile.Format.Json,
+    module PraTactile.Format.Name,
+  )
+where
 
 import Data.Aeson (Series)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
-
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 

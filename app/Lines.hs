@@ -1,13 +1,14 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | The standard input line by line, each in memory no longer than it is needed, and none beyond a bound.
+-- | The standard input line by line, each in memory no longer than it is needed, and none beyond a
+-- bound.
 module Lines
-  ( Line (..)
-  , forLines
-  , largestLine
-  ) where
+  ( Line (..),
+    forLines,
+    largestLine,
+  )
+where
 
-import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8')
 import System.IO (stdin)
@@ -15,15 +16,18 @@ import System.IO (stdin)
 -- | A line, without its end.
 data Line
   = Line Text
-  | NotUtf8            -- ^ it holds bytes that are no UTF-8
-  | TooLong Integer    -- ^ it has so many bytes, more than 'largestLine'
+  | -- | it holds bytes that are no UTF-8
+    NotUtf8
+  | -- | it has so many bytes, more than 'largestLine'
+    TooLong Integer
   deriving stock (Eq, Show)
 
 -- | How many bytes a line may have: 1 MiB.
 largestLine :: Int
 largestLine = 1024 * 1024
 
--- | Go through the lines of the standard input as they come. What follows the last end of line is a line if it is not empty.
+-- | Go through the lines of the standard input as they come. What follows the last end of line is a
+-- line if it is not empty.
 forLines :: (a -> Line -> IO a) -> a -> IO a
 forLines step = awaited [] 0
   where
@@ -34,7 +38,8 @@ forLines step = awaited [] 0
         then if held == 0 then pure state else step state (line (reverse pieces))
         else broken pieces held piece state
     broken pieces held piece state = case Bytes.elemIndex 10 piece of
-      Just end -> next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop (end + 1) piece) state
+      Just end ->
+        next (line (reverse (Bytes.take end piece : pieces))) (Bytes.drop (end + 1) piece) state
       Nothing
         | held' <= largestLine -> awaited (piece : pieces) held' state
         | otherwise -> skipped (toInteger held') state

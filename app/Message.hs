@@ -1,13 +1,14 @@
 -- | Every error in plain words that say what is wrong and, where it is not plain, what to do.
 module Message
-  ( module Message.Certificate
-  , module Message.Chance
-  , module Message.Code
-  , module Message.Files
-  , module Message.Format
-  , module Message.Objects
-  , module Message.Touch
-  ) where
+  ( module Message.Certificate,
+    module Message.Chance,
+    module Message.Code,
+    module Message.Files,
+    module Message.Format,
+    module Message.Objects,
+    module Message.Touch,
+  )
+where
 
 import Message.Certificate
 import Message.Chance

@@ -1,46 +1,53 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | Where output goes, decided in one place for every command. A regular file is replaced whole or not at all and keeps
--- its mode; a link is followed; a device or a FIFO is written to as it is; @-@ is the standard output. What cannot be
--- written is one line and status 2. Until it is whole, a file is called NAME.part; what a run that was ended leaves there
--- is used up by the next one.
+-- | Where output goes, decided in one place for every command. A regular file is replaced whole or
+-- not at all and keeps its mode; a link is followed; a device or a FIFO is written to as it is; @-@
+-- is the standard output. What cannot be written is one line and status 2. Until it is whole, a
+-- file is called NAME.part; what a run that was ended leaves there is used up by the next one.
 module Output
   ( -- * Files
-    writeWhole
-  , orUnwritable
-  , writtenTo
-  , sayWritten
-  , Target (..)
-  , targetOf
+    writeWhole,
+    orUnwritable,
+    writtenTo,
+    sayWritten,
+    Target (..),
+    targetOf,
+
     -- * Folders
-  , writeFolder
+    writeFolder,
+
     -- * Complaints
-  , writeMessage
-  ) where
+    writeMessage,
+  )
+where
 
 import Control.Exception (IOException, bracket, onException, try)
 import Control.Monad (forM_, unless, when)
-import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
+import Ending
 import GHC.IO.Handle (LockMode (..), hTryLock)
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, isRelative, takeDirectory, (</>))
 import System.IO (Handle, IOMode (..), hClose, hFlush, hSetFileSize, openBinaryFile, stdout)
-import System.IO.Error (doesNotExistErrorType, ioeSetErrorString, isDoesNotExistError, isPermissionError, mkIOError)
+import System.IO.Error
+  ( doesNotExistErrorType,
+    ioeSetErrorString,
+    isDoesNotExistError,
+    isPermissionError,
+    mkIOError,
+  )
 import System.Posix.Files
 import System.Posix.Types (FileMode)
 import System.Posix.User (getEffectiveUserID)
-
-import Ending
 import Visible (visibleName)
 
 -- | What a name given for output stands for.
 data Target
   = StandardOutput
-  | Stream FilePath
-    -- ^ a device or a FIFO: written to as it is
-  | Regular FilePath (Maybe FileStatus)
-    -- ^ a regular file, links resolved: replaced whole, or new
+  | -- | a device or a FIFO: written to as it is
+    Stream FilePath
+  | -- | a regular file, links resolved: replaced whole, or new
+    Regular FilePath (Maybe FileStatus)
 
 -- | What a name stands for; 'Left' with the complaint where nothing can be written.
 targetOf :: FilePath -> IO (Either String Target)
@@ -49,34 +56,49 @@ targetOf name = either (Left . writeMessage name) id <$> try (resolved name >>= 
   where
     classified file = do
       there <- doesPathExist file
-      if not there then pure (Right (Regular file Nothing)) else do
-        status <- getFileStatus file
-        mayWrite <- fileAccess file False True False
-        pure $ case () of
-          _ | isRegularFile status, not mayWrite -> Left ("no permission to write " ++ visibleName name)
-            | isRegularFile status -> Right (Regular file (Just status))
-            | isDirectory status -> Left (visibleName name ++ " is a folder; a file is needed here")
-            | isSocket status -> Left (visibleName name ++ " is a socket, which cannot be written to as a file")
-            | otherwise -> Right (Stream file)
+      if not there
+        then pure (Right (Regular file Nothing))
+        else do
+          status <- getFileStatus file
+          mayWrite <- fileAccess file False True False
+          pure $ case () of
+            _
+              | isRegularFile status,
+                not mayWrite ->
+                Left ("no permission to write " ++ visibleName name)
+              | isRegularFile status -> Right (Regular file (Just status))
+              | isDirectory status ->
+                Left (visibleName name ++ " is a folder; a file is needed here")
+              | isSocket status ->
+                Left (visibleName name ++ " is a socket, which cannot be written to as a file")
+              | otherwise -> Right (Stream file)
 
 -- | The name at the end of a chain of symbolic links, which need not lead to anything.
 resolved :: FilePath -> IO FilePath
 resolved = go (40 :: Int)
   where
-    go 0 file = ioError (mkIOError doesNotExistErrorType "" Nothing (Just file) `ioeSetErrorString` "its links go round in a ring")
+    go 0 file =
+      ioError
+        ( mkIOError doesNotExistErrorType "" Nothing (Just file)
+            `ioeSetErrorString` "its links go round in a ring"
+        )
     go steps file = do
-      isLink <- either (const False) id <$> (try (pathIsSymbolicLink file) :: IO (Either IOException Bool))
+      isLink <-
+        either (const False) id <$> (try (pathIsSymbolicLink file) :: IO (Either IOException Bool))
       -- What the system itself keeps behind a link, such as an open descriptor, need have no name.
       direct <- if isLink then opensAsItIs file else pure True
-      if direct then pure file else do
-        next <- getSymbolicLinkTarget file
-        go (steps - 1) (if isRelative next then takeDirectory file </> next else next)
+      if direct
+        then pure file
+        else do
+          next <- getSymbolicLinkTarget file
+          go (steps - 1) (if isRelative next then takeDirectory file </> next else next)
     opensAsItIs file = do
       found <- try (getFileStatus file) :: IO (Either IOException FileStatus)
-      pure (either (const False) (\status -> not (isRegularFile status || isDirectory status)) found)
+      pure
+        (either (const False) (\status -> not (isRegularFile status || isDirectory status)) found)
 
--- | Write the bytes to where the name says, whole or not at all where that is a file; leaves with status 2 if that
--- cannot be done.
+-- | Write the bytes to where the name says, whole or not at all where that is a file; leaves with
+-- status 2 if that cannot be done.
 writeWhole :: FilePath -> Lazy.ByteString -> IO ()
 writeWhole name bytes = writtenTo name (`Lazy.hPut` bytes)
 
@@ -91,27 +113,41 @@ writtenTo name write = do
     Regular file status -> guarded $ do
       (part, handle) <- openPart name file
       let discard = hClose handle >> removeFile part
-      result <- (mapM_ (keepingMode part) status >> write handle <* hClose handle) `onException` discard
+      result <-
+        (mapM_ (keepingMode part) status >> write handle <* hClose handle) `onException` discard
       renameFile part file `onException` removeFile part
       pure result
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
 
--- | Say on the standard output that a file was written, and what is in it; nothing where the file is the standard output.
+-- | Say on the standard output that a file was written, and what is in it; nothing where the file
+-- is the standard output.
 sayWritten :: FilePath -> String -> IO ()
 sayWritten name content = unless (name == "-") (putStrLn ("wrote " ++ visibleName name ++ content))
 
 -- | The file beside it that will take its name, empty, and only ours while it is open.
 openPart :: FilePath -> FilePath -> IO (FilePath, Handle)
 openPart name file = do
-  inTheWay <- either (const False) (not . isRegularFile) <$> (try (getSymbolicLinkStatus part) :: IO (Either IOException FileStatus))
-  when inTheWay (unusable (visibleName part ++ " is in the way; it must be gone before " ++ visibleName name ++ " can be written"))
+  inTheWay <-
+    either (const False) (not . isRegularFile)
+      <$> (try (getSymbolicLinkStatus part) :: IO (Either IOException FileStatus))
+  when
+    inTheWay
+    ( unusable
+        ( visibleName part
+            ++ " is in the way; it must be gone before "
+            ++ visibleName name
+            ++ " can be written"
+        )
+    )
   handle <- openBinaryFile part ReadWriteMode
   ours <- hTryLock handle ExclusiveLock
   unless ours (unusable ("another run is writing " ++ visibleName name))
   still <- doesPathExist part
   -- It was given its name by another run since it was opened.
-  if still then hSetFileSize handle 0 >> pure (part, handle) else hClose handle >> openPart name file
+  if still
+    then hSetFileSize handle 0 >> pure (part, handle)
+    else hClose handle >> openPart name file
   where
     part = file ++ ".part"
 
@@ -124,7 +160,8 @@ keepingMode part status = do
   where
     permissions = 0o7777 :: FileMode
 
--- | Leave with status 2 if nothing can be written there, before the work that would be lost; nothing stays behind.
+-- | Leave with status 2 if nothing can be written there, before the work that would be lost;
+-- nothing stays behind.
 orUnwritable :: FilePath -> IO ()
 orUnwritable name = do
   target <- targetOf name >>= orUnusable id
@@ -134,10 +171,13 @@ orUnwritable name = do
       either (unusable . writeMessage name) pure outcome
     _ -> pure ()
 
--- | Write a new folder with these files, whole or not at all. Refuses whatever is there, unless it is an empty folder.
+-- | Write a new folder with these files, whole or not at all. Refuses whatever is there, unless it
+-- is an empty folder.
 writeFolder :: FilePath -> [(FilePath, ByteString)] -> IO ()
 writeFolder path files = do
-  taken <- either (const False) (const True) <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
+  taken <-
+    either (const False) (const True)
+      <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
   when taken refuseUnlessEmpty
   outcome <- try $ do
     folder <- resolved asked
@@ -145,7 +185,8 @@ writeFolder path files = do
     let building = folder ++ ".part"
     removePathForcibly building
     createDirectory building
-    forM_ files (\(name, bytes) -> Bytes.writeFile (building </> name) bytes) `onException` removePathForcibly building
+    forM_ files (\(name, bytes) -> Bytes.writeFile (building </> name) bytes)
+      `onException` removePathForcibly building
     there <- doesDirectoryExist folder
     when there (getFileStatus folder >>= keepingMode building >> removeDirectory folder)
     renameDirectory building folder
@@ -159,14 +200,18 @@ writeFolder path files = do
       case content of
         Right [] -> pure ()
         Right _ -> unusable (visibleName path ++ " is not empty" ++ needed)
-        Left problem | isFolder -> unusable ("cannot read " ++ visibleName path ++ ": " ++ systemReason problem)
-                     | otherwise -> unusable (visibleName path ++ " is no folder" ++ needed)
+        Left problem
+          | isFolder ->
+            unusable ("cannot read " ++ visibleName path ++ ": " ++ systemReason problem)
+          | otherwise -> unusable (visibleName path ++ " is no folder" ++ needed)
 
 -- | Why a file or folder cannot be written.
 writeMessage :: FilePath -> IOException -> String
 writeMessage name problem
-  | isPermissionError problem && reason == "permission denied" = "no permission to write " ++ visibleName name
-  | isDoesNotExistError problem && reason == "no such file or directory" = "cannot write " ++ visibleName name ++ ": its folder does not exist"
+  | isPermissionError problem && reason == "permission denied" =
+    "no permission to write " ++ visibleName name
+  | isDoesNotExistError problem && reason == "no such file or directory" =
+    "cannot write " ++ visibleName name ++ ": its folder does not exist"
   | otherwise = "cannot write " ++ visibleName name ++ ": " ++ reason
   where
     reason = systemReason problem

@@ -1,23 +1,24 @@
--- | How large a written patch may be, told from its text before anything is built of it: so a line takes
--- memory in proportion to its length, whatever is in it.
+-- | How large a written patch may be, told from its text before anything is built of it: so a line
+-- takes memory in proportion to its length, whatever is in it.
 module PatchBound
-  ( largestPatch
-  , oversized
-  , excerpt
-  , longestWord
-  ) where
+  ( largestPatch,
+    oversized,
+    excerpt,
+    longestWord,
+  )
+where
 
 import Data.Char (isSpace)
 import Data.Text (Text)
 import qualified Data.Text as Text
 
--- | 2^16 cells. The largest composite that frames are assembled to, of 2^22 taxels, has room for 13107 symbols
--- of 16 x 20 taxels: no touch tells more than that.
+-- | 2^16 cells. The largest composite that frames are assembled to, of 2^22 taxels, has room for
+-- 13107 symbols of 16 x 20 taxels: no touch tells more than that.
 largestPatch :: Int
 largestPatch = 65536
 
--- | What is wrong with a text that has more than 'largestPatch' cells, or so much else that it can be no patch
--- over an alphabet of so many symbols; one pass, in constant memory.
+-- | What is wrong with a text that has more than 'largestPatch' cells, or so much else that it can
+-- be no patch over an alphabet of so many symbols; one pass, in constant memory.
 oversized :: Int -> Text -> Maybe String
 oversized symbols text = case Text.uncons (Text.stripStart text) of
   Just ('[', _) -> ofJson 2
@@ -28,30 +29,38 @@ oversized symbols text = case Text.uncons (Text.stripStart text) of
       | writtenCells written + sinceSemicolon written > largestPatch = Just tooManyCells
       | writtenMarks written > largestPatch = Just tooManyParts
       | otherwise = Nothing
-      where written = Text.foldl' writing (Written 0 0 0 False) text
+      where
+        written = Text.foldl' writing (Written 0 0 0 False) text
     ofJson deep
       | jsonCells json > largestPatch = Just tooManyCells
       -- Beside the cells there are the probabilities of each, and less.
       | jsonOthers json > largestPatch * (symbols + 2) = Just tooManyParts
       | otherwise = Nothing
-      where json = Text.foldl' (nesting deep) (Json 0 0 0 Outside) text
-    tooManyCells = "the patch has more than " ++ show largestPatch ++ " cells, which is more than can be felt at a time"
-    tooManyParts = "the patch has too many parts to be one of up to " ++ show largestPatch ++ " cells"
+      where
+        json = Text.foldl' (nesting deep) (Json 0 0 0 Outside) text
+    tooManyCells =
+      "the patch has more than "
+        ++ show largestPatch
+        ++ " cells, which is more than can be felt at a time"
+    tooManyParts =
+      "the patch has too many parts to be one of up to " ++ show largestPatch ++ " cells"
 
--- | Cells of the patches before, words since the last semicolon, marks, and whether a word goes on. Words
--- before a colon are no cells but a displacement.
-data Written = Written { writtenCells :: !Int, sinceSemicolon :: !Int, writtenMarks :: !Int, _inWord :: !Bool }
+-- | Cells of the patches before, words since the last semicolon, marks, and whether a word goes on.
+-- Words before a colon are no cells but a displacement.
+data Written = Written
+  {writtenCells :: !Int, sinceSemicolon :: !Int, writtenMarks :: !Int, _inWord :: !Bool}
 
 writing :: Written -> Char -> Written
 writing (Written cells since marks inWord) letter = case letter of
   ';' -> Written (cells + since) 0 (marks + 1) False
   ':' -> Written cells 0 (marks + 1) False
   '/' -> Written cells since (marks + 1) False
-  _ | isSpace letter -> Written cells since marks False
+  _
+    | isSpace letter -> Written cells since marks False
     | otherwise -> Written cells (if inWord then since else since + 1) marks True
 
 -- | Cells and other values, how many brackets are open, and where in the text this is.
-data Json = Json { jsonCells :: !Int, jsonOthers :: !Int, _open :: !Int, _where :: !Where }
+data Json = Json {jsonCells :: !Int, jsonOthers :: !Int, _open :: !Int, _where :: !Where}
 
 data Where = Outside | InString | Escaped
 

@@ -1,14 +1,13 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
--- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities; and several of them, each with its displacement.
+
+-- | Patches as they are written: rows parted by @/@, or JSON, in which cells may be probabilities;
+-- and several of them, each with its displacement.
 module PatchText
-  ( Written (..)
-  , Displaced
-  , readPatches
-  ) where
+  ( Written (..),
+    Displaced,
+    readPatches,
+  )
+where
 
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.Key as Key
@@ -21,7 +20,6 @@ import qualified Data.Scientific as Scientific
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
-
 import Message
 import PatchBound
 import PraTactile.Field
@@ -32,9 +30,9 @@ import Readers
 
 -- | What was written.
 data Written (k :: Field) = Written
-  { writtenPatches :: [Displaced (Patch (Cell k))]
-  , writtenDisplaced :: Bool
-  -- ^ Whether with displacements; else it is one patch alone.
+  { writtenPatches :: [Displaced (Patch (Cell k))],
+    -- | Whether with displacements; else it is one patch alone.
+    writtenDisplaced :: Bool
   }
 
 type role Written nominal
@@ -42,26 +40,47 @@ type role Written nominal
 -- | Something with its displacement, rows down and columns to the right, from a common point.
 type Displaced a = ((Integer, Integer), a)
 
--- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with a bracket is JSON: a list of rows, each a list of
--- cells; a cell is a code, an element as text, null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that begins with a
--- brace is a JSON object with a list of patches. In other text patches are parted by semicolons, and a displacement stands before a colon.
--- Refuses more than 'largestPatch' cells before it reads them.
+-- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with
+-- a bracket is JSON: a list of rows, each a list of cells; a cell is a code, an element as text,
+-- null or \"?\" for one not observed, or the list of the probabilities of all symbols. Text that
+-- begins with a brace is a JSON object with a list of patches. In other text patches are parted by
+-- semicolons, and a displacement stands before a colon. Refuses more than 'largestPatch' cells
+-- before it reads them.
 readPatches :: forall k. KnownField k => Text -> Either String (Written k)
-readPatches text = case (oversized (fieldOrder (Proxy :: Proxy k)) text, Text.uncons (Text.stripStart text)) of
+readPatches text = case ( oversized (fieldOrder (Proxy :: Proxy k)) text,
+                          Text.uncons (Text.stripStart text)
+                        ) of
   (Just complaint, _) -> Left complaint
   (Nothing, Just ('[', _)) -> do
-    value <- json "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not observed" text
+    value <-
+      json
+        "the patch is no JSON; write it as [[3, 2], [3, 1]], with null for a cell that was not \
+        \observed"
+        text
     jsonRows value >>= alone
   (Nothing, Just ('{', _)) -> do
-    value <- json "the patches are no JSON; write them as {\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}]}" text
-    given <- only ["patches"] "the object has the key \"patches\" alone" value >>= maybe (Left "the object has the key \"patches\"") Right . lookup "patches" >>= list "\"patches\" is a list"
+    value <-
+      json
+        "the patches are no JSON; write them as {\"patches\": [{\"at\": [0, 0], \"cells\": [[3, \
+        \2], [3, 1]]}]}"
+        text
+    given <-
+      only ["patches"] "the object has the key \"patches\" alone" value
+        >>= maybe (Left "the object has the key \"patches\"") Right . lookup "patches"
+        >>= list "\"patches\" is a list"
     numbered (map jsonPatch given) >>= displaced
-  _ | Text.any (`elem` [';', ':']) text -> numbered (map textPatch (Text.split (== ';') text)) >>= displaced
+  _
+    | Text.any (`elem` [';', ':']) text ->
+      numbered (map textPatch (Text.split (== ';') text)) >>= displaced
     | otherwise -> textRows text >>= alone
 
 -- | The complaints about patches tell which one it is, from 1.
 numbered :: [Either String a] -> Either String [a]
-numbered given = sequence [first (\complaint -> "patch " ++ show i ++ ": " ++ complaint) given' | (i, given') <- zip [1 :: Int ..] given]
+numbered given =
+  sequence
+    [ first (\complaint -> "patch " ++ show i ++ ": " ++ complaint) given'
+      | (i, given') <- zip [1 :: Int ..] given
+    ]
 
 textRows :: KnownField k => Text -> Either String [[Maybe (Cell k)]]
 textRows = traverse (traverse textCell . Text.words) . rowsOf
@@ -78,10 +97,21 @@ textPatch :: KnownField k => Text -> Either String (Displaced [[Maybe (Cell k)]]
 textPatch text = case Text.break (== ':') text of
   (cells, "") -> (,) (0, 0) <$> textRows cells
   (before, rest)
-    | [r, c] <- Text.split (== ',') before, Just at <- (,) <$> whole r <*> whole c -> (,) at <$> textRows (Text.drop 1 rest)
-    | otherwise -> Left ("before the colon stands a displacement, ROW,COLUMN; " ++ show (excerpt before) ++ " is none")
+    | [r, c] <-
+        Text.split (== ',') before,
+      Just at <- (,) <$> whole r <*> whole c ->
+      (,) at <$> textRows (Text.drop 1 rest)
+    | otherwise ->
+      Left
+        ( "before the colon stands a displacement, ROW,COLUMN; "
+            ++ show (excerpt before)
+            ++ " is none"
+        )
   where
-    whole digits = if Text.length digits < longestWord then either (const Nothing) Just (readDecimal (Text.unpack (Text.strip digits))) else Nothing
+    whole digits =
+      if Text.length digits < longestWord
+        then either (const Nothing) Just (readDecimal (Text.unpack (Text.strip digits)))
+        else Nothing
 
 jsonPatch :: KnownField k => Value -> Either String (Displaced [[Maybe (Cell k)]])
 jsonPatch value = do
@@ -89,7 +119,12 @@ jsonPatch value = do
   cells <- maybe (Left "a patch has the key \"cells\"") jsonRows (lookup "cells" fields)
   at <- case lookup "at" fields of
     Nothing -> Right (0, 0)
-    Just (Array numbers) | [Number r, Number c] <- toList numbers, Just down <- whole r, Just along <- whole c -> Right (down, along)
+    Just (Array numbers)
+      | [Number r, Number c] <-
+          toList numbers,
+        Just down <- whole r,
+        Just along <- whole c ->
+        Right (down, along)
     Just _ -> Left "\"at\" is a displacement, two whole numbers: [row, column]"
   pure (at, cells)
   where
@@ -98,7 +133,9 @@ jsonPatch value = do
 -- | The fields of an object that has no others than these.
 only :: [Text] -> String -> Value -> Either String [(Text, Value)]
 only keys complaint value = case value of
-  Object fields | all ((`elem` keys) . Key.toText . fst) (KeyMap.toList fields) -> Right [(Key.toText name, field) | (name, field) <- KeyMap.toList fields]
+  Object fields
+    | all ((`elem` keys) . Key.toText . fst) (KeyMap.toList fields) ->
+      Right [(Key.toText name, field) | (name, field) <- KeyMap.toList fields]
   _ -> Left complaint
 
 json :: String -> Text -> Either String Value
@@ -109,7 +146,9 @@ json complaint = first inWords . readJson . Text.encodeUtf8
       | otherwise = "the patch is not read: " ++ jsonMessage why
 
 jsonRows :: KnownField k => Value -> Either String [[Maybe (Cell k)]]
-jsonRows value = list "the patch is a list of rows" value >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)
+jsonRows value =
+  list "the patch is a list of rows" value
+    >>= traverse (\row -> list "a row is a list of cells" row >>= traverse jsonCell)
 
 jsonCell :: KnownField k => Value -> Either String (Maybe (Cell k))
 jsonCell value = case value of
@@ -122,7 +161,10 @@ jsonCell value = case value of
   Array _ -> do
     numbers <- list "" value >>= traverse number
     Just . Probabilities <$> first beliefMessage (belief numbers)
-  _ -> Left "a cell is a code, an element such as \"A^2\", null, or the list of the probabilities of all symbols"
+  _ ->
+    Left
+      "a cell is a code, an element such as \"A^2\", null, or the list of the probabilities of \
+      \all symbols"
   where
     number (Number x) = Right (Scientific.toRealFloat x)
     number _ = Left "probabilities are numbers"

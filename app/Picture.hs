@@ -1,16 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | A recognition as a picture: what was felt on the left, where on the object that is on the right, the answer and
--- what the colours mean below.
+
+-- | A recognition as a picture: what was felt on the left, where on the object that is on the
+-- right, the answer and what the colours mean below.
 module Picture
-  ( Page (..)
-  , recognitionPage
-  , pageDrawing
-  , pageSvg
-  ) where
+  ( Page (..),
+    recognitionPage,
+    pageDrawing,
+    pageSvg,
+  )
+where
 
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (find, nub, sort)
-
 import Drawing
 import Drawing.Svg
 import Picture.Composite
@@ -19,37 +20,56 @@ import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
+import PraTactile.Recognise.Summary (upperLeftVertex)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
-import PraTactile.Recognise.Summary (upperLeftVertex)
 import Recognised
 
 -- | The parts of the picture, each where it is on the page.
 data Page = Page
-  { pageTitle :: String
-  , pageComposite :: Drawing
-  , pageFace :: Drawing      -- ^ empty where the answer is on no face
-  , pageAnswer :: Drawing
-  , pageLegend :: Drawing
+  { pageTitle :: String,
+    pageComposite :: Drawing,
+    -- | empty where the answer is on no face
+    pageFace :: Drawing,
+    pageAnswer :: Drawing,
+    pageLegend :: Drawing
   }
 
--- | The picture of a recognition of one composite, given the shapes, the elements' names, the placement, and the
--- classes that are embossed on a face, row by row.
-recognitionPage :: Alphabet -> (Int -> String) -> Placement -> (LaidFace -> [[Int]]) -> Composite -> Recognition -> Page
+-- | The picture of a recognition of one composite, given the shapes, the elements' names, the
+-- placement, and the classes that are embossed on a face, row by row.
+recognitionPage ::
+  Alphabet ->
+  (Int -> String) ->
+  Placement ->
+  (LaidFace -> [[Int]]) ->
+  Composite ->
+  Recognition ->
+  Page
 recognitionPage alphabet nameOf layout classesOf composite recognition =
   Page (recognitionMessage recognition) felt face answer meanings
   where
     felt = compositePanel alphabet nameOf composite recognition
-    face = concat
-      [ beside 48 felt (facePanel alphabet layout laid (classesOf laid) composite found place)
-      | Right (Found found) <- [recognisedAnswer recognition], OnFace place <- [windowWhereabouts (foundWindow found)]
-      , Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)] ]
+    face =
+      concat
+        [ beside 48 felt (facePanel alphabet layout laid (classesOf laid) composite found place)
+          | Right (Found found) <- [recognisedAnswer recognition],
+            OnFace place <- [windowWhereabouts (foundWindow found)],
+            Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]
+        ]
     room = max 640 (width (extentOf (felt ++ face)))
-    answer = beneath 28 (felt ++ face) (above 6
-      (paragraph "answer" heading (recognitionMessage recognition) : map (paragraph "note" plain) (notes nameOf recognition)))
+    answer =
+      beneath
+        28
+        (felt ++ face)
+        ( above
+            6
+            ( paragraph "answer" heading (recognitionMessage recognition) :
+              map (paragraph "note" plain) (notes nameOf recognition)
+            )
+        )
     meanings = beneath 18 (felt ++ face ++ answer) (legend room recognition)
     paragraph name font content =
-      above 4 [ [ Mark name (Words FromLeft font (0, 0) line) ] | line <- wrapped room font content ]
+      above 4 [[Mark name (Words FromLeft font (0, 0) line)] | line <- wrapped room font content]
 
 -- | What is drawn below moved there, flush left.
 beneath :: Double -> Drawing -> Drawing -> Drawing
@@ -72,12 +92,20 @@ notes nameOf recognition = case recognisedAnswer recognition of
   Right (Found found) ->
     let window = foundWindow found
         Position r c = windowPosition window
-    in ("window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c
-          ++ " of the array; the composite is " ++ orientationText (foundOrientation found)
-          ++ concat [ " on the face" | OnFace _ <- [windowWhereabouts window] ])
-       : [ "its centre is " ++ hundredths x ++ " mm to the right of and " ++ hundredths y ++ " mm below "
-             ++ upperLeftVertex (placeFace place)
-         | OnFace place <- [windowWhereabouts window], let (x, y) = spotMillimetres (placeCentre place) ]
+     in ( "window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c
+            ++ " of the array; the composite is "
+            ++ orientationText (foundOrientation found)
+            ++ concat [" on the face" | OnFace _ <- [windowWhereabouts window]]
+        ) :
+          [ "its centre is "
+              ++ hundredths x
+              ++ " mm to the right of and "
+              ++ hundredths y
+              ++ " mm below "
+              ++ upperLeftVertex (placeFace place)
+            | OnFace place <- [windowWhereabouts window],
+              let (x, y) = spotMillimetres (placeCentre place)
+          ]
   Right (Several _ _) -> []
   Left _ -> ["no answer, so no face is drawn"]
 
@@ -85,22 +113,31 @@ notes nameOf recognition = case recognisedAnswer recognition of
 legend :: Double -> Recognition -> Drawing
 legend room recognition = flowing 10 room (map entry (readings ++ answers))
   where
-    entry (swatch, words') = swatch ++ beside 8 swatch [ Mark "legend" (Words FromLeft plain (0, 0) words') ]
-    box name paint = [ Mark name (Rectangle paint (Extent 0 0 24 13)) ]
+    entry (swatch, words') =
+      swatch ++ beside 8 swatch [Mark "legend" (Words FromLeft plain (0, 0) words')]
+    box name paint = [Mark name (Rectangle paint (Extent 0 0 24 13))]
     readings =
       [ (box "legend" (readingPaint reading), readingWords likeliest reading)
-      | reading <- sort (nub (read' False recognisedSymbols ++ read' True recognisedParts)) ]
+        | reading <- sort (nub (read' False recognisedSymbols ++ read' True recognisedParts))
+      ]
     read' isPart symbols = map (readingOf recognition isPart) (symbols recognition)
     likeliest = case recognisedAnswer recognition of
       Right (Found _) -> "the place"
       _ -> "the likeliest place"
-    answers = concat
-      [ [ (box "legend" (outlined answering 4), "the window that gives the answer")
-        , (shifted (12, 6) (placeMarks (0, 0)), "its centre, the place") ]
-        ++ [ (box "legend" (outlined ink 2) { dashed = True } ++ [ cornerMark (0, 0) (9, 0) (0, 9) ]
-             , "the composite's outline on the face; its upper left corner is black on both sides")
-           | OnFace _ <- [windowWhereabouts (foundWindow found)] ]
-      | Right (Found found) <- [recognisedAnswer recognition] ]
+    answers =
+      concat
+        [ [ (box "legend" (outlined answering 4), "the window that gives the answer"),
+            (shifted (12, 6) (placeMarks (0, 0)), "its centre, the place")
+          ]
+            ++ [ ( box "legend" (outlined ink 2) {dashed = True}
+                     ++ [cornerMark (0, 0) (9, 0) (0, 9)],
+                   "the composite's outline on the face; its upper left corner is black on both \
+                   \sides"
+                 )
+                 | OnFace _ <- [windowWhereabouts (foundWindow found)]
+               ]
+          | Right (Found found) <- [recognisedAnswer recognition]
+        ]
 
 -- | What was made of a symbol, in words, with those for where it should be.
 readingWords :: String -> Reading -> String

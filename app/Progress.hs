@@ -1,23 +1,23 @@
 -- | A progress bar on the standard error, where that is a terminal; nothing anywhere else.
 module Progress
-  ( withProgress
-  , follow
-  , tellingAsRead
-  , besideOutput
-  ) where
+  ( withProgress,
+    follow,
+    tellingAsRead,
+    besideOutput,
+  )
+where
 
 import Control.Exception (finally)
 import Control.Monad (when)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Steps (Steps (..))
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr, stdout)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
-import PraTactile.Steps (Steps (..))
-
--- | Run an action that tells, each time something more is done, how much is done of so much; so much was done
--- before.
+-- | Run an action that tells, each time something more is done, how much is done of so much; so
+-- much was done before.
 withProgress :: Integer -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 withProgress total before action = do
   shown <- hIsTerminalDevice stderr
@@ -34,8 +34,8 @@ withProgress total before action = do
   when shown (draw (bar total before before 0))
   action tell `finally` when shown (draw "")
 
--- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and a bar on
--- one terminal would run into each other.
+-- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and
+-- a bar on one terminal would run into each other.
 besideOutput :: Bool -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 besideOutput printing total action = do
   mixed <- if printing then hIsTerminalDevice stdout else pure False
@@ -58,18 +58,33 @@ follow tell steps = case steps of
 -- | One line of less than 80 characters.
 bar :: Integer -> Integer -> Integer -> Double -> String
 bar total before done seconds =
-  "[" ++ replicate full '#' ++ replicate (40 - full) '.' ++ "] " ++ show done ++ "/" ++ show total ++ left
+  "["
+    ++ replicate full '#'
+    ++ replicate (40 - full) '.'
+    ++ "] "
+    ++ show done
+    ++ "/"
+    ++ show total
+    ++ left
   where
     full = fromInteger (40 * done `div` max 1 total)
     fresh = done - before
     left
       | fresh <= 0 || done >= total = ""
-      | otherwise = ", " ++ duration (round (seconds * fromInteger (total - done) / fromInteger fresh)) ++ " left"
+      | otherwise =
+        ", "
+          ++ duration (round (seconds * fromInteger (total - done) / fromInteger fresh))
+          ++ " left"
 
 -- | Hours, minutes and seconds: 1:02:03.
 duration :: Integer -> String
 duration seconds
-  | seconds >= 3600 = show (seconds `div` 3600) ++ ":" ++ two (seconds `div` 60 `mod` 60) ++ ":" ++ two (seconds `mod` 60)
+  | seconds >= 3600 =
+    show (seconds `div` 3600)
+      ++ ":"
+      ++ two (seconds `div` 60 `mod` 60)
+      ++ ":"
+      ++ two (seconds `mod` 60)
   | otherwise = show (seconds `div` 60) ++ ":" ++ two (seconds `mod` 60)
   where
     two n = if n < 10 then '0' : show n else show n

@@ -1,31 +1,33 @@
--- | Readers of option values: decimal numbers and what is made of them. A text that is no number is refused, whatever a
--- programming language would make of it: @0x10@, @" 1"@, @1_000@, @NaN@.
+-- | Readers of option values: decimal numbers and what is made of them. A text that is no number is
+-- refused, whatever a programming language would make of it: @0x10@, @" 1"@, @1_000@, @NaN@.
 module Readers
   ( -- * Numbers
-    Decimal (..)
-  , decimalReader
-  , naturalReader
-  , intReader
-  , numbersReader
+    Decimal (..),
+    decimalReader,
+    naturalReader,
+    intReader,
+    numbersReader,
+
     -- * Pairs of numbers
-  , pairReader
-  , shapeReader
-  , positionReader
+    pairReader,
+    shapeReader,
+    positionReader,
+
     -- * Names
-  , namedReader
-  , foldingReader
-  ) where
+    namedReader,
+    foldingReader,
+  )
+where
 
 import Data.Char (isDigit, isSpace)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Scientific (Scientific, toBoundedRealFloat)
+import Json (foldingName)
 import Numeric.Natural (Natural)
 import Options.Applicative (ReadM, eitherReader)
-import Text.Read (readMaybe)
-
-import Json (foldingName)
 import PraTactile.Array (Folding, Position (..), Shape (..))
+import Text.Read (readMaybe)
 import Visible
 
 -- | Numbers that are written in decimal; 'Left' says why a text is none.
@@ -49,19 +51,20 @@ instance Decimal Integer where
 
 -- | The same, as far as the machine counts.
 instance Decimal Int where
-  readDecimal text = readDecimal text >>= \n ->
-    if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
-      then Left (quoted text ++ " is too large")
-      else Right (fromInteger n)
+  readDecimal text =
+    readDecimal text >>= \n ->
+      if n > toInteger (maxBound :: Int) || n < toInteger (minBound :: Int)
+        then Left (quoted text ++ " is too large")
+        else Right (fromInteger n)
 
 -- | Digits, perhaps with a sign, a decimal point between digits, and an exponent; finite.
 instance Decimal Double where
   readDecimal text
     | not (written (dropSign "-" text)) = Left (quoted text ++ " is not a number")
     | otherwise = case toBoundedRealFloat <$> (readMaybe text :: Maybe Scientific) of
-        Just (Right x) -> Right x
-        Just (Left x) | x == 0 -> Right 0
-        _ -> Left (quoted text ++ " is too large")
+      Just (Right x) -> Right x
+      Just (Left x) | x == 0 -> Right 0
+      _ -> Left (quoted text ++ " is too large")
     where
       written digits = case span isDigit digits of
         (_ : _, '.' : others) | (_ : _, more) <- span isDigit others -> exponential more
@@ -69,7 +72,11 @@ instance Decimal Double where
         _ -> False
       exponential more = case more of
         [] -> True
-        e : digits | e `elem` "eE" -> let power = dropSign "+-" digits in not (null power) && all isDigit power
+        e : digits
+          | e `elem` "eE" ->
+            let power =
+                  dropSign "+-" digits
+             in not (null power) && all isDigit power
         _ -> False
       dropSign signs digits = case digits of
         sign : others | sign `elem` signs -> others
@@ -122,7 +129,7 @@ namedReader what choices = eitherReader $ \name -> case lookup name choices of
 
 -- | A folding's name.
 foldingReader :: ReadM Folding
-foldingReader = namedReader "folding" [ (foldingName f, f) | f <- [minBound ..] ]
+foldingReader = namedReader "folding" [(foldingName f, f) | f <- [minBound ..]]
 
 splitOn :: Char -> String -> NonEmpty String
 splitOn separator text = case break (== separator) text of

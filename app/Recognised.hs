@@ -1,18 +1,18 @@
 -- | A recognition in words, and its windows looked up in the database.
 module Recognised
-  ( recognitionText
-  , recognitionEnding
-  , recognitionMessage
-  , elementNames
-  , orientationText
-  , windowText
-  , whereText
-  , fromDatabase
-  ) where
+  ( recognitionText,
+    recognitionEnding,
+    recognitionMessage,
+    elementNames,
+    orientationText,
+    windowText,
+    whereText,
+    fromDatabase,
+  )
+where
 
 import Data.Bifunctor (first)
 import Data.List (intercalate)
-
 import Ending
 import Message
 import PraTactile.Array (Position (..), Shape)
@@ -40,8 +40,9 @@ recognitionEnding recognition = case recognisedAnswer recognition of
 recognitionMessage :: Recognition -> String
 recognitionMessage recognition = case recognisedAnswer recognition of
   Left refusal -> refusalMessage refusal
-  Right (Several _ places) -> show (length places) ++ " positions fit what was recognised: "
-    ++ positionsText places
+  Right (Several _ places) ->
+    show (length places) ++ " positions fit what was recognised: "
+      ++ positionsText places
   Right (Found found) -> whereText (windowWhereabouts (foundWindow found))
 
 -- | The elements of a window, row by row.
@@ -51,34 +52,54 @@ windowText nameOf = intercalate " / " . map (unwords . map (maybe "?" nameOf)) .
 -- | The whole answer, line by line.
 recognitionText :: (Int -> String) -> [FilePath] -> Recognition -> [String]
 recognitionText nameOf paths recognition = case recognisedAnswer recognition of
-  Left refusal -> ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
+  Left refusal ->
+    ("refused (" ++ refusalName refusal ++ "): " ++ refusalMessage refusal) : symbolLines
   Right (Several _ _) -> ("ambiguous: " ++ recognitionMessage recognition) : symbolLines
   Right (Found found) ->
     let window = foundWindow found
-    in recognitionMessage recognition
-      : symbolLines
-      ++ windowLine window
-      : [ "centre    " ++ centreText on | OnFace on <- [windowWhereabouts window] ]
-      ++ [ "composite " ++ orientationText (foundOrientation found) ++ " on the face" ]
-      ++ [ "also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found) ]
+     in recognitionMessage recognition :
+        symbolLines
+          ++ windowLine window :
+        ["centre    " ++ centreText on | OnFace on <- [windowWhereabouts window]]
+          ++ ["composite " ++ orientationText (foundOrientation found) ++ " on the face"]
+          ++ ["also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found)]
   where
     symbols = recognisedSymbols recognition
-    known = length [ () | symbol <- symbols, Just _ <- [readClass symbol] ]
-    symbolLines = ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised")
-      : [ "support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition] ]
-      ++ [ "chance    " ++ chanceText chance | Just chance <- [recognisedEvidence recognition >>= evidenceChance] ]
-      ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
-         | several paths, Just evidence <- [recognisedEvidence recognition], (i, path) <- zip [0 ..] paths, i `elem` evidenceInconsistent evidence ]
+    known = length [() | symbol <- symbols, Just _ <- [readClass symbol]]
+    symbolLines =
+      ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised") :
+      ["support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition]]
+        ++ [ "chance    " ++ chanceText chance
+             | Just chance <- [recognisedEvidence recognition >>= evidenceChance]
+           ]
+        ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
+             | several paths,
+               Just evidence <- [recognisedEvidence recognition],
+               (i, path) <- zip [0 ..] paths,
+               i `elem` evidenceInconsistent evidence
+           ]
     several = not . null . drop 1
-    windowLine window = "window    " ++ windowText nameOf window
-      ++ " at row " ++ show (row (windowPosition window)) ++ ", column " ++ show (column (windowPosition window)) ++ " of the array"
+    windowLine window =
+      "window    " ++ windowText nameOf window
+        ++ " at row "
+        ++ show (row (windowPosition window))
+        ++ ", column "
+        ++ show (column (windowPosition window))
+        ++ " of the array"
 
 -- | What the likeliest position rests on.
 supportText :: Evidence -> String
 supportText evidence =
-  counted (evidenceAgreeing evidence) "certain symbol or part agrees" "certain symbols and parts agree" ++ ", "
+  counted
+    (evidenceAgreeing evidence)
+    "certain symbol or part agrees"
+    "certain symbols and parts agree"
+    ++ ", "
     ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict"
-    ++ " (" ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence)) ++ " may); doubt " ++ doubtText (evidenceDoubt evidence)
+    ++ " ("
+    ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence))
+    ++ " may); doubt "
+    ++ doubtText (evidenceDoubt evidence)
   where
     counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 
@@ -86,11 +107,22 @@ supportText evidence =
 fromDatabase :: FilePath -> String -> Shape -> Recognition -> IO Recognition
 fromDatabase file profile window recognition = case recognisedAnswer recognition of
   Right (Found found) -> do
-    (first', all') <- withStore file (Just profile) (\store -> (,) <$> lookUp store (foundWindow found) <*> traverse (lookUp store) (foundWindows found))
-      >>= orUnusable storeMessage
-    pure recognition { recognisedAnswer = Right (Found found { foundWindow = first', foundWindows = all' }) }
+    (first', all') <-
+      withStore
+        file
+        (Just profile)
+        ( \store ->
+            (,)
+              <$> lookUp store (foundWindow found)
+              <*> traverse (lookUp store) (foundWindows found)
+        )
+        >>= orUnusable storeMessage
+    pure
+      recognition
+        { recognisedAnswer = Right (Found found {foundWindow = first', foundWindows = all'})
+        }
   _ -> pure recognition
   where
     lookUp store found = do
       place <- storedWhereabouts store window (windowPosition found) >>= orUnusable storeMessage
-      pure found { windowWhereabouts = place }
+      pure found {windowWhereabouts = place}

@@ -1,29 +1,31 @@
--- | What the touching commands start from: the shipped shapes, network and placement, and the array of the profile.
+-- | What the touching commands start from: the shipped shapes, network and placement, and the array
+-- of the profile.
 module Setup
-  ( shippedAlphabet
-  , chosenNetwork
-  , networkOption
-  , placementFor
+  ( shippedAlphabet,
+    chosenNetwork,
+    networkOption,
+    placementFor,
+
     -- * Objects and faces
-  , chosenFace
-  , objectsNamed
-  ) where
+    chosenFace,
+    objectsNamed,
+  )
+where
 
 import Data.List (intercalate)
 import Data.Text.Encoding (decodeUtf8')
-import Options.Applicative
-
 import Ending
 import Files (readBytes)
+import Json (shapeText)
 import Message
-import PraTactile.Classify.Network.File (parseNetwork, shippedNetwork)
+import Options.Applicative
 import PraTactile.Classify.Network (Network, NetworkError (..))
+import PraTactile.Classify.Network.File (parseNetwork, shippedNetwork)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Shape (Alphabet, paperAlphabet)
-import Json (shapeText)
 
 -- | The four shapes of @data/shapes.txt@.
 shippedAlphabet :: IO Alphabet
@@ -31,30 +33,55 @@ shippedAlphabet = orUnusable shapeMessage paperAlphabet
 
 -- | @--network FILE@.
 networkOption :: Parser (Maybe FilePath)
-networkOption = optional (strOption (long "network" <> metavar "FILE" <> action "file" <> help "Use the weights in a file, as 'train' writes it (default: the shipped ones)"))
+networkOption =
+  optional
+    ( strOption
+        ( long "network"
+            <> metavar "FILE"
+            <> action "file"
+            <> help "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
+        )
+    )
 
 -- | The network in the file, or the shipped one.
 chosenNetwork :: Maybe FilePath -> IO Network
 chosenNetwork Nothing = orUnusable networkMessage shippedNetwork
-chosenNetwork (Just file) = readBytes file >>= orUnusable (\e -> file ++ ": " ++ networkMessage e) . (either (const (Left NetworkNotText)) parseNetwork . decodeUtf8')
+chosenNetwork (Just file) =
+  readBytes file
+    >>= orUnusable (\e -> file ++ ": " ++ networkMessage e)
+      . (either (const (Left NetworkNotText)) parseNetwork . decodeUtf8')
 
--- | The placement of the shipped objects, if the profile's array has the shape that they are laid on.
+-- | The placement of the shipped objects, if the profile's array has the shape that they are laid
+-- on.
 placementFor :: Profile -> IO Placement
 placementFor profile = do
   layout <- orUnusable placementMessage canonicalPlacement
-  if placementShape layout == profileShape profile then pure layout else unusable
-    ("the objects are laid on an array of " ++ shapeText (placementShape layout) ++ "; the chosen one is " ++ shapeText (profileShape profile))
+  if placementShape layout == profileShape profile
+    then pure layout
+    else
+      unusable
+        ( "the objects are laid on an array of "
+            ++ shapeText (placementShape layout)
+            ++ "; the chosen one is "
+            ++ shapeText (profileShape profile)
+        )
 
 -- | The faces of an object that are laid on the array; leaves with status 2 for an unknown object.
 objectsNamed :: Placement -> String -> IO [LaidFace]
 objectsNamed layout named = do
   _ <- orUnusable placementMessage (findObject layout (ObjectName named))
-  pure [ face | face <- laidFaces layout, faceObject (laidFace face) == ObjectName named ]
+  pure [face | face <- laidFaces layout, faceObject (laidFace face) == ObjectName named]
 
 -- | A face of an object by its vertices, in any rotation of their order.
 chosenFace :: [LaidFace] -> String -> IO LaidFace
-chosenFace faces named = case [ face | face <- faces, sameFace (faceName (laidFace face)) wanted ] of
+chosenFace faces named = case [face | face <- faces, sameFace (faceName (laidFace face)) wanted] of
   face : _ -> pure face
-  [] -> unusable ("there is no face " ++ show named ++ "; choose one of " ++ intercalate ", " (map (show . faceText . faceName . laidFace) faces))
+  [] ->
+    unusable
+      ( "there is no face "
+          ++ show named
+          ++ "; choose one of "
+          ++ intercalate ", " (map (show . faceText . faceName . laidFace) faces)
+      )
   where
     wanted = readFaceName (map (\c -> if c == ',' then ' ' else c) named)

@@ -1,30 +1,48 @@
 -- | Files that pictures are drawn into.
 module SvgFile
-  ( orNotSvg
-  , standardOutput
-  ) where
+  ( orNotSvg,
+    standardOutput,
+  )
+where
 
 import Control.Monad (when)
 import Data.Char (toLower)
-import System.FilePath (takeExtension)
-
 import Ending
 import Output
+import System.FilePath (takeExtension)
 import Visible
 
--- | Leave with status 2 if nothing can be written there, or if the name says that the picture is of another form than SVG.
--- A device has no form, whatever it is called.
+-- | Leave with status 2 if nothing can be written there, or if the name says that the picture is of
+-- another form than SVG. A device has no form, whatever it is called.
 orNotSvg :: FilePath -> IO ()
 orNotSvg file = do
   target <- targetOf file >>= orUnusable id
   case target of
-    Regular _ _ -> when (map toLower (takeExtension file) `elem` others) $
-      unusable ("a picture is drawn as SVG only; end the name " ++ visibleName file ++ " in .svg")
+    Regular _ _ ->
+      when (map toLower (takeExtension file) `elem` others) $
+        unusable ("a picture is drawn as SVG only; end the name " ++ visibleName file ++ " in .svg")
     _ -> pure ()
   where
     others =
-      [ ".png", ".pgm", ".ppm", ".pbm", ".pnm", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".avif", ".pdf", ".ps"
-      , ".eps", ".ico", ".svgz" ]
+      [ ".png",
+        ".pgm",
+        ".ppm",
+        ".pbm",
+        ".pnm",
+        ".jpg",
+        ".jpeg",
+        ".gif",
+        ".bmp",
+        ".tif",
+        ".tiff",
+        ".webp",
+        ".avif",
+        ".pdf",
+        ".ps",
+        ".eps",
+        ".ico",
+        ".svgz"
+      ]
 
 -- | The name of the standard output.
 standardOutput :: FilePath

@@ -1,17 +1,20 @@
--- | Text of foreign origin (names, values) as it is shown: on one line, in characters that can be printed, not without end.
+-- | Text of foreign origin (names, values) as it is shown: on one line, in characters that can be
+-- printed, not without end.
 module Visible
-  ( visible
-  , visibleName
-  , nameInJson
-  , quoted
-  , visibleLine
-  ) where
+  ( visible,
+    visibleName,
+    nameInJson,
+    quoted,
+    visibleLine,
+  )
+where
 
 import Data.Char (GeneralCategory (..), generalCategory, isSpace, ord)
 import Numeric (showHex)
 
--- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's name that is no UTF-8
--- arrives as one of the characters U+DC80 to U+DCFF and is shown as the byte that it was: @\\xe9@.
+-- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's
+-- name that is no UTF-8 arrives as one of the characters U+DC80 to U+DCFF and is shown as the byte
+-- that it was: @\\xe9@.
 visible :: String -> String
 visible = concatMap escaped
   where
@@ -20,7 +23,8 @@ visible = concatMap escaped
       | c == '\t' = "\\t"
       | c == '\r' = "\\r"
       | '\xDC80' <= c && c <= '\xDCFF' = hexadecimal (ord c - 0xDC00)
-      | generalCategory c `elem` [Control, Format, Surrogate, LineSeparator, ParagraphSeparator] = hexadecimal (ord c)
+      | generalCategory c `elem` [Control, Format, Surrogate, LineSeparator, ParagraphSeparator] =
+        hexadecimal (ord c)
       | otherwise = [c]
     hexadecimal n = "\\x" ++ (if n < 16 then "0" else "") ++ showHex n ""
 
@@ -28,7 +32,8 @@ visible = concatMap escaped
 visibleName :: FilePath -> String
 visibleName = visible
 
--- | A file's name as JSON has it: as it is, but for bytes that are no UTF-8, which are escaped as in 'visible'.
+-- | A file's name as JSON has it: as it is, but for bytes that are no UTF-8, which are escaped as
+-- in 'visible'.
 nameInJson :: FilePath -> String
 nameInJson = concatMap (\c -> if generalCategory c == Surrogate then visible [c] else [c])
 
@@ -36,7 +41,8 @@ nameInJson = concatMap (\c -> if generalCategory c == Surrogate then visible [c]
 quoted :: String -> String
 quoted text = "\"" ++ visible text ++ "\""
 
--- | A message as one line: visible, its long words cut in the middle, and cut itself where it is longer than a screen.
+-- | A message as one line: visible, its long words cut in the middle, and cut itself where it is
+-- longer than a screen.
 visibleLine :: String -> String
 visibleLine = cut 2000 80 . concatMap shorter . pieces . visible
   where
@@ -47,5 +53,6 @@ visibleLine = cut 2000 80 . concatMap shorter . pieces . visible
     -- At most so many characters, the last so many of them from the end.
     cut most end text
       | null (drop most text) = text
-      | otherwise = take (most - end) text ++ " ... (" ++ show (length text) ++ " characters) ... "
+      | otherwise =
+        take (most - end) text ++ " ... (" ++ show (length text) ++ " characters) ... "
           ++ drop (length text - end) text

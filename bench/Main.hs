@@ -1,18 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- |
--- The benchmarks. @bench [NAME...] [--peers FOLDER]@ holds the targets, each beside its peer; @bench ladder@ climbs the
--- ladders of sizes with criterion.
+-- | The benchmarks. @bench [NAME...] [--peers FOLDER]@ holds the targets, each beside its peer;
+-- @bench ladder@ climbs the ladders of sizes with criterion.
 module Main (main) where
-
-import Control.Monad (forM_, unless)
-import Data.Aeson (object, (.=))
-import qualified Data.Aeson as Aeson
-import qualified Data.ByteString.Lazy.Char8 as Lazy
-import Options.Applicative
-import System.Environment (getArgs, withArgs)
-import System.Exit (exitFailure)
-import System.IO
 
 import Bench.Clock
 import Bench.Compare
@@ -21,6 +11,14 @@ import Bench.Machine
 import Bench.Ours
 import Bench.Report
 import Bench.Targets
+import Control.Monad (forM_, unless)
+import Data.Aeson (object, (.=))
+import qualified Data.Aeson as Aeson
+import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Options.Applicative
+import System.Environment (getArgs, withArgs)
+import System.Exit (exitFailure)
+import System.IO
 
 main :: IO ()
 main = do
@@ -36,33 +34,77 @@ main = do
 
 -- | What is run, and beside what.
 data Options = Options
-  { peers :: Maybe FilePath
-  , rounds :: Int
-  , patience :: Int
-  , names :: [String]
+  { peers :: Maybe FilePath,
+    rounds :: Int,
+    patience :: Int,
+    names :: [String]
   }
 
 commandLine :: ParserInfo Options
-commandLine = info (options <**> helper)
-  (fullDesc <> header "Targets held beside their peers; 'ladder' as the first word runs the ladders of sizes instead.")
- where
-  options = Options
-    <$> optional (strOption (long "peers" <> metavar "FOLDER" <> help "The folder that bench/peers/setup.sh made (default: the peers do not run)"))
-    <*> option auto (long "rounds" <> metavar "N" <> value 7 <> showDefault <> help "How many pairs of measurements count, after one that does not")
-    <*> option auto (long "patience" <> metavar "SECONDS" <> value 120 <> showDefault <> help "How long an answer is waited for")
-    <*> many (strArgument (metavar "NAME..." <> help ("Of: " ++ unwords (map targetName targets) ++ " (default: all)")))
+commandLine =
+  info
+    (options <**> helper)
+    ( fullDesc
+        <> header
+          "Targets held beside their peers; 'ladder' as the first word runs the ladders of sizes \
+          \instead."
+    )
+  where
+    options =
+      Options
+        <$> optional
+          ( strOption
+              ( long "peers"
+                  <> metavar "FOLDER"
+                  <> help
+                    "The folder that bench/peers/setup.sh made (default: the peers do not run)"
+              )
+          )
+        <*> option
+          auto
+          ( long "rounds"
+              <> metavar "N"
+              <> value 7
+              <> showDefault
+              <> help "How many pairs of measurements count, after one that does not"
+          )
+        <*> option
+          auto
+          ( long "patience"
+              <> metavar "SECONDS"
+              <> value 120
+              <> showDefault
+              <> help "How long an answer is waited for"
+          )
+        <*> many
+          ( strArgument
+              ( metavar "NAME..."
+                  <> help ("Of: " ++ unwords (map targetName targets) ++ " (default: all)")
+              )
+          )
 
 -- | Hold the chosen targets and print the table, a row as soon as it is known.
 hold :: Options -> IO ()
 hold options = do
   let unknown = filter (`notElem` map targetName targets) (names options)
-  unless (null unknown) (refuse ("there is no target " ++ unwords unknown ++ "; there are " ++ unwords (map targetName targets)))
+  unless
+    (null unknown)
+    ( refuse
+        ( "there is no target "
+            ++ unwords unknown
+            ++ "; there are "
+            ++ unwords (map targetName targets)
+        )
+    )
   unless (rounds options >= 1) (refuse "--rounds is a number from 1 up")
   before <- load
-  machine >>= putStrLn . (++ "; load " ++ before ++ " at the beginning; " ++ show (rounds options) ++ " rounds\n")
+  machine
+    >>= putStrLn
+      . (++ "; load " ++ before ++ " at the beginning; " ++ show (rounds options) ++ " rounds\n")
   mapM_ putStrLn heading
   forM_ [t | t <- targets, null (names options) || targetName t `elem` names options] $ \target ->
-    compareWith (peers options) (patience options) (rounds options) target >>= mapM_ (putStrLn . rowText)
+    compareWith (peers options) (patience options) (rounds options) target
+      >>= mapM_ (putStrLn . rowText)
   after <- load
   putStrLn ("\nload " ++ after ++ " at the end")
 
@@ -71,17 +113,26 @@ measure :: String -> IO ()
 measure name = case lookup name ours of
   Nothing -> refuse ("there is no measurement " ++ name ++ "; there are " ++ unwords (map fst ours))
   Just prepare -> prepare >>= loop
- where
-  loop once = do
-    ended <- isEOF
-    unless ended $ do
-      _ <- getLine
-      m <- once
-      peak <- peakMebibytes
-      Lazy.putStrLn (Aeson.encode (object
-        [ "what" .= name, "value" .= measured m, "unit" .= unitName (measuredIn m), "check" .= check m, "peak_mib" .= peak ]))
-      hFlush stdout
-      loop once
+  where
+    loop once = do
+      ended <- isEOF
+      unless ended $ do
+        _ <- getLine
+        m <- once
+        peak <- peakMebibytes
+        Lazy.putStrLn
+          ( Aeson.encode
+              ( object
+                  [ "what" .= name,
+                    "value" .= measured m,
+                    "unit" .= unitName (measuredIn m),
+                    "check" .= check m,
+                    "peak_mib" .= peak
+                  ]
+              )
+          )
+        hFlush stdout
+        loop once
 
 refuse :: String -> IO a
 refuse message = hPutStrLn stderr ("bench: " ++ message) >> exitFailure

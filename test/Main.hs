@@ -2,8 +2,6 @@
 module Main (main) where
 
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
-import Test.Hspec (Spec, describe, hspec)
-
 import qualified Test.Code.Advise
 import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
@@ -14,13 +12,15 @@ import qualified Test.Code.Exhaustive
 import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
 import qualified Test.Code.Field
-import qualified Test.Code.Folding
 import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
+import qualified Test.Code.Folding
 import qualified Test.Code.Locate
-import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateBounded
+import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateChance
+import qualified Test.Code.LocateDefinition
+import qualified Test.Code.LocateJoint
 import qualified Test.Code.LocateListing
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
@@ -28,8 +28,6 @@ import qualified Test.Code.LocateRates
 import qualified Test.Code.LocateRoads
 import qualified Test.Code.LocateSheet
 import qualified Test.Code.LocateSoft
-import qualified Test.Code.LocateDefinition
-import qualified Test.Code.LocateJoint
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -40,27 +38,28 @@ import qualified Test.Code.Sequence
 import qualified Test.Code.SequenceFacts
 import qualified Test.Code.Window
 import qualified Test.CommandLine
+import qualified Test.CommandLine.Bounds
+import qualified Test.CommandLine.Census
 import qualified Test.CommandLine.Chance
 import qualified Test.CommandLine.Decode
-import qualified Test.CommandLine.Locate
-import qualified Test.CommandLine.Bounds
-import qualified Test.CommandLine.Picture
-import qualified Test.CommandLine.LongWork
-import qualified Test.CommandLine.Patches
-import qualified Test.CommandLine.Census
+import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Json
+import qualified Test.CommandLine.Locate
+import qualified Test.CommandLine.LongWork
 import qualified Test.CommandLine.Output
+import qualified Test.CommandLine.Patches
+import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
-import qualified Test.CommandLine.Fields
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.Documents
-import qualified Test.Hostile
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
+import qualified Test.Hostile
 import qualified Test.House
+import Test.Hspec (Spec, describe, hspec)
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
@@ -70,9 +69,9 @@ import qualified Test.Recognise
 import qualified Test.RecogniseDamage
 import qualified Test.Source
 import qualified Test.Store
-import qualified Test.Tools
 import qualified Test.StoreTarget
 import qualified Test.Symmetry
+import qualified Test.Tools
 import qualified Test.Touch.Image
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm

@@ -5,6 +5,6 @@ import System.Environment (getArgs)
 import Test.DocTest (doctest)
 
 main :: IO ()
-main = getArgs >>= doctest . ([ "-isrc/" ++ wing | wing <- wings ] ++) . ("-v0" :)
+main = getArgs >>= doctest . (["-isrc/" ++ wing | wing <- wings] ++) . ("-v0" :)
   where
     wings = ["common", "code", "touch", "recognition", "formats"]

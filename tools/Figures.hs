@@ -1,18 +1,18 @@
--- | Runs the commands that the documents show and writes what they print in the place of what stands there. Run it from the
--- top of the repository, by @make figures@: @runghc -itest tools/Figures.hs [--quick] [FILE...]@.
+-- | Runs the commands that the documents show and writes what they print in the place of what
+-- stands there. Run it from the top of the repository, by @make figures@: @runghc -itest
+-- tools/Figures.hs [--quick] [FILE...]@.
 module Main (main) where
 
 import Control.Monad (forM, forM_, when)
+import Documents.Transcript
 import System.Directory (renameFile)
 import System.Environment (getArgs)
 import System.IO
 
-import Documents.Transcript
-
 main :: IO ()
 main = do
   arguments <- getArgs
-  let files = [ file | file <- arguments, file /= "--quick" ]
+  let files = [file | file <- arguments, file /= "--quick"]
       wanted pace = pace == Quick || "--quick" `notElem` arguments
   forM_ (if null files then documents else files) $ \file -> do
     text <- withFile file ReadMode $ \handle -> do
@@ -23,7 +23,8 @@ main = do
       Transcript pace steps | wanted pace -> Transcript pace <$> traverse renew steps
       _ -> pure piece
     when (rendered renewed /= text) $ do
-      withFile (file ++ ".part") WriteMode $ \handle -> hSetEncoding handle utf8 >> hPutStr handle (rendered renewed)
+      withFile (file ++ ".part") WriteMode $ \handle ->
+        hSetEncoding handle utf8 >> hPutStr handle (rendered renewed)
       renameFile (file ++ ".part") file
       putStrLn ("rewrote " ++ file)
 
@@ -31,4 +32,4 @@ renew :: Step -> IO Step
 renew step = do
   hPutStrLn stderr ("$ " ++ commandText step)
   shown <- run "." (commandText step)
-  pure step { stepShown = shown }
+  pure step {stepShown = shown}

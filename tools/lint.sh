@@ -1,8 +1,25 @@
 #!/bin/sh
-# Gives all sources to hlint, unless they passed and none has changed since. Without an hlint of version 3 it says that the
-# check was left out, which is no failure.
+# Checks all Haskell sources, unless they passed and none has changed since: no line beyond 100 columns, formatted by ormolu
+# (tools/format.sh), no complaint of hlint. Without an hlint of version 3 it says that this was left out, which is no failure.
 set -eu
 cd "$(dirname "$0")/.."
+
+passed=dist-newstyle/lint.passed
+sources="src app bench test tools .hlint.yaml"
+# shellcheck disable=SC2086
+if [ -e "$passed" ] && [ -z "$(find $sources -newer "$passed" \( -name '*.hs' -o -name '*.yaml' \) -print)" ]; then
+  echo "the sources are formatted and linted: passed, and nothing has changed since"
+  exit 0
+fi
+mkdir -p dist-newstyle
+: > "$passed.part"
+
+# shellcheck disable=SC2086
+find $sources -name '*.hs' -exec awk '
+  length > 100 { print FILENAME ":" FNR ": " length " columns, of at most 100" > "/dev/stderr"; long = 1 }
+  END { exit long }' {} +
+tools/quietly.sh dist-newstyle/format.log "asking ormolu whether the sources are formatted" tools/format.sh check
+grep '^pra-tactile: ' dist-newstyle/format.log >&2 || true
 
 version=$(hlint --numeric-version 2>/dev/null || echo none)
 case $version in
@@ -11,17 +28,6 @@ case $version in
     echo "pra-tactile: the sources were not linted: this takes hlint 3, and here is $version" >&2
     exit 0 ;;
 esac
-
-passed=dist-newstyle/lint.passed
-sources="src app bench test tools .hlint.yaml"
-# shellcheck disable=SC2086
-if [ -e "$passed" ] && [ -z "$(find $sources -newer "$passed" \( -name '*.hs' -o -name '*.yaml' \) -print)" ]; then
-  echo "the sources are linted: passed, and nothing has changed since"
-  exit 0
-fi
-
-mkdir -p dist-newstyle
-: > "$passed.part"
 pure=""
 other=""
 for folder in src/*; do
@@ -30,10 +36,11 @@ for folder in src/*; do
     *) pure="$pure $folder" ;;
   esac
 done
+extensions=$(tools/extensions.sh)
 # shellcheck disable=SC2086
 tools/quietly.sh dist-newstyle/lint-pure.log "linting what is pure" \
-  hlint --hint=.hlint.yaml --hint=tools/pure.hlint.yaml --no-summary -j $pure
+  hlint $extensions --hint=.hlint.yaml --hint=tools/pure.hlint.yaml --no-summary -j $pure
 # shellcheck disable=SC2086
 tools/quietly.sh dist-newstyle/lint.log "linting the rest" \
-  hlint --hint=.hlint.yaml --no-summary -j app bench test tools $other
+  hlint $extensions --hint=.hlint.yaml --no-summary -j app bench test tools $other
 mv -f "$passed.part" "$passed"

@@ -1,24 +1,24 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | @pra-tactile array@: the array itself, as text, CSV, JSON, PGM or SVG.
 module Command.Array
-  ( command
-  ) where
+  ( command,
+  )
+where
 
+import ArrayChoice
 import Codec.Picture (Image (..), Pixel8)
 import Data.Aeson ((.=))
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate, transpose)
 import qualified Data.Vector.Storable as Storable
-import Options.Applicative hiding (command)
-
-import ArrayChoice
 import Described
 import Ending
-import Output (writeWhole)
 import Json
 import Message (foldMessage, imageMessage, profileMessage)
+import Options.Applicative hiding (command)
+import Output (writeWhole)
 import Picture.Array (arraySvg)
 import PraTactile.Array (Shape (..), toRows)
 import PraTactile.Field (showElement, toCode)
@@ -31,13 +31,35 @@ data Format = Text | Csv | Json | Pgm | Svg
   deriving stock (Eq, Show)
 
 command :: Mod CommandFields (IO Ending)
-command = described "array" "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
-  [ "pra-tactile array"
-  , "pra-tactile array --format csv --q 2 --polynomial 1,1,0,0,1 --shape 3x5" ]
-  (run <$> arrayChoice <*> format <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output")))
+command =
+  described
+    "array"
+    "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
+    [ "pra-tactile array",
+      "pra-tactile array --format csv --q 2 --polynomial 1,1,0,0,1 --shape 3x5"
+    ]
+    ( run
+        <$> arrayChoice
+        <*> format
+        <*> optional
+          ( strOption
+              ( long "output"
+                  <> metavar "FILE"
+                  <> action "file"
+                  <> help "Write to a file instead of the standard output"
+              )
+          )
+    )
   where
-    format = option (eitherReader formatNamed)
-      (long "format" <> metavar "FORMAT" <> completeWith ["text", "csv", "json", "pgm", "svg"] <> value Text <> help "text, csv, json, pgm or svg (default: text)")
+    format =
+      option
+        (eitherReader formatNamed)
+        ( long "format"
+            <> metavar "FORMAT"
+            <> completeWith ["text", "csv", "json", "pgm", "svg"]
+            <> value Text
+            <> help "text, csv, json, pgm or svg (default: text)"
+        )
     formatNamed name = case name of
       "text" -> Right Text
       "csv" -> Right Csv
@@ -52,7 +74,10 @@ type Cells = [[(Int, String)]]
 run :: ArrayChoice -> Format -> Maybe FilePath -> IO Ending
 run choice format output = do
   profile <- chosenProfile choice
-  cells <- orUnusable profileMessage (withProfile profile (\array _ -> fmap (map (map named)) (toRows array)))
+  cells <-
+    orUnusable
+      profileMessage
+      (withProfile profile (\array _ -> fmap (map (map named)) (toRows array)))
   rendered <- orUnusable foldMessage cells
   maybe Lazy.putStr writeWhole output =<< render format profile rendered
   pure Answered
@@ -63,20 +88,39 @@ render :: Format -> Profile -> Cells -> IO Lazy.ByteString
 render format profile cells = case format of
   Text -> pure (Lazy8.pack (unlines (alignedRows (map (map snd) cells))))
   Csv -> pure (Lazy8.pack (unlines (map (intercalate "," . map show) codes)))
-  Json -> pure (encodeLine ("schema" .= ("pra-tactile/array/1" :: String) <> "profile" .= profileValue profile <> "rows" .= codes) <> "\n")
-  Pgm -> Lazy.fromStrict . encodePgm Binary <$> orUnusable imageMessage (pgm8 (fromIntegral (profileOrder profile - 1)) (codeImage profile codes))
+  Json ->
+    pure
+      ( encodeLine
+          ( "schema"
+              .= ("pra-tactile/array/1" :: String)
+              <> "profile"
+              .= profileValue profile
+              <> "rows"
+              .= codes
+          )
+          <> "\n"
+      )
+  Pgm ->
+    Lazy.fromStrict . encodePgm Binary
+      <$> orUnusable
+        imageMessage
+        (pgm8 (fromIntegral (profileOrder profile - 1)) (codeImage profile codes))
   Svg -> pure (arraySvg cells)
   where
     codes = map (map fst) cells
 
 codeImage :: Profile -> [[Int]] -> Image Pixel8
-codeImage profile codes = Image (fromIntegral wide) (fromIntegral high) (Storable.fromList (map fromIntegral (concat codes)))
+codeImage profile codes =
+  Image
+    (fromIntegral wide)
+    (fromIntegral high)
+    (Storable.fromList (map fromIntegral (concat codes)))
   where
     Shape high wide = profileShape profile
 
 -- | Rows of words in columns of equal width, no space at the ends of lines.
 alignedRows :: [[String]] -> [String]
-alignedRows grid = [ trimEnd (unwords (zipWith pad widths line)) | line <- grid ]
+alignedRows grid = [trimEnd (unwords (zipWith pad widths line)) | line <- grid]
   where
     widths = map (maximum . map length) (transpose grid)
     pad width word = word ++ replicate (width - length word) ' '

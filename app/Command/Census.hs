@@ -1,31 +1,31 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | @pra-tactile census@: every array of a size, as a CSV file that can be continued and made in shards.
-module Command.Census
-  ( command
-  ) where
 
+-- | @pra-tactile census@: every array of a size, as a CSV file that can be continued and made in
+-- shards.
+module Command.Census
+  ( command,
+  )
+where
+
+import ArrayChoice
 import Control.Exception (try)
 import Control.Monad (foldM, unless, when)
 import Control.Parallel.Strategies (parBuffer, rdeepseq, withStrategy)
 import Data.Aeson ((.=))
 import Data.Bifunctor (first)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Either (rights)
 import Data.Maybe (fromMaybe)
-import Numeric.Natural (Natural)
-import Options.Applicative hiding (command)
-import System.Directory (doesPathExist)
-import System.IO
-
-import ArrayChoice
 import Described
 import Ending
 import Files (readBytes)
 import Json
 import Message (censusMessage, proofMessage)
 import Message.Census
+import Numeric.Natural (Natural)
+import Options.Applicative hiding (command)
 import Output
 import PraTactile.Array (Folding, Shape)
 import PraTactile.Census
@@ -35,60 +35,118 @@ import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Row
 import PraTactile.Window.Proof (Verdict (..))
 import Progress
+import System.Directory (doesPathExist)
+import System.IO
 import Visible
 
 -- | What the command line says.
 data Asked = Asked
-  { askedOrder :: Natural
-  , askedModulus :: Maybe [Natural]
-  , askedDegree :: Natural
-  , askedFolding :: Maybe Folding
-  , askedWindows :: [Shape]
-  , askedShard :: (Natural, Natural)
-  , askedKeepWhole :: Bool
-  , askedOutput :: FilePath
-  , askedJson :: Bool
+  { askedOrder :: Natural,
+    askedModulus :: Maybe [Natural],
+    askedDegree :: Natural,
+    askedFolding :: Maybe Folding,
+    askedWindows :: [Shape],
+    askedShard :: (Natural, Natural),
+    askedKeepWhole :: Bool,
+    askedOutput :: FilePath,
+    askedJson :: Bool
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "census" "Every primitive polynomial of a degree, every shape that its sequence fills, and every window: whether the windows are distinct, by both roads, and their minimum distance, as a CSV file. Running it again continues an unfinished file. Each row ends with a check, the first digits of the SHA-256 of the rest of it, so that a damaged file is refused; a file of the old form, without checks, is continued as it is."
-  [ "pra-tactile census --q 4 --degree 4 --output census.csv"
-  , "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv" ]
-  (run <$> asked)
+command =
+  described
+    "census"
+    "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
+    \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
+    \CSV file. Running it again continues an unfinished file. Each row ends with a check, the \
+    \first digits of the SHA-256 of the rest of it, so that a damaged file is refused; a file of \
+    \the old form, without checks, is continued as it is."
+    [ "pra-tactile census --q 4 --degree 4 --output census.csv",
+      "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv"
+    ]
+    (run <$> asked)
   where
-    asked = Asked
-      <$> orderOption
-      <*> optional modulusOption
-      <*> option naturalReader (long "degree" <> metavar "N" <> help "Degree n of the polynomials: arrays of q^n - 1 cells")
-      <*> optional (option foldingReader (long "folding" <> metavar "FOLDING" <> completeWith (map foldingName [minBound ..]) <> help "diagonal or row-major (default: both)"))
-      <*> many (option shapeReader (long "window" <> metavar "ROWSxCOLUMNS" <> help "A window, instead of all rectangles of n cells and those with one row or column more; may be repeated"))
-      <*> option shardReader (long "shard" <> metavar "I/K" <> value (1, 1) <> help "Only the I-th of K parts, which 'merge' puts together")
-      <*> switch (long "keep-whole" <> help "Continue a damaged file too: rows that are whole are kept, the others made again")
-      <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The file to write or to continue")
-      <*> switch (long "json" <> help "Tell as JSON what was written")
+    asked =
+      Asked
+        <$> orderOption
+        <*> optional modulusOption
+        <*> option
+          naturalReader
+          ( long "degree"
+              <> metavar "N"
+              <> help "Degree n of the polynomials: arrays of q^n - 1 cells"
+          )
+        <*> optional
+          ( option
+              foldingReader
+              ( long "folding"
+                  <> metavar "FOLDING"
+                  <> completeWith (map foldingName [minBound ..])
+                  <> help "diagonal or row-major (default: both)"
+              )
+          )
+        <*> many
+          ( option
+              shapeReader
+              ( long "window"
+                  <> metavar "ROWSxCOLUMNS"
+                  <> help
+                    "A window, instead of all rectangles of n cells and those with one row or \
+                    \column more; may be repeated"
+              )
+          )
+        <*> option
+          shardReader
+          ( long "shard"
+              <> metavar "I/K"
+              <> value (1, 1)
+              <> help "Only the I-th of K parts, which 'merge' puts together"
+          )
+        <*> switch
+          ( long "keep-whole"
+              <> help
+                "Continue a damaged file too: rows that are whole are kept, the others made again"
+          )
+        <*> strOption
+          ( long "output"
+              <> metavar "FILE"
+              <> action "file"
+              <> help "The file to write or to continue"
+          )
+        <*> switch (long "json" <> help "Tell as JSON what was written")
 
 shardReader :: ReadM (Natural, Natural)
-shardReader = pairReader '/' "--shard 1/8" >>= \(i, k) ->
-  if 1 <= i && i <= (k :: Integer) then pure (fromInteger i, fromInteger k) else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
+shardReader =
+  pairReader '/' "--shard 1/8" >>= \(i, k) ->
+    if 1 <= i && i <= (k :: Integer)
+      then pure (fromInteger i, fromInteger k)
+      else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
 run :: Asked -> IO Ending
 run asked = do
   standard <- orUnusable censusMessage (standardScope (askedOrder asked) (askedDegree asked))
-  let scope = standard
-        { scopeModulus = fromMaybe (scopeModulus standard) (askedModulus asked)
-        , scopeFoldings = maybe (scopeFoldings standard) pure (askedFolding asked)
-        , scopeWindows = askedWindows asked }
+  let scope =
+        standard
+          { scopeModulus = fromMaybe (scopeModulus standard) (askedModulus asked),
+            scopeFoldings = maybe (scopeFoldings standard) pure (askedFolding asked),
+            scopeWindows = askedWindows asked
+          }
       (i, k) = askedShard asked
   entries <- orUnusable censusMessage (censusSize scope)
   found <- orUnusable censusMessage (census (\number -> number `mod` k == i - 1) scope)
   let shardSize = if entries < i then 0 else (entries - i) `div` k + 1
-      rendered = [ (entry, rowBody scope entries entry) | entry <- found ]
+      rendered = [(entry, rowBody scope entries entry) | entry <- found]
   target <- targetOf (askedOutput asked) >>= orUnusable id
   kept <- case target of
-    Regular _ _ -> continued (askedKeepWhole asked) (askedOutput asked) (Wanted scope entries rendered)
+    Regular _ _ ->
+      continued (askedKeepWhole asked) (askedOutput asked) (Wanted scope entries rendered)
     _ -> pure (Kept Checked 0 0 0)
-  let made = withStrategy (parBuffer 64 rdeepseq)
-        [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body | (entry, body) <- drop (keptCount kept) rendered ]
+  let made =
+        withStrategy
+          (parBuffer 64 rdeepseq)
+          [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body
+            | (entry, body) <- drop (keptCount kept) rendered
+          ]
       writing = case target of
         Regular _ _ -> append
         _ -> const . writtenTo
@@ -96,23 +154,25 @@ run asked = do
   report asked shardSize provedOnes
   pure Answered
 
--- | What is in the file already: nothing, or the first of the rows that it is to have. Leaves with status 2 if it is
--- anything else, and does not touch it; unless it is damaged and what is whole is to be kept: then the damaged rows are
--- made again first.
+-- | What is in the file already: nothing, or the first of the rows that it is to have. Leaves with
+-- status 2 if it is anything else, and does not touch it; unless it is damaged and what is whole is
+-- to be kept: then the damaged rows are made again first.
 continued :: Bool -> FilePath -> Wanted -> IO Kept
 continued keepWhole file wanted = do
   there <- doesPathExist file
   bytes <- if there then readBytes file else pure ""
-  if not there || beginsHeader bytes then pure (Kept Checked 0 0 0) else do
-    contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
-    kept <- case keptInOrder wanted bytes contents of
-      Right kept -> pure kept
-      Left _ | keepWhole -> repaired file wanted contents
-      Left fault -> unusable (censusFileMessage file fault)
-    kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
+  if not there || beginsHeader bytes
+    then pure (Kept Checked 0 0 0)
+    else do
+      contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
+      kept <- case keptInOrder wanted bytes contents of
+        Right kept -> pure kept
+        Left _ | keepWhole -> repaired file wanted contents
+        Left fault -> unusable (censusFileMessage file fault)
+      kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
--- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so that nothing that was
--- kept is lost if this is interrupted.
+-- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so
+-- that nothing that was kept is lost if this is interrupted.
 repaired :: FilePath -> Wanted -> Contents -> IO Kept
 repaired file wanted contents = do
   (parts, left) <- orUnusable (censusFileMessage file) (keptOfDamaged wanted contents)
@@ -131,14 +191,15 @@ isProved = either (const False) proved . entryVerdict
 -- | Cut the file to what is kept of it and write after that.
 append :: FilePath -> Kept -> (Handle -> IO a) -> IO a
 append file kept write = do
-  outcome <- try $ withBinaryFile file ReadWriteMode $ \handle -> do
-    hSetFileSize handle (fromIntegral (keptBytes kept))
-    hSeek handle SeekFromEnd 0
-    write handle
+  outcome <- try $
+    withBinaryFile file ReadWriteMode $ \handle -> do
+      hSetFileSize handle (fromIntegral (keptBytes kept))
+      hSeek handle SeekFromEnd 0
+      write handle
   either (unusable . writeMessage file) pure outcome
 
--- | Write the rows after those that are kept, each at once and whole; the number of rows, of so many in all, that say that the
--- windows are distinct.
+-- | Write the rows after those that are kept, each at once and whole; the number of rows, of so
+-- many in all, that say that the windows are distinct.
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
   when (keptBytes kept == 0) (Bytes.hPutStr handle (headerOf (keptForm kept) <> "\n"))
@@ -153,6 +214,14 @@ rowsAfter total kept made handle = do
 
 report :: Asked -> Natural -> Int -> IO ()
 report asked entries provedOnes
-  | askedJson asked = unless (askedOutput asked == "-") $ printJson ("schema" .= ("pra-tactile/census/1" :: String) <> "file" .= nameInJson (askedOutput asked)
-      <> "entries" .= naturalValue entries <> "proved" .= provedOnes)
-  | otherwise = sayWritten (askedOutput asked) (": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")
+  | askedJson asked =
+    unless (askedOutput asked == "-") $
+      printJson
+        ( "schema" .= ("pra-tactile/census/1" :: String) <> "file" .= nameInJson (askedOutput asked)
+            <> "entries" .= naturalValue entries
+            <> "proved" .= provedOnes
+        )
+  | otherwise =
+    sayWritten
+      (askedOutput asked)
+      (": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")

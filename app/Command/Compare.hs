@@ -1,35 +1,41 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | @pra-tactile compare@: an answer of @decode@ beside the truth that @probe@ wrote.
 module Command.Compare
-  ( command
-  ) where
+  ( command,
+  )
+where
 
 import Data.Aeson ((.=))
-import Options.Applicative hiding (command)
-import Text.Printf (printf)
-
 import Described
 import Ending
 import FormatFile
 import Json
 import Message
+import Options.Applicative hiding (command)
 import PraTactile.Explore
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Truth
 import PraTactile.Recognise.Summary (turnText, upperLeftVertex)
+import PraTactile.Truth
+import Text.Printf (printf)
 
 command :: Mod CommandFields (IO Ending)
-command = described "compare"
-  "Compare an answer with the truth: is the window's centre where the answer says, and to how many millimetres?"
-  [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json"
-  , "pra-tactile decode --json frames > answer.json"
-  , "pra-tactile compare answer.json truth.json" ]
-  (run
-    <$> strArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
-    <*> strArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
-    <*> switch (long "json" <> help "Print the comparison as JSON"))
+command =
+  described
+    "compare"
+    "Compare an answer with the truth: is the window's centre where the answer says, and to how \
+    \many millimetres?"
+    [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json",
+      "pra-tactile decode --json frames > answer.json",
+      "pra-tactile compare answer.json truth.json"
+    ]
+    ( run
+        <$> strArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
+        <*> strArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
+        <*> switch (long "json" <> help "Print the comparison as JSON")
+    )
 
 run :: FilePath -> FilePath -> Bool -> IO Ending
 run answerFile truthFile asJson = do
@@ -38,12 +44,16 @@ run answerFile truthFile asJson = do
   pitch <- placementPitch <$> orUnusable placementMessage canonicalPlacement
   let verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
   if asJson
-    then printJson ("schema" .= ("pra-tactile/compare/1" :: String)
-      <> "agree" .= either (const False) (const True) verdict
-      <> "difference" .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
-      <> "answer_mm" .= fmap claimPlace claim
-      <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
-      <> "distance_mm" .= distance verdict)
+    then
+      printJson
+        ( "schema" .= ("pra-tactile/compare/1" :: String)
+            <> "agree" .= either (const False) (const True) verdict
+            <> "difference"
+              .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
+            <> "answer_mm" .= fmap claimPlace claim
+            <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
+            <> "distance_mm" .= distance verdict
+        )
     else putStr (unlines (comparison truth claim ++ [verdictText verdict]))
   pure (either (const NotAnswered) (const Answered) verdict)
   where
@@ -70,14 +80,23 @@ verdictText verdict = case verdict of
 -- | The truth and the answer, in the same terms.
 comparison :: Truth -> Maybe Claim -> [String]
 comparison truth claim =
-  ("truth     " ++ faceWords (truthFace truth) ++ ", " ++ turnText (90 * regionTurns (truthRegion truth)))
-    : ("          the region's upper left corner: " ++ spotWords (truthFace truth) (regionCorner (truthRegion truth)))
-    : concat
-      [ ("          what the composite shows as the window's centre: "
-          ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said)))
-        : [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ turnText (claimDegrees said)
-          , "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said) ]
-      | Just said <- [claim] ]
+  ( "truth     "
+      ++ faceWords (truthFace truth)
+      ++ ", "
+      ++ turnText (90 * regionTurns (truthRegion truth))
+  ) :
+  ( "          the region's upper left corner: "
+      ++ spotWords (truthFace truth) (regionCorner (truthRegion truth))
+  ) :
+  concat
+    [ ( "          what the composite shows as the window's centre: "
+          ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said))
+      ) :
+      [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ turnText (claimDegrees said),
+        "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said)
+      ]
+      | Just said <- [claim]
+    ]
   where
     faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
 

@@ -1,21 +1,18 @@
-{-# LANGUAGE DerivingStrategies #-}
 -- | @pra-tactile locate@: from the content of a patch to its position in the array.
 module Command.Locate
-  ( command
-  ) where
+  ( command,
+  )
+where
 
+import AnswerText
+import ArrayChoice
+import Command.Prove (surfaceOption)
 import Data.Aeson.Encoding (Series)
 import Data.Bifunctor (first)
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Options.Applicative hiding (command)
-import System.IO (hFlush, stdout)
-
-import AnswerText
-import ArrayChoice
-import Command.Prove (surfaceOption)
 import Described
 import Ending
 import Explain
@@ -23,6 +20,7 @@ import Json
 import Json.Answer
 import Lines
 import Message
+import Options.Applicative hiding (command)
 import PatchText
 import PraTactile.Array (PseudorandomArray, Surface (..))
 import PraTactile.Field (KnownField)
@@ -30,67 +28,137 @@ import PraTactile.Locate
 import PraTactile.Profile
 import PraTactile.Symmetry (Symmetry, identity, rotations, symmetries)
 import PraTactile.Window (Mask)
+import System.IO (hFlush, stdout)
 
 data Options = Options
-  { decoder :: Maybe DecoderName
-  , radius :: Radius
-  , doubt :: Double
-  , turning :: Turning
-  , explain :: Bool
-  , asJson :: Bool
-  , source :: Maybe [String]
+  { decoder :: Maybe DecoderName,
+    radius :: Radius,
+    doubt :: Double,
+    turning :: Turning,
+    explain :: Bool,
+    asJson :: Bool,
+    source :: Maybe [String]
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "locate" "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may be the list of the probabilities of all symbols. Several patches of one face are parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the position is then that of the upper left cell of the rectangle around all, from which offsets count."
-  [ "pra-tactile locate '3 2 / 3 1'"
-  , "pra-tactile locate 'A^2 A / A^2 1' --json"
-  , "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain"
-  , "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2"
-  , "pra-tactile locate '3 2 / 3 1 ; 0,3: 1 1 / 1 1'"
-  , "pra-tactile locate '{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": [0, 3], \"cells\": [[1, 1], [1, 1]]}]}' --json"
-  , "pra-tactile locate --orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'"
-  , "pra-tactile locate --batch < patches.txt" ]
-  (run <$> arrayChoice <*> surfaceOption <*> options)
+command =
+  described
+    "locate"
+    "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by \
+    \spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may \
+    \be the list of the probabilities of all symbols. Several patches of one face are parted by \
+    \';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the position is \
+    \then that of the upper left cell of the rectangle around all, from which offsets count."
+    [ "pra-tactile locate '3 2 / 3 1'",
+      "pra-tactile locate 'A^2 A / A^2 1' --json",
+      "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain",
+      "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2",
+      "pra-tactile locate '3 2 / 3 1 ; 0,3: 1 1 / 1 1'",
+      "pra-tactile locate '{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": \
+      \[0, 3], \"cells\": [[1, 1], [1, 1]]}]}' --json",
+      "pra-tactile locate --orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'",
+      "pra-tactile locate --batch < patches.txt"
+    ]
+    (run <$> arrayChoice <*> surfaceOption <*> options)
   where
-    options = Options
-      <$> optional (option roadReader (long "road" <> metavar "table|algebra|search" <> completeWith (map decoderText namedDecoders) <> help "How to find positions at which all observed cells agree (default: correct errors, by comparing with every position or, beyond 2^20 cells, by information sets)"))
-      <*> radiusOption "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed cells guarantee)"
-      <*> option decimalReader (long "doubt" <> metavar "P" <> value 0.001 <> showDefault <> help "With probabilities: the probability of a wrong answer that is tolerated")
-      <*> option turningReader (long "orientation" <> metavar "upright|turned|any" <> completeWith (map turningName [minBound ..]) <> value Upright <> showDefaultWith turningName <> help "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the answer then tells the orientation, clockwise, and says where it cannot")
-      <*> switch (long "explain" <> help "Say what the answer rests on: the cells, their equations, the distance to the next candidate")
-      <*> switch (long "json" <> help "Print the answer as JSON")
-      <*> (flag' Nothing (long "batch" <> help "Read one patch, or several parted by ';', a line from the standard input; print one JSON answer a line")
-        <|> (Just <$> some (strArgument (metavar "PATCH"))))
-    turningReader = namedReader "choice of orientation" [ (turningName t, t) | t <- [minBound ..] ]
-    roadReader = namedReader "road" [ (decoderText found, found) | found <- namedDecoders ]
+    options =
+      Options
+        <$> optional
+          ( option
+              roadReader
+              ( long "road"
+                  <> metavar "table|algebra|search"
+                  <> completeWith (map decoderText namedDecoders)
+                  <> help
+                    "How to find positions at which all observed cells agree (default: correct \
+                    \errors, by comparing with every position or, beyond 2^20 cells, by \
+                    \information sets)"
+              )
+          )
+        <*> radiusOption
+          "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the \
+          \observed cells guarantee)"
+        <*> option
+          decimalReader
+          ( long "doubt"
+              <> metavar "P"
+              <> value 0.001
+              <> showDefault
+              <> help "With probabilities: the probability of a wrong answer that is tolerated"
+          )
+        <*> option
+          turningReader
+          ( long "orientation"
+              <> metavar "upright|turned|any"
+              <> completeWith (map turningName [minBound ..])
+              <> value Upright
+              <> showDefaultWith turningName
+              <> help
+                "How patches may be seen: by any quarter turn (turned), perhaps also mirrored \
+                \(any); the answer then tells the orientation, clockwise, and says where it cannot"
+          )
+        <*> switch
+          ( long "explain"
+              <> help
+                "Say what the answer rests on: the cells, their equations, the distance to the \
+                \next candidate"
+          )
+        <*> switch (long "json" <> help "Print the answer as JSON")
+        <*> ( flag'
+                Nothing
+                ( long "batch"
+                    <> help
+                      "Read one patch, or several parted by ';', a line from the standard input; \
+                      \print one JSON answer a line"
+                )
+                <|> (Just <$> some (strArgument (metavar "PATCH")))
+            )
+    turningReader = namedReader "choice of orientation" [(turningName t, t) | t <- [minBound ..]]
+    roadReader = namedReader "road" [(decoderText found, found) | found <- namedDecoders]
     namedDecoders = [TableDecoder, AlgebraDecoder, SearchDecoder]
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
 run choice chosen options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
-  | Just _ <- decoder options, UpTo _ <- radius options = unusable "--road finds positions at which all cells agree; leave it out to correct errors with --radius"
+  | Just _ <-
+      decoder options,
+    UpTo _ <- radius options =
+    unusable
+      "--road finds positions at which all cells agree; leave it out to correct errors with \
+      \--radius"
   | Just words'@(_ : _ : _) <- source options =
-      unusable ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
+    unusable
+      ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
   | otherwise = do
-      profile <- chosenProfile choice
-      let on = fromMaybe (profileSurface profile) chosen
-      either unusable id =<< orUnusable profileMessage (withProfile profile (\array mask -> answering profile options <$> responder options profile on array mask))
+    profile <- chosenProfile choice
+    let on = fromMaybe (profileSurface profile) chosen
+    either unusable id
+      =<< orUnusable
+        profileMessage
+        ( withProfile
+            profile
+            (\array mask -> answering profile options <$> responder options profile on array mask)
+        )
 
 -- | What was read and what it comes to, with all there is to say of it.
 data Response = Response
-  { responseAnswer :: Answer
-  , responseText :: String
-  , responseExplained :: [String]
-  , responseJson :: Maybe [String] -> Series
-    -- ^ given the explanation, if it is wanted
+  { responseAnswer :: Answer,
+    responseText :: String,
+    responseExplained :: [String],
+    -- | given the explanation, if it is wanted
+    responseJson :: Maybe [String] -> Series
   }
 
--- | From what is written to the response. 'Left' where the decoder chosen is impossible for the array. What is computed once for the array is
--- computed when first used.
-responder
-  :: KnownField k
-  => Options -> Profile -> Surface -> PseudorandomArray k -> Mask -> Either String (Text -> Either String Response)
+-- | From what is written to the response. 'Left' where the decoder chosen is impossible for the
+-- array. What is computed once for the array is computed when first used.
+responder ::
+  KnownField k =>
+  Options ->
+  Profile ->
+  Surface ->
+  PseudorandomArray k ->
+  Mask ->
+  Either String (Text -> Either String Response)
 responder options profile on array mask = do
   _ <- first locatorMessage (decoderFor made on (radius options))
   pure $ \text -> do
@@ -102,20 +170,21 @@ responder options profile on array mask = do
     seen <- first locatorMessage (agreedSymbols query)
     pure
       Response
-        { responseAnswer = answer
-        , responseText = answerText asked answer
-        , responseExplained = explainAnswer array mask asked displacements seen (doubt options) answer
-        , responseJson = \explained -> answerJson profile asked displacements explained answer
+        { responseAnswer = answer,
+          responseText = answerText asked answer,
+          responseExplained =
+            explainAnswer array mask asked displacements seen (doubt options) answer,
+          responseJson = \explained -> answerJson profile asked displacements explained answer
         }
   where
     made = locator (decoder options) (profilePacking profile) array mask
     queryOf written =
       Query
-        { queryPatches = writtenPatches written
-        , querySymmetries = symmetriesOf (turning options)
-        , querySurface = on
-        , queryRadius = radius options
-        , queryDoubt = doubt options
+        { queryPatches = writtenPatches written,
+          querySymmetries = symmetriesOf (turning options),
+          querySurface = on,
+          queryRadius = radius options,
+          queryDoubt = doubt options
         }
 
 answering :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
@@ -132,7 +201,8 @@ answering profile options respond = case source options of
       pure (endingOf response)
 
 explanation :: Options -> Response -> Maybe [String]
-explanation options response = if explain options then Just (responseExplained response) else Nothing
+explanation options response =
+  if explain options then Just (responseExplained response) else Nothing
 
 -- | That a position would be told of random symbols as well.
 worthLittle :: Answer -> Maybe String
@@ -146,13 +216,21 @@ batch profile options respond = forLines answerLine Answered
   where
     answerLine worst given = do
       let answer = textOf given >>= respond
-      Lazy8.putStrLn (encodeLine (either (invalidJson profile) (\response -> responseJson response (explanation options response)) answer))
+      Lazy8.putStrLn
+        ( encodeLine
+            ( either
+                (invalidJson profile)
+                (\response -> responseJson response (explanation options response))
+                answer
+            )
+        )
       hFlush stdout
       pure (max worst (either (const Unusable) endingOf answer))
     textOf given = case given of
       Line text -> Right text
       NotUtf8 -> Left "the line is not UTF-8 text"
-      TooLong size -> Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
+      TooLong size ->
+        Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
 endingOf :: Response -> Ending
 endingOf response = case answerOutcome (responseAnswer response) of
@@ -162,8 +240,10 @@ endingOf response = case answerOutcome (responseAnswer response) of
 -- | In which orientations patches may be seen.
 data Turning
   = Upright
-  | Turned    -- ^ by any number of quarter turns
-  | Any       -- ^ and perhaps mirrored
+  | -- | by any number of quarter turns
+    Turned
+  | -- | and perhaps mirrored
+    Any
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As the command line has it.

@@ -1,22 +1,27 @@
 -- | @pra-tactile profile@: the conventions in force, as JSON.
 module Command.Profile
-  ( command
-  ) where
-
-import Options.Applicative hiding (command)
+  ( command,
+  )
+where
 
 import ArrayChoice
 import Described
 import Ending
 import Message (profileMessage)
+import Options.Applicative hiding (command)
 import PraTactile.Format.Profile
 import PraTactile.Profile (withProfile)
 
 command :: Mod CommandFields (IO Ending)
-command = described "profile" "Print the profile as JSON: every convention on which implementations must agree."
-  [ "pra-tactile profile"
-  , "pra-tactile profile --q 2 --polynomial 1,1,0,0,1 --shape 3x5 > mine.json && pra-tactile array --profile mine.json" ]
-  (run <$> arrayChoice)
+command =
+  described
+    "profile"
+    "Print the profile as JSON: every convention on which implementations must agree."
+    [ "pra-tactile profile",
+      "pra-tactile profile --q 2 --polynomial 1,1,0,0,1 --shape 3x5 > mine.json && pra-tactile \
+      \array --profile mine.json"
+    ]
+    (run <$> arrayChoice)
 
 run :: ArrayChoice -> IO Ending
 run choice = do

@@ -1,20 +1,20 @@
 -- | @pra-tactile shapes@: the embossed shapes, drawn and measured; the search that designed them.
 module Command.Shapes
-  ( command
-  ) where
+  ( command,
+  )
+where
 
+import ArrayChoice (intReader)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Options.Applicative hiding (command)
-
-import ArrayChoice (intReader)
 import Described
 import Ending
-import Output (writeWhole)
 import Message
+import Options.Applicative hiding (command)
+import Output (writeWhole)
 import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Report
@@ -22,37 +22,72 @@ import Progress
 import Setup
 
 data Options = Options
-  { designing :: Bool
-  , seed :: Int
-  , svg :: Bool
-  , output :: Maybe FilePath
+  { designing :: Bool,
+    seed :: Int,
+    svg :: Bool,
+    output :: Maybe FilePath
   }
 
 command :: Mod CommandFields (IO Ending)
-command = described "shapes" "Draw the four embossed shapes with the table of their distances, or run the search that designed them."
-  [ "pra-tactile shapes"
-  , "pra-tactile shapes --svg --output shapes.svg"
-  , "pra-tactile shapes --design --output shapes.txt" ]
-  (run <$> options)
+command =
+  described
+    "shapes"
+    "Draw the four embossed shapes with the table of their distances, or run the search that \
+    \designed them."
+    [ "pra-tactile shapes",
+      "pra-tactile shapes --svg --output shapes.svg",
+      "pra-tactile shapes --design --output shapes.txt"
+    ]
+    (run <$> options)
   where
-    options = Options
-      <$> switch (long "design" <> help "Run the search again (some seconds) and write the alphabet it finds")
-      <*> option intReader (long "seed" <> metavar "N" <> value paperSeed <> showDefault <> help "Seed of the search")
-      <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
-      <*> optional (strOption (long "output" <> metavar "FILE" <> action "file" <> help "Write to a file instead of the standard output"))
+    options =
+      Options
+        <$> switch
+          ( long "design"
+              <> help "Run the search again (some seconds) and write the alphabet it finds"
+          )
+        <*> option
+          intReader
+          ( long "seed"
+              <> metavar "N"
+              <> value paperSeed
+              <> showDefault
+              <> help "Seed of the search"
+          )
+        <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
+        <*> optional
+          ( strOption
+              ( long "output"
+                  <> metavar "FILE"
+                  <> action "file"
+                  <> help "Write to a file instead of the standard output"
+              )
+          )
 
 run :: Options -> IO Ending
 run options
   | designing options = do
-      (found, report) <- orUnusable shapeMessage =<<
-        withProgress (toInteger searchLength) 0 (`follow` designSteps (seed options) paperParameters)
-      write (renderAlphabet found)
-      maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
-      pure Answered
+    (found, report) <-
+      orUnusable shapeMessage
+        =<< withProgress
+          (toInteger searchLength)
+          0
+          (`follow` designSteps (seed options) paperParameters)
+    write (renderAlphabet found)
+    maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
+    pure Answered
   | otherwise = do
-      shipped <- shippedAlphabet
-      write (if svg options then alphabetSvg shipped else drawAlphabet shipped <> Text.singleton '\n' <> distanceTable shipped)
-      pure Answered
+    shipped <- shippedAlphabet
+    write
+      ( if svg options
+          then alphabetSvg shipped
+          else drawAlphabet shipped <> Text.singleton '\n' <> distanceTable shipped
+      )
+    pure Answered
   where
     write :: Text -> IO ()
-    write text = maybe (Text.putStr text) (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text))) (output options)
+    write text =
+      maybe
+        (Text.putStr text)
+        (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text)))
+        (output options)

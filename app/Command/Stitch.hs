@@ -1,49 +1,81 @@
 -- | @pra-tactile stitch@: a folder of frames to one composite image.
 module Command.Stitch
-  ( command
-  , Assembly
-  , assemblyOptions
-  , assemble
-  , registrationFor
-  ) where
+  ( command,
+    Assembly,
+    assemblyOptions,
+    assemble,
+    registrationFor,
+  )
+where
 
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import Options.Applicative hiding (command)
-import System.FilePath (takeExtension)
-
 import Described
 import Ending
-import Output
 import Frames
 import Message
+import Options.Applicative hiding (command)
+import Output
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
 import PraTactile.Probe (Frame)
 import PraTactile.Stitch
 import Readers
+import System.FilePath (takeExtension)
 
 command :: Mod CommandFields (IO Ending)
-command = described "stitch" "Assemble the frames of a folder into one composite image, correcting their positions by cross-correlation."
-  [ "pra-tactile stitch frames --output composite.pgm" ]
-  (run <$> assemblyOptions
-       <*> strArgument (metavar "FOLDER" <> action "directory")
-       <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The composite, .pgm or .png"))
+command =
+  described
+    "stitch"
+    "Assemble the frames of a folder into one composite image, correcting their positions by \
+    \cross-correlation."
+    ["pra-tactile stitch frames --output composite.pgm"]
+    ( run <$> assemblyOptions
+        <*> strArgument (metavar "FOLDER" <> action "directory")
+        <*> strOption
+          (long "output" <> metavar "FILE" <> action "file" <> help "The composite, .pgm or .png")
+    )
 
 -- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
 type Assembly = Maybe Registration
 
 -- | @--no-stitching@, or what the robot and the sensor are like.
 assemblyOptions :: Parser Assembly
-assemblyOptions = flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
-  <|> (Just <$> (registrationFor
-    <$> option decimalReader (long "position-error" <> metavar "SIGMA" <> value 1 <> showDefault <> help "Standard deviation of each frame's position that the robot is known for, taxels")
-    <*> option decimalReader (long "noise" <> metavar "SD" <> value 0.1 <> showDefault <> help "Standard deviation of the sensor's noise, as a share of full scale")))
+assemblyOptions =
+  flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
+    <|> ( Just
+            <$> ( registrationFor
+                    <$> option
+                      decimalReader
+                      ( long "position-error"
+                          <> metavar "SIGMA"
+                          <> value 1
+                          <> showDefault
+                          <> help
+                            "Standard deviation of each frame's position that the robot is known \
+                            \for, taxels"
+                      )
+                    <*> option
+                      decimalReader
+                      ( long "noise"
+                          <> metavar "SD"
+                          <> value 0.1
+                          <> showDefault
+                          <> help
+                            "Standard deviation of the sensor's noise, as a share of full scale"
+                      )
+                )
+        )
 
--- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full scale); an error of less
--- than a hundredth of a taxel is taken as that, because a prior without width cannot be searched.
+-- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full
+-- scale); an error of less than a hundredth of a taxel is taken as that, because a prior without
+-- width cannot be searched.
 registrationFor :: Double -> Double -> Registration
-registrationFor sigma noise = standardRegistration { registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma, registrationNoise = noise }
+registrationFor sigma noise =
+  standardRegistration
+    { registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma,
+      registrationNoise = noise
+    }
 
 -- | Assemble frames with stitching or without.
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
@@ -57,6 +89,12 @@ run way folder output = do
     _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
   composite <- loadSource (assemble way) (FrameFolder folder)
   writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
-  sayWritten output (": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
-    ++ show (rasterHeight (compositeImage composite)) ++ " taxels from " ++ show (length (compositeDisplacements composite)) ++ " frames")
+  sayWritten
+    output
+    ( ": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
+        ++ show (rasterHeight (compositeImage composite))
+        ++ " taxels from "
+        ++ show (length (compositeDisplacements composite))
+        ++ " frames"
+    )
   pure Answered

@@ -1,10 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE ScopedTypeVariables #-}
+
 -- | @pra-tactile synthesise@: which recurrence produced these symbols?
 module Command.Synthesise
-  ( command
-  ) where
+  ( command,
+  )
+where
 
+import ArrayChoice
 import Control.Monad (when)
 import Data.Aeson ((.=))
 import Data.Bifunctor (first)
@@ -13,35 +15,43 @@ import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
-import Numeric.Natural (Natural)
-import Options.Applicative hiding (command)
-
-import ArrayChoice
 import Described
 import Ending
 import Files (readBytes)
 import Json
 import Message (fieldMessage)
+import Numeric.Natural (Natural)
+import Options.Applicative hiding (command)
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus)
 import PraTactile.Polynomial
 import PraTactile.Sequence.Synthesis
 
 command :: Mod CommandFields (IO Ending)
-command = described "synthesise" "Find the shortest shift register that puts out the symbols read from the standard input, codes or powers parted by spaces, commas or line ends; status 1 if the symbols do not determine it."
-  [ "pra-tactile sequence --from 1000 --length 8 | pra-tactile synthesise --q 4"
-  , "echo '0 0 1 0 1 1 1' | pra-tactile synthesise --q 2 --json" ]
-  (run <$> orderOption <*> optional modulusOption <*> switch (long "json" <> help "Print the answer as JSON"))
+command =
+  described
+    "synthesise"
+    "Find the shortest shift register that puts out the symbols read from the standard input, \
+    \codes or powers parted by spaces, commas or line ends; status 1 if the symbols do not \
+    \determine it."
+    [ "pra-tactile sequence --from 1000 --length 8 | pra-tactile synthesise --q 4",
+      "echo '0 0 1 0 1 1 1' | pra-tactile synthesise --q 2 --json"
+    ]
+    ( run
+        <$> orderOption
+        <*> optional modulusOption
+        <*> switch (long "json" <> help "Print the answer as JSON")
+    )
 
 -- | What was found, without its field.
 data Found = Found
-  { foundSymbols :: Int
-  , foundPolynomial :: [Natural]
-  , foundLength :: Int
-  , foundDetermined :: Bool
-  , foundPrimitive :: Maybe Bool
-    -- ^ 'Nothing' where it was not decided
-  , foundState :: [Natural]
+  { foundSymbols :: Int,
+    foundPolynomial :: [Natural],
+    foundLength :: Int,
+    foundDetermined :: Bool,
+    -- | 'Nothing' where it was not decided
+    foundPrimitive :: Maybe Bool,
+    foundState :: [Natural]
   }
 
 run :: Natural -> Maybe [Natural] -> Bool -> IO Ending
@@ -51,7 +61,8 @@ run q chosen asJson = do
   when (null symbols) (unusable "there are no symbols on the standard input")
   (p, usual) <- orUnusable fieldMessage (conwayModulus q)
   let modulus = fromMaybe usual chosen
-  when (length (take (length usual + 1) modulus) /= length usual)
+  when
+    (length (take (length usual + 1) modulus) /= length usual)
     (unusable ("the modulus of GF(" ++ show q ++ ") has degree " ++ show (length usual - 1)))
   found <- orUnusable id (join' (first fieldMessage (withField p modulus (`search` symbols))))
   if asJson then printJson (foundJson q modulus found) else putStr (foundText found)
@@ -75,16 +86,19 @@ search _ symbols = do
   terms <- traverse element (zip [1 :: Int ..] symbols) :: Either String [GF k]
   let result = synthesise terms
       h = synthesisPolynomial result
-  pure Found
-    { foundSymbols = synthesisTerms result
-    , foundPolynomial = map codeOf (coefficients h)
-    , foundLength = synthesisLength result
-    , foundDetermined = synthesisDetermined result
-    , foundPrimitive = if synthesisLength result > 256 then Nothing else primitivity h (checkPrimitive h)
-    , foundState = map codeOf (take (synthesisLength result) terms)
-    }
+  pure
+    Found
+      { foundSymbols = synthesisTerms result,
+        foundPolynomial = map codeOf (coefficients h),
+        foundLength = synthesisLength result,
+        foundDetermined = synthesisDetermined result,
+        foundPrimitive =
+          if synthesisLength result > 256 then Nothing else primitivity h (checkPrimitive h),
+        foundState = map codeOf (take (synthesisLength result) terms)
+      }
   where
-    element (i, text) = first (\e -> "symbol " ++ show i ++ ": " ++ fieldMessage e) (parseElement text)
+    element (i, text) =
+      first (\e -> "symbol " ++ show i ++ ": " ++ fieldMessage e) (parseElement text)
     codeOf = fromIntegral . toCode :: GF k -> Natural
     primitivity h checked = case checked of
       Right _ -> Just True
@@ -93,12 +107,22 @@ search _ symbols = do
       Left _ -> Just False
 
 foundText :: Found -> String
-foundText found = unlines
-  [ "polynomial " ++ list (foundPolynomial found)
-  , "length     " ++ show (foundLength found)
-  , "determined " ++ (if foundDetermined found then "yes" else "no: " ++ show (2 * foundLength found) ++ " symbols would determine it, and there are " ++ show (foundSymbols found))
-  , "primitive  " ++ maybe "not decided" (\yes -> if yes then "yes" else "no") (foundPrimitive found)
-  , "state      " ++ list (foundState found)
-  ]
+foundText found =
+  unlines
+    [ "polynomial " ++ list (foundPolynomial found),
+      "length     " ++ show (foundLength found),
+      "determined "
+        ++ ( if foundDetermined found
+               then "yes"
+               else
+                 "no: "
+                   ++ show (2 * foundLength found)
+                   ++ " symbols would determine it, and there are "
+                   ++ show (foundSymbols found)
+           ),
+      "primitive  "
+        ++ maybe "not decided" (\yes -> if yes then "yes" else "no") (foundPrimitive found),
+      "state      " ++ list (foundState found)
+    ]
   where
     list = intercalate "," . map show

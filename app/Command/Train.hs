@@ -1,39 +1,62 @@
 -- | @pra-tactile train@: train the network from a seed, as the shipped one was.
 module Command.Train
-  ( command
-  ) where
+  ( command,
+  )
+where
 
+import ArrayChoice (intReader)
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Text.Encoding as Text
-import Options.Applicative hiding (command)
-import Text.Printf (printf)
-
-import ArrayChoice (intReader)
 import Described
 import Ending
-import Output
 import Message
+import Options.Applicative hiding (command)
+import Output
 import PraTactile.Classify.Network.File (renderNetwork)
 import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
 import PraTactile.Classify.Train (Progress (..))
 import PraTactile.Steps (counted, stepsDone)
 import Progress
 import Setup
+import Text.Printf (printf)
 
 command :: Mod CommandFields (IO Ending)
-command = described "train" "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default seed gives the shipped weights."
-  [ "pra-tactile train --output network.txt" ]
-  (run <$> option intReader (long "seed" <> metavar "N" <> value shippedSeed <> showDefault <> help "Seed of every random draw")
-       <*> strOption (long "output" <> metavar "FILE" <> action "file" <> help "The file of weights"))
+command =
+  described
+    "train"
+    "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default \
+    \seed gives the shipped weights."
+    ["pra-tactile train --output network.txt"]
+    ( run
+        <$> option
+          intReader
+          ( long "seed"
+              <> metavar "N"
+              <> value shippedSeed
+              <> showDefault
+              <> help "Seed of every random draw"
+          )
+        <*> strOption
+          (long "output" <> metavar "FILE" <> action "file" <> help "The file of weights")
+    )
 
 run :: Int -> FilePath -> IO Ending
 run seed output = do
   alphabet <- shippedAlphabet
   let training = trainingRounds shippedRegimen alphabet seed
-  network <- orUnusable networkMessage =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` counted training)
+  network <-
+    orUnusable networkMessage
+      =<< withProgress (toInteger (regimenRounds shippedRegimen)) 0 (`follow` counted training)
   writeWhole output (Lazy.fromStrict (Text.encodeUtf8 (renderNetwork network)))
   forM_ (zip [1 :: Int ..] (stepsDone training)) $ \(i, stage) ->
-    putStrLn (printf "stage %d: %d epochs, squared error %.4f -> %.4f" i (progressEpochs stage) (errorBefore stage) (errorAfter stage))
+    putStrLn
+      ( printf
+          "stage %d: %d epochs, squared error %.4f -> %.4f"
+          i
+          (progressEpochs stage)
+          (errorBefore stage)
+          (errorAfter stage)
+      )
   sayWritten output ""
   pure Answered

@@ -1,8 +1,10 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | A drawing as an SVG file (Scalable Vector Graphics 1.1).
 module Drawing.Svg
-  ( svgFile
-  ) where
+  ( svgFile,
+  )
+where
 
 import Codec.Picture (Pixel8, encodePng, generateImage)
 import qualified Data.ByteString.Base64.Lazy as Base64
@@ -12,74 +14,127 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Lazy as LazyText
 import qualified Data.Text.Lazy.Encoding as LazyText
-import Graphics.Svg
-
 import Drawing
+import Graphics.Svg
 import PraTactile.Image (Raster, index, rasterHeight, rasterWidth)
 
--- | The file of a drawing on white paper, with this much room round it, and a title for those who do not see it.
+-- | The file of a drawing on white paper, with this much room round it, and a title for those who
+-- do not see it.
 svgFile :: Double -> String -> Drawing -> Lazy.ByteString
 svgFile margin title drawing = renderBS root <> "\n"
   where
-    paper = let Extent l t r b = extentOf drawing in Extent (l - margin) (t - margin) (r + margin) (b + margin)
-    root = with (svg11_ content)
-      [ Width_ <<- number (width paper), Height_ <<- number (height paper)
-      , ViewBox_ <<- Text.unwords (map number [0, 0, width paper, height paper])
-      , Font_family_ <<- "sans-serif" ]
-    content = title_ [] (toElement title)
-      <> foldMap mark (shifted (negate (leftEdge paper), negate (topEdge paper))
-           (Mark "paper" (Rectangle (filled "#ffffff" 1) paper) : drawing))
+    paper =
+      let Extent l t r b =
+            extentOf drawing
+       in Extent (l - margin) (t - margin) (r + margin) (b + margin)
+    root =
+      with
+        (svg11_ content)
+        [ Width_ <<- number (width paper),
+          Height_ <<- number (height paper),
+          ViewBox_ <<- Text.unwords (map number [0, 0, width paper, height paper]),
+          Font_family_ <<- "sans-serif"
+        ]
+    content =
+      title_ [] (toElement title)
+        <> foldMap
+          mark
+          ( shifted
+              (negate (leftEdge paper), negate (topEdge paper))
+              (Mark "paper" (Rectangle (filled "#ffffff" 1) paper) : drawing)
+          )
 
 mark :: Mark -> Element
-mark (Mark name form) = "\n" <> case form of
-  Rectangle paint e -> rect_ (named : box e ++ painted paint)
-  Patches paint es -> path_ ([named, D_ <<- Text.concat (map patch es)] ++ painted paint)
-  Outline paint points -> polygon_ ([named, Points_ <<- listed points] ++ painted paint)
-  Line paint points -> polyline_ ([named, Points_ <<- listed points] ++ painted paint)
-  Grey image e
-    | rasterWidth image > 0 && rasterHeight image > 0 -> image_
-        ([named, PreserveAspectRatio_ <<- "none", XlinkHref_ <<- pngAddress (enlargement image e) image] ++ box e)
-    | otherwise -> mempty
-  Words anchor font (x, y) words' -> text_
-    ([named, X_ <<- number x, Y_ <<- number y, Font_size_ <<- number (fontSize font), Fill_ <<- fontColour font]
-      ++ [ Text_anchor_ <<- end | Just end <- [anchorName anchor] ] ++ [ Font_weight_ <<- "bold" | fontBold font ])
-    (toElement words')
+mark (Mark name form) =
+  "\n" <> case form of
+    Rectangle paint e -> rect_ (named : box e ++ painted paint)
+    Patches paint es -> path_ ([named, D_ <<- Text.concat (map patch es)] ++ painted paint)
+    Outline paint points -> polygon_ ([named, Points_ <<- listed points] ++ painted paint)
+    Line paint points -> polyline_ ([named, Points_ <<- listed points] ++ painted paint)
+    Grey image e
+      | rasterWidth image > 0 && rasterHeight image > 0 ->
+        image_
+          ( [ named,
+              PreserveAspectRatio_ <<- "none",
+              XlinkHref_ <<- pngAddress (enlargement image e) image
+            ]
+              ++ box e
+          )
+      | otherwise -> mempty
+    Words anchor font (x, y) words' ->
+      text_
+        ( [ named,
+            X_ <<- number x,
+            Y_ <<- number y,
+            Font_size_ <<- number (fontSize font),
+            Fill_ <<- fontColour font
+          ]
+            ++ [Text_anchor_ <<- end | Just end <- [anchorName anchor]]
+            ++ [Font_weight_ <<- "bold" | fontBold font]
+        )
+        (toElement words')
   where
     named = Class_ <<- name
     box e =
-      [X_ <<- number (leftEdge e), Y_ <<- number (topEdge e), Width_ <<- number (width e), Height_ <<- number (height e)]
-    patch e = Text.concat
-      [ "M", number (leftEdge e), " ", number (topEdge e)
-      , "h", number (width e), "v", number (height e), "h", number (negate (width e)), "z" ]
-    listed points = Text.unwords [ number x <> "," <> number y | (x, y) <- points ]
+      [ X_ <<- number (leftEdge e),
+        Y_ <<- number (topEdge e),
+        Width_ <<- number (width e),
+        Height_ <<- number (height e)
+      ]
+    patch e =
+      Text.concat
+        [ "M",
+          number (leftEdge e),
+          " ",
+          number (topEdge e),
+          "h",
+          number (width e),
+          "v",
+          number (height e),
+          "h",
+          number (negate (width e)),
+          "z"
+        ]
+    listed points = Text.unwords [number x <> "," <> number y | (x, y) <- points]
     anchorName anchor = case anchor of
       FromLeft -> Nothing
       FromMiddle -> Just "middle"
       FromRight -> Just "end"
 
 painted :: Paint -> [Attribute]
-painted paint = [Fill_ <<- fillColour paint]
-  ++ concat [ [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)] | strokeWidth paint > 0 ]
-  ++ [ Stroke_dasharray_ <<- "5 4" | dashed paint ]
-  ++ [ Opacity_ <<- number (opacity paint) | opacity paint < 1 ]
+painted paint =
+  [Fill_ <<- fillColour paint]
+    ++ concat
+      [ [Stroke_ <<- strokeColour paint, Stroke_width_ <<- number (strokeWidth paint)]
+        | strokeWidth paint > 0
+      ]
+    ++ [Stroke_dasharray_ <<- "5 4" | dashed paint]
+    ++ [Opacity_ <<- number (opacity paint) | opacity paint < 1]
 
 number :: Double -> Text
 number = Text.pack . hundredths
 
--- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square, because not every
--- program that shows SVG can be told to keep them sharp when it enlarges an image.
+-- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square,
+-- because not every program that shows SVG can be told to keep them sharp when it enlarges an
+-- image.
 pngAddress :: Int -> Raster -> Text
 pngAddress side image =
-  "data:image/png;base64," <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
+  "data:image/png;base64,"
+    <> LazyText.toStrict (LazyText.decodeLatin1 (Base64.encode (encodePng grey)))
   where
     grey = generateImage enlarged (side * rasterWidth image) (side * rasterHeight image)
     enlarged x y = shade (fromMaybe 0 (index image (x `div` side) (y `div` side)))
     shade v = 250 - round (200 * min 1 (max 0 (if isNaN v then 0 else v))) :: Pixel8
 
--- | How many pixels square a pixel of this image is embedded: about as large as it is shown, four million pixels at
--- most in all.
+-- | How many pixels square a pixel of this image is embedded: about as large as it is shown, four
+-- million pixels at most in all.
 enlargement :: Raster -> Extent -> Int
 enlargement image e = max 1 (min shown affordable)
   where
     shown = round (width e / fromIntegral (rasterWidth image))
-    affordable = floor (sqrt (4e6 / (fromIntegral (rasterWidth image) * fromIntegral (rasterHeight image))) :: Double)
+    affordable =
+      floor
+        ( sqrt
+            (4e6 / (fromIntegral (rasterWidth image) * fromIntegral (rasterHeight image))) ::
+            Double
+        )

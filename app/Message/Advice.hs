@@ -1,12 +1,12 @@
 -- | The adviser's answers in words.
 module Message.Advice
-  ( adviceErrorMessage
-  , adviceLines
-  , obstacleMessage
-  ) where
+  ( adviceErrorMessage,
+    adviceLines,
+    obstacleMessage,
+  )
+where
 
 import Data.List (intercalate)
-
 import Json (shapeText, surfaceName)
 import Message.Code (factorMessage, fieldMessage, numeral, windowMessage)
 import PraTactile.Advise
@@ -26,27 +26,57 @@ adviceLines request (Advice options obstacles) = possible ++ impossible ++ next
   where
     possible = case options of
       [] -> ["Nothing is possible."]
-      _ -> "Possible, the smallest first:" : map ("  " ++) (someOf 24 (map (pure . optionLine) options))
-    impossible = if null obstacles then [] else "Not possible:" : map ("  " ++) (someOf 12 (map obstacleLines obstacles))
-    next = take 1 [ "For example: " ++ commandFor request option fit | option <- options, Single _ <- [optionLayout option], fit <- optionFits option ]
+      _ ->
+        "Possible, the smallest first:" :
+        map ("  " ++) (someOf 24 (map (pure . optionLine) options))
+    impossible =
+      if null obstacles
+        then []
+        else "Not possible:" : map ("  " ++) (someOf 12 (map obstacleLines obstacles))
+    next =
+      take
+        1
+        [ "For example: " ++ commandFor request option fit
+          | option <- options,
+            Single _ <- [optionLayout option],
+            fit <- optionFits option
+        ]
 
 -- | The first entries, and how many more there are.
 someOf :: Int -> [[String]] -> [String]
-someOf limit entries = concat (take limit entries) ++ [ "and " ++ show more ++ " more, which --json lists" | more > 0 ]
+someOf limit entries =
+  concat (take limit entries) ++ ["and " ++ show more ++ " more, which --json lists" | more > 0]
   where
     more = length entries - limit
 
 obstacleLines :: Obstacle -> [String]
-obstacleLines obstacle = obstacleMessage obstacle : case obstacle of
-  SidesShareDivisor _ _ _ _ repairs -> [ "  instead: " ++ optionLine option | option <- repairs ]
-  _ -> []
+obstacleLines obstacle =
+  obstacleMessage obstacle : case obstacle of
+    SidesShareDivisor _ _ _ _ repairs -> ["  instead: " ++ optionLine option | option <- repairs]
+    _ -> []
 
 optionLine :: Option -> String
-optionLine option = shapeText (optionShape option) ++ ", " ++ arrangement (optionLayout option) ++ ", degree " ++ show (optionDegree option) ++ ": windows " ++ windows
+optionLine option =
+  shapeText (optionShape option)
+    ++ ", "
+    ++ arrangement (optionLayout option)
+    ++ ", degree "
+    ++ show (optionDegree option)
+    ++ ": windows "
+    ++ windows
   where
-    windows = intercalate "; " (
-      [ intercalate ", " [ shapeText (fitWindow f) | f <- sure ] ++ " with every primitive polynomial" | not (null sure) ]
-      ++ [ shapeText (fitWindow f) ++ " with " ++ polynomialText f | f <- optionFits option, not (fitEvery f) ])
+    windows =
+      intercalate
+        "; "
+        ( [ intercalate ", " [shapeText (fitWindow f) | f <- sure]
+              ++ " with every primitive polynomial"
+            | not (null sure)
+          ]
+            ++ [ shapeText (fitWindow f) ++ " with " ++ polynomialText f
+                 | f <- optionFits option,
+                   not (fitEvery f)
+               ]
+        )
     sure = filter fitEvery (optionFits option)
 
 polynomialText :: Fit -> String
@@ -59,19 +89,49 @@ arrangement layout = case layout of
   Joint g -> show g ++ " arrays on tori of their own that share the windows"
 
 obstacleMessage :: Obstacle -> String
-obstacleMessage obstacle = "degree " ++ show (obstacleDegree obstacle) ++ ": " ++ case obstacle of
-  NoSuchShape _ terms -> show terms ++ " cells make no shape with so many rows and columns"
-  SidesShareDivisor _ n1 n2 g _ -> shapeText (Shape n1 n2) ++ " on the torus: both sides are divisible by " ++ show g
-    ++ ", so the diagonal closes after " ++ show (lcm n1 n2) ++ " of " ++ show (n1 * n2) ++ " cells, and no linear array of this size exists there"
-  WindowTooFewCells n w -> "a window of " ++ shapeText w ++ " has " ++ show (area w) ++ " cells; " ++ show n ++ " are needed to tell all positions apart"
-  WindowBeyondArray _ layout shape -> shapeText shape ++ ", " ++ arrangement layout ++ ": the window is larger than the array"
-  WindowFails _ layout shape tried -> shapeText shape ++ ", " ++ arrangement layout ++ ": the windows repeat on the " ++ surfaceName (layoutSurface layout)
-    ++ " with each of the first " ++ show tried ++ " primitive polynomials"
-  NotFactored n why -> "q^" ++ show n ++ " - 1 was not factored: " ++ factorMessage why
+obstacleMessage obstacle =
+  "degree " ++ show (obstacleDegree obstacle) ++ ": " ++ case obstacle of
+    NoSuchShape _ terms -> show terms ++ " cells make no shape with so many rows and columns"
+    SidesShareDivisor _ n1 n2 g _ ->
+      shapeText (Shape n1 n2) ++ " on the torus: both sides are divisible by " ++ show g
+        ++ ", so the diagonal closes after "
+        ++ show (lcm n1 n2)
+        ++ " of "
+        ++ show (n1 * n2)
+        ++ " cells, and no linear array of this size exists there"
+    WindowTooFewCells n w ->
+      "a window of "
+        ++ shapeText w
+        ++ " has "
+        ++ show (area w)
+        ++ " cells; "
+        ++ show n
+        ++ " are needed to tell all positions apart"
+    WindowBeyondArray _ layout shape ->
+      shapeText shape ++ ", " ++ arrangement layout ++ ": the window is larger than the array"
+    WindowFails _ layout shape tried ->
+      shapeText shape
+        ++ ", "
+        ++ arrangement layout
+        ++ ": the windows repeat on the "
+        ++ surfaceName (layoutSurface layout)
+        ++ " with each of the first "
+        ++ show tried
+        ++ " primitive polynomials"
+    NotFactored n why -> "q^" ++ show n ++ " - 1 was not factored: " ++ factorMessage why
 
 -- | What to type for an option with one array.
 commandFor :: Request -> Option -> Fit -> String
-commandFor request option fit = unwords (
-  [ "pra-tactile prove --q", show (requestOrder request), "--polynomial", polynomialText fit
-  , "--shape", shapeText (optionShape option), "--window", shapeText (fitWindow fit) ]
-  ++ [ "--folding row-major" | Single RowMajor <- [optionLayout option] ])
+commandFor request option fit =
+  unwords
+    ( [ "pra-tactile prove --q",
+        show (requestOrder request),
+        "--polynomial",
+        polynomialText fit,
+        "--shape",
+        shapeText (optionShape option),
+        "--window",
+        shapeText (fitWindow fit)
+      ]
+        ++ ["--folding row-major" | Single RowMajor <- [optionLayout option]]
+    )

@@ -1,14 +1,14 @@
 -- | What is wrong with census files, in words.
 module Message.Census
-  ( censusFileMessage
-  , mergeMessage
-  , uncheckedMessage
-  , keptMessage
-  ) where
+  ( censusFileMessage,
+    mergeMessage,
+    uncheckedMessage,
+    keptMessage,
+  )
+where
 
 import qualified Data.ByteString.Char8 as Bytes
 import Data.List (intercalate)
-
 import Message.Code (numeral)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Error
@@ -17,20 +17,51 @@ import PraTactile.Format.Error
 censusFileMessage :: FilePath -> CensusFileError -> String
 censusFileMessage file fault = case fault of
   NoCensusHeader -> file ++ ": its first line is not that of a census"
-  DamagedLine line why -> file ++ ": line " ++ show line ++ " is damaged: " ++ rowMessage why ++ "; --keep-whole keeps the other lines"
-  OutOfOrder line -> file ++ ": line " ++ show line ++ " is out of order, or there twice; --keep-whole puts the lines in order"
+  DamagedLine line why ->
+    file
+      ++ ": line "
+      ++ show line
+      ++ " is damaged: "
+      ++ rowMessage why
+      ++ "; --keep-whole keeps the other lines"
+  OutOfOrder line ->
+    file
+      ++ ": line "
+      ++ show line
+      ++ " is out of order, or there twice; --keep-whole puts the lines in order"
   CutOff -> file ++ ": its last line is cut off; run its census again to finish it"
   OtherCensus -> file ++ " is not an unfinished file of this census or shard; give another --output"
-  EntryMissing line entry -> file ++ ": entry " ++ numeral entry ++ " is missing before line " ++ show line ++ "; --keep-whole makes it again"
-  OtherEntry line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the polynomial, folding, shape and window of its entry; --keep-whole keeps the other lines"
-  NotContinued line -> file ++ ": line " ++ show line ++ " has no end and is not the beginning of the row that belongs there; --keep-whole keeps the lines before it"
+  EntryMissing line entry ->
+    file
+      ++ ": entry "
+      ++ numeral entry
+      ++ " is missing before line "
+      ++ show line
+      ++ "; --keep-whole makes it again"
+  OtherEntry line ->
+    file
+      ++ ": line "
+      ++ show line
+      ++ " is damaged: it does not have the polynomial, folding, shape and window of its entry; \
+         \--keep-whole keeps the other lines"
+  NotContinued line ->
+    file
+      ++ ": line "
+      ++ show line
+      ++ " has no end and is not the beginning of the row that belongs there; --keep-whole keeps \
+         \the lines before it"
 
 rowMessage :: RowError -> String
 rowMessage fault = case fault of
   FieldCount there needs -> "it has " ++ show there ++ " fields, not " ++ show needs
   CheckFails -> "its check does not fit the rest"
-  FieldForm column text -> "it has " ++ show (Bytes.unpack (Bytes.take 40 text)) ++ " in the column " ++ Bytes.unpack column
-  Contradicting columns -> "its columns " ++ intercalate ", " (map Bytes.unpack columns) ++ " contradict each other"
+  FieldForm column text ->
+    "it has "
+      ++ show (Bytes.unpack (Bytes.take 40 text))
+      ++ " in the column "
+      ++ Bytes.unpack column
+  Contradicting columns ->
+    "its columns " ++ intercalate ", " (map Bytes.unpack columns) ++ " contradict each other"
 
 -- | Why shards are not merged.
 mergeMessage :: MergeError -> String
@@ -39,18 +70,38 @@ mergeMessage fault = case fault of
   DifferentCensuses a b
     | a == b -> a ++ " has rows of different censuses"
     | otherwise -> a ++ " and " ++ b ++ " are of different censuses"
-  EntryTwice entry a b -> "entry " ++ show entry ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
-  EntriesMissing entries missing -> numeral (sum [ b - a + 1 | (a, b) <- missing ]) ++ " of " ++ numeral entries ++ " entries are missing: "
-    ++ intercalate ", " (map run (take 8 missing) ++ [ "and others" | not (null (drop 8 missing)) ]) ++ "; run the other shards, or finish these"
-  NotAsNumbered file line -> file ++ ": line " ++ show line ++ " is damaged: it does not have the folding, shape and window of its entry"
+  EntryTwice entry a b ->
+    "entry " ++ show entry ++ " is in " ++ a ++ (if a == b then " twice" else " and in " ++ b)
+  EntriesMissing entries missing ->
+    numeral (sum [b - a + 1 | (a, b) <- missing])
+      ++ " of "
+      ++ numeral entries
+      ++ " entries are missing: "
+      ++ intercalate ", " (map run (take 8 missing) ++ ["and others" | not (null (drop 8 missing))])
+      ++ "; run the other shards, or finish these"
+  NotAsNumbered file line ->
+    file
+      ++ ": line "
+      ++ show line
+      ++ " is damaged: it does not have the folding, shape and window of its entry"
   where
-    run (a, b) | a == b = numeral a
-               | otherwise = numeral a ++ " to " ++ numeral b
+    run (a, b)
+      | a == b = numeral a
+      | otherwise = numeral a ++ " to " ++ numeral b
 
 -- | What is said of a file of the old form.
 uncheckedMessage :: FilePath -> String
-uncheckedMessage file = file ++ ": its rows carry no check, as in files of older versions, so that a change in them may go unnoticed"
+uncheckedMessage file =
+  file
+    ++ ": its rows carry no check, as in files of older versions, so that a change in them may go \
+       \unnoticed"
 
--- | What is said where damaged lines are left out: of the rows, so many are kept, and so many lines not.
+-- | What is said where damaged lines are left out: of the rows, so many are kept, and so many lines
+-- not.
 keptMessage :: FilePath -> Int -> Int -> String
-keptMessage file kept left = file ++ ": whole rows kept: " ++ show kept ++ "; damaged or repeated lines left out: " ++ show left
+keptMessage file kept left =
+  file
+    ++ ": whole rows kept: "
+    ++ show kept
+    ++ "; damaged or repeated lines left out: "
+    ++ show left

@@ -1,14 +1,14 @@
 -- | What is wrong with certificates, in words.
 module Message.Certificate
-  ( certificateMessage
-  , faultMessage
-  ) where
+  ( certificateMessage,
+    faultMessage,
+  )
+where
 
 import Data.List (intercalate)
-import Numeric.Natural (Natural)
-
 import Json (shapeText, surfaceName)
 import Message.Code
+import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
@@ -19,34 +19,54 @@ certificateMessage :: CertificateError -> String
 certificateMessage e = case e of
   CertificateProfile why -> profileMessage why
   CertificateProof why -> proofMessage why
-  NotDistinct verdict -> "there is nothing to certify: some windows on the " ++ surfaceName (surface verdict) ++ " have the same content ('pra-tactile prove' shows which)"
-  RankUndecided verdict -> "the rank does not decide whether the windows on the " ++ surfaceName (surface verdict) ++ " are distinct; try --enumeration"
+  NotDistinct verdict ->
+    "there is nothing to certify: some windows on the "
+      ++ surfaceName (surface verdict)
+      ++ " have the same content ('pra-tactile prove' shows which)"
+  RankUndecided verdict ->
+    "the rank does not decide whether the windows on the "
+      ++ surfaceName (surface verdict)
+      ++ " are distinct; try --enumeration"
   NotVisited _ -> "the windows are too many to visit, or for a digest; try --rank"
   PeriodNotFactored _ -> "q^n - 1 was not factored, which a certificate needs"
-  PrimeNotShown p -> "the prime " ++ show p ++ " divides q^n - 1, and its primality was not proved in a way that a certificate can state"
+  PrimeNotShown p ->
+    "the prime "
+      ++ show p
+      ++ " divides q^n - 1, and its primality was not proved in a way that a certificate can state"
 
 -- | What is wrong with a certificate.
 faultMessage :: Fault -> String
 faultMessage fault = case fault of
-  OrderNotOfModulus q -> "q = " ++ show q ++ " is no power of a prime with the modulus's degree as exponent"
+  OrderNotOfModulus q ->
+    "q = " ++ show q ++ " is no power of a prime with the modulus's degree as exponent"
   FieldFault why -> fieldMessage why
   PolynomialFault h -> "the polynomial " ++ list h ++ " is not monic with a constant term"
-  PeriodFault told terms -> "the period is told to be " ++ show told ++ ", but q^n - 1 is " ++ show terms
-  FactorsFault terms -> "the factors are not the ascending prime powers whose product is " ++ show terms
+  PeriodFault told terms ->
+    "the period is told to be " ++ show told ++ ", but q^n - 1 is " ++ show terms
+  FactorsFault terms ->
+    "the factors are not the ascending prime powers whose product is " ++ show terms
   PrimeFault p -> show p ++ " is not shown to be a prime"
   OrderFault -> "x^(q^n - 1) is not 1 modulo the polynomial"
-  ResidueFault l -> "the residue told for the prime " ++ show l ++ " is not x^((q^n - 1)/" ++ show l ++ ")"
+  ResidueFault l ->
+    "the residue told for the prime " ++ show l ++ " is not x^((q^n - 1)/" ++ show l ++ ")"
   RootOrderFault l -> "the polynomial is not primitive: x^((q^n - 1)/" ++ show l ++ ") is 1"
   StateFault s -> "the initial state " ++ list s ++ " does not start the sequence"
   AreaFault shape -> "the shape " ++ shapeText shape ++ " does not have q^n - 1 cells"
-  CommonDivisorFault g -> "the diagonal fold does not fill the shape: both sides are divisible by " ++ show g
+  CommonDivisorFault g ->
+    "the diagonal fold does not fill the shape: both sides are divisible by " ++ show g
   MaskFault why -> windowMessage why
-  ExtentFault (Shape high wide) -> "the profile's window is not the extent of the mask, " ++ shapeText (Shape high wide)
+  ExtentFault (Shape high wide) ->
+    "the profile's window is not the extent of the mask, " ++ shapeText (Shape high wide)
   WindowsFault told there -> show told ++ " windows are told, but the surface has " ++ show there
   SurfaceFault on -> "the rank decides nothing on the " ++ surfaceName on ++ " of this fold"
-  VectorFault i -> "the vector of cell " ++ show i ++ " of the mask is not the power of the root that belongs to it"
-  CellsFault cells -> "the cells " ++ list cells ++ " are not n ascending indices of the mask's cells"
-  InverseFault -> "the matrix told is not the inverse of the chosen vectors, so the rank is not shown"
+  VectorFault i ->
+    "the vector of cell "
+      ++ show i
+      ++ " of the mask is not the power of the root that belongs to it"
+  CellsFault cells ->
+    "the cells " ++ list cells ++ " are not n ascending indices of the mask's cells"
+  InverseFault ->
+    "the matrix told is not the inverse of the chosen vectors, so the rank is not shown"
   ArrayFault why -> profileMessage why
   SizeFault why -> foldMessage why
   RepeatedFault -> "two windows are the same, or they are too many for a digest"

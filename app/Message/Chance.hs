@@ -1,24 +1,27 @@
 -- | What an answer is worth, in words.
 module Message.Chance
-  ( chanceText
-  , chanceWarning
-  , shareText
-  ) where
+  ( chanceText,
+    chanceWarning,
+    shareText,
+  )
+where
 
 import Numeric (showEFloat, showFFloat)
-
 import PraTactile.Locate.Chance
 
 -- | How many of all contents of the cells would be located.
 chanceText :: Chance -> String
-chanceText found = "of random symbols " ++ bound ++ shareText (chanceShare found) ++ " would be located"
+chanceText found =
+  "of random symbols " ++ bound ++ shareText (chanceShare found) ++ " would be located"
   where
     bound = if chanceExact found then "" else "at most "
 
--- | What there is to warn of: random symbols would be located in more than a hundredth of all cases.
+-- | What there is to warn of: random symbols would be located in more than a hundredth of all
+-- cases.
 chanceWarning :: Chance -> Maybe String
 chanceWarning found
-  | chanceShare found > 0.01 = Just ("warning: " ++ chanceText found ++ " too; more cells make the answer worth more")
+  | chanceShare found > 0.01 =
+    Just ("warning: " ++ chanceText found ++ " too; more cells make the answer worth more")
   | otherwise = Nothing
 
 -- | A share as per cent.

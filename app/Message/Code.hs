@@ -1,34 +1,34 @@
 -- | The code wing's errors in words.
 module Message.Code
-  ( fieldMessage
-  , polynomialMessage
-  , factorMessage
-  , numeral
-  , foldMessage
-  , windowMessage
-  , gridMessage
-  , profileMessage
-  , proofMessage
-  , censusMessage
-  , locateMessage
-  , locatorMessage
-  , groundMessage
-  , algebraMessage
-  , decodingMessage
-  , beliefMessage
-  , reasonMessage
-  ) where
+  ( fieldMessage,
+    polynomialMessage,
+    factorMessage,
+    numeral,
+    foldMessage,
+    windowMessage,
+    gridMessage,
+    profileMessage,
+    proofMessage,
+    censusMessage,
+    locateMessage,
+    locatorMessage,
+    groundMessage,
+    algebraMessage,
+    decodingMessage,
+    beliefMessage,
+    reasonMessage,
+  )
+where
 
 import Data.List (intercalate)
-import Numeric.Natural (Natural)
-
 import Json (shapeText, surfaceName)
+import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census (CensusError (..))
+import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Factorisation (FactorError (..))
 import PraTactile.Field (FieldError (..))
 import PraTactile.Grid (GridError (..), largestGrid)
-import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Locate
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
@@ -40,27 +40,43 @@ import PraTactile.Window.Proof
 fieldMessage :: FieldError -> String
 fieldMessage e = case e of
   NotPrime p -> show p ++ " is not a prime, so there is no field GF(" ++ show p ++ "^m)"
-  FieldTooLarge p m -> "GF(" ++ show p ++ "^" ++ show m ++ ") has more than 256 elements, the largest alphabet"
-  ModulusConstant c -> "the modulus " ++ list c ++ " has degree 0; a modulus of degree m makes GF(p^m)"
+  FieldTooLarge p m ->
+    "GF(" ++ show p ++ "^" ++ show m ++ ") has more than 256 elements, the largest alphabet"
+  ModulusConstant c ->
+    "the modulus " ++ list c ++ " has degree 0; a modulus of degree m makes GF(p^m)"
   ModulusNotMonic c -> "the modulus is not monic: its last coefficient is " ++ show c ++ ", not 1"
-  CoefficientOutOfRange c p -> "the modulus has the coefficient " ++ show c ++ ", which is not below p = " ++ show p
-  ModulusReducible p c -> "the modulus " ++ list c ++ " factors over GF(" ++ show p ++ "), so it makes no field"
-  NotAPrimePower q -> show q ++ " is not a prime power up to 256, so there is no alphabet GF(" ++ show q ++ ")"
-  CodeOutOfRange c q -> "the code " ++ show c ++ " is no element of GF(" ++ show q ++ "): codes are 0 to " ++ show (toInteger q - 1)
+  CoefficientOutOfRange c p ->
+    "the modulus has the coefficient " ++ show c ++ ", which is not below p = " ++ show p
+  ModulusReducible p c ->
+    "the modulus " ++ list c ++ " factors over GF(" ++ show p ++ "), so it makes no field"
+  NotAPrimePower q ->
+    show q ++ " is not a prime power up to 256, so there is no alphabet GF(" ++ show q ++ ")"
+  CodeOutOfRange c q ->
+    "the code "
+      ++ show c
+      ++ " is no element of GF("
+      ++ show q
+      ++ "): codes are 0 to "
+      ++ show (toInteger q - 1)
   DivisionByZero -> "division by zero"
-  ElementUnreadable text -> show text ++ " is no element; write a code (0, 1, 2, ...) or a power of A (A, A^2, ...)"
+  ElementUnreadable text ->
+    show text ++ " is no element; write a code (0, 1, 2, ...) or a power of A (A, A^2, ...)"
 
 list :: [Natural] -> String
 list = intercalate "," . map show
 
 polynomialMessage :: PolynomialError -> String
 polynomialMessage e = case e of
-  PolynomialConstant -> "the polynomial has degree 0; its degree is the length of the shift register"
-  PolynomialNotMonic c -> "the polynomial is not monic: its last coefficient is " ++ show c ++ ", not 1"
+  PolynomialConstant ->
+    "the polynomial has degree 0; its degree is the length of the shift register"
+  PolynomialNotMonic c ->
+    "the polynomial is not monic: its last coefficient is " ++ show c ++ ", not 1"
   ConstantTermZero -> "the polynomial's constant term is 0, so it is not primitive"
   PolynomialReducible -> "the polynomial factors over the field, so it is not primitive"
-  PolynomialNotPrimitive order -> "the polynomial is irreducible but not primitive: its root has order " ++ show order
-  OrderNotFactored why -> "which polynomials of this degree are primitive is not known: " ++ factorMessage why
+  PolynomialNotPrimitive order ->
+    "the polynomial is irreducible but not primitive: its root has order " ++ show order
+  OrderNotFactored why ->
+    "which polynomials of this degree are primitive is not known: " ++ factorMessage why
   NoPrimitivePolynomial n -> "no primitive polynomial of degree " ++ show n ++ " was found"
 
 factorMessage :: FactorError -> String
@@ -68,7 +84,12 @@ factorMessage e = case e of
   FactorisationOfZero -> "zero has no factorisation"
   FactorNotFound n -> "the factor " ++ show n ++ " of q^n - 1 could not be split"
   PrimalityUndecided n -> "the factor " ++ show n ++ " of q^n - 1 could not be proved prime"
-  PowerTooLarge b n -> "the factors of " ++ numeral b ++ "^" ++ numeral n ++ " - 1 are needed, and numbers beyond 2^1024 are not factored"
+  PowerTooLarge b n ->
+    "the factors of "
+      ++ numeral b
+      ++ "^"
+      ++ numeral n
+      ++ " - 1 are needed, and numbers beyond 2^1024 are not factored"
 
 -- | A number in digits, or how many it has if these would fill the line.
 numeral :: Natural -> String
@@ -80,54 +101,102 @@ numeral n
 
 sequenceMessage :: SequenceError -> String
 sequenceMessage e = case e of
-  StateLength given n -> "the initial state has " ++ show given ++ " elements; the shift register has " ++ show n
+  StateLength given n ->
+    "the initial state has " ++ show given ++ " elements; the shift register has " ++ show n
   StateZero -> "the initial state is all zeros, and so would be the sequence"
 
 foldMessage :: FoldError -> String
 foldMessage e = case e of
-  NotCoprime n1 n2 g -> "the diagonal fold of " ++ shapeText (Shape n1 n2) ++ " does not fill the array: both sides are divisible by "
-    ++ show g ++ ", so it reaches only every " ++ ordinal g ++ " cell; 'pra-tactile advise' tells what to do instead"
-  WrongArea shape@(Shape high wide) terms -> "the shape " ++ numeral high ++ "x" ++ numeral wide ++ " has " ++ numeral (area shape)
-    ++ " cells, but the sequence has q^n - 1 = " ++ numeral terms ++ " terms"
-  TooManyCells cells limit -> "the array has " ++ numeral cells ++ " cells; at most " ++ show limit ++ " are held in memory"
+  NotCoprime n1 n2 g ->
+    "the diagonal fold of "
+      ++ shapeText (Shape n1 n2)
+      ++ " does not fill the array: both sides are divisible by "
+      ++ show g
+      ++ ", so it reaches only every "
+      ++ ordinal g
+      ++ " cell; 'pra-tactile advise' tells what to do instead"
+  WrongArea shape@(Shape high wide) terms ->
+    "the shape " ++ numeral high ++ "x" ++ numeral wide ++ " has " ++ numeral (area shape)
+      ++ " cells, but the sequence has q^n - 1 = "
+      ++ numeral terms
+      ++ " terms"
+  TooManyCells cells limit ->
+    "the array has " ++ numeral cells ++ " cells; at most " ++ show limit ++ " are held in memory"
   where
-    ordinal n = show n ++ (case n `mod` 10 of { 2 | n `mod` 100 /= 12 -> "nd"; 3 | n `mod` 100 /= 13 -> "rd"; 1 | n `mod` 100 /= 11 -> "st"; _ -> "th" })
+    ordinal n =
+      show n
+        ++ ( case n `mod` 10 of
+               2
+                 | n `mod` 100 /= 12 ->
+                   "nd"
+               3 | n `mod` 100 /= 13 -> "rd"
+               1 | n `mod` 100 /= 11 -> "st"
+               _ -> "th"
+           )
 
 windowMessage :: WindowError -> String
 windowMessage e = case e of
   WindowEmpty -> "the window has no cells"
   WindowTooLarge cells -> "the window has " ++ numeral cells ++ " cells, more than 4096"
   OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
-  DrawingCharacter c -> "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; " ++ show c ++ " is none of them"
-  DrawingRagged i given needs -> "row " ++ show (i + 1) ++ " of the mask has " ++ show given ++ " cells, the first has " ++ show needs
+  DrawingCharacter c ->
+    "a mask is drawn with # for a cell that is observed, . for one that is not and / between rows; "
+      ++ show c
+      ++ " is none of them"
+  DrawingRagged i given needs ->
+    "row "
+      ++ show (i + 1)
+      ++ " of the mask has "
+      ++ show given
+      ++ " cells, the first has "
+      ++ show needs
   PackedOutOfRange n -> show n ++ " packs no window"
 
 gridMessage :: GridError -> String
 gridMessage e = case e of
   GridEmpty -> "there are no cells"
-  GridRagged i given needs -> "row " ++ show (i + 1) ++ " has " ++ show given ++ " cells, the first has " ++ show needs
-  GridCode (Position r c) code -> "the code " ++ show code ++ " at row " ++ show r ++ ", column " ++ show c ++ " is not below q"
+  GridRagged i given needs ->
+    "row " ++ show (i + 1) ++ " has " ++ show given ++ " cells, the first has " ++ show needs
+  GridCode (Position r c) code ->
+    "the code " ++ show code ++ " at row " ++ show r ++ ", column " ++ show c ++ " is not below q"
   GridAlphabet q -> "an alphabet has 2 to 256 symbols, not " ++ show q
-  GridCells cells -> "the array has " ++ show cells ++ " cells; at most " ++ show largestGrid ++ " are held in memory"
+  GridCells cells ->
+    "the array has "
+      ++ show cells
+      ++ " cells; at most "
+      ++ show largestGrid
+      ++ " are held in memory"
 
 profileMessage :: ProfileError -> String
 profileMessage e = case e of
   ProfileField why -> fieldMessage why
-  ModulusDegree given needs -> "the modulus has degree " ++ show given ++ ", but this field needs degree " ++ show needs
+  ModulusDegree given needs ->
+    "the modulus has degree " ++ show given ++ ", but this field needs degree " ++ show needs
   ProfilePolynomial why -> polynomialMessage why
   ProfileState why -> sequenceMessage why
   ProfileFold why -> foldMessage why
   ProfileWindow why -> windowMessage why
-  WindowNotInferred n1 n -> "the window cannot be inferred: the number of rows, " ++ numeral n1 ++ ", is not q^k1 - 1 for a divisor k1 of the degree "
-    ++ show n ++ "; give --window ROWSxCOLUMNS"
+  WindowNotInferred n1 n ->
+    "the window cannot be inferred: the number of rows, "
+      ++ numeral n1
+      ++ ", is not q^k1 - 1 for a divisor k1 of the degree "
+      ++ show n
+      ++ "; give --window ROWSxCOLUMNS"
 
 proofMessage :: ProofError -> String
 proofMessage e = case e of
   NoWindowOnSheet -> "no window of this shape lies on the sheet"
   ArrayTooLarge why -> foldMessage why ++ ", and the rank decides nothing here"
-  WindowsTooMany contents places -> "visiting every window needs too much memory (" ++ numeral contents ++ " contents at " ++ numeral places
-    ++ " positions), and the rank decides nothing here"
-  RoadsDisagree verdict -> "enumeration and rank contradict each other on the " ++ surfaceName (surface verdict) ++ ": a defect of this program; please report it"
+  WindowsTooMany contents places ->
+    "visiting every window needs too much memory ("
+      ++ numeral contents
+      ++ " contents at "
+      ++ numeral places
+      ++ " positions), and the rank decides nothing here"
+  RoadsDisagree verdict ->
+    "enumeration and rank contradict each other on the "
+      ++ surfaceName (surface verdict)
+      ++ ": a defect of this program; please report it"
 
 censusMessage :: CensusError -> String
 censusMessage e = case e of
@@ -135,57 +204,100 @@ censusMessage e = case e of
   CensusModulus given needs -> profileMessage (ModulusDegree given needs)
   CensusPolynomial why -> polynomialMessage why
   CensusWindow why -> windowMessage why
-  CensusTooManyShapes shapes limit -> "q^n - 1 has " ++ numeral shapes ++ " divisors, and each is the number of rows of an array; a census goes through at most " ++ show limit
+  CensusTooManyShapes shapes limit ->
+    "q^n - 1 has "
+      ++ numeral shapes
+      ++ " divisors, and each is the number of rows of an array; a census goes through at most "
+      ++ show limit
 
 locateMessage :: LocateError -> String
 locateMessage e = case e of
-  TableTooLarge entries limit -> "the memory table would have " ++ numeral entries ++ " entries, more than " ++ show limit
+  TableTooLarge entries limit ->
+    "the memory table would have " ++ numeral entries ++ " entries, more than " ++ show limit
   TableArray why -> foldMessage why
   PatchEmpty -> "the patch has no cells"
-  PatchRagged i given needs -> "row " ++ show (i + 1) ++ " of the patch has " ++ show given ++ " cells, the first has " ++ show needs
-  PatchTooLarge cells limit -> "the rectangle around the patches has " ++ show cells ++ " cells, more than " ++ show limit
-  PatchesTooMany given limit -> "there are " ++ show given ++ " patches; at most " ++ show limit ++ " are located together"
-  TooManyPlaces cells limit -> "the array has " ++ show cells ++ " cells; a patch is compared with at most " ++ show limit ++ " positions"
+  PatchRagged i given needs ->
+    "row "
+      ++ show (i + 1)
+      ++ " of the patch has "
+      ++ show given
+      ++ " cells, the first has "
+      ++ show needs
+  PatchTooLarge cells limit ->
+    "the rectangle around the patches has " ++ show cells ++ " cells, more than " ++ show limit
+  PatchesTooMany given limit ->
+    "there are " ++ show given ++ " patches; at most " ++ show limit ++ " are located together"
+  TooManyPlaces cells limit ->
+    "the array has "
+      ++ show cells
+      ++ " cells; a patch is compared with at most "
+      ++ show limit
+      ++ " positions"
 
 locatorMessage :: LocatorError -> String
 locatorMessage e = case e of
   LocatorPatch why -> locateMessage why
   LocatorAlgebra why -> algebraMessage why
   LocatorDecoding why -> decodingMessage why
-  LocatorImpossible infeasible tooLarge -> algebraMessage infeasible ++ "; and " ++ locateMessage tooLarge
-  ProbabilitiesRefused _ -> "probabilities are for the comparison with all positions; leave out --road"
+  LocatorImpossible infeasible tooLarge ->
+    algebraMessage infeasible ++ "; and " ++ locateMessage tooLarge
+  ProbabilitiesRefused _ ->
+    "probabilities are for the comparison with all positions; leave out --road"
   NothingCorrected _ ->
-    "errors are corrected on arrays of up to 2^20 cells, or where positions are discrete logarithms that can be taken; leave out --radius"
+    "errors are corrected on arrays of up to 2^20 cells, or where positions are discrete \
+    \logarithms that can be taken; leave out --radius"
   NoSymmetry -> "there is no orientation in which the patches may be seen"
 
 groundMessage :: GroundError -> String
 groundMessage e = case e of
   GroundSheet -> "patches are read on the array's own surface, not on the sheet"
   GroundEmpty -> "the patch has no cells"
-  GroundTooLarge cells limit -> "patches at all positions have " ++ show cells ++ " cells together; at most " ++ show limit ++ " are simulated"
+  GroundTooLarge cells limit ->
+    "patches at all positions have "
+      ++ show cells
+      ++ " cells together; at most "
+      ++ show limit
+      ++ " are simulated"
 
 algebraMessage :: AlgebraError -> String
 algebraMessage e = case e of
-  SurfaceForeign chosen own -> "the algebra needs the surface on which the array goes on, " ++ surfaceName own ++ ", or the sheet; this is the " ++ surfaceName chosen
+  SurfaceForeign chosen own ->
+    "the algebra needs the surface on which the array goes on, "
+      ++ surfaceName own
+      ++ ", or the sheet; this is the "
+      ++ surfaceName chosen
   AlgebraLogarithm LogarithmOfZero -> "zero has no logarithm"
-  AlgebraLogarithm (LogarithmInfeasible prime limit) -> "the position needs a discrete logarithm in a group whose order the prime " ++ show prime
-    ++ " divides, which is infeasible beyond " ++ show limit
+  AlgebraLogarithm (LogarithmInfeasible prime limit) ->
+    "the position needs a discrete logarithm in a group whose order the prime " ++ show prime
+      ++ " divides, which is infeasible beyond "
+      ++ show limit
   AlgebraCells why -> windowMessage why
-  AlgebraSheet count -> "the observed cells leave " ++ show count ++ " positions of the torus, too many to tell"
-    ++ " which of them lie on the sheet; give more cells"
+  AlgebraSheet count ->
+    "the observed cells leave " ++ show count ++ " positions of the torus, too many to tell"
+      ++ " which of them lie on the sheet; give more cells"
 
 decodingMessage :: DecodingError -> String
 decodingMessage e = case e of
   DecodingAlgebra why -> algebraMessage why
-  DecodingTooLong cleared more limit -> "no position differs in fewer than " ++ show cleared ++ " cells; to look further, " ++ show more
-    ++ " more words would have to be looked at, and at most " ++ show limit ++ " are; give a smaller --radius"
-  DecodingTooMany e' -> "very many positions differ in " ++ show e' ++ " cells; give a smaller --radius, or more cells"
+  DecodingTooLong cleared more limit ->
+    "no position differs in fewer than " ++ show cleared ++ " cells; to look further, " ++ show more
+      ++ " more words would have to be looked at, and at most "
+      ++ show limit
+      ++ " are; give a smaller --radius"
+  DecodingTooMany e' ->
+    "very many positions differ in " ++ show e' ++ " cells; give a smaller --radius, or more cells"
   DecodingOtherCells -> "other cells were prepared for"
 
 beliefMessage :: BeliefError -> String
 beliefMessage e = case e of
-  BeliefLength given needs -> "a cell has " ++ show given ++ " probabilities; the alphabet has " ++ show needs ++ " symbols"
-  BeliefNegative i x -> "the probability with index " ++ show i ++ " is " ++ show x ++ "; probabilities are numbers from 0 to 1"
+  BeliefLength given needs ->
+    "a cell has " ++ show given ++ " probabilities; the alphabet has " ++ show needs ++ " symbols"
+  BeliefNegative i x ->
+    "the probability with index "
+      ++ show i
+      ++ " is "
+      ++ show x
+      ++ "; probabilities are numbers from 0 to 1"
   BeliefSum total -> "the probabilities of a cell add up to " ++ show total ++ ", not to 1"
 
 reasonMessage :: Reason -> String
@@ -196,5 +308,6 @@ reasonMessage reason = case reason of
   NotInArray -> "no complete window of the patch occurs in the array"
   Contradiction -> "the observed cells do not fit one place: at least one of them is wrong"
   OffSheet -> "the windows fit one place, but there the patch reaches beyond the edge of the sheet"
-  BeyondRadius -> "no position differs from the observed cells in as few of them as may be corrected"
+  BeyondRadius ->
+    "no position differs from the observed cells in as few of them as may be corrected"
   BelowThreshold -> "the likeliest position is not likely enough"

@@ -1,33 +1,41 @@
 -- | What is wrong with files and folders, in words.
 module Message.Files
-  ( filesMessage
-  , sourceMessage
-  , fileMessage
-  , loneFramesMessage
-  ) where
+  ( filesMessage,
+    sourceMessage,
+    fileMessage,
+    loneFramesMessage,
+  )
+where
 
 import Data.List (intercalate)
 import qualified Data.Text as Text
-import System.FilePath ((</>))
-
 import Message.Touch
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Probe.Manifest (manifestHeader)
 import PraTactile.Source (SourceError (..), manifestName)
+import System.FilePath ((</>))
 
 filesMessage :: FilesError -> String
 filesMessage e = case e of
   NoSuchFile file -> "there is no file " ++ file
   NoSuchFolder folder -> "there is no folder " ++ folder
   IsFolder file -> file ++ " is a folder; a file is needed here"
-  IsFile file -> file ++ " is a file; a folder of frames with its " ++ manifestName ++ " is needed here"
+  IsFile file ->
+    file ++ " is a file; a folder of frames with its " ++ manifestName ++ " is needed here"
   NoManifest folder ->
-    folder ++ " holds no " ++ manifestName ++ ", so the frames' positions are not known; 'pra-tactile probe' shows the form, "
-      ++ "and its first line is " ++ header
+    folder
+      ++ " holds no "
+      ++ manifestName
+      ++ ", so the frames' positions are not known; 'pra-tactile probe' shows the form, "
+      ++ "and its first line is "
+      ++ header
   NotPermitted file -> "no permission to read " ++ file
   TooLarge path limit ->
-    path ++ " is larger than " ++ show (limit `div` (1024 * 1024)) ++ " MiB, which no input of this kind needs"
+    path
+      ++ " is larger than "
+      ++ show (limit `div` (1024 * 1024))
+      ++ " MiB, which no input of this kind needs"
   Unreadable path why -> "cannot read " ++ path ++ ": " ++ why
   where
     header = intercalate "," (map Text.unpack manifestHeader)
@@ -36,7 +44,8 @@ filesMessage e = case e of
 sourceMessage :: FilePath -> SourceError -> String
 sourceMessage folder e = case e of
   ManifestRefused why -> manifest ++ ": " ++ manifestMessage why
-  ImageElsewhere name -> manifest ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
+  ImageElsewhere name ->
+    manifest ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
   ImageAbsent name -> manifest ++ ": the frame " ++ show name ++ " is not there"
   ImageRefused name why -> fileMessage (folder </> name) why
   where
@@ -46,11 +55,15 @@ sourceMessage folder e = case e of
 fileMessage :: FilePath -> ImageError -> String
 fileMessage file why = file ++ ": " ++ imageMessage why
 
--- | Of so many images in a folder with a manifest or without, which have the size of a frame but stand in no
--- manifest.
+-- | Of so many images in a folder with a manifest or without, which have the size of a frame but
+-- stand in no manifest.
 loneFramesMessage :: FilePath -> Bool -> Int -> String
 loneFramesMessage folder hasManifest count =
-  (if hasManifest then (folder </> manifestName) ++ " does not list " else folder ++ " holds no " ++ manifestName ++ " for ")
+  ( if hasManifest
+      then (folder </> manifestName) ++ " does not list "
+      else folder ++ " holds no " ++ manifestName ++ " for "
+  )
     ++ (if count == 1 then "an image" else show count ++ " images")
     ++ " of 16 x 16 taxels, the size of a frame; without positions "
-    ++ (if count == 1 then "it was" else "each was") ++ " decoded as a whole composite"
+    ++ (if count == 1 then "it was" else "each was")
+    ++ " decoded as a whole composite"

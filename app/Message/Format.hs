@@ -1,13 +1,13 @@
 -- | What is wrong with JSON and census files, in words.
 module Message.Format
-  ( formatMessage
-  , jsonMessage
-  ) where
+  ( formatMessage,
+    jsonMessage,
+  )
+where
 
 import qualified Data.Aeson.Key as Key
 import Data.Aeson.Types (JSONPath, JSONPathElement (..))
 import qualified Data.Text as Text
-
 import Message.Census (censusFileMessage)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Strict (deepest, longestNumber)

@@ -1,11 +1,12 @@
 -- | The errors of objects, placement, relief and store in words.
 module Message.Objects
-  ( placementMessage
-  , reliefMessage
-  , storeMessage
-  , recogniserMessage
-  , refusalMessage
-  ) where
+  ( placementMessage,
+    reliefMessage,
+    storeMessage,
+    recogniserMessage,
+    refusalMessage,
+  )
+where
 
 import Json (shapeText)
 import Message.Code (locateMessage, reasonMessage)
@@ -24,14 +25,31 @@ objectMessage :: ObjectError -> String
 objectMessage e = case e of
   NoFaces -> "the object has no faces"
   RepeatedVertex v -> "two vertices are named " ++ vertexText v
-  CoincidentVertices v w -> "the vertices " ++ vertexText v ++ " and " ++ vertexText w ++ " are the same point"
+  CoincidentVertices v w ->
+    "the vertices " ++ vertexText v ++ " and " ++ vertexText w ++ " are the same point"
   TooFewVertices f -> "the face " ++ faceText f ++ " has fewer than three vertices"
   UnknownVertex f v -> "the face " ++ faceText f ++ " names the unknown vertex " ++ vertexText v
   VertexTwiceOnFace f v -> "the face " ++ faceText f ++ " visits " ++ vertexText v ++ " twice"
-  RepeatedFace f g -> "the faces " ++ faceText f ++ " and " ++ faceText g ++ " have the same vertices"
+  RepeatedFace f g ->
+    "the faces " ++ faceText f ++ " and " ++ faceText g ++ " have the same vertices"
   UnusedVertex v -> "the vertex " ++ vertexText v ++ " is on no face"
-  EdgeWithoutTwoFaces v w fs -> "at the edge " ++ vertexText v ++ " " ++ vertexText w ++ " meet " ++ show (length fs) ++ " faces, not two"
-  FacesDisagree v w f g -> "the faces " ++ faceText f ++ " and " ++ faceText g ++ " both walk from " ++ vertexText v ++ " to " ++ vertexText w
+  EdgeWithoutTwoFaces v w fs ->
+    "at the edge "
+      ++ vertexText v
+      ++ " "
+      ++ vertexText w
+      ++ " meet "
+      ++ show (length fs)
+      ++ " faces, not two"
+  FacesDisagree v w f g ->
+    "the faces "
+      ++ faceText f
+      ++ " and "
+      ++ faceText g
+      ++ " both walk from "
+      ++ vertexText v
+      ++ " to "
+      ++ vertexText w
   PinchedVertex v -> "the faces at " ++ vertexText v ++ " are more than one ring"
   NotConnected f g -> "no walk over edges leads from " ++ faceText f ++ " to " ++ faceText g
   EulerFails v n f -> "V - E + F is not 2: " ++ show v ++ " - " ++ show n ++ " + " ++ show f
@@ -45,17 +63,20 @@ placementMessage e = case e of
   EmptyArray shape -> "an array of " ++ shapeText shape ++ " has no cells"
   PitchNotPositive _ -> "the distances between symbols must be positive"
   RepeatedObject object -> "two objects are named " ++ objectText object
-  UnknownObject object -> "there is no object " ++ show (objectText object) ++ "; 'pra-tactile objects' lists them"
+  UnknownObject object ->
+    "there is no object " ++ show (objectText object) ++ "; 'pra-tactile objects' lists them"
   UnknownFace face -> "there is no face " ++ faceOf face ++ "; 'pra-tactile objects' lists them"
   WrongVertexOrder face named -> "the face " ++ faceOf face ++ " is named " ++ faceText named
   NotRectangular face -> "the face " ++ faceOf face ++ " is not a rectangle"
   FaceLaidTwice face -> "the face " ++ faceOf face ++ " is laid twice"
   FaceNotLaid face -> "the face " ++ faceOf face ++ " has no place on the array"
   EmptyGrid face _ -> "the face " ++ faceOf face ++ " has no cells"
-  GridLargerThanFace face _ _ -> "the symbols of the face " ++ faceOf face ++ " need more room than it has"
+  GridLargerThanFace face _ _ ->
+    "the symbols of the face " ++ faceOf face ++ " need more room than it has"
   OutsideArray face _ _ -> "the face " ++ faceOf face ++ " reaches beyond the array"
   FacesOverlap f g _ -> "the faces " ++ faceOf f ++ " and " ++ faceOf g ++ " claim the same cells"
-  CellOffFace face (Position r c) -> "the face " ++ faceOf face ++ " has no cell at row " ++ show r ++ ", column " ++ show c
+  CellOffFace face (Position r c) ->
+    "the face " ++ faceOf face ++ " has no cell at row " ++ show r ++ ", column " ++ show c
   where
     faceOf (Face object named) = faceText named ++ " of the " ++ objectText object
 
@@ -64,28 +85,43 @@ reliefMessage e = case e of
   NoShape why -> shapeMessage why
   OffTaxelGrid length' ->
     show (fromRational length' :: Double) ++ " mm is no whole number of taxels of "
-    ++ show (taxelPitch :: Double) ++ " mm"
+      ++ show (taxelPitch :: Double)
+      ++ " mm"
   CellTooSmall across down ->
     "a cell of " ++ show across ++ " x " ++ show down ++ " taxels holds no symbol of "
-    ++ show symbolWidth ++ " x " ++ show symbolHeight
+      ++ show symbolWidth
+      ++ " x "
+      ++ show symbolHeight
 
 storeMessage :: StoreError -> String
 storeMessage e = case e of
-  NoSuchFile file -> "there is no database " ++ file ++ "; 'pra-tactile objects --write FILE' makes one"
+  NoSuchFile file ->
+    "there is no database " ++ file ++ "; 'pra-tactile objects --write FILE' makes one"
   IsDirectory file -> file ++ " is a folder; a database file is needed here"
   CannotRead file why -> "cannot read " ++ file ++ ": " ++ failureMessage why
   CannotWrite file why -> "cannot write " ++ file ++ ": " ++ failureMessage why
   Occupied file DanglingLink -> file ++ " is a link to nothing; " ++ elsewhere
-  Occupied file NoRegularFile -> file ++ " is no regular file, and a database needs one; " ++ elsewhere
+  Occupied file NoRegularFile ->
+    file ++ " is no regular file, and a database needs one; " ++ elsewhere
   Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
   NotADatabase file -> file ++ " is not an SQLite database"
-  DamagedFile file BrokenPages -> file ++ " is damaged: parts of it are overwritten or missing; write the database again"
-  DamagedFile file ForeignValue -> file ++ " is damaged: a value is not of its column's type; write the database again"
-  TablesDiffer file -> file ++ " is damaged: a table or a column is missing; write the database again"
+  DamagedFile file BrokenPages ->
+    file ++ " is damaged: parts of it are overwritten or missing; write the database again"
+  DamagedFile file ForeignValue ->
+    file ++ " is damaged: a value is not of its column's type; write the database again"
+  TablesDiffer file ->
+    file ++ " is damaged: a table or a column is missing; write the database again"
   NotAStore file -> file ++ " is a database, but not one that 'pra-tactile objects --write' made"
-  WrongSchemaVersion found expected -> "the database has version " ++ show found ++ " of its tables, this program has " ++ show expected ++ "; write it again"
-  ForeignProfile _ _ -> "the database was made for another profile; choose the array it was made for, or write it again"
-  UnreadableRow table -> "a row of the table " ++ tableName table ++ " cannot be read; write the database again"
+  WrongSchemaVersion found expected ->
+    "the database has version "
+      ++ show found
+      ++ " of its tables, this program has "
+      ++ show expected
+      ++ "; write it again"
+  ForeignProfile _ _ ->
+    "the database was made for another profile; choose the array it was made for, or write it again"
+  UnreadableRow table ->
+    "a row of the table " ++ tableName table ++ " cannot be read; write the database again"
   InconsistentRows why -> "the database contradicts itself: " ++ relationMessage why
   ChangedRows -> "the database was changed after it was written; write it again"
   NotStorable length' -> show (fromRational length' :: Double) ++ " mm cannot be stored"
@@ -120,29 +156,52 @@ relationMessage :: RelationError -> String
 relationMessage e = case e of
   NotSolid object why -> objectText object ++ ": " ++ objectMessage why
   NotPlaced why -> placementMessage why
-  RowsDisagree table -> "the rows of the table " ++ tableName table ++ " are not those that the others imply"
+  RowsDisagree table ->
+    "the rows of the table " ++ tableName table ++ " are not those that the others imply"
 
 recogniserMessage :: RecogniserError -> String
 recogniserMessage e = case e of
   RecogniserArray why -> locateMessage why
-  ClassesDiffer given shaped q -> "the network knows " ++ show given ++ " classes and the alphabet has " ++ show shaped ++ " shapes; the array has " ++ show q ++ " symbols"
+  ClassesDiffer given shaped q ->
+    "the network knows "
+      ++ show given
+      ++ " classes and the alphabet has "
+      ++ show shaped
+      ++ " shapes; the array has "
+      ++ show q
+      ++ " symbols"
   ArraysDiffer laid given ->
-    "the objects are laid on an array of " ++ shapeText laid ++ "; the chosen one is " ++ shapeText given
+    "the objects are laid on an array of "
+      ++ shapeText laid
+      ++ "; the chosen one is "
+      ++ shapeText given
   PitchesDiffer laid given ->
-    "the objects' symbols are " ++ pitchText laid ++ " mm apart; symbols are read at " ++ pitchText given
-    ++ " mm"
+    "the objects' symbols are "
+      ++ pitchText laid
+      ++ " mm apart; symbols are read at "
+      ++ pitchText given
+      ++ " mm"
   where
     pitchText (Pitch right down) = millimetres right ++ " x " ++ millimetres down
     millimetres = show . (fromRational :: Rational -> Double)
 
 refusalMessage :: Refusal -> String
 refusalMessage refusal = case refusal of
-  NoSymbols -> "no complete symbol was found in the composite; probe a larger region, at least 40 x 52 taxels to hold a window at every phase"
+  NoSymbols ->
+    "no complete symbol was found in the composite; probe a larger region, at least 40 x 52 \
+    \taxels to hold a window at every phase"
   SymbolsUnclear -> "the network recognised none of the symbols"
-  Mirrored -> "the symbols are recognised in the mirror image only: the composite is mirrored; give the face as it is seen from outside"
+  Mirrored ->
+    "the symbols are recognised in the mirror image only: the composite is mirrored; give the \
+    \face as it is seen from outside"
   OrientationContradicts -> "the symbols disagree about which way up the grid is"
   GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
-  WindowsContradict -> "separate groups of symbols lead to different places: at least one symbol is wrong"
-  NotLocated NoCompleteWindow -> "the recognised symbols fit more than one position, and no window of them is complete; probe a larger region"
-  NotLocated BelowThreshold -> "the likeliest position is not likely enough; probe a larger region, or tolerate more with --doubt"
+  WindowsContradict ->
+    "separate groups of symbols lead to different places: at least one symbol is wrong"
+  NotLocated NoCompleteWindow ->
+    "the recognised symbols fit more than one position, and no window of them is complete; probe \
+    \a larger region"
+  NotLocated BelowThreshold ->
+    "the likeliest position is not likely enough; probe a larger region, or tolerate more with \
+    \--doubt"
   NotLocated reason -> reasonMessage reason

@@ -1,17 +1,17 @@
 -- | The touch wing's errors in words.
 module Message.Touch
-  ( imageMessage
-  , manifestMessage
-  , probeMessage
-  , stitchMessage
-  , shapeMessage
-  , networkMessage
-  ) where
+  ( imageMessage,
+    manifestMessage,
+    probeMessage,
+    stitchMessage,
+    shapeMessage,
+    networkMessage,
+  )
+where
 
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import qualified Data.Text as Text
-
 import PraTactile.Classify.Network (NetworkError (..))
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
@@ -22,19 +22,47 @@ import PraTactile.Stitch (StitchError (..))
 
 imageMessage :: ImageError -> String
 imageMessage e = case e of
-  RaggedRow i given first -> "row " ++ show i ++ " has " ++ show given ++ " values, the first has " ++ show first
-  WrongValueCount wide high given -> show wide ++ " x " ++ show high ++ " pixels do not have " ++ show given ++ " values"
+  RaggedRow i given first ->
+    "row " ++ show i ++ " has " ++ show given ++ " values, the first has " ++ show first
+  WrongValueCount wide high given ->
+    show wide ++ " x " ++ show high ++ " pixels do not have " ++ show given ++ " values"
   SizesDiffer a b -> "two images differ in size: " ++ by a ++ " and " ++ by b
-  OutsideImage (x, y, w, h) size -> "the rectangle of " ++ by (w, h) ++ " at " ++ show x ++ "," ++ show y ++ " does not lie in an image of " ++ by size
+  OutsideImage (x, y, w, h) size ->
+    "the rectangle of "
+      ++ by (w, h)
+      ++ " at "
+      ++ show x
+      ++ ","
+      ++ show y
+      ++ " does not lie in an image of "
+      ++ by size
   ZeroSize wide high -> "an image of " ++ by (wide, high) ++ " pixels has none"
-  TooManyPixels wide high -> "the image has " ++ by (wide, high) ++ " pixels; at most " ++ show maxPixels ++ " are read"
-  NotPgm start -> "not a PGM file" ++ maybe unknown (\name -> ": it is " ++ name) (formatName start) ++ "; a PGM file begins with P2 or P5"
-    where unknown = if Bytes.null start then ": it is empty" else ""
-  BadHeader field found -> "the PGM header's " ++ fieldName field ++ " is not a number" ++ if Bytes.null found then ": the file ends there" else ": " ++ show found
+  TooManyPixels wide high ->
+    "the image has " ++ by (wide, high) ++ " pixels; at most " ++ show maxPixels ++ " are read"
+  NotPgm start ->
+    "not a PGM file"
+      ++ maybe unknown (\name -> ": it is " ++ name) (formatName start)
+      ++ "; a PGM file begins with P2 or P5"
+    where
+      unknown = if Bytes.null start then ": it is empty" else ""
+  BadHeader field found ->
+    "the PGM header's " ++ fieldName field ++ " is not a number"
+      ++ if Bytes.null found
+        then ": the file ends there"
+        else ": " ++ show found
   MaxvalOutOfRange n -> "the PGM header's maximum value is " ++ show n ++ ", not 1 to 65535"
   BadSample i found -> "sample " ++ show i ++ " is not a number: " ++ show found
-  Truncated needs has -> "the file is cut off: " ++ show needs ++ " samples are announced, " ++ show has ++ " are there"
-  SampleAboveMaxval (x, y) v top -> "the sample at " ++ show x ++ "," ++ show y ++ " is " ++ show v ++ ", above the maximum value " ++ show top
+  Truncated needs has ->
+    "the file is cut off: " ++ show needs ++ " samples are announced, " ++ show has ++ " are there"
+  SampleAboveMaxval (x, y) v top ->
+    "the sample at "
+      ++ show x
+      ++ ","
+      ++ show y
+      ++ " is "
+      ++ show v
+      ++ ", above the maximum value "
+      ++ show top
   TrailingData n -> show n ++ " bytes follow the image; one image a file is read"
   where
     by (w, h) = show w ++ " x " ++ show h
@@ -46,11 +74,13 @@ imageMessage e = case e of
 manifestMessage :: ManifestError -> String
 manifestMessage e = case e of
   EmptyManifest -> "the manifest is empty"
-  WrongHeader found -> "the first line is " ++ listed found ++ "; it must be " ++ listed manifestHeader
+  WrongHeader found ->
+    "the first line is " ++ listed found ++ "; it must be " ++ listed manifestHeader
   NotCsv line -> at line ++ "is not CSV"
   WrongFieldCount line n -> at line ++ "has " ++ show n ++ " fields instead of 5"
   BadFileName line -> at line ++ "has no usable file name"
-  BadNumber line field found -> at line ++ Text.unpack field ++ " is " ++ show (Text.unpack found) ++ ", not a finite number"
+  BadNumber line field found ->
+    at line ++ Text.unpack field ++ " is " ++ show (Text.unpack found) ++ ", not a finite number"
   NoEntries -> "the manifest names no frame"
   where
     at line = "line " ++ show line ++ " "
@@ -59,18 +89,40 @@ manifestMessage e = case e of
 probeMessage :: ProbeError -> String
 probeMessage e = case e of
   SpacingTooSmall n -> "presses " ++ show n ++ " taxels apart never cover a region"
-  RegionTooSmall w h -> "a region of " ++ show w ++ " x " ++ show h ++ " taxels is smaller than the sensor, 16 x 16"
-  RegionTooLarge w h -> "a region of " ++ show w ++ " x " ++ show h ++ " taxels takes too many presses"
+  RegionTooSmall w h ->
+    "a region of " ++ show w ++ " x " ++ show h ++ " taxels is smaller than the sensor, 16 x 16"
+  RegionTooLarge w h ->
+    "a region of " ++ show w ++ " x " ++ show h ++ " taxels takes too many presses"
 
 stitchMessage :: StitchError -> String
 stitchMessage e = case e of
   NoFrames -> "there are no frames"
   TooManyFrames n -> show n ++ " frames are more than are assembled at once"
-  FrameSize i w h -> "frame " ++ show (i + 1) ++ " is " ++ show w ++ " x " ++ show h ++ " taxels; the sensor has 16 x 16"
-  FrameRotation i degrees -> "frame " ++ show (i + 1) ++ " is turned by " ++ show degrees ++ " degrees; only multiples of 90 are assembled"
-  FrameNotFinite i -> "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
-  UnusableRegistration _ -> "the registration's settings are unusable: sigma must be positive, noise not negative, the search radius 0 to 64 taxels"
-  AreaTooLarge w h -> "the frames lie so far apart that the composite would have " ++ show (ceiling w :: Integer) ++ " x " ++ show (ceiling h :: Integer) ++ " taxels; check the manifest's positions (millimetres)"
+  FrameSize i w h ->
+    "frame "
+      ++ show (i + 1)
+      ++ " is "
+      ++ show w
+      ++ " x "
+      ++ show h
+      ++ " taxels; the sensor has 16 x 16"
+  FrameRotation i degrees ->
+    "frame "
+      ++ show (i + 1)
+      ++ " is turned by "
+      ++ show degrees
+      ++ " degrees; only multiples of 90 are assembled"
+  FrameNotFinite i ->
+    "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
+  UnusableRegistration _ ->
+    "the registration's settings are unusable: sigma must be positive, noise not negative, the \
+    \search radius 0 to 64 taxels"
+  AreaTooLarge w h ->
+    "the frames lie so far apart that the composite would have "
+      ++ show (ceiling w :: Integer)
+      ++ " x "
+      ++ show (ceiling h :: Integer)
+      ++ " taxels; check the manifest's positions (millimetres)"
 
 shapeMessage :: ShapeError -> String
 shapeMessage e = case e of
@@ -82,7 +134,11 @@ shapeMessage e = case e of
   RepeatedShape a b -> "the shapes " ++ Text.unpack a ++ " and " ++ Text.unpack b ++ " are the same"
   BadName named -> show (Text.unpack named) ++ " is no name for a shape"
   UnknownClass c n -> "there is no shape for code " ++ show c ++ ": the alphabet has " ++ show n
-  UnreadableLine line text -> "line " ++ show line ++ " is neither a row of # and . nor 'symbol NAME': " ++ show (Text.unpack text)
+  UnreadableLine line text ->
+    "line "
+      ++ show line
+      ++ " is neither a row of # and . nor 'symbol NAME': "
+      ++ show (Text.unpack text)
   RowWithoutSymbol line -> "the row on line " ++ show line ++ " comes before any 'symbol NAME'"
   BadDrawing line why -> "the drawing that begins on line " ++ show line ++ ": " ++ shapeMessage why
   NotText -> "the drawings are not UTF-8 text"
@@ -93,9 +149,16 @@ networkMessage e = case e of
   WrongImageSize w h -> "the network takes symbols of 8 x 12, not " ++ show w ++ " x " ++ show h
   LayersDoNotFit -> "the network's layers do not fit each other"
   NotFinite -> "a weight of the network is not a finite number"
-  WrongOutputCount given needs -> "the network tells " ++ show given ++ " classes, the alphabet has " ++ show needs
+  WrongOutputCount given needs ->
+    "the network tells " ++ show given ++ " classes, the alphabet has " ++ show needs
   EmptyBatch -> "there are no images to train with"
   NoSuchClass given needs -> "class " ++ show given ++ " is none of the alphabet's " ++ show needs
   NetworkNotText -> "the network file is not UTF-8 text"
-  UnexpectedNetworkLine line expected found -> "line " ++ show line ++ " of the network file should be " ++ Text.unpack expected ++ "; it is " ++ show (Text.unpack found)
+  UnexpectedNetworkLine line expected found ->
+    "line "
+      ++ show line
+      ++ " of the network file should be "
+      ++ Text.unpack expected
+      ++ "; it is "
+      ++ show (Text.unpack found)
   NetworkFileEnds expected -> "the network file ends where " ++ Text.unpack expected ++ " should be"

@@ -1,19 +1,21 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | The left side of the picture of a recognition: what was felt, and what was made of it.
 module Picture.Composite
-  ( compositePanel
+  ( compositePanel,
+
     -- * Symbols
-  , Reading (..)
-  , readingOf
-  , readingColour
-  , readingPaint
+    Reading (..),
+    readingOf,
+    readingColour,
+    readingPaint,
+
     -- * Windows
-  , answeringCells
-  ) where
+    answeringCells,
+  )
+where
 
 import Data.Text (Text)
-
 import Drawing
 import Picture.Style
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
@@ -47,10 +49,12 @@ readingColour reading = case reading of
 -- | How a symbol's box is drawn.
 readingPaint :: Reading -> Paint
 readingPaint reading
-  | reading `elem` [PartOf, PartContradicting] = (outlined (readingColour reading) 3) { dashed = True, opacity = 0.6 }
+  | reading `elem` [PartOf, PartContradicting] =
+    (outlined (readingColour reading) 3) {dashed = True, opacity = 0.6}
   | otherwise = outlined (readingColour reading) 3
 
--- | How many taxels wide and high the cells of the answer's window are, as the composite shows them.
+-- | How many taxels wide and high the cells of the answer's window are, as the composite shows
+-- them.
 answeringCells :: Finding -> (Double, Double)
 answeringCells found
   | isSideways (foundOrientation found) = (down, across)
@@ -60,35 +64,56 @@ answeringCells found
     across = columnPitch * fromIntegral (maximum (0 : map length cells))
     down = rowPitch * fromIntegral (length cells)
 
--- | The composite, dark where it was pressed; over it the shape of each recognised symbol in its box with its
--- element, the box of each other, and dashed what parts most likely are, beyond the composite too; the cells of the
--- window that gives the answer, and the place.
+-- | The composite, dark where it was pressed; over it the shape of each recognised symbol in its
+-- box with its element, the box of each other, and dashed what parts most likely are, beyond the
+-- composite too; the cells of the window that gives the answer, and the place.
 compositePanel :: Alphabet -> (Int -> String) -> Composite -> Recognition -> Drawing
-compositePanel alphabet nameOf composite recognition = above 12
-  [ [ Mark "heading" (Words FromLeft heading (0, 0) "What was felt") ]
-  , [ Mark "note" (Words FromLeft plain (0, 0)
-        (show wide ++ " x " ++ show high ++ " taxels, " ++ millimetres wide ++ " x " ++ millimetres high ++ " mm")) ]
-  , body
-  , scaleBar (unit / taxelPitch) 20 ]
+compositePanel alphabet nameOf composite recognition =
+  above
+    12
+    [ [Mark "heading" (Words FromLeft heading (0, 0) "What was felt")],
+      [ Mark
+          "note"
+          ( Words
+              FromLeft
+              plain
+              (0, 0)
+              ( show wide
+                  ++ " x "
+                  ++ show high
+                  ++ " taxels, "
+                  ++ millimetres wide
+                  ++ " x "
+                  ++ millimetres high
+                  ++ " mm"
+              )
+          )
+      ],
+      body,
+      scaleBar (unit / taxelPitch) 20
+    ]
   where
     millimetres taxels = hundredths (taxelPitch * fromIntegral taxels)
     (wide, high) = (rasterWidth (compositeImage composite), rasterHeight (compositeImage composite))
     -- Picture units a taxel; a symbol is large enough to be looked at, a face fits on a screen.
     unit = max 1 (min 12 (1000 / fromIntegral (maximum [wide, high, 1])))
     frame = Extent 0 0 (unit * fromIntegral wide) (unit * fromIntegral high)
-    body = Mark "composite" (Grey (compositeImage composite) frame)
-      : Mark "composite-edge" (Rectangle (outlined pale 1) frame)
-      : cornerMark (0, 0) (unit * 2.5, 0) (0, unit * 2.5)
-      : concatMap (symbolMarks True) (here recognisedParts)
-      ++ concatMap (symbolMarks False) (here recognisedSymbols)
-      ++ concat [ windowMarks found | Right (Found found) <- [recognisedAnswer recognition] ]
-    here part = [ s | s <- part recognition, readSource s == 0 ]
+    body =
+      Mark "composite" (Grey (compositeImage composite) frame) :
+      Mark "composite-edge" (Rectangle (outlined pale 1) frame) :
+      cornerMark (0, 0) (unit * 2.5, 0) (0, unit * 2.5) :
+      concatMap (symbolMarks True) (here recognisedParts)
+        ++ concatMap (symbolMarks False) (here recognisedSymbols)
+        ++ concat [windowMarks found | Right (Found found) <- [recognisedAnswer recognition]]
+    here part = [s | s <- part recognition, readSource s == 0]
     -- Pixel centres lie at integers; a pixel covers one taxel round its centre.
     centred (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
     symbolMarks isPart symbol =
-      concat [ shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown ]
-      ++ Mark "symbol" (Rectangle (readingPaint reading) box)
-      : [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label) | not isPart ]
+      concat [shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown]
+        ++ Mark "symbol" (Rectangle (readingPaint reading) box) :
+        [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
+          | not isPart
+        ]
       where
         reading = readingOf recognition isPart symbol
         colour = readingColour reading
@@ -102,7 +127,8 @@ compositePanel alphabet nameOf composite recognition = above 12
           | otherwise = (symbolWidth, symbolHeight)
         box = around (unit * fromIntegral w, unit * fromIntegral h) at
     windowMarks found =
-      Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) : placeMarks at
+      Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) :
+      placeMarks at
       where
         at = centred (windowSeenAt (foundWindow found))
         (w, h) = answeringCells found

@@ -1,30 +1,42 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | What the pictures have in common: colours with one meaning each, embossed shapes, a measure of length.
+
+-- | What the pictures have in common: colours with one meaning each, embossed shapes, a measure of
+-- length.
 module Picture.Style
   ( -- * Colours
-    recognised
-  , contradicting
-  , unrecognised
-  , answering
-  , ink
-  , pale
+    recognised,
+    contradicting,
+    unrecognised,
+    answering,
+    ink,
+    pale,
+
     -- * Fonts
-  , heading
-  , plain
+    heading,
+    plain,
+
     -- * Marks
-  , shapeMark
-  , placeMarks
-  , cornerMark
-  , scaleBar
-  ) where
+    shapeMark,
+    placeMarks,
+    cornerMark,
+    scaleBar,
+  )
+where
 
 import Data.Text (Text)
-
 import Drawing
 import PraTactile.Recognise (Orientation (..))
-import PraTactile.Shape (Alphabet, Symmetry (..), shapeOf, symbolHeight, symbolWidth, transformedRows)
+import PraTactile.Shape
+  ( Alphabet,
+    Symmetry (..),
+    shapeOf,
+    symbolHeight,
+    symbolWidth,
+    transformedRows,
+  )
 
--- | Blue, vermilion, purple and green, which the colour-blind tell apart as well (M. Okabe and K. Ito 2002).
+-- | Blue, vermilion, purple and green, which the colour-blind tell apart as well (M. Okabe and K.
+-- Ito 2002).
 recognised, contradicting, unrecognised, answering :: Text
 recognised = "#0072b2"
 contradicting = "#d55e00"
@@ -40,12 +52,21 @@ heading, plain :: Font
 heading = Font 16 True ink
 plain = Font 13 False ink
 
--- | The shape of a class round a centre, its taxels of this size, as it looks where its face lies so; nothing if
--- there is no such class.
-shapeMark :: Text -> Paint -> Alphabet -> Double -> Orientation -> Int -> (Double, Double) -> Drawing
+-- | The shape of a class round a centre, its taxels of this size, as it looks where its face lies
+-- so; nothing if there is no such class.
+shapeMark ::
+  Text ->
+  Paint ->
+  Alphabet ->
+  Double ->
+  Orientation ->
+  Int ->
+  (Double, Double) ->
+  Drawing
 shapeMark name paint alphabet taxel orientation c (x, y) =
   [ Mark name (Patches paint (concat (zipWith patches [0 ..] (transformedRows turn shape))))
-  | Right shape <- [shapeOf alphabet c] ]
+    | Right shape <- [shapeOf alphabet c]
+  ]
   where
     (turn, w, h) = case orientation of
       Upright -> (Identity, symbolWidth, symbolHeight)
@@ -54,12 +75,12 @@ shapeMark name paint alphabet taxel orientation c (x, y) =
       TurnedLeft -> (ThreeQuarterTurn, symbolHeight, symbolWidth)
     patches :: Int -> [Bool] -> [Extent]
     patches v line =
-      [ Extent (across from) (down v) (across to) (down (v + 1)) | (from, to) <- runs 0 line ]
+      [Extent (across from) (down v) (across to) (down (v + 1)) | (from, to) <- runs 0 line]
     across u = x + taxel * (fromIntegral u - fromIntegral w / 2)
     down v = y + taxel * (fromIntegral v - fromIntegral h / 2)
 
--- | Where a row of taxels is embossed: from the first of a run to the one after its last, counted from the number
--- given.
+-- | Where a row of taxels is embossed: from the first of a run to the one after its last, counted
+-- from the number given.
 runs :: Int -> [Bool] -> [(Int, Int)]
 runs from line = case span not line of
   (_, []) -> []
@@ -67,22 +88,29 @@ runs from line = case span not line of
     let (run, others) = span id rest
         begin = from + length flat
         end = begin + length run
-    in (begin, end) : runs end others
+     in (begin, end) : runs end others
 
 -- | The place that is the answer: a cross.
 placeMarks :: (Double, Double) -> Drawing
 placeMarks (x, y) =
-  [ Mark "place" (Line line [(x - 9, y), (x + 9, y)])
-  , Mark "place" (Line line [(x, y - 9), (x, y + 9)]) ]
+  [ Mark "place" (Line line [(x - 9, y), (x + 9, y)]),
+    Mark "place" (Line line [(x, y - 9), (x, y + 9)])
+  ]
   where
     line = outlined answering 3
 
--- | A triangle in the corner of a rectangle, from the corner and two points on the sides that meet there.
+-- | A triangle in the corner of a rectangle, from the corner and two points on the sides that meet
+-- there.
 cornerMark :: (Double, Double) -> (Double, Double) -> (Double, Double) -> Mark
 cornerMark a b c = Mark "corner" (Outline (filled ink 1) [a, b, c])
 
 -- | A bar of so many millimetres, at this many units a millimetre.
 scaleBar :: Double -> Double -> Drawing
 scaleBar unit millimetres =
-  [ Mark "scale" (Line (outlined ink 2) [(0, -5), (0, 0), (unit * millimetres, 0), (unit * millimetres, -5)])
-  , Mark "scale" (Words FromLeft plain (unit * millimetres + 8, 3) (hundredths millimetres ++ " mm")) ]
+  [ Mark
+      "scale"
+      (Line (outlined ink 2) [(0, -5), (0, 0), (unit * millimetres, 0), (unit * millimetres, -5)]),
+    Mark
+      "scale"
+      (Words FromLeft plain (unit * millimetres + 8, 3) (hundredths millimetres ++ " mm"))
+  ]

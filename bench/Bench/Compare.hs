@@ -1,19 +1,17 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- |
--- Holding a target: rounds of ours and the peer in turn, the ratios of each round, and whether the goal is met.
+-- | Holding a target: rounds of ours and the peer in turn, the ratios of each round, and whether
+-- the goal is met.
 module Bench.Compare
-  ( Row (..)
-  , Standing (..)
-  , compareWith
-  ) where
-
-import Control.Exception (IOException, bracket, try)
-import Control.Monad (replicateM)
-import Data.Maybe (listToMaybe)
+  ( Row (..),
+    Standing (..),
+    compareWith,
+  )
+where
 
 import Bench.Pairs
 import Bench.Targets
+import Control.Exception (IOException, bracket, try)
+import Control.Monad (replicateM)
+import Data.Maybe (listToMaybe)
 
 -- | How a goal stands.
 data Standing
@@ -25,61 +23,62 @@ data Standing
 
 -- | A line of the report.
 data Row = Row
-  { rowTarget :: Target
-  , rowGoal :: Goal
-  , rowUnit :: String
-  , rowOurs :: Maybe Spread
-  , rowPeer :: Maybe Spread
-  , rowFirst :: Maybe Double
-  -- ^ the peer's first answer, which includes what it compiles on first use
-  , rowRatio :: Maybe Spread
-  -- ^ how many times as fast as the peer
-  , rowPeak :: Double
-  -- ^ our process's memory, MiB
-  , rowStanding :: Standing
-  , rowNote :: String
+  { rowTarget :: Target,
+    rowGoal :: Goal,
+    rowUnit :: String,
+    rowOurs :: Maybe Spread,
+    rowPeer :: Maybe Spread,
+    -- | the peer's first answer, which includes what it compiles on first use
+    rowFirst :: Maybe Double,
+    -- | how many times as fast as the peer
+    rowRatio :: Maybe Spread,
+    -- | our process's memory, MiB
+    rowPeak :: Double,
+    rowStanding :: Standing,
+    rowNote :: String
   }
 
--- | Hold a target against each of its goals, with so many rounds after one that is not counted. Without the folder of the
--- peers only our side runs. An answer is waited for so many seconds.
+-- | Hold a target against each of its goals, with so many rounds after one that is not counted.
+-- Without the folder of the peers only our side runs. An answer is waited for so many seconds.
 compareWith :: Maybe FilePath -> Int -> Int -> Target -> IO [Row]
 compareWith folder patience rounds target = mapM row (targetGoals target)
- where
-  row goal = guarded goal $ case (goal, folder) of
-    (TimesAsFast _ peer, Just peers) ->
-      withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
-        judged goal 1 <$> oneAndMore (pair us them)
-    -- A process that has measured before may hold memory of that.
-    (WithinMebibytes _, _) -> judged goal 0 <$> replicateM rounds (withOurs alone)
-    _ -> withOurs (fmap (judged goal 1) . oneAndMore . alone)
-  -- A program that did not answer is not asked again.
-  oneAndMore act = act >>= \one -> (one :) <$> either (const (pure [])) (const (replicateM rounds act)) one
-  withOurs = bracket (startOurs (targetRunTime target) (targetOurs target)) stop
-  pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask patience us <*> ask patience them
-  alone us = fmap (\a -> (a, Nothing)) <$> ask patience us
-  guarded goal act = either (failed goal) id <$> (try act :: IO (Either IOException Row))
-  failed goal problem = (emptyRow goal) {rowNote = show problem}
-  emptyRow goal = Row target goal "" Nothing Nothing Nothing Nothing 0 NoVerdict ""
-  judged goal uncounted rounded = case sequence rounded of
-    Left problem -> (emptyRow goal) {rowNote = problem}
-    Right answers ->
-      let counted = drop uncounted answers
-          unit = concatMap (answerUnit . fst) (take 1 answers)
-          us = spread (map (answerValue . fst) counted)
-          ratios = spread [faster unit (answerValue a) (answerValue b) | (a, Just b) <- counted]
-          peak = maximum (0 : map (answerPeak . fst) answers)
-          different = or [answerCheck a /= answerCheck b | (a, Just b) <- answers]
-       in (emptyRow goal)
-            { rowUnit = unit
-            , rowOurs = us
-            , rowPeer = spread [answerValue b | (_, Just b) <- counted]
-            , rowFirst = listToMaybe [answerValue b | (_, Just b) <- answers]
-            , rowRatio = ratios
-            , rowPeak = peak
-            , rowStanding = standing goal us ratios peak
-            , rowNote = if different then "the results differ" else ""
-            }
-  faster unit a b = if unit == "s" then b / a else a / b
+  where
+    row goal = guarded goal $ case (goal, folder) of
+      (TimesAsFast _ peer, Just peers) ->
+        withOurs $ \us -> bracket (startPeer peers peer) stop $ \them -> do
+          judged goal 1 <$> oneAndMore (pair us them)
+      -- A process that has measured before may hold memory of that.
+      (WithinMebibytes _, _) -> judged goal 0 <$> replicateM rounds (withOurs alone)
+      _ -> withOurs (fmap (judged goal 1) . oneAndMore . alone)
+    -- A program that did not answer is not asked again.
+    oneAndMore act =
+      act >>= \one -> (one :) <$> either (const (pure [])) (const (replicateM rounds act)) one
+    withOurs = bracket (startOurs (targetRunTime target) (targetOurs target)) stop
+    pair us them = (\a b -> (,) <$> a <*> (Just <$> b)) <$> ask patience us <*> ask patience them
+    alone us = fmap (\a -> (a, Nothing)) <$> ask patience us
+    guarded goal act = either (failed goal) id <$> (try act :: IO (Either IOException Row))
+    failed goal problem = (emptyRow goal) {rowNote = show problem}
+    emptyRow goal = Row target goal "" Nothing Nothing Nothing Nothing 0 NoVerdict ""
+    judged goal uncounted rounded = case sequence rounded of
+      Left problem -> (emptyRow goal) {rowNote = problem}
+      Right answers ->
+        let counted = drop uncounted answers
+            unit = concatMap (answerUnit . fst) (take 1 answers)
+            us = spread (map (answerValue . fst) counted)
+            ratios = spread [faster unit (answerValue a) (answerValue b) | (a, Just b) <- counted]
+            peak = maximum (0 : map (answerPeak . fst) answers)
+            different = or [answerCheck a /= answerCheck b | (a, Just b) <- answers]
+         in (emptyRow goal)
+              { rowUnit = unit,
+                rowOurs = us,
+                rowPeer = spread [answerValue b | (_, Just b) <- counted],
+                rowFirst = listToMaybe [answerValue b | (_, Just b) <- answers],
+                rowRatio = ratios,
+                rowPeak = peak,
+                rowStanding = standing goal us ratios peak,
+                rowNote = if different then "the results differ" else ""
+              }
+    faster unit a b = if unit == "s" then b / a else a / b
 
 standing :: Goal -> Maybe Spread -> Maybe Spread -> Double -> Standing
 standing goal us ratios peak = case goal of
@@ -89,5 +88,5 @@ standing goal us ratios peak = case goal of
   AtLeast wanted -> maybe NoVerdict (met . (>= wanted) . median) us
   WithinMebibytes limit -> met (peak <= limit)
   Recorded -> NoVerdict
- where
-  met yes = if yes then Met else Missed
+  where
+    met yes = if yes then Met else Missed

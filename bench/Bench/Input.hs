@@ -1,12 +1,11 @@
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- |
--- What the benchmarks are given: numbers without a pattern, the same ones that the programs in @bench/peers@ make.
+-- | What the benchmarks are given: numbers without a pattern, the same ones that the programs in
+-- @bench/peers@ make.
 module Bench.Input
-  ( scrambled
-  , mixed
-  , sure
-  ) where
+  ( scrambled,
+    mixed,
+    sure,
+  )
+where
 
 import Data.Bits (shiftR, xor)
 import Data.Proxy (Proxy)
@@ -15,20 +14,23 @@ import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
 import PraTactile.Field
 
--- | A result that the benchmark's own input cannot fail to have; a benchmark, unlike the library, may stop otherwise.
+-- | A result that the benchmark's own input cannot fail to have; a benchmark, unlike the library,
+-- may stop otherwise.
 sure :: Show e => Either e a -> a
 sure = either (errorWithoutStackTrace . ("bench: " ++) . show) id
 
 -- | 10^7 codes below q without a pattern that a cache could profit from; the peers make the same.
 scrambled :: forall k. KnownField k => Proxy k -> Int -> Vector (GF k)
 scrambled k multiplier =
-  Primitive.generate 10000000 (\i -> sure (fromCode (((i * multiplier) `shiftR` 16) `mod` fieldOrder k)))
+  Primitive.generate
+    10000000
+    (\i -> sure (fromCode (((i * multiplier) `shiftR` 16) `mod` fieldOrder k)))
 
--- | The number with this index in the sequence of SplitMix64 from the seed 0 (Steele, Lea and Flood, OOPSLA 2014), its
--- upper 32 bits.
+-- | The number with this index in the sequence of SplitMix64 from the seed 0 (Steele, Lea and
+-- Flood, OOPSLA 2014), its upper 32 bits.
 mixed :: Int -> Word64
 mixed i = (z2 `xor` (z2 `shiftR` 31)) `shiftR` 32
- where
-  z0 = fromIntegral i * 0x9e3779b97f4a7c15 :: Word64
-  z1 = (z0 `xor` (z0 `shiftR` 30)) * 0xbf58476d1ce4e5b9
-  z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
+  where
+    z0 = fromIntegral i * 0x9e3779b97f4a7c15 :: Word64
+    z1 = (z0 `xor` (z0 `shiftR` 30)) * 0xbf58476d1ce4e5b9
+    z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb

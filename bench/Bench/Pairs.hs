@@ -1,24 +1,25 @@
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE DerivingStrategies #-}
 
--- |
--- Programs that measure on request, asked in turn, so that what else the machine does falls on both alike.
+-- | Programs that measure on request, asked in turn, so that what else the machine does falls on
+-- both alike.
 module Bench.Pairs
   ( -- * Programs that measure
-    Participant
-  , startOurs
-  , startPeer
-  , ask
-  , stop
+    Participant,
+    startOurs,
+    startPeer,
+    ask,
+    stop,
 
     -- * What they answer
-  , Answer (..)
+    Answer (..),
 
     -- * Statistics
-  , Spread (..)
-  , spread
-  ) where
+    Spread (..),
+    spread,
+  )
+where
 
+import Bench.Targets (Peer (..))
 import Control.Monad (void)
 import Data.Aeson (FromJSON (..), eitherDecodeStrict', withObject, (.:))
 import qualified Data.ByteString.Char8 as Bytes
@@ -30,25 +31,26 @@ import System.IO
 import System.Process
 import System.Timeout (timeout)
 
-import Bench.Targets (Peer (..))
-
 -- | One line of JSON, as every participant prints it.
 data Answer = Answer
-  { answerValue :: Double
-  , answerUnit :: String
-  , answerCheck :: String
-  , answerPeak :: Double
-  -- ^ MiB
+  { answerValue :: Double,
+    answerUnit :: String,
+    answerCheck :: String,
+    -- | MiB
+    answerPeak :: Double
   }
   deriving stock (Eq, Show)
 
 instance FromJSON Answer where
-  parseJSON = withObject "measurement" $ \o -> Answer <$> o .: "value" <*> o .: "unit" <*> o .: "check" <*> o .: "peak_mib"
+  parseJSON =
+    withObject "measurement" $ \o ->
+      Answer <$> o .: "value" <*> o .: "unit" <*> o .: "check" <*> o .: "peak_mib"
 
 -- | A running program: a line to it, a line back.
 data Participant = Participant ProcessHandle Handle Handle
 
--- | This library's measurement of that name, in a process of its own with these options for the run-time system.
+-- | This library's measurement of that name, in a process of its own with these options for the
+-- run-time system.
 startOurs :: [String] -> String -> IO Participant
 startOurs runTime name = do
   self <- getExecutablePath
@@ -57,29 +59,33 @@ startOurs runTime name = do
 -- | A peer, from the folder that @bench/peers/setup.sh@ made.
 startPeer :: FilePath -> Peer -> IO Participant
 startPeer folder peer = case peer of
-  Script _ file arguments -> start (folder </> "bin" </> "python") (("bench/peers" </> file) : arguments)
+  Script _ file arguments ->
+    start (folder </> "bin" </> "python") (("bench/peers" </> file) : arguments)
   Program _ file arguments -> start (folder </> "bin" </> file) arguments
 
 start :: FilePath -> [String] -> IO Participant
 start file arguments = do
   (toIt, fromIt, process) <- piped
   pure (Participant process toIt fromIt)
- where
-  piped = do
-    created <- createProcess (proc file arguments) {std_in = CreatePipe, std_out = CreatePipe}
-    case created of
-      (Just i, Just o, _, p) -> hSetBuffering i LineBuffering >> pure (i, o, p)
-      _ -> ioError (userError ("no pipes to " ++ file))
+  where
+    piped = do
+      created <- createProcess (proc file arguments) {std_in = CreatePipe, std_out = CreatePipe}
+      case created of
+        (Just i, Just o, _, p) -> hSetBuffering i LineBuffering >> pure (i, o, p)
+        _ -> ioError (userError ("no pipes to " ++ file))
 
 -- | One measurement within so many seconds, or what happened instead.
 ask :: Int -> Participant -> IO (Either String Answer)
 ask patience (Participant _ toIt fromIt) = do
   hPutStrLn toIt "measure"
-  fromMaybe (Left ("no answer within " ++ show patience ++ " s")) <$> timeout (patience * 1000000) answered
- where
-  answered = do
-    ended <- hIsEOF fromIt
-    if ended then pure (Left "it ended without an answer") else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
+  fromMaybe (Left ("no answer within " ++ show patience ++ " s"))
+    <$> timeout (patience * 1000000) answered
+  where
+    answered = do
+      ended <- hIsEOF fromIt
+      if ended
+        then pure (Left "it ended without an answer")
+        else eitherDecodeStrict' <$> Bytes.hGetLine fromIt
 
 -- | End a program, whether or not it still measures, and wait for it.
 stop :: Participant -> IO ()
@@ -91,9 +97,9 @@ stop (Participant process toIt fromIt) = do
 
 -- | The least, the median and the greatest of some values.
 data Spread = Spread
-  { least :: Double
-  , median :: Double
-  , greatest :: Double
+  { least :: Double,
+    median :: Double,
+    greatest :: Double
   }
   deriving stock (Eq, Show)
 

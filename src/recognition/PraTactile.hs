@@ -1,86 +1,94 @@
--- | pra-tactile: a reference decoder for objects whose faces carry a pseudorandom array of embossed symbols (Petriu, Yeung,
--- Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
+-- | pra-tactile: a reference decoder for objects whose faces carry a pseudorandom array of embossed
+-- symbols (Petriu, Yeung, Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
 --
--- This module is the short way through it, in reading order; the modules that it takes from have the rest. From bytes to a
--- place with everything chosen: 'canonicalDecoder', then 'decodeFolder' or 'decodeImage', and 'summary' of what they find. With one's own
--- choice: 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a composite of
--- frames, and 'recognise' says what it shows.
+-- This module is the short way through it, in reading order; the modules that it takes from have
+-- the rest. From bytes to a place with everything chosen: 'canonicalDecoder', then 'decodeFolder'
+-- or 'decodeImage', and 'summary' of what they find. With one's own choice: 'paperAlphabet',
+-- 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a
+-- composite of frames, and 'recognise' says what it shows.
 module PraTactile
   ( -- * Decoding: "PraTactile.Decode", "PraTactile.Source"
-    Decoder
-  , canonicalDecoder
-  , decodeFolder
-  , decodeImage
-  , decodeFrames
-  , DecodeError (..)
-  , Folder (..)
-  , folderFrames
-  , imageComposite
-  , SourceError (..)
-  , summary
+    Decoder,
+    canonicalDecoder,
+    decodeFolder,
+    decodeImage,
+    decodeFrames,
+    DecodeError (..),
+    Folder (..),
+    folderFrames,
+    imageComposite,
+    SourceError (..),
+    summary,
+
     -- * The array: "PraTactile.Profile", "PraTactile.Array"
-  , Profile (..)
-  , canonicalProfile
-  , withProfile
-  , PseudorandomArray
-  , Shape (..)
-  , Position (..)
-  , Surface (..)
-  , cellAt
+    Profile (..),
+    canonicalProfile,
+    withProfile,
+    PseudorandomArray,
+    Shape (..),
+    Position (..),
+    Surface (..),
+    cellAt,
+
     -- * Its window property: "PraTactile.Window.Proof"
-  , Mask
-  , rectangle
-  , prove
-  , Verdict (..)
-  , Proved
+    Mask,
+    rectangle,
+    prove,
+    Verdict (..),
+    Proved,
+
     -- * Locating: "PraTactile.Locate"
-  , Query (..)
-  , onePatch
-  , Patch
-  , patch
-  , Cell (..)
-  , Locator
-  , locator
-  , locate
-  , answerOutcome
-  , Outcome (..)
-  , Candidate (..)
-  , Reason (..)
+    Query (..),
+    onePatch,
+    Patch,
+    patch,
+    Cell (..),
+    Locator,
+    locator,
+    locate,
+    answerOutcome,
+    Outcome (..),
+    Candidate (..),
+    Reason (..),
+
     -- * Images of touch: "PraTactile.Image", "PraTactile.Probe", "PraTactile.Stitch"
-  , Raster
-  , Frame (..)
-  , Pose (..)
-  , Composite
-  , stitch
-  , standardRegistration
-  , compositeOf
+    Raster,
+    Frame (..),
+    Pose (..),
+    Composite,
+    stitch,
+    standardRegistration,
+    compositeOf,
+
     -- * Objects: "PraTactile.Object.Placement"
-  , Placement
-  , canonicalPlacement
-  , whereabouts
-  , Whereabouts (..)
-  , Place (..)
+    Placement,
+    canonicalPlacement,
+    whereabouts,
+    Whereabouts (..),
+    Place (..),
+
     -- * Recognition: "PraTactile.Recognise"
-  , paperAlphabet
-  , shippedNetwork
-  , Recogniser
-  , recogniser
-  , recognise
-  , recogniseWith
-  , Tolerance (..)
-  , standardTolerance
-  , Recognition (..)
-  , Answer (..)
-  , Finding (..)
-  , Refusal (..)
-  ) where
+    paperAlphabet,
+    shippedNetwork,
+    Recogniser,
+    recogniser,
+    recognise,
+    recogniseWith,
+    Tolerance (..),
+    standardTolerance,
+    Recognition (..),
+    Answer (..),
+    Finding (..),
+    Refusal (..),
+  )
+where
 
 import PraTactile.Array
 import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Decode
 import PraTactile.Image (Raster)
-import PraTactile.Locate hiding (Answer (..))
 import PraTactile.Locate (answerOutcome)
+import PraTactile.Locate hiding (Answer (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Probe

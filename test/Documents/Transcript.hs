@@ -1,20 +1,21 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | The commands in the documents and what they print. A document shows a command with its output in a fenced block called
--- @console@; @make figures@ runs them and puts what they print in the place of what stands there, and a test holds the text
--- against the quick ones. Commands whose output is not shown stand in blocks called @sh@.
+-- | The commands in the documents and what they print. A document shows a command with its output
+-- in a fenced block called @console@; @make figures@ runs them and puts what they print in the
+-- place of what stands there, and a test holds the text against the quick ones. Commands whose
+-- output is not shown stand in blocks called @sh@.
 module Documents.Transcript
   ( -- * Documents
-    documents
-  , Piece (..)
-  , Pace (..)
-  , Step (..)
-  , pieces
-  , rendered
+    documents,
+    Piece (..),
+    Pace (..),
+    Step (..),
+    pieces,
+    rendered,
+
     -- * Running
-  , commandText
-  , run
-  ) where
+    commandText,
+    run,
+  )
+where
 
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isPrefixOf, stripPrefix)
@@ -22,28 +23,38 @@ import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 
 -- | The files whose commands are run.
 documents :: [FilePath]
-documents = ["README.md", "docs/cli.md", "docs/json.md", "docs/locating.md", "docs/evaluation.md", "docs/benchmarks.md"]
+documents =
+  [ "README.md",
+    "docs/cli.md",
+    "docs/json.md",
+    "docs/locating.md",
+    "docs/evaluation.md",
+    "docs/benchmarks.md"
+  ]
 
 -- | A part of a document.
 data Piece
   = Prose [String]
-  | Transcript Pace [Step]
-    -- ^ commands with what they print
-  | Script [String]
-    -- ^ commands alone, a line each
+  | -- | commands with what they print
+    Transcript Pace [Step]
+  | -- | commands alone, a line each
+    Script [String]
   deriving stock (Eq, Show)
 
 -- | When the commands of a transcript are run.
 data Pace
-  = Quick     -- ^ by the test suite, too
-  | Slow      -- ^ they take minutes: by @make figures@ alone
-  | Machine   -- ^ what they print depends on the machine and the moment: likewise
+  = -- | by the test suite, too
+    Quick
+  | -- | they take minutes: by @make figures@ alone
+    Slow
+  | -- | what they print depends on the machine and the moment: likewise
+    Machine
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | A command, in one line or more, and what it prints.
 data Step = Step
-  { stepCommand :: [String]
-  , stepShown :: [String]
+  { stepCommand :: [String],
+    stepShown :: [String]
   }
   deriving stock (Eq, Show)
 
@@ -60,17 +71,22 @@ pieces = go [] . lines
     go prose text = case text of
       [] -> prosaic prose
       line : others
-        | Just pace <- lookup line [ ("```" ++ paceName p, p) | p <- [minBound ..] ] ->
-            let (block, after) = break (== "```") others in prosaic prose ++ Transcript pace (steps block) : go [] (drop 1 after)
+        | Just pace <- lookup line [("```" ++ paceName p, p) | p <- [minBound ..]] ->
+          let (block, after) =
+                break (== "```") others
+           in prosaic prose ++ Transcript pace (steps block) : go [] (drop 1 after)
         | line == "```sh" ->
-            let (block, after) = break (== "```") others in prosaic prose ++ Script block : go [] (drop 1 after)
+          let (block, after) =
+                break (== "```") others
+           in prosaic prose ++ Script block : go [] (drop 1 after)
         | otherwise -> go (line : prose) others
-    prosaic prose = [ Prose (reverse prose) | not (null prose) ]
+    prosaic prose = [Prose (reverse prose) | not (null prose)]
     steps block = case block of
-      first : others | Just command <- stripPrefix "$ " first ->
-        let (more, after) = span ("> " `isPrefixOf`) others
-            (shown, next) = break ("$ " `isPrefixOf`) after
-         in Step (command : map (drop 2) more) shown : steps next
+      first : others
+        | Just command <- stripPrefix "$ " first ->
+          let (more, after) = span ("> " `isPrefixOf`) others
+              (shown, next) = break ("$ " `isPrefixOf`) after
+           in Step (command : map (drop 2) more) shown : steps next
       _ -> []
 
 -- | The document again.
@@ -87,9 +103,12 @@ rendered = unlines . concatMap piece
 commandText :: Step -> String
 commandText = unlines . stepCommand
 
--- | Run a command in a folder, with the program of the environment's path; its status is not asked for. Both streams, as a
--- person sees them; the ends of lines trimmed, as editors do.
+-- | Run a command in a folder, with the program of the environment's path; its status is not asked
+-- for. Both streams, as a person sees them; the ends of lines trimmed, as editors do.
 run :: FilePath -> String -> IO [String]
 run folder command = do
-  (_, out, _) <- readCreateProcessWithExitCode (proc "sh" ["-c", "exec 2>&1\n" ++ command]) { cwd = Just folder } ""
+  (_, out, _) <-
+    readCreateProcessWithExitCode
+      (proc "sh" ["-c", "exec 2>&1\n" ++ command]) {cwd = Just folder}
+      ""
   pure (map (dropWhileEnd isSpace) (lines out))

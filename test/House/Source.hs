@@ -1,13 +1,12 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | The modules of the house as they stand on the disk: which wing each is in, and what it imports.
 module House.Source
-  ( Wing (..)
-  , wingName
-  , Source (..)
-  , readHouse
-  , readText
-  ) where
+  ( Wing (..),
+    wingName,
+    Source (..),
+    readHouse,
+    readText,
+  )
+where
 
 import Data.List (isSuffixOf, sort)
 import Data.Maybe (mapMaybe)
@@ -34,10 +33,10 @@ wingName wing = case wing of
 
 -- | A module as it stands in the house.
 data Source = Source
-  { sourceName :: String
-  , sourceWing :: Wing
-  , sourceImports :: [String]
-  , sourceText :: String
+  { sourceName :: String,
+    sourceWing :: Wing,
+    sourceImports :: [String],
+    sourceText :: String
   }
 
 -- | All modules of the house that stands in this folder; a wing without a folder has none.
@@ -48,7 +47,9 @@ readHouse root = concat <$> traverse wing [minBound ..]
       let folder = root </> (if which == App then "app" else "src" </> wingName which)
       there <- doesDirectoryExist folder
       files <- if there then under folder else pure []
-      traverse (\file -> source which (drop (length folder + 1) file) <$> readText file) (sort files)
+      traverse
+        (\file -> source which (drop (length folder + 1) file) <$> readText file)
+        (sort files)
     source which file text =
       Source (map dotted (dropExtension file)) which (mapMaybe imported (lines text)) text
     dotted letter = if letter `elem` "/\\" then '.' else letter

@@ -1,9 +1,12 @@
--- | What the documents and the help say is what happens: their commands are run, from the texts themselves.
+-- | What the documents and the help say is what happens: their commands are run, from the texts
+-- themselves.
 module Test.Documents (spec) where
 
 import Control.Monad (forM_, unless)
 import Data.Char (isSpace)
 import Data.List (dropWhileEnd, isInfixOf, isPrefixOf, stripPrefix)
+import Documents.Transcript
+import House.Source (readText)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -13,51 +16,67 @@ import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck (property)
 
-import Documents.Transcript
-import House.Source (readText)
-
 spec :: Spec
 spec = do
-  it "a document is made of its pieces" $ forM_ documents $ \file -> do
-    text <- readText file
-    (file, rendered (pieces text)) `shouldBe` (file, text)
+  it "a document is made of its pieces" $
+    forM_ documents $ \file -> do
+      text <- readText file
+      (file, rendered (pieces text)) `shouldBe` (file, text)
   it "a transcript is read and written alike" $
-    property (\shown -> let text = rendered [Transcript Quick [Step ["a", "b"] (map clean shown)]] in rendered (pieces text) == text)
+    property
+      ( \shown ->
+          let text =
+                rendered [Transcript Quick [Step ["a", "b"] (map clean shown)]]
+           in rendered (pieces text) == text
+      )
   forM_ documents $ \file -> describe file $ do
-    it "its commands print what is shown under them" $ scratch $ \folder -> do
-      text <- readText file
-      forM_ [ step | Transcript Quick steps <- pieces text, step <- steps ] $ \step -> do
-        shown <- run folder (commandText step)
-        (commandText step, shown) `shouldBe` (commandText step, stepShown step)
-    it "its other commands work" $ scratch $ \folder -> do
-      text <- readText file
-      makefile <- readText "Makefile"
-      forM_ [ command | Script commands <- pieces text, command <- map uncommented commands, not (null command) ] $ \command ->
-        case words command of
-          "make" : targets ->
-            forM_ [ target | target <- targets, '=' `notElem` target ] $ \target ->
-              (command, any ((target ++ ":") `isPrefixOf`) (lines makefile)) `shouldBe` (command, True)
-          first : _
-            | any (`isPrefixOf` first) ["pra-tactile", "echo"] -> do
-                (status, _, err) <- shell folder command
-                unless (status < 2) (expectationFailure (command ++ "\n" ++ err))
-          -- Scripts of the repository are there, and can be run.
-          first : _ | any (`isPrefixOf` first) ["bench/", "tools/"] -> doesFileExist first >>= ((command, True) `shouldBe`) . (,) command
-          _ -> expectationFailure (command ++ ": this kind of command is not run")
+    it "its commands print what is shown under them" $
+      scratch $ \folder -> do
+        text <- readText file
+        forM_ [step | Transcript Quick steps <- pieces text, step <- steps] $ \step -> do
+          shown <- run folder (commandText step)
+          (commandText step, shown) `shouldBe` (commandText step, stepShown step)
+    it "its other commands work" $
+      scratch $ \folder -> do
+        text <- readText file
+        makefile <- readText "Makefile"
+        forM_
+          [ command
+            | Script commands <- pieces text,
+              command <- map uncommented commands,
+              not (null command)
+          ]
+          $ \command ->
+            case words command of
+              "make" : targets ->
+                forM_ [target | target <- targets, '=' `notElem` target] $ \target ->
+                  (command, any ((target ++ ":") `isPrefixOf`) (lines makefile))
+                    `shouldBe` (command, True)
+              first : _
+                | any (`isPrefixOf` first) ["pra-tactile", "echo"] -> do
+                  (status, _, err) <- shell folder command
+                  unless (status < 2) (expectationFailure (command ++ "\n" ++ err))
+              -- Scripts of the repository are there, and can be run.
+              first : _
+                | any (`isPrefixOf` first) ["bench/", "tools/"] ->
+                  doesFileExist first >>= ((command, True) `shouldBe`) . (,) command
+              _ -> expectationFailure (command ++ ": this kind of command is not run")
   describe "the examples of the help" $ do
     names <- runIO commandNames
     it "are of all commands" $ length names `shouldSatisfy` (> 20)
-    parallel $ forM_ names $ \name -> it name $ scratch $ \folder -> do
-      (_, help, _) <- pra [name, "--help"]
-      let examples = examplesIn help
-      examples `shouldSatisfy` (not . null)
-      forM_ (zip [1 :: Int ..] examples) $ \(i, line) -> do
-        let own = folder </> show i
-        createDirectory own
-        createDirectoryLink (folder </> "data") (own </> "data")
-        furnish own line
-        (status, _, err) <- shell own line
-        unless (status < 2) (expectationFailure (line ++ "\n" ++ err))
+    parallel $
+      forM_ names $ \name -> it name $
+        scratch $ \folder -> do
+          (_, help, _) <- pra [name, "--help"]
+          let examples = examplesIn help
+          examples `shouldSatisfy` (not . null)
+          forM_ (zip [1 :: Int ..] examples) $ \(i, line) -> do
+            let own = folder </> show i
+            createDirectory own
+            createDirectoryLink (folder </> "data") (own </> "data")
+            furnish own line
+            (status, _, err) <- shell own line
+            unless (status < 2) (expectationFailure (line ++ "\n" ++ err))
   where
     clean = filter (`elem` ['a' .. 'z'])
     uncommented = dropWhileEnd isSpace . takeWhile' . dropWhile isSpace
@@ -72,14 +91,30 @@ spec = do
 commandNames :: IO [String]
 commandNames = do
   (_, help, _) <- pra ["--help"]
-  pure [ name | line <- lines help, Just text <- [stripPrefix "  " line], name : _ <- [words text], not (" " `isPrefixOf` text), all (`elem` ['a' .. 'z']) name ]
+  pure
+    [ name
+      | line <- lines help,
+        Just text <- [stripPrefix "  " line],
+        name : _ <- [words text],
+        not (" " `isPrefixOf` text),
+        all (`elem` ['a' .. 'z']) name
+    ]
 
--- | The examples at the end of a command's help, a line each, or more where a line is indented deeper.
+-- | The examples at the end of a command's help, a line each, or more where a line is indented
+-- deeper.
 examplesIn :: String -> [String]
-examplesIn help = joined (map (drop 2) (filter (not . all isSpace) (drop 1 (dropWhile (not . isPrefixOf "Example") (lines help)))))
+examplesIn help =
+  joined
+    ( map
+        (drop 2)
+        (filter (not . all isSpace) (drop 1 (dropWhile (not . isPrefixOf "Example") (lines help))))
+    )
   where
     joined text = case text of
-      first : others -> let (more, next) = span (" " `isPrefixOf`) others in unwords (first : map (dropWhile isSpace) more) : joined next
+      first : others ->
+        let (more, next) =
+              span (" " `isPrefixOf`) others
+         in unwords (first : map (dropWhile isSpace) more) : joined next
       [] -> []
 
 -- | A folder of its own, in which the shipped data are where they are in the repository.
@@ -90,30 +125,47 @@ scratch act = withSystemTempDirectory "pra-tactile" $ \folder -> do
   createDirectory (folder </> "docs")
   act folder
 
--- | The files that examples speak of, made by the commands that make such files, where the example does not make it itself.
+-- | The files that examples speak of, made by the commands that make such files, where the example
+-- does not make it itself.
 furnish :: FilePath -> String -> IO ()
 furnish folder line = forM_ files $ \(name, command) -> do
-  let made = any (`isInfixOf` line) [ word ++ name | word <- ["--output ", "--write ", "> "] ]
+  let made = any (`isInfixOf` line) [word ++ name | word <- ["--output ", "--write ", "> "]]
   if name `isInfixOf` line && not made
     then shell folder command >>= (`shouldSatisfy` \(status, _, _) -> status == 0)
     else pure ()
   where
     files =
-      [ ("array.csv", "pra-tactile array --format csv --output array.csv")
-      , ("paper.json", "pra-tactile certificate --output paper.json")
-      , ("patches.txt", "printf '3 2 / 3 1\\n0 0 / 0 0\\n' > patches.txt")
-      , ("frames", "pra-tactile probe --object cube --seed 7 --output frames")
-      , ("truth.json", "pra-tactile probe --object cube --seed 7 --truth truth.json --output pressed")
-      , ("answer.json", "pra-tactile decode --json pressed > answer.json")
-      , ("left.pgm", half "left" "0,19.05")
-      , ("right.pgm", half "right" "76.2,19.05") ]
-        ++ [ (name, "pra-tactile census --q 4 --degree 4 --shard " ++ show i ++ "/3 --output " ++ name)
-           | i <- [1 .. 3 :: Int], let name = "part" ++ show i ++ ".csv" ]
+      [ ("array.csv", "pra-tactile array --format csv --output array.csv"),
+        ("paper.json", "pra-tactile certificate --output paper.json"),
+        ("patches.txt", "printf '3 2 / 3 1\\n0 0 / 0 0\\n' > patches.txt"),
+        ("frames", "pra-tactile probe --object cube --seed 7 --output frames"),
+        ( "truth.json",
+          "pra-tactile probe --object cube --seed 7 --truth truth.json --output pressed"
+        ),
+        ("answer.json", "pra-tactile decode --json pressed > answer.json"),
+        ("left.pgm", half "left" "0,19.05"),
+        ("right.pgm", half "right" "76.2,19.05")
+      ]
+        ++ [ ( name,
+               "pra-tactile census --q 4 --degree 4 --shard " ++ show i ++ "/3 --output " ++ name
+             )
+             | i <- [1 .. 3 :: Int],
+               let name = "part" ++ show i ++ ".csv"
+           ]
     -- A part of one face, 50.8 mm wide.
-    half name at = "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --upright --at " ++ at ++ " --size 32x52 --seed 1 --output " ++ name
-      ++ " && pra-tactile stitch " ++ name ++ " --output " ++ name ++ ".pgm"
+    half name at =
+      "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --upright --at "
+        ++ at
+        ++ " --size 32x52 --seed 1 --output "
+        ++ name
+        ++ " && pra-tactile stitch "
+        ++ name
+        ++ " --output "
+        ++ name
+        ++ ".pgm"
 
 shell :: FilePath -> String -> IO Outcome
 shell folder command = do
-  (code, out, err) <- readCreateProcessWithExitCode (proc "sh" ["-c", command]) { cwd = Just folder } ""
-  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
+  (code, out, err) <-
+    readCreateProcessWithExitCode (proc "sh" ["-c", command]) {cwd = Just folder} ""
+  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)

@@ -13,10 +13,6 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
 import Numeric.Natural (Natural)
-import Test.Hspec
-import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
-
 import PraTactile
 import PraTactile.Certificate
 import PraTactile.Explore
@@ -26,6 +22,9 @@ import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Truth
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
 
 spec :: Spec
 spec = do
@@ -34,33 +33,39 @@ spec = do
 
 roundTrips :: Spec
 roundTrips = do
-  prop "decodeProfile . encodeProfile = Right" $ forAll someProfile $ \profile ->
-    decodeProfile (encodeProfile profile) === Right profile
+  prop "decodeProfile . encodeProfile = Right" $
+    forAll someProfile $ \profile ->
+      decodeProfile (encodeProfile profile) === Right profile
   prop "decodeCertificate . encodeCertificate = Right, with its seal whole" $
     forAll someCertificate $ \certificate ->
       decodeCertificate (encodeCertificate certificate) === Right (CertificateFile certificate True)
   prop "a certificate under the seal of another one has a broken seal" $
-    forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) -> one /= other ==>
-      fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
-  prop "decodeTruth . encodeTruth = Right, to a nanometre" $ forAll someTruth $ \truth ->
-    case decodeTruth (encodeTruth truth) of
-      Left why -> counterexample (show why) False
-      Right read' -> conjoin
-        [ truthFace read' === truthFace truth
-        , truthOrigin read' === truthOrigin truth
-        , whole (truthRegion read') === whole (truthRegion truth)
-        , counterexample (show read') (cornerOf read' `near` cornerOf truth) ]
+    forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) ->
+      one /= other
+        ==> fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
+  prop "decodeTruth . encodeTruth = Right, to a nanometre" $
+    forAll someTruth $ \truth ->
+      case decodeTruth (encodeTruth truth) of
+        Left why -> counterexample (show why) False
+        Right read' ->
+          conjoin
+            [ truthFace read' === truthFace truth,
+              truthOrigin read' === truthOrigin truth,
+              whole (truthRegion read') === whole (truthRegion truth),
+              counterexample (show read') (cornerOf read' `near` cornerOf truth)
+            ]
   it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
     recognition <- right (canonicalDecoder >>= (`decodeFolder` folder))
-    let report = RecognitionReport
-          { reportProfile = canonicalProfile
-          , reportSources = ["frames"]
-          , reportMessage = "found"
-          , reportElement = show
-          , reportRobot = const (1.5, -2.5)
-          , reportRecognition = recognition
-          }
+    let report =
+          RecognitionReport
+            { reportProfile = canonicalProfile,
+              reportSources = ["frames"],
+              reportMessage = "found",
+              reportElement = show,
+              reportRobot = const (1.5, -2.5),
+              reportRecognition = recognition
+            }
     decodeClaim (encodeRecognition report)
       `shouldBe` Right (Just (Claim top 0 (25.4, 95.25) (1.5, -2.5)))
   where
@@ -103,7 +108,7 @@ refusals = do
     decodeClaim "\255" `shouldBe` Left (JsonRefused NotUtf8)
     decodeProfile (Bytes.replicate 65 '[') `shouldBe` Left (JsonRefused TooDeep)
     decodeProfile ("{\"q\":" <> Bytes.replicate 1001 '1') `shouldBe` Left (JsonRefused TooLong)
-    decodeProfile ("{\"q\":4," <> Bytes.drop 1 (encodeProfile canonicalProfile)) 
+    decodeProfile ("{\"q\":4," <> Bytes.drop 1 (encodeProfile canonicalProfile))
       `shouldBe` Left (JsonRefused (RepeatedKey "q"))
     fmap fst (decodeCensus "window,row,column\n0,0,0\n")
       `shouldBe` Left (CensusFileRefused NoCensusHeader)
@@ -113,31 +118,37 @@ refusals = do
       (key, isLeft (decoder (written (KeyMap.delete key (fields text))))) `shouldBe` (key, True)
       (key, isLeft (decoder (changed key Null text))) `shouldBe` (key, True)
     wrongProfiles =
-      [ ("q", Number (-1), [], NotNatural)
-      , ("q", Number 1.5, [], NotNatural)
-      , ("q", Number 1e18, [], NotNatural)
-      , ("q", "0x10", [], NotNatural)
-      , ("q", "", [], NotNatural)
-      , ("state", toJSON [0, 0, -1, 0 :: Int], [Index 2], NotNatural)
-      , ("modulus", Null, [], NotList)
-      , ("reading", Number 1, [], NotText)
-      , ("shape", toJSON [15 :: Int], [], NotShape)
-      , ("window", toJSON [2, 2, 2 :: Int], [], NotShape)
-      , ("surface", "ball", [], NotAmong ["torus", "twisted-torus", "sheet"] "ball")
-      , ("folding", "Diagonal", [], NotAmong ["diagonal", "row-major"] "Diagonal") ]
+      [ ("q", Number (-1), [], NotNatural),
+        ("q", Number 1.5, [], NotNatural),
+        ("q", Number 1e18, [], NotNatural),
+        ("q", "0x10", [], NotNatural),
+        ("q", "", [], NotNatural),
+        ("state", toJSON [0, 0, -1, 0 :: Int], [Index 2], NotNatural),
+        ("modulus", Null, [], NotList),
+        ("reading", Number 1, [], NotText),
+        ("shape", toJSON [15 :: Int], [], NotShape),
+        ("window", toJSON [2, 2, 2 :: Int], [], NotShape),
+        ("surface", "ball", [], NotAmong ["torus", "twisted-torus", "sheet"] "ball"),
+        ("folding", "Diagonal", [], NotAmong ["diagonal", "row-major"] "Diagonal")
+      ]
     wrongCertificates =
-      [ ("mask", toJSON [[0, 0], [1 :: Int]], [Index 1], NotCell)
-      , ( "primes", toJSON [object ["prime" .= (341 :: Int), "factors" .= [[2, 1 :: Int]]]]
-        , [Index 0, Key "factors", Index 0], NotPrimeWitness)
-      , ("evidence", object ["road" .= String "guess"], [], UnknownEvidence "guess")
-      , ("profile", object ["schema" .= String "x"], [], OtherSchema "x" "pra-tactile/profile/1")
-      , ("schema", Number 1, [], NotText) ]
+      [ ("mask", toJSON [[0, 0], [1 :: Int]], [Index 1], NotCell),
+        ( "primes",
+          toJSON [object ["prime" .= (341 :: Int), "factors" .= [[2, 1 :: Int]]]],
+          [Index 0, Key "factors", Index 0],
+          NotPrimeWitness
+        ),
+        ("evidence", object ["road" .= String "guess"], [], UnknownEvidence "guess"),
+        ("profile", object ["schema" .= String "x"], [], OtherSchema "x" "pra-tactile/profile/1"),
+        ("schema", Number 1, [], NotText)
+      ]
     wrongTruths =
-      [ ("orientation_deg", Number 45, [], NotQuarterTurn)
-      , ("region_mm", toJSON [1 :: Int], [], NotPair)
-      , ("origin_mm", toJSON [Number 1e400, Number 1], [Index 0], NotReal)
-      , ("region_taxels", toJSON [1, 100001 :: Int], [Index 1], RegionTooLarge 100000)
-      , ("face", toJSON [String "C1", Null], [Index 1], NotText) ]
+      [ ("orientation_deg", Number 45, [], NotQuarterTurn),
+        ("region_mm", toJSON [1 :: Int], [], NotPair),
+        ("origin_mm", toJSON [Number 1e400, Number 1], [Index 0], NotReal),
+        ("region_taxels", toJSON [1, 100001 :: Int], [Index 1], RegionTooLarge 100000),
+        ("face", toJSON [String "C1", Null], [Index 1], NotText)
+      ]
 
 fields :: ByteString -> Object
 fields = maybe mempty id . decodeStrict
@@ -156,7 +167,7 @@ sealedAs one other = case KeyMap.lookup "seal" (fields (encodeCertificate one)) 
 
 -- | Of any size: below and above what JSON numbers are read exactly to.
 someNatural :: Gen Natural
-someNatural = fromInteger <$> oneof [ choose (0, most) | most <- [9, 2 ^ n, 2 ^ (2 * n)] ]
+someNatural = fromInteger <$> oneof [choose (0, most) | most <- [9, 2 ^ n, 2 ^ (2 * n)]]
   where
     n = 54 :: Int
 
@@ -164,9 +175,18 @@ someNaturals :: Gen [Natural]
 someNaturals = choose (0, 5) >>= \n -> vectorOf n someNatural
 
 someProfile :: Gen Profile
-someProfile = Profile
-  <$> someNatural <*> someNaturals <*> someNaturals <*> anyOf <*> someNaturals <*> anyOf
-  <*> someShape <*> someShape <*> anyOf <*> anyOf
+someProfile =
+  Profile
+    <$> someNatural
+    <*> someNaturals
+    <*> someNaturals
+    <*> anyOf
+    <*> someNaturals
+    <*> anyOf
+    <*> someShape
+    <*> someShape
+    <*> anyOf
+    <*> anyOf
   where
     someShape = Shape <$> someNatural <*> someNatural
 
@@ -174,25 +194,35 @@ anyOf :: (Bounded a, Enum a) => Gen a
 anyOf = elements [minBound ..]
 
 someCertificate :: Gen Certificate
-someCertificate = Certificate
-  <$> someProfile
-  <*> several (Position <$> someNatural <*> someNatural)
-  <*> someNatural
-  <*> someNatural
-  <*> several (OrderFactor <$> someNatural <*> someNatural <*> someNaturals)
-  <*> several (PrimeProof <$> someNatural <*> several someWitness)
-  <*> oneof
-    [ ByRank <$> (RankEvidence <$> several someNaturals <*> someNaturals <*> several someNaturals)
-    , ByEnumeration <$> vectorOf 64 (elements "0123456789abcdef") ]
+someCertificate =
+  Certificate
+    <$> someProfile
+    <*> several (Position <$> someNatural <*> someNatural)
+    <*> someNatural
+    <*> someNatural
+    <*> several (OrderFactor <$> someNatural <*> someNatural <*> someNaturals)
+    <*> several (PrimeProof <$> someNatural <*> several someWitness)
+    <*> oneof
+      [ ByRank
+          <$> (RankEvidence <$> several someNaturals <*> someNaturals <*> several someNaturals),
+        ByEnumeration <$> vectorOf 64 (elements "0123456789abcdef")
+      ]
   where
     someWitness = PrimeWitness <$> someNatural <*> someNatural <*> someNatural
     several one = choose (0, 3) >>= \n -> vectorOf n one
 
 someTruth :: Gen Truth
-someTruth = Truth
-  <$> (Face <$> elements ["cube", "a \"box\"\n"] <*> elements names)
-  <*> (Region <$> offset <*> offset <*> choose (1, 99) <*> choose (1, 99) <*> elements quarterTurns)
-  <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
+someTruth =
+  Truth
+    <$> (Face <$> elements ["cube", "a \"box\"\n"] <*> elements names)
+    <*> ( Region
+            <$> offset
+            <*> offset
+            <*> choose (1, 99)
+            <*> choose (1, 99)
+            <*> elements quarterTurns
+        )
+    <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
   where
     names = map readFaceName ["C1 C2 C3 C4", "P1"]
     offset = (/ taxelPitch) <$> choose (0, 200)

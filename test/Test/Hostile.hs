@@ -1,6 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | Hostile inputs: whatever is put in, there is an answer or a refusal in words, soon and in little memory; and what is accepted
--- obeys the laws. The number of inputs is PRA_TACTILE_HOSTILE, 100 000 without it; a hundredth of it are runs of the program.
+
+-- | Hostile inputs: whatever is put in, there is an answer or a refusal in words, soon and in
+-- little memory; and what is accepted obeys the laws. The number of inputs is PRA_TACTILE_HOSTILE,
+-- 100 000 without it; a hundredth of it are runs of the program.
 module Test.Hostile (spec) where
 
 import Control.Monad (forM_)
@@ -8,48 +10,81 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8, encodeUtf8)
-import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSize)
-import Test.QuickCheck
-
 import Test.Hostile.Arguments
 import Test.Hostile.Judgement
 import Test.Hostile.Mutation
 import Test.Hostile.Parsers
 import Test.Hostile.Processes
 import Test.Hostile.Runs
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSize)
+import Test.QuickCheck
 
 spec :: Spec
 spec = modifyMaxSize (const 60) $ do
   describe "in process" $ do
     forM_ kinds $ \kind -> do
       it (kindName kind ++ ": the specimens are accepted") $
-        once $ conjoin
-          [ counterexample (show bytes) (judgedBy answer .&&. counterexample (show answer) (accepted answer))
-          | bytes <- kindSpecimens kind, let answer = kindJudged kind bytes ]
-          .&&. not (null (kindSpecimens kind))
+        once $
+          conjoin
+            [ counterexample
+                (show bytes)
+                (judgedBy answer .&&. counterexample (show answer) (accepted answer))
+              | bytes <- kindSpecimens kind,
+                let answer = kindJudged kind bytes
+            ]
+            .&&. not (null (kindSpecimens kind))
       share <- runIO (shareOf (kindShare kind))
-      it (kindName kind ++ ": every input is answered or refused, in words, soon and in little memory") $
-        withMaxSuccess share $ forAllShrinkShow (hostile (length (kindSpecimens kind))) lessHostile (shownOf kind) $
-          -- The bytes are there first, so that what it takes to make them does not count.
-          \given -> let bytes = specimenOf (kindSpecimens kind) given in bytes `seq` judgedBy (kindJudged kind bytes)
+      it
+        ( kindName kind
+            ++ ": every input is answered or refused, in words, soon and in little \
+               \memory"
+        )
+        $ withMaxSuccess share $
+          forAllShrinkShow (hostile (length (kindSpecimens kind))) lessHostile (shownOf kind) $
+            -- The bytes are there first, so that what it takes to make them does not count.
+            \given ->
+              let bytes =
+                    specimenOf (kindSpecimens kind) given
+               in bytes `seq` judgedBy (kindJudged kind bytes)
     it "the help names the commands and their options" $ do
       length commandsOfHelp `shouldSatisfy` (>= 22)
-      [ option | command <- commandsOfHelp, commandName command == "locate"
-               , option <- commandOptions command, optionName option `elem` ["--json", "--q"] ]
-        `shouldMatchList` [Option "--json" Nothing, Option "--q" (Just "Q")]
-      [ commandArguments command | command <- commandsOfHelp, commandName command `elem` ["check", "locate"] ]
-        `shouldBe` [["FILE"], ["PATCH"]]
+      let seen =
+            [ option
+              | command <-
+                  commandsOfHelp,
+                commandName command == "locate",
+                option <- commandOptions command,
+                optionName option `elem` ["--json", "--q"]
+            ]
+      seen `shouldMatchList` [Option "--json" Nothing, Option "--q" (Just "Q")]
+      let results =
+            [ commandArguments command
+              | command <- commandsOfHelp,
+                commandName command `elem` ["check", "locate"]
+            ]
+      results `shouldBe` [["FILE"], ["PATCH"]]
     share <- runIO (shareOf 150)
     it "arguments: every list is understood or refused, in words, soon and in little memory" $
-      withMaxSuccess share $ forAllShrink (argumentList valueFor commandsOfHelp) (shrinkList (const [])) (judgedBy . judgedArguments)
+      withMaxSuccess share $
+        forAllShrink
+          (argumentList valueFor commandsOfHelp)
+          (shrinkList (const []))
+          (judgedBy . judgedArguments)
     foundSpec
-  describe "as processes" $ beforeAll readExamples $
-    forM_ runKinds $ \kind -> do
-      share <- runIO (shareOf (runKindShare kind))
-      it (runKindName kind ++ ": the program ends with an answer or a refusal, in words, soon and in little memory") $ \examples ->
-        withMaxSuccess (max 1 (share `div` 100)) $ forAllBlind (hostileRun examples kind) $ \run ->
-          counterexample (show run) (judgedRun run)
+  describe "as processes" $
+    beforeAll readExamples $
+      forM_ runKinds $ \kind -> do
+        share <- runIO (shareOf (runKindShare kind))
+        it
+          ( runKindName kind
+              ++ ": the program ends with an answer or a refusal, in words, soon \
+                 \and in little memory"
+          )
+          $ \examples ->
+            withMaxSuccess (max 1 (share `div` 100)) $
+              forAllBlind (hostileRun examples kind) $ \run ->
+                counterexample (show run) (judgedRun run)
   where
     shownOf kind given = show given ++ "\n" ++ show (specimenOf (kindSpecimens kind) given)
     accepted answer = case answer of
@@ -59,40 +94,95 @@ spec = modifyMaxSize (const 60) $ do
 -- | What hostile inputs have found, each with its story.
 foundSpec :: Spec
 foundSpec = describe "what was found so" $ do
-  it "a wrong argument of 130 000 letters: optparse-applicative sought the words near to it for 18 seconds" $
-    once $ conjoin (map (judgedBy . judgedArguments) [[replicate 130000 '9'], ["locate", "--" ++ replicate 130000 '9']])
-  it "a certificate whose modulus has no coefficients: the order was compared with a negative power of p" $
-    once $ conjoin
-      [ judgedBy (kindJudged kind (encodeUtf8 (Text.replace "\"modulus\":[0,1]" "\"modulus\":[]" (decodeUtf8 bytes))))
-      | kind <- kinds, kindName kind == "certificates", bytes <- kindSpecimens kind ]
+  it
+    "a wrong argument of 130 000 letters: optparse-applicative sought the words near to it for 18 \
+    \seconds"
+    $ once $
+      conjoin (map (judgedBy . judgedArguments) [[longWord], ["locate", "--" ++ longWord]])
+  it
+    "a certificate whose modulus has no coefficients: the order was compared with a negative \
+    \power of p"
+    $ once $
+      conjoin
+        [ judgedBy
+            (kindJudged kind (encodeUtf8 (emptied (decodeUtf8 bytes))))
+          | kind <- kinds,
+            kindName kind == "certificates",
+            bytes <- kindSpecimens kind
+        ]
   it "two patches far apart: the rectangle around them was built, cell by cell, and took 340 MB" $
-    once $ conjoin
-      [ judgedBy (kindJudged kind text)
-      | kind <- kinds, kindName kind `elem` ["patches", "patches in unknown orientation"]
-      , text <- [ "3 2 / 3 1 ; 1000,1000: 1 1 / 1 1", "3 2 / 3 1 ; 0,500000: 1 1 / 1 1"
-                , "{\"patches\":[{\"cells\":[[[0,0,0.1,0.9],2],[3,1]]},{\"at\":[0,500000],\"cells\":[[1,1]]}]}" ] ]
-  it "very many patches: which of them do not belong was found in a time that grew with the cube of their number" $
-    once $ conjoin
-      [ judgedBy (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
-      | kind <- kinds, kindName kind `elem` ["patches", "patches in unknown orientation"], count <- [100, 101, 2000, 20000] ]
-  it "a number of a million digits in JSON or in a manifest: aeson and cassava took 40 seconds to read it" $
-    once $ conjoin
-      [ judgedBy (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))
-      | (name, front, rest) <-
-          [ ("profiles", "[0.", "]"), ("certificates", "{\"windows\":1", "}"), ("patches", "[[[0.", ",0,0,1]]]")
-          , ("manifests", "file,x_mm,y_mm,rotation_deg,force_n\na.pgm,0.", ",0,0,1\n") ]
-      , kind <- kinds, kindName kind == name ]
+    once $
+      conjoin
+        [ judgedBy (kindJudged kind text)
+          | kind <- kinds,
+            kindName kind `elem` ["patches", "patches in unknown orientation"],
+            text <-
+              [ "3 2 / 3 1 ; 1000,1000: 1 1 / 1 1",
+                "3 2 / 3 1 ; 0,500000: 1 1 / 1 1",
+                "{\"patches\":[{\"cells\":[[[0,0,0.1,0.9],2],[3,1]]},\
+                \{\"at\":[0,500000],\"cells\":[[1,1]]}]}"
+              ]
+        ]
+  it
+    "very many patches: which of them do not belong was found in a time that grew with the cube \
+    \of their number"
+    $ once $
+      conjoin
+        [ judgedBy (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
+          | kind <- kinds,
+            kindName kind `elem` ["patches", "patches in unknown orientation"],
+            count <- [100, 101, 2000, 20000]
+        ]
+  it
+    "a number of a million digits in JSON or in a manifest: aeson and cassava took 40 seconds to \
+    \read it"
+    $ once $
+      conjoin
+        [ judgedBy (kindJudged kind (Bytes.concat [front, Bytes8.replicate 1000000 '9', rest]))
+          | (name, front, rest) <-
+              [ ("profiles", "[0.", "]"),
+                ("certificates", "{\"windows\":1", "}"),
+                ("patches", "[[[0.", ",0,0,1]]]"),
+                ("manifests", "file,x_mm,y_mm,rotation_deg,force_n\na.pgm,0.", ",0,0,1\n")
+              ],
+            kind <- kinds,
+            kindName kind == name
+        ]
   it "ten million brackets: each took memory a hundred times its size" $
-    once $ conjoin
-      [ judgedBy (kindJudged kind (Bytes8.replicate 10000000 '[')) | kind <- kinds, kindName kind `elem` ["profiles", "certificates"] ]
+    once $
+      conjoin
+        [ judgedBy (kindJudged kind (Bytes8.replicate 10000000 '['))
+          | kind <- kinds,
+            kindName kind `elem` ["profiles", "certificates"]
+        ]
   it "+RTS is an argument as any other, and its error is told in words of our own" $ do
     found <- ran (Run ["array", "+RTS", "-p"] "" [])
     (ranStatus found, ranOutput found) `shouldBe` (Just 2, "")
     Bytes8.lines (ranError found) `shouldSatisfy` all ("pra-tactile: " `Bytes.isPrefixOf`)
   it "JSON that is not what it should be is told by its place, not in the words of a library" $
     [ kindJudged kind text
-    | kind <- kinds, kindName kind == "profiles"
-    , text <- ["", "[1]", "{}", "{\"schema\":1}", "{\"schema\":\"pra-tactile/profile/1\",\"q\":4,\"modulus\":[1,-1,1]}", "{", "\xff"] ]
-      `shouldBe` map (Refused . ("it is not a profile: " ++))
-        [ "it is empty", "an object is needed", "the key \"schema\" is missing", "schema: a text is needed"
-        , "modulus[1]: a number 0, 1, 2, ... is needed", "it is not JSON", "it is not UTF-8 text" ]
+      | kind <- kinds,
+        kindName kind == "profiles",
+        text <-
+          [ "",
+            "[1]",
+            "{}",
+            "{\"schema\":1}",
+            "{\"schema\":\"pra-tactile/profile/1\",\"q\":4,\"modulus\":[1,-1,1]}",
+            "{",
+            "\xff"
+          ]
+    ]
+      `shouldBe` map
+        (Refused . ("it is not a profile: " ++))
+        [ "it is empty",
+          "an object is needed",
+          "the key \"schema\" is missing",
+          "schema: a text is needed",
+          "modulus[1]: a number 0, 1, 2, ... is needed",
+          "it is not JSON",
+          "it is not UTF-8 text"
+        ]
+  where
+    longWord = replicate 130000 '9'
+    emptied = Text.replace "\"modulus\":[0,1]" "\"modulus\":[]"

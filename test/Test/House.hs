@@ -1,60 +1,101 @@
--- | The rules of the house: two wings do not know each other, nothing pure reaches the world, and of the code
--- the objects see positions and shapes only. What else a module may use is hlint's matter (.hlint.yaml,
--- tools/pure.hlint.yaml).
+-- | The rules of the house: two wings do not know each other, nothing pure reaches the world, and
+-- of the code the objects see positions and shapes only. What else a module may use is hlint's
+-- matter (.hlint.yaml, tools/pure.hlint.yaml).
 module Test.House (spec) where
 
 import Data.Char (isAlphaNum, isSpace)
 import Data.Foldable (for_)
 import Data.List (isPrefixOf, (\\))
 import qualified Data.Map.Strict as Map
-import Test.Hspec
-
 import House.Graph (dot, reaches)
 import House.Source
+import Test.Hspec
 
 spec :: Spec
-spec = describe "the house" $ beforeAll read' $ do
-  it "has modules in both wings, in the hall, and in what stands on them" $ \(house, _) ->
-    [Code, Touch, Recognition, Files, Store, Conformance, App] \\ map sourceWing house `shouldBe` []
-  it "no wing imports one that it must not know, at once or through others" $ \(house, _) ->
-    [ (sourceName one, path)
-    | one <- house, (name, path) <- Map.toList (reaches house one)
-    , Just wing <- [Map.lookup name (wingsOf house)], wing `notElem` known (sourceWing one) ] `shouldBe` []
-  it "a wing that knows another through others is found, and rings of imports are gone round once" $ \_ -> do
-    let ring = [Source "A" Code ["B"] "", Source "B" Code ["A", "C"] "", Source "C" Touch [] ""]
-    map (Map.keys . reaches ring) (take 1 ring) `shouldBe` [["A", "B", "C"]]
-  it "what is pure may know only what is pure" $ \_ ->
-    [(a, b) | a <- pureWings, b <- known a, b `notElem` pureWings] `shouldBe` []
-  it "nothing pure imports what reaches the world, or speaks of IO" $ \(house, _) ->
-    [ (sourceName one, word)
-    | one <- house, sourceWing one `elem` pureWings
-    , word <- filter impure (sourceImports one) ++ filter (== "IO") (wordsOf (sourceText one)) ] `shouldBe` []
-  it "the definition of fields and the factorisation of integers import base only" $ \(house, _) ->
-    [ (sourceName one, name)
-    | one <- house, sourceName one == "PraTactile.Field.Definition" || ofFactorisation (sourceName one)
-    , name <- sourceImports one, any (`isPrefixOf` name) beyondBase, not (ofFactorisation name) ] `shouldBe` []
-  it "of the code, the objects see positions and shapes only" $ \(house, _) ->
-    [ (sourceName one, name)
-    | one <- house, "PraTactile.Object" `isPrefixOf` sourceName one
-    , name <- sourceImports one, Just Code == Map.lookup name (wingsOf house), name /= "PraTactile.Array" ] `shouldBe` []
-  for_ [minBound ..] $ \wing ->
-    it (wingName wing ++ ": the package's description has all its modules, and only packages that it may use")
-      $ \(house, package) -> do
-      let own = filter ((== wing) . sourceWing) house
-          described = concat [text | (name, text) <- package, name == componentOf wing]
-          names = filter (/= "program.Main") (map sourceName own)
-      names \\ words described `shouldBe` []
-      maybe [] (dependencies described \\) (Map.lookup wing allowances) `shouldBe` []
-  it "is drawn: each module in its wing, each import as an arrow" $ \_ -> do
-    let module' name imports = Source ("PraTactile." ++ name) Code imports ""
-        drawn = lines (dot [module' "A" ["PraTactile.B"], module' "B" ["Data.List"]])
-    filter (elem '>') drawn `shouldBe` ["  \"PraTactile.A\" -> \"PraTactile.B\";"]
-    filter ("  subgraph" `isPrefixOf`) drawn `shouldBe` ["  subgraph \"cluster_code\" {"]
+spec = describe "the house" $
+  beforeAll read' $ do
+    it "has modules in both wings, in the hall, and in what stands on them" $ \(house, _) ->
+      [ Code,
+        Touch,
+        Recognition,
+        Files,
+        Store,
+        Conformance,
+        App
+      ]
+        \\ map sourceWing house
+        `shouldBe` []
+    it "no wing imports one that it must not know, at once or through others" $ \(house, _) ->
+      [ (sourceName one, path)
+        | one <- house,
+          (name, path) <- Map.toList (reaches house one),
+          Just wing <- [Map.lookup name (wingsOf house)],
+          wing `notElem` known (sourceWing one)
+      ]
+        `shouldBe` []
+    it
+      "a wing that knows another through others is found, and rings of imports are gone round \
+      \once"
+      $ \_ -> do
+        let ring = [Source "A" Code ["B"] "", Source "B" Code ["A", "C"] "", Source "C" Touch [] ""]
+        map (Map.keys . reaches ring) (take 1 ring) `shouldBe` [["A", "B", "C"]]
+    it "what is pure may know only what is pure" $ \_ ->
+      [(a, b) | a <- pureWings, b <- known a, b `notElem` pureWings] `shouldBe` []
+    it "nothing pure imports what reaches the world, or speaks of IO" $ \(house, _) ->
+      [ (sourceName one, word)
+        | one <- house,
+          sourceWing one `elem` pureWings,
+          word <- filter impure (sourceImports one) ++ filter (== "IO") (wordsOf (sourceText one))
+      ]
+        `shouldBe` []
+    it "the definition of fields and the factorisation of integers import base only" $
+      \( house,
+         _
+         ) ->
+          [ (sourceName one, name)
+            | one <- house,
+              sourceName one == "PraTactile.Field.Definition" || ofFactorisation (sourceName one),
+              name <- sourceImports one,
+              any (`isPrefixOf` name) beyondBase,
+              not (ofFactorisation name)
+          ]
+            `shouldBe` []
+    it "of the code, the objects see positions and shapes only" $ \(house, _) ->
+      [ (sourceName one, name)
+        | one <- house,
+          "PraTactile.Object" `isPrefixOf` sourceName one,
+          name <- sourceImports one,
+          Just Code == Map.lookup name (wingsOf house),
+          name /= "PraTactile.Array"
+      ]
+        `shouldBe` []
+    for_ [minBound ..] $ \wing ->
+      it
+        ( wingName
+            wing
+            ++ ": the package's description has all its modules, and only packages that it may use"
+        )
+        $ \(house, package) -> do
+          let own = filter ((== wing) . sourceWing) house
+              described = concat [text | (name, text) <- package, name == componentOf wing]
+              names = filter (/= "program.Main") (map sourceName own)
+          names \\ words described `shouldBe` []
+          maybe [] (dependencies described \\) (Map.lookup wing allowances) `shouldBe` []
+    it "is drawn: each module in its wing, each import as an arrow" $ \_ -> do
+      let module' name imports = Source ("PraTactile." ++ name) Code imports ""
+          drawn = lines (dot [module' "A" ["PraTactile.B"], module' "B" ["Data.List"]])
+      filter (elem '>') drawn `shouldBe` ["  \"PraTactile.A\" -> \"PraTactile.B\";"]
+      filter ("  subgraph" `isPrefixOf`) drawn `shouldBe` ["  subgraph \"cluster_code\" {"]
   where
     read' = (,) <$> readHouse "." <*> (components <$> readText "pra-tactile.cabal")
     ofFactorisation = isPrefixOf "PraTactile.Factorisation"
     wingsOf house = Map.fromList [(sourceName one, sourceWing one) | one <- house]
-    wordsOf text = words (map (\letter -> if isAlphaNum letter || letter `elem` "_'" then letter else ' ') text)
+    wordsOf text =
+      words
+        ( map
+            (\letter -> if isAlphaNum letter || letter `elem` "_'" then letter else ' ')
+            text
+        )
     impure name = any (\folder -> name == folder || (folder ++ ".") `isPrefixOf` name) world
 
 -- | The wings that a wing may import.
@@ -76,16 +117,22 @@ pureWings = [Common, Code, Touch, Recognition, Formats]
 
 -- | What reads, writes, runs, changes or throws; tools/pure.hlint.yaml has the reasons.
 world :: [String]
-world = words "System.IO System.Directory System.Process System.Environment System.Exit System.Posix \
-  \System.Timeout System.CPUTime System.Mem Data.Time Data.IORef Data.Unique Data.Text.IO Data.Text.Lazy.IO \
-  \Data.ByteString.Internal Data.ByteString.Unsafe Foreign Control.Concurrent Control.Exception \
-  \Control.Monad.IO Control.Monad.ST.Unsafe Control.Monad.ST.Lazy.Unsafe GHC.IO GHC.IORef GHC.ForeignPtr \
-  \GHC.Ptr Debug.Trace Unsafe.Coerce"
+world =
+  words
+    "System.IO System.Directory System.Process System.Environment System.Exit System.Posix \
+    \System.Timeout System.CPUTime System.Mem Data.Time Data.IORef Data.Unique Data.Text.IO \
+    \Data.Text.Lazy.IO \
+    \Data.ByteString.Internal Data.ByteString.Unsafe Foreign Control.Concurrent Control.Exception \
+    \Control.Monad.IO Control.Monad.ST.Unsafe Control.Monad.ST.Lazy.Unsafe GHC.IO GHC.IORef \
+    \GHC.ForeignPtr \
+    \GHC.Ptr Debug.Trace Unsafe.Coerce"
 
 -- | What the code may use beside base.
 beyondBase :: [String]
-beyondBase = words "PraTactile Crypto Data.ByteString Data.Vector Data.Map Data.IntMap Data.Set Data.IntSet \
-  \Data.Sequence Data.Tree Data.Graph Data.Containers Data.Reflection"
+beyondBase =
+  words
+    "PraTactile Crypto Data.ByteString Data.Vector Data.Map Data.IntMap Data.Set Data.IntSet \
+    \Data.Sequence Data.Tree Data.Graph Data.Containers Data.Reflection"
 
 componentOf :: Wing -> String
 componentOf wing = case wing of
@@ -95,28 +142,49 @@ componentOf wing = case wing of
 
 -- | The packages that a wing may depend on beside base, but for those of the program.
 allowances :: Map.Map Wing [String]
-allowances = Map.map words (Map.fromList
-  [ (Common, "random vector")
-    -- Bytes are what SHA-256 is taken of; nothing else in the code reads or writes them.
-  , (Code, "pra-tactile:common bytestring containers cryptohash-sha256 reflection vector")
-  , (Touch, "pra-tactile:common bytestring cassava containers file-embed hmatrix JuicyPixels random svg-builder text vector")
-  , (Recognition, "pra-tactile:common pra-tactile:code pra-tactile:touch bytestring containers filepath random vector")
-  , (Formats, "pra-tactile aeson bytestring containers scientific text")
-  , (Files, "pra-tactile bytestring containers directory filepath")
-  , (Store, "pra-tactile containers directory filepath monad-logger persistent persistent-sqlite text transformers unix")
-  , (Conformance, "pra-tactile containers QuickCheck transformers vector") ])
+allowances =
+  Map.map
+    words
+    ( Map.fromList
+        [ (Common, "random vector"),
+          -- Bytes are what SHA-256 is taken of; nothing else in the code reads or writes them.
+          (Code, "pra-tactile:common bytestring containers cryptohash-sha256 reflection vector"),
+          ( Touch,
+            "pra-tactile:common bytestring cassava containers file-embed hmatrix \
+            \JuicyPixels random svg-builder text vector"
+          ),
+          ( Recognition,
+            "pra-tactile:common pra-tactile:code pra-tactile:touch bytestring \
+            \containers filepath random vector"
+          ),
+          (Formats, "pra-tactile aeson bytestring containers scientific text"),
+          (Files, "pra-tactile bytestring containers directory filepath"),
+          ( Store,
+            "pra-tactile containers directory filepath monad-logger persistent persistent-sqlite \
+            \text transformers unix"
+          ),
+          (Conformance, "pra-tactile containers QuickCheck transformers vector")
+        ]
+    )
 
 -- | The sections of the package's description: the first line of each, and the others.
 components :: String -> [(String, String)]
 components text = case dropWhile indented (lines text) of
   [] -> []
-  heading : more -> let (body, others) = span indented more in (heading, unlines body) : components (unlines others)
+  heading : more ->
+    let (body, others) = span indented more
+     in (heading, unlines body) : components (unlines others)
   where
     indented line = all isSpace (take 1 line)
 
--- | The packages in a section, each the first word of a line after @build-depends:@ that is indented deeper.
+-- | The packages in a section, each the first word of a line after @build-depends:@ that is
+-- indented deeper.
 dependencies :: String -> [String]
 dependencies section =
   [ name
-  | line <- takeWhile ("    " `isPrefixOf`) (drop 1 (dropWhile (/= "  build-depends:") (lines section)))
-  , name : _ <- [words (filter (/= ',') line)] ]
+    | line <-
+        takeWhile
+          ("    " `isPrefixOf`)
+          (drop 1 (dropWhile (/= "  build-depends:") (lines section))),
+      name : _ <- [words (filter (/= ',') line)]
+  ]

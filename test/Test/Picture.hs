@@ -1,19 +1,14 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE ScopedTypeVariables #-}
--- | Pictures of recognitions: where things are drawn, from the geometry of faces, regions and composites.
+
+-- | Pictures of recognitions: where things are drawn, from the geometry of faces, regions and
+-- composites.
 module Test.Picture (spec) where
 
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Data.List (isInfixOf, tails)
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Maybe (mapMaybe)
 import Data.Text (Text)
-import System.Random (mkStdGen)
-import Test.Hspec hiding (around)
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
-import Test.QuickCheck hiding (generate, within)
-
 import Drawing
 import Drawing.Svg
 import Picture
@@ -36,128 +31,297 @@ import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Stitch
 import PraTactile.Truth
+import System.Random (mkStdGen)
+import Test.Hspec hiding (around)
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (generate, within)
 
 spec :: Spec
 spec = do
   drawingSpec
   case (,,) <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet of
     Left problem -> it "the shipped parts fit together" (expectationFailure problem)
-    Right parts@(layout, network, alphabet) -> either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
-      withProfile canonicalProfile $ \array mask -> case recogniser Torus array mask layout alphabet network of
-        Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-        Right reader -> pictureSpec parts array reader
+    Right parts@(layout, network, alphabet) ->
+      either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
+        withProfile canonicalProfile $ \array mask -> case recogniser
+          Torus
+          array
+          mask
+          layout
+          alphabet
+          network of
+          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+          Right reader -> pictureSpec parts array reader
   where
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
 
 drawingSpec :: Spec
 drawingSpec = describe "drawings" $ do
-  prop "what is put beside something touches nothing of it, and nothing is above its top" $ \a b (NonNegative gap) ->
-    let (first, second) = (boxes a, beside gap (boxes a) (boxes b))
-    in leftEdge (extentOf second) ~= (rightEdge (extentOf first) + gap) .&&. topEdge (extentOf second) ~= topEdge (extentOf first)
-  prop "drawings one above the other keep their order and their distance, flush left" $ \a b (NonNegative gap) ->
-    let whole = extentOf (above gap [boxes a, [], boxes b])
-        (first, second) = (extentOf (boxes a), extentOf (boxes b))
-    in height whole ~= (height first + gap + height second) .&&. width whole ~= max (width first) (width second)
-  prop "what flows is all there, in rows that are not too wide" $ \(widths :: [Positive Double]) (Positive room) ->
-    let items = [ [ Mark "item" (Rectangle (filled "black" 1) (Extent 0 0 w 10)) ] | Positive w <- widths ]
-        placed = flowing 5 room items
-    in length placed === length widths .&&. disjoint (mapMaybe markExtent placed)
-         .&&. property (null widths || width (extentOf placed) <= max room (maximum (map getPositive widths)) + 1e-6)
-  prop "wrapped text has the same words, and no line with two words is too long" $ \(ws :: [NonEmptyList Letter]) (Positive room) ->
-    let content = unwords (map (map letter . getNonEmpty) ws)
-        font = Font 12 False "black"
-        found = wrapped room font content
-    in words (unwords found) === words content
-         .&&. counterexample (show found) (and [ textWidth font line <= room | line <- found, length (words line) > 1 ])
+  prop "what is put beside something touches nothing of it, and nothing is above its top" $
+    \a
+     b
+     (NonNegative gap) ->
+        let (first, second) = (boxes a, beside gap (boxes a) (boxes b))
+         in leftEdge (extentOf second) ~= (rightEdge (extentOf first) + gap)
+              .&&. topEdge (extentOf second) ~= topEdge (extentOf first)
+  prop "drawings one above the other keep their order and their distance, flush left" $
+    \a
+     b
+     (NonNegative gap) ->
+        let whole = extentOf (above gap [boxes a, [], boxes b])
+            (first, second) = (extentOf (boxes a), extentOf (boxes b))
+         in height whole ~= (height first + gap + height second)
+              .&&. width whole ~= max (width first) (width second)
+  prop "what flows is all there, in rows that are not too wide" $
+    \(widths :: [Positive Double])
+     (Positive room) ->
+        let items =
+              [ [Mark "item" (Rectangle (filled "black" 1) (Extent 0 0 w 10))]
+                | Positive w <- widths
+              ]
+            placed = flowing 5 room items
+         in length placed === length widths .&&. disjoint (mapMaybe markExtent placed)
+              .&&. property
+                ( null widths
+                    || width (extentOf placed) <= max room (maximum (map getPositive widths)) + 1e-6
+                )
+  prop "wrapped text has the same words, and no line with two words is too long" $
+    \(ws :: [NonEmptyList Letter])
+     (Positive room) ->
+        let content = unwords (map (map letter . getNonEmpty) ws)
+            font = Font 12 False "black"
+            found = wrapped room font content
+         in words (unwords found) === words content
+              .&&. counterexample
+                (show found)
+                (and [textWidth font line <= room | line <- found, length (words line) > 1])
   it "text is escaped" $ do
-    let file = Lazy8.unpack (svgFile 0 "a < b" [ Mark "text" (Words FromLeft (Font 12 False "black") (0, 0) "<script>&") ])
+    let file =
+          Lazy8.unpack
+            ( svgFile
+                0
+                "a < b"
+                [Mark "text" (Words FromLeft (Font 12 False "black") (0, 0) "<script>&")]
+            )
     file `shouldSatisfy` ("&lt;script&gt;&amp;" `isInfixOf`)
     file `shouldSatisfy` (not . ("<script" `isInfixOf`))
     file `shouldSatisfy` ("a &lt; b" `isInfixOf`)
   where
     boxes :: NonEmptyList (Double, Double, Positive Double, Positive Double) -> Drawing
-    boxes (NonEmpty list) = [ Mark "box" (Rectangle (outlined "black" 2) (Extent x y (x + w) (y + h))) | (x, y, Positive w, Positive h) <- list ]
+    boxes (NonEmpty list) =
+      [ Mark "box" (Rectangle (outlined "black" 2) (Extent x y (x + w) (y + h)))
+        | (x, y, Positive w, Positive h) <- list
+      ]
     a ~= b = counterexample (show (a, b)) (abs (a - b) <= 1e-6 * (1 + abs a + abs b))
 
 -- | A letter of a word, markup's own among them.
-newtype Letter = Letter { letter :: Char }
+newtype Letter = Letter {letter :: Char}
   deriving stock (Show)
 
 instance Arbitrary Letter where
   arbitrary = Letter <$> elements "abW<&>\"^"
-  shrink (Letter c) = [ Letter 'a' | c /= 'a' ]
+  shrink (Letter c) = [Letter 'a' | c /= 'a']
 
-pictureSpec :: KnownField k => (Placement, Network, Alphabet) -> PseudorandomArray k -> Recogniser k -> Spec
+pictureSpec ::
+  KnownField k =>
+  (Placement, Network, Alphabet) ->
+  PseudorandomArray k ->
+  Recogniser k ->
+  Spec
 pictureSpec (layout, _, alphabet) array reader = describe "pictures of recognitions" $ do
-  modifyMaxSuccess (const 30) $ prop "composite, face, answer and legend keep apart, and so does all text, whatever was felt and however it was turned" $
-    \seed -> forAll (elements (laidFaces layout)) $ \face -> forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
-      explored size seed face $ \_ composite recognition ->
-        let page = pageOf composite recognition
-        in apart page .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
-  prop "symbols and parts anywhere on the composite, upright or on their side: their boxes stay out of all other text and of the rest" $
-    \(Positive w) (Positive h) -> forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \symbols ->
-      forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \others ->
-      let numbered = zipWith (\n s -> s { readNumber = n }) [0 ..]
-          page = pageOf (compositeOf (constant w h 0.2)) (Recognition (numbered symbols) (numbered others) Nothing (Left SymbolsUnclear))
-      in length (named "symbol" (pageComposite page)) === length symbols + length others
-           .&&. apart page
-  modifyMaxSuccess (const 20) $ prop "the window that gives the answer is framed on both sides: its cells, the place in their middle" $
-    \seed -> forAll (elements (laidFaces layout)) $ \face -> forAll (elements [(40, 52), (60, 56)]) $ \size ->
-      explored size seed face $ \_ composite recognition -> case (recognisedAnswer recognition, pageOf composite recognition) of
-        (Right (Found found), page) | OnFace place <- windowWhereabouts (foundWindow found), placeFace place == laidFace face ->
-          let onComposite' = within (only "composite" (pageComposite page)) (fromIntegral (rasterWidth (compositeImage composite)))
-              onItsFace = within (only "face" (pageFace page)) (fromRational (spotRight (laidExtent face)))
-              sideways = odd (orientationDegrees (foundOrientation found) `div` 90)
-              (x, y) = windowSeenAt (foundWindow found)
-          in counterexample "on the composite" (close 0.01 (onComposite' (only "window" (pageComposite page)))
-               (around (if sideways then (40, 32) else (32, 40)) (x + 0.5, y + 0.5)))
-               .&&. counterexample "on the face"
-                 (close 0.01 (onItsFace (only "window" (pageFace page))) (around (50.8, 63.5) (spotMillimetres (placeCentre place))))
-               .&&. counterexample "the cross" (close 0.01
-                 (onItsFace (middle (extentOf (named "place" (pageFace page))))) (around (0, 0) (spotMillimetres (placeCentre place))))
-        (Right _, _) -> counterexample "another face" False
-        (Left _, page) -> pageFace page === []
-  modifyMaxSuccess (const 20) $ prop "the outline on the face is where the composite truly was, to two taxels, turned as it was" $
-    \seed -> forAll (elements (laidFaces layout)) $ \face ->
-      explored standardRegionSize seed face $ \known composite recognition -> case named "outline" (pageFace (pageOf composite recognition)) of
-        Mark _ (Outline _ points) : _ ->
-          let page = pageOf composite recognition
-              onItsFace (x, y) = leftTop (within (only "face" (pageFace page)) (fromRational (spotRight (laidExtent face))) (Extent x y x y))
-              (w, h) = (fromIntegral (rasterWidth (compositeImage composite)) - 0.5, fromIntegral (rasterHeight (compositeImage composite)) - 0.5)
-              truth = Truth (laidFace face) (trialRegion known) (0, 0)
-              corners = map (truePlace truth . compositePosition composite) [(-0.5, -0.5), (w, -0.5), (w, h), (-0.5, h)]
-          in conjoin [ counterexample (show (a, b)) (abs (fst a - fst b) < 2 * taxelPitch && abs (snd a - snd b) < 2 * taxelPitch)
-                     | (a, b) <- zip (map onItsFace points) corners ] .&&. length points === 4
-        _ -> property True
-  it "each face is drawn with the symbols that are embossed on it, taxel by taxel, and its four vertices" $
-    for_ [ (face, heights) | face <- laidFaces layout, Right heights <- [relief array layout alphabet face] ] $ \(face, heights) -> do
-      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
-          image = generate 32 40 (\i j -> maybe 0 (/ symbolThickness) (index (heightValues heights) (margin spotRight + i) (margin spotDown + j)))
-      recognition <- either (fail . show) pure (recognise reader (compositeOf image))
-      let drawn = pageFace (pageOf (compositeOf image) recognition)
-          taxels = [ within (only "face" drawn) (fromIntegral (rasterWidth (heightValues heights))) patch
-                   | Mark _ (Patches _ patches) <- named "embossed" drawn, patch <- patches ]
-          covered i j = or [ leftEdge e < x && x < rightEdge e && topEdge e < y && y < bottomEdge e | e <- taxels ]
-            where (x, y) = (fromIntegral i + 0.5, fromIntegral j + 0.5)
-      generate (rasterWidth (heightValues heights)) (rasterHeight (heightValues heights))
-        (\i j -> if covered (i :: Int) (j :: Int) then symbolThickness else 0) `shouldBe` heightValues heights
-      length (named "vertex" drawn) `shouldBe` 4
+  modifyMaxSuccess (const 30) $
+    prop
+      "composite, face, answer and legend keep apart, and so does all text, whatever was felt and \
+      \however it was turned"
+      $ \seed ->
+        forAll (elements (laidFaces layout)) $ \face ->
+          forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
+            explored size seed face $ \_ composite recognition ->
+              let page = pageOf composite recognition
+               in apart page .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
+  prop
+    "symbols and parts anywhere on the composite, upright or on their side: their boxes stay out \
+    \of all other text and of the rest"
+    $ \(Positive w) (Positive h) ->
+      forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \symbols ->
+        forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \others ->
+          let numbered = zipWith (\n s -> s {readNumber = n}) [0 ..]
+              page =
+                pageOf
+                  (compositeOf (constant w h 0.2))
+                  (Recognition (numbered symbols) (numbered others) Nothing (Left SymbolsUnclear))
+           in length (named "symbol" (pageComposite page)) === length symbols + length others
+                .&&. apart page
+  modifyMaxSuccess (const 20) $
+    prop
+      "the window that gives the answer is framed on both sides: its cells, the place in their \
+      \middle"
+      $ \seed ->
+        forAll (elements (laidFaces layout)) $ \face ->
+          forAll (elements [(40, 52), (60, 56)]) $ \size ->
+            explored size seed face $
+              \_
+               composite
+               recognition -> case (recognisedAnswer recognition, pageOf composite recognition) of
+                  (Right (Found found), page)
+                    | OnFace place <- windowWhereabouts (foundWindow found),
+                      placeFace place == laidFace face ->
+                      let onComposite' =
+                            within
+                              (only "composite" (pageComposite page))
+                              (fromIntegral (rasterWidth (compositeImage composite)))
+                          onItsFace =
+                            within
+                              (only "face" (pageFace page))
+                              (fromRational (spotRight (laidExtent face)))
+                          sideways = odd (orientationDegrees (foundOrientation found) `div` 90)
+                          (x, y) = windowSeenAt (foundWindow found)
+                       in counterexample
+                            "on the composite"
+                            ( close
+                                0.01
+                                (onComposite' (only "window" (pageComposite page)))
+                                ( around
+                                    (if sideways then (40, 32) else (32, 40))
+                                    (x + 0.5, y + 0.5)
+                                )
+                            )
+                            .&&. counterexample
+                              "on the face"
+                              ( close
+                                  0.01
+                                  (onItsFace (only "window" (pageFace page)))
+                                  (around (50.8, 63.5) (spotMillimetres (placeCentre place)))
+                              )
+                            .&&. counterexample
+                              "the cross"
+                              ( close
+                                  0.01
+                                  (onItsFace (middle (extentOf (named "place" (pageFace page)))))
+                                  (around (0, 0) (spotMillimetres (placeCentre place)))
+                              )
+                  (Right _, _) -> counterexample "another face" False
+                  (Left _, page) -> pageFace page === []
+  modifyMaxSuccess (const 20) $
+    prop
+      "the outline on the face is where the composite truly was, to two taxels, turned as it was"
+      $ \seed -> forAll (elements (laidFaces layout)) $ \face ->
+        explored standardRegionSize seed face $ \known composite recognition -> case named
+          "outline"
+          (pageFace (pageOf composite recognition)) of
+          Mark _ (Outline _ points) : _ ->
+            let page = pageOf composite recognition
+                onItsFace (x, y) =
+                  leftTop
+                    ( within
+                        (only "face" (pageFace page))
+                        (fromRational (spotRight (laidExtent face)))
+                        (Extent x y x y)
+                    )
+                (w, h) =
+                  ( fromIntegral (rasterWidth (compositeImage composite)) - 0.5,
+                    fromIntegral (rasterHeight (compositeImage composite)) - 0.5
+                  )
+                truth = Truth (laidFace face) (trialRegion known) (0, 0)
+                corners =
+                  map
+                    (truePlace truth . compositePosition composite)
+                    [(-0.5, -0.5), (w, -0.5), (w, h), (-0.5, h)]
+             in conjoin
+                  [ counterexample
+                      (show (a, b))
+                      (abs (fst a - fst b) < 2 * taxelPitch && abs (snd a - snd b) < 2 * taxelPitch)
+                    | (a, b) <- zip (map onItsFace points) corners
+                  ]
+                  .&&. length points
+                  === 4
+          _ -> property True
+  it
+    "each face is drawn with the symbols that are embossed on it, taxel by taxel, and its four \
+    \vertices"
+    $ for_
+      [ (face, heights)
+        | face <- laidFaces layout,
+          Right heights <- [relief array layout alphabet face]
+      ]
+      $ \(face, heights) -> do
+        let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+            image =
+              generate
+                32
+                40
+                ( \i j ->
+                    maybe
+                      0
+                      (/ symbolThickness)
+                      (index (heightValues heights) (margin spotRight + i) (margin spotDown + j))
+                )
+        recognition <- either (fail . show) pure (recognise reader (compositeOf image))
+        let drawn = pageFace (pageOf (compositeOf image) recognition)
+            taxels =
+              [ within (only "face" drawn) (fromIntegral (rasterWidth (heightValues heights))) patch
+                | Mark _ (Patches _ patches) <- named "embossed" drawn,
+                  patch <- patches
+              ]
+            covered i j =
+              or
+                [ leftEdge e < x && x < rightEdge e && topEdge e < y && y < bottomEdge e
+                  | e <- taxels
+                ]
+              where
+                (x, y) = (fromIntegral i + 0.5, fromIntegral j + 0.5)
+        generate
+          (rasterWidth (heightValues heights))
+          (rasterHeight (heightValues heights))
+          (\i j -> if covered (i :: Int) (j :: Int) then symbolThickness else 0)
+          `shouldBe` heightValues heights
+        length (named "vertex" drawn) `shouldBe` 4
   it "no answer, no face: the reason is told" $ do
     let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing (Left NoSymbols))
     pageFace page `shouldBe` []
-    concat [ content | Mark _ (Words _ _ _ content) <- pageAnswer page ] `shouldSatisfy` ("no complete symbol" `isInfixOf`)
+    concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
+      `shouldSatisfy` ("no complete symbol" `isInfixOf`)
   where
     pageOf = recognitionPage alphabet show layout (faceClasses array)
-    -- The four parts of the page, and what is drawn on the composite from the words above and below it.
-    apart page = disjoint (map extentOf (filter (not . null) [pageComposite page, pageFace page, pageAnswer page, pageLegend page]))
-      .&&. disjoint (map extentOf (filter (not . null)
-             [ concatMap (`named` pageComposite page) names | names <- [["heading"], ["note"], ["composite", "symbol", "element", "window"], ["scale"]] ]))
-    explored :: (Int, Int) -> Int -> LaidFace -> (Trial -> Composite -> Recognition -> Property) -> Property
+    -- The four parts of the page, and what is drawn on the composite from the words above and below
+    -- it.
+    apart page =
+      disjoint
+        ( map
+            extentOf
+            ( filter
+                (not . null)
+                [pageComposite page, pageFace page, pageAnswer page, pageLegend page]
+            )
+        )
+        .&&. disjoint
+          ( map
+              extentOf
+              ( filter
+                  (not . null)
+                  [ concatMap (`named` pageComposite page) names
+                    | names <-
+                        [ ["heading"],
+                          ["note"],
+                          ["composite", "symbol", "element", "window"],
+                          ["scale"]
+                        ]
+                  ]
+              )
+          )
+    explored ::
+      (Int, Int) ->
+      Int ->
+      LaidFace ->
+      (Trial -> Composite -> Recognition -> Property) ->
+      Property
     explored size seed face check = case relief array layout alphabet face of
-      Right heights | Just known <- trial standardSensor quarterTurns size (face, heights) (mkStdGen seed)
-                    , Right composite <- stitch standardRegistration (trialFrames known)
-                    , Right recognition <- recognise reader composite -> check known composite recognition
+      Right heights
+        | Just known <- trial standardSensor quarterTurns size (face, heights) (mkStdGen seed),
+          Right composite <- stitch standardRegistration (trialFrames known),
+          Right recognition <- recognise reader composite ->
+          check known composite recognition
       _ -> counterexample "not explored" False
 
 -- | A symbol of any class somewhere on a composite of this size, in pixels.
@@ -166,20 +330,28 @@ symbolWithin (w, h) = do
   centre <- (,) <$> choose (-0.5, fromIntegral w - 0.5) <*> choose (-0.5, fromIntegral h - 0.5)
   what <- (,) <$> arbitraryBoundedEnum <*> choose (0, 3)
   known <- arbitrary
-  pure ReadSymbol
-    { readNumber = 0, readSource = 0, readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12), readAt = centre
-    , readClass = if known then Just what else Nothing, readSeen = 1, readLikeliest = what, readChances = [(what, 1)] }
+  pure
+    ReadSymbol
+      { readNumber = 0,
+        readSource = 0,
+        readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
+        readAt = centre,
+        readClass = if known then Just what else Nothing,
+        readSeen = 1,
+        readLikeliest = what,
+        readChances = [(what, 1)]
+      }
 
 named :: Text -> Drawing -> Drawing
 named name = filter ((== name) . markClass)
 
--- | What the one mark of this name takes up, its stroke left out; a point if there is none, and a hull if there are
--- several.
+-- | What the one mark of this name takes up, its stroke left out; a point if there is none, and a
+-- hull if there are several.
 only :: Text -> Drawing -> Extent
-only name drawing = extentOf [ Mark name (unstroked form) | Mark _ form <- named name drawing ]
+only name drawing = extentOf [Mark name (unstroked form) | Mark _ form <- named name drawing]
   where
     unstroked form = case form of
-      Rectangle paint e -> Rectangle paint { strokeWidth = 0 } e
+      Rectangle paint e -> Rectangle paint {strokeWidth = 0} e
       other -> other
 
 -- | In units of which the reference is so many wide, from its upper left corner.
@@ -197,7 +369,10 @@ middle :: Extent -> Extent
 middle (Extent l t r b) = around (0, 0) ((l + r) / 2, (t + b) / 2)
 
 close :: Double -> Extent -> Extent -> Property
-close apart a b = counterexample (show (a, b)) (and [ abs (side a - side b) <= apart | side <- [leftEdge, topEdge, rightEdge, bottomEdge] ])
+close apart a b =
+  counterexample
+    (show (a, b))
+    (and [abs (side a - side b) <= apart | side <- [leftEdge, topEdge, rightEdge, bottomEdge]])
 
 isText :: Mark -> Bool
 isText (Mark _ form) = case form of
@@ -206,8 +381,17 @@ isText (Mark _ form) = case form of
 
 -- | No two have more than an edge in common.
 disjoint :: [Extent] -> Property
-disjoint extents = conjoin
-  [ counterexample (show (a, b)) (or [ ends rightEdge leftEdge c d || ends bottomEdge topEdge c d | (c, d) <- [(a, b), (b, a)] ])
-  | a : others <- tails extents, b <- others ]
+disjoint extents =
+  conjoin
+    [ counterexample
+        (show (a, b))
+        ( or
+            [ ends rightEdge leftEdge c d || ends bottomEdge topEdge c d
+              | (c, d) <- [(a, b), (b, a)]
+            ]
+        )
+      | a : others <- tails extents,
+        b <- others
+    ]
   where
     ends end begin a b = end a <= begin b + 1e-6

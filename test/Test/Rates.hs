@@ -1,12 +1,8 @@
-{-# LANGUAGE DataKinds #-}
 -- | Simulated rates, beside the exact ones.
 module Test.Rates (spec) where
 
 import Control.Monad (forM_, void)
 import Data.List (nub, sort, unfoldr)
-import System.Random (mkStdGen)
-import Test.Hspec
-
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
@@ -18,15 +14,20 @@ import PraTactile.Rates.Ground
 import PraTactile.Rates.Trial
 import PraTactile.Rates.Verdict
 import PraTactile.Window
+import System.Random (mkStdGen)
 import Test.Code.Generators
+import Test.Hspec
 
 spec :: Spec
 spec = do
   it "two numbers are in the wrong order with probability Phi(-1/(sigma sqrt 2))" $
-    forM_ [(1 / sqrt 2, 0.15865525393145705), (1 / sqrt 8, 0.022750131948179195)] $ \(sigma, figure) ->
-      abs (errorRate 2 sigma - figure) `shouldSatisfy` (< 1e-9)
+    forM_
+      [(1 / sqrt 2, 0.15865525393145705), (1 / sqrt 8, 0.022750131948179195)]
+      $ \(sigma, figure) ->
+        abs (errorRate 2 sigma - figure) `shouldSatisfy` (< 1e-9)
   it "the noise for an error rate has that error rate" $
-    forM_ [(q, p) | q <- [2, 4, 9], p <- [0.001, 0.02, 0.3]] $ \(q, p) -> abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
+    forM_ [(q, p) | q <- [2, 4, 9], p <- [0.001, 0.02, 0.3]] $ \(q, p) ->
+      abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
   it "the noise for no errors makes none" $
     forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
   it "the fast verdict of a trial is that of the decoders" $ do
@@ -34,57 +35,99 @@ spec = do
     let judged name shelf size damage = do
           place <- right (ground shelf size)
           let verdicts = take 150 (trialsOf place damage 5)
-          forM_ verdicts $ \trial -> forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> case (judge radius place trial, judgeByDecoders radius place trial) of
-            (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
-              (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
-              -- Below 1e-20 doubts are not told apart.
-              abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
-            (_, Nothing) -> expectationFailure "no verdict"
+          forM_ verdicts $ \trial ->
+            forM_
+              [Guaranteed, UpTo 0, UpTo 2, UpTo 100]
+              $ \radius -> case (judge radius place trial, judgeByDecoders radius place trial) of
+                (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
+                  (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
+                  -- Below 1e-20 doubts are not told apart.
+                  abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
+                (_, Nothing) -> expectationFailure "no verdict"
           -- The answers are not all alike.
           pure [verdictAnswer (judge Guaranteed place trial) | trial <- verdicts]
-    answers <- concat <$> sequence
-      [ judged "paper" paper size damage
-      | size <- [Shape 1 1, Shape 2 2, Shape 3 3, Shape 2 5, Shape 4 4, Shape 9 9, Shape 17 16]
-      , damage <- [Damage 0.1 0, Damage 0.05 0.3, Damage 0.4 0.5] ]
+    answers <-
+      concat
+        <$> sequence
+          [ judged "paper" paper size damage
+            | size <-
+                [Shape 1 1, Shape 2 2, Shape 3 3, Shape 2 5, Shape 4 4, Shape 9 9, Shape 17 16],
+              damage <- [Damage 0.1 0, Damage 0.05 0.3, Damage 0.4 0.5]
+          ]
     sort (nub answers) `shouldBe` [Correct, Mistaken, NoAnswer]
-    binary <- right (firstPrimitive 4) >>= right . folded Diagonal (Shape 3 5) >>= bookOn Torus :: IO (Book GF2)
-    ternary <- right (firstPrimitive 4) >>= right . folded RowMajor (Shape 8 10) >>= bookOn TwistedTorus :: IO (Book GF3)
-    forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size -> void (judged "binary" binary size (Damage 0.1 0.2))
+    binary <-
+      right (firstPrimitive 4)
+        >>= right . folded Diagonal (Shape 3 5)
+        >>= bookOn Torus ::
+        IO (Book GF2)
+    ternary <-
+      right (firstPrimitive 4)
+        >>= right . folded RowMajor (Shape 8 10)
+        >>= bookOn TwistedTorus ::
+        IO (Book GF3)
+    forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
+      void (judged "binary" binary size (Damage 0.1 0.2))
     forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
-  it "hard decoding is right, wrong and refused as often as the weights say, within 4 standard errors" $ do
-    shelf <- paperBook
-    let cases = [(Shape 2 2, Damage 0.02 0), (Shape 3 3, Damage 0.1 0), (Shape 3 4, Damage 0.1 0), (Shape 3 3, Damage 0.05 0.2)]
-    forM_ cases $ \(size, damage) -> do
-      m <- right (rectangle size)
-      place <- right (ground shelf size)
-      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates Guaranteed shelf m damage)
-      let found = hardRates (simulate Guaranteed place damage trials 1)
-      forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
-        abs (rate found - rate exact) `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
-  it "a stated radius: within the guaranteed one as the weights say; beyond it more answers are right, and more are wrong" $ do
-    shelf <- paperBook
-    m <- right (rectangle (Shape 4 4))
-    place <- right (ground shelf (Shape 4 4))
-    let damage = Damage 0.2 0
-        found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
-    forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
-      exact <- maybe (expectationFailure "nothing" >> fail "nothing") pure (exactRates (UpTo e) shelf m damage)
-      forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
-        abs (rate rates - rate exact) `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
-    exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
-    exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
-    and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
-    and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
-  it "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every threshold" $ do
-    shelf <- paperBook
-    forM_ [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)] $ \(size, damage) -> do
-      place <- right (ground shelf size)
-      let tally = simulate Guaranteed place damage trials 2
-      forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
-        let Calibration answers expected wrong = calibration tolerated tally
-        abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
-        expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
-      calibratedAnswers (calibration 1 tally) `shouldBe` trials
+  it
+    "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
+    \errors"
+    $ do
+      shelf <- paperBook
+      let cases =
+            [ (Shape 2 2, Damage 0.02 0),
+              (Shape 3 3, Damage 0.1 0),
+              (Shape 3 4, Damage 0.1 0),
+              (Shape 3 3, Damage 0.05 0.2)
+            ]
+      forM_ cases $ \(size, damage) -> do
+        m <- right (rectangle size)
+        place <- right (ground shelf size)
+        exact <-
+          maybe
+            (expectationFailure "nothing" >> fail "nothing")
+            pure
+            (exactRates Guaranteed shelf m damage)
+        let found = hardRates (simulate Guaranteed place damage trials 1)
+        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+          abs (rate found - rate exact)
+            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
+  it
+    "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
+    \right, and more are wrong"
+    $ do
+      shelf <- paperBook
+      m <- right (rectangle (Shape 4 4))
+      place <- right (ground shelf (Shape 4 4))
+      let damage = Damage 0.2 0
+          found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
+      forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
+        exact <-
+          maybe
+            (expectationFailure "nothing" >> fail "nothing")
+            pure
+            (exactRates (UpTo e) shelf m damage)
+        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+          abs (rate rates - rate exact)
+            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
+      exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
+      exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
+      and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
+      and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
+  it
+    "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
+    \threshold"
+    $ do
+      shelf <- paperBook
+      forM_
+        [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
+        $ \(size, damage) -> do
+          place <- right (ground shelf size)
+          let tally = simulate Guaranteed place damage trials 2
+          forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
+            let Calibration answers expected wrong = calibration tolerated tally
+            abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
+            expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
+          calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
     shelf <- paperBook
     place <- right (ground shelf (Shape 3 3))
@@ -93,14 +136,17 @@ spec = do
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
-  it "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are gives all" $ do
-    shelf <- paperBook
-    place <- right (ground shelf (Shape 2 2))
-    let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
-        Rates none none' all' = softRatesAtMost 0 tally
-        Rates a b c = softRatesAtMost 1 tally
-    (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
-    (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it
+    "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
+    \gives all"
+    $ do
+      shelf <- paperBook
+      place <- right (ground shelf (Shape 2 2))
+      let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
+          Rates none none' all' = softRatesAtMost 0 tally
+          Rates a b c = softRatesAtMost 1 tally
+      (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
+      (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
     shelf <- paperBook
     place <- right (ground shelf (Shape 3 3))
@@ -109,10 +155,13 @@ spec = do
         whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
     part 7 `shouldBe` part 7
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
-    map tallyTrials (simulations Guaranteed place (Damage 0.05 0.1) 2500 7) `shouldBe` [1000, 1000, 500]
+    map tallyTrials (simulations Guaranteed place (Damage 0.05 0.1) 2500 7)
+      `shouldBe` [1000, 1000, 500]
     whole place (Damage 0.05 0.1) 7 `shouldBe` whole place (Damage 0.05 0.1) 7
     let results =
-          [whole place (Damage p s) seed | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]]
+          [ whole place (Damage p s) seed
+            | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]
+          ]
             ++ [whole other (Damage 0.05 0.1) 7]
     length (nub (map show results)) `shouldBe` 5
   it "the sheet, no cells and too many cells are refused" $ do
@@ -121,11 +170,16 @@ spec = do
     sheet <- bookOn Sheet array
     either Left (const (Right ())) (ground sheet (Shape 2 2)) `shouldBe` Left GroundSheet
     either Left (const (Right ())) (ground shelf (Shape 0 2)) `shouldBe` Left GroundEmpty
-    either Left (const (Right ())) (ground shelf (Shape 1000 1000)) `shouldBe` Left (GroundTooLarge 255000000 largestGround)
- where
-  trials = 5000 :: Int
-  trialsOf place damage seed = unfoldr (Just . drawTrial place (noiseOf place damage) (damageErasures damage)) (mkStdGen seed)
-  noiseOf place damage = noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
+    either Left (const (Right ())) (ground shelf (Shape 1000 1000))
+      `shouldBe` Left (GroundTooLarge 255000000 largestGround)
+  where
+    trials = 5000 :: Int
+    trialsOf place damage seed =
+      unfoldr
+        (Just . drawTrial place (noiseOf place damage) (damageErasures damage))
+        (mkStdGen seed)
+    noiseOf place damage =
+      noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
 
 paperBook :: IO (Book GF4)
 paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus

@@ -1,7 +1,9 @@
--- | What README.md says of the library, done: its program is run, and its package is planned by cabal.
+-- | What README.md says of the library, done: its program is run, and its package is planned by
+-- cabal.
 module Test.Readme (spec) where
 
 import Data.List (isPrefixOf)
+import House.Source (readText)
 import System.Directory (getCurrentDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -9,35 +11,55 @@ import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
 import Test.Hspec
 
-import House.Source (readText)
-
 spec :: Spec
 spec = beforeAll (library <$> readText "README.md") $ do
-  it "the program is of ten lines or less, and prints what is printed there" $ \text -> inFolder $ \folder -> do
-    let (program, below) = fenced "```haskell" text
-    length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
-    writeFile (folder </> "Readme.hs") (unlines program)
-    cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
-      `shouldReturn` (ExitSuccess, unlines (indented below), "")
-  it "a package with the lines for cabal.project and build-depends is planned with the libraries that they name" $
-    \text -> inFolder $ \folder -> do
+  it "the program is of ten lines or less, and prints what is printed there" $ \text ->
+    inFolder $ \folder -> do
+      let (program, below) = fenced "```haskell" text
+      length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
+      writeFile (folder </> "Readme.hs") (unlines program)
+      cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
+        `shouldReturn` (ExitSuccess, unlines (indented below), "")
+  it
+    "a package with the lines for cabal.project and build-depends is planned with the libraries \
+    \that they name"
+    $ \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
       let (project, below) = fenced "```cabal-project" text
           (depends, _) = fenced "```cabal" below
           found line = if words line == ["../pra-tactile"] then "          " ++ here else line
-      [ () | line <- project, words line == ["../pra-tactile"] ] `shouldBe` [()]
+      [() | line <- project, words line == ["../pra-tactile"]] `shouldBe` [()]
       writeFile (folder </> "cabal.project") (unlines (map found project))
       writeFile (folder </> "Main.hs") "main :: IO ()\nmain = pure ()\n"
-      writeFile (folder </> "example.cabal") (unlines
-        ([ "cabal-version: 3.0", "name: example", "version: 0"
-         , "executable example", "  default-language: Haskell2010", "  main-is: Main.hs" ]
-          ++ map ("  " ++) depends))
-      let planning = ["build", "-v1", "--dry-run", "--project-file=" ++ (folder </> "cabal.project"), "example"]
+      writeFile
+        (folder </> "example.cabal")
+        ( unlines
+            ( [ "cabal-version: 3.0",
+                "name: example",
+                "version: 0",
+                "executable example",
+                "  default-language: Haskell2010",
+                "  main-is: Main.hs"
+              ]
+                ++ map ("  " ++) depends
+            )
+        )
+      let planning =
+            [ "build",
+              "-v1",
+              "--dry-run",
+              "--project-file=" ++ (folder </> "cabal.project"),
+              "example"
+            ]
       (code, out, _) <- cabal planning
       code `shouldBe` ExitSuccess
       -- Those to be built, of this package: the libraries named, and what they rest on.
-      [ part | "-" : package : part : _ <- map words (lines out), "pra-tactile-" `isPrefixOf` package ]
-        `shouldMatchList` ["(lib:common)", "(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
+      let seen =
+            [ part
+              | "-" : package : part : _ <- map words (lines out),
+                "pra-tactile-" `isPrefixOf` package
+            ]
+      seen `shouldMatchList` ["(lib:common)", "(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
   where
     inFolder = withSystemTempDirectory "pra-tactile"
     library = dropWhile (/= "## The library") . lines

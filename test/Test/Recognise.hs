@@ -1,15 +1,9 @@
-{-# LANGUAGE ScopedTypeVariables #-}
 -- | The hall: reliefs, explorations, and the whole way from an image to the face.
 module Test.Recognise (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
-import System.Random (mkStdGen)
-import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
-import Test.QuickCheck hiding (generate)
-
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface (..), cellAt)
 import PraTactile.Classify.Network (Network)
 import PraTactile.Classify.Network.File (shippedNetwork)
@@ -31,22 +25,27 @@ import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape
 import PraTactile.Stitch (compositeOf, standardRegistration)
 import PraTactile.Window (Mask)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = case shippedParts of
   Left problem -> it "the shipped parts fit together" (expectationFailure problem)
-  Right parts -> either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
-    withProfile canonicalProfile $ \array mask ->
-      case recogniser Torus array mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
-        Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-        Right reader -> do
-          recogniserSpec parts array mask
-          groupSpec
-          reliefSpec parts array
-          exploreSpec parts
-          recogniseSpec parts array reader
+  Right parts ->
+    either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
+      withProfile canonicalProfile $ \array mask ->
+        case recogniser Torus array mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
+          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+          Right reader -> do
+            recogniserSpec parts array mask
+            groupSpec
+            reliefSpec parts array
+            exploreSpec parts
+            recogniseSpec parts array reader
 
-data Parts = Parts { placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet }
+data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
 
 shippedParts :: Either String Parts
 shippedParts = Parts <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet
@@ -56,7 +55,10 @@ shippedParts = Parts <$> shown canonicalPlacement <*> shown shippedNetwork <*> s
 
 reliefs :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, HeightMap)]
 reliefs parts array =
-  [ (face, heights) | face <- laidFaces (placementOf parts), Right heights <- [relief array (placementOf parts) (alphabetOf parts) face] ]
+  [ (face, heights)
+    | face <- laidFaces (placementOf parts),
+      Right heights <- [relief array (placementOf parts) (alphabetOf parts) face]
+  ]
 
 recogniserSpec :: KnownField k => Parts -> PseudorandomArray k -> Mask -> Spec
 recogniserSpec parts array mask = describe "a recogniser" $ do
@@ -69,25 +71,50 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
   it "takes the canonical placement, laid again" $
     refusal (Shape 15 17) (Pitch 25.4 31.75) `shouldBe` Nothing
   where
-    refusal shape pitch = case placement shape pitch (placementSolids (placementOf parts)) canonicalLayings of
+    refusal shape pitch = case placement
+      shape
+      pitch
+      (placementSolids (placementOf parts))
+      canonicalLayings of
       Left e -> error ("no placement: " ++ show e)
-      Right laid -> either Just (const Nothing) (recogniser Torus array mask laid (alphabetOf parts) (networkOf parts))
+      Right laid ->
+        either
+          Just
+          (const Nothing)
+          (recogniser Torus array mask laid (alphabetOf parts) (networkOf parts))
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do
   it "have each symbol by its number, though several lie at the same place" $
-    let found = groups [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
-    in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
-  it "have each symbol once, in its cell, wherever the symbols lie and in whatever order they come" $
-    property $ forAll (shuffle (zip [0 ..] [ (i, j) | i <- [0 .. 2], j <- [0 .. 3] ])) $ \placed ->
-      forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
-        map (fmap (fmap readNumber) . groupCells)
-          (groups [ symbolAt n 0 (x + 16 * fromIntegral j, y + 20 * fromIntegral i) | (n, (i, j)) <- placed ])
-          === [Just (Map.fromList [ (cell, n) | (n, cell) <- placed ])]
+    let found =
+          groups
+            [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
+     in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
+  it
+    "have each symbol once, in its cell, wherever the symbols lie and in whatever order they come"
+    $ property $
+      forAll (shuffle (zip [0 ..] [(i, j) | i <- [0 .. 2], j <- [0 .. 3]])) $ \placed ->
+        forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
+          map
+            (fmap (fmap readNumber) . groupCells)
+            ( groups
+                [ symbolAt n 0 (x + 16 * fromIntegral j, y + 20 * fromIntegral i)
+                  | (n, (i, j)) <- placed
+                ]
+            )
+            === [Just (Map.fromList [(cell, n) | (n, cell) <- placed])]
   where
-    symbolAt number source centre = ReadSymbol
-      { readNumber = number, readSource = source, readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12)
-      , readAt = centre, readClass = Nothing, readSeen = 1, readLikeliest = (Upright, 0), readChances = [((Upright, 0), 1)] }
+    symbolAt number source centre =
+      ReadSymbol
+        { readNumber = number,
+          readSource = source,
+          readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
+          readAt = centre,
+          readClass = Nothing,
+          readSeen = 1,
+          readLikeliest = (Upright, 0),
+          readChances = [((Upright, 0), 1)]
+        }
 
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
 region :: HeightMap -> (Int, Int, Int, Int) -> Raster
@@ -99,20 +126,31 @@ reliefSpec parts array = describe "reliefs" $ do
   it "every face has one, as large as the face in taxels" $ do
     length (reliefs parts array) `shouldBe` 12
     for_ (reliefs parts array) $ \(face, heights) ->
-      map ((* (127 / 80)) . fromIntegral) [rasterWidth (heightValues heights), rasterHeight (heightValues heights)]
+      map
+        ((* (127 / 80)) . fromIntegral)
+        [rasterWidth (heightValues heights), rasterHeight (heightValues heights)]
         `shouldBe` [spotRight (laidExtent face), spotDown (laidExtent face)]
   it "a face's classes are the array's codes where it is laid" $
     for_ (laidFaces (placementOf parts)) $ \face ->
       concat (faceClasses array face)
         `shouldBe` [ toCode (cellAt array (Position r c))
-                   | let Position r0 c0 = laidAt face, let Shape h w = laidGrid face, r <- [r0 .. r0 + h - 1], c <- [c0 .. c0 + w - 1] ]
-  it "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else" $
-    for_ (reliefs parts array) $ \(face, heights) -> do
+                     | let Position r0 c0 = laidAt face,
+                       let Shape h w = laidGrid face,
+                       r <- [r0 .. r0 + h - 1],
+                       c <- [c0 .. c0 + w - 1]
+                   ]
+  it
+    "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else"
+    $ for_ (reliefs parts array) $ \(face, heights) -> do
       let margin side = round (side (laidMargin face) / taxelPitch) :: Int
-      for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) -> for_ (zip [0 ..] line) $ \(j, c) -> do
-        let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
-            expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
-        Right (toRows cell) `shouldBe` fmap (\shape -> toRows (generate 16 20 (expected shape))) (shapeOf (alphabetOf parts) c)
+      for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) ->
+        for_ (zip [0 ..] line) $ \(j, c) -> do
+          let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
+              expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
+          Right (toRows cell)
+            `shouldBe` fmap
+              (\shape -> toRows (generate 16 20 (expected shape)))
+              (shapeOf (alphabetOf parts) c)
 
 exploreSpec :: Parts -> Spec
 exploreSpec parts = describe "explorations" $ do
@@ -123,8 +161,19 @@ exploreSpec parts = describe "explorations" $ do
         Just (r, _) ->
           let extent side = fromRational (side (laidExtent face)) + 1e-9
               (w, h) = standardRegionSize
-              corners = [ movePoint (regionMotion r) (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y) | x <- [0, w], y <- [0, h] ]
-          in property (and [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown | (x, y) <- corners ])
+              corners =
+                [ movePoint
+                    (regionMotion r)
+                    (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y)
+                  | x <- [0, w],
+                    y <- [0, h]
+                ]
+           in property
+                ( and
+                    [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown
+                      | (x, y) <- corners
+                    ]
+                )
   it "a region larger than the face has no place on it" $
     for_ (laidFaces (placementOf parts)) $ \face ->
       fmap fst (randomRegion halfTurns (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
@@ -132,40 +181,90 @@ exploreSpec parts = describe "explorations" $ do
 recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
 recogniseSpec parts array reader = describe "recognition" $ do
   it "each of the 132 windows that lie on a face is found there, whichever way up" $ do
-    let cases = [ (face, heights, i, j) | (face, heights) <- reliefs parts array, let Shape h w = laidGrid face, i <- [0 .. h - 2], j <- [0 .. w - 2] ]
+    let cases =
+          [ (face, heights, i, j)
+            | (face, heights) <- reliefs parts array,
+              let Shape h w = laidGrid face,
+              i <- [0 .. h - 2],
+              j <- [0 .. w - 2]
+          ]
     length cases `shouldBe` 132
-    for_ cases $ \(face, heights, i, j) -> for_ [(Upright, id), (TurnedRight, quarterTurn), (HalfTurned, halfTurn), (TurnedLeft, halfTurn . quarterTurn)] $ \(orientation, turn) -> do
-      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
-          image = region heights (margin spotRight + 16 * fromIntegral j, margin spotDown + 20 * fromIntegral i, 32, 40)
-          Position r c = laidAt face
-      found (turn image) `shouldBe` Right (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
+    for_ cases $ \(face, heights, i, j) ->
+      for_
+        [ (Upright, id),
+          (TurnedRight, quarterTurn),
+          (HalfTurned, halfTurn),
+          (TurnedLeft, halfTurn . quarterTurn)
+        ]
+        $ \(orientation, turn) -> do
+          let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+              image =
+                region
+                  heights
+                  ( margin spotRight + 16 * fromIntegral j,
+                    margin spotDown + 20 * fromIntegral i,
+                    32,
+                    40
+                  )
+              Position r c = laidAt face
+          found (turn image)
+            `shouldBe` Right
+              (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
   it "nothing at all is refused: no-symbols" $ refusal (constant 40 52 0) `shouldBe` Just NoSymbols
   it "uniform contact is refused: no-symbols" $ refusal (constant 40 52 1) `shouldBe` Just NoSymbols
-  it "an image of no size is refused: no-symbols" $ refusal (constant 0 0 0) `shouldBe` Just NoSymbols
-  it "three symbols are too few" $ refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)]) `shouldBe` Just (NotLocated NoCompleteWindow)
+  it "an image of no size is refused: no-symbols" $
+    refusal (constant 0 0 0) `shouldBe` Just NoSymbols
+  it "three symbols are too few" $
+    refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
+      `shouldBe` Just (NotLocated NoCompleteWindow)
   it "one symbol half-turned among upright ones is a contradiction of orientation" $
-    refusal (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, halfTurn)]) `shouldBe` Just OrientationContradicts
+    refusal (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, halfTurn)])
+      `shouldBe` Just OrientationContradicts
   it "a mirror image is refused as one, whichever way up" $
-    for_ [mirrorColumns, mirrorRows, quarterTurn . mirrorColumns, quarterTurn . mirrorRows] $ \change ->
-      refusal (change (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)])) `shouldBe` Just Mirrored
-  it "every refusal has a name of its own" $ length (nub (map refusalName refusals)) `shouldBe` length refusals
-  modifyMaxSuccess (const 40) $ prop "noise and position errors: a random exploration is right or refused, never wrong" $ \seed ->
-    forAll (elements (reliefs parts array)) $ \face ->
-      case trial standardSensor quarterTurns standardRegionSize face (mkStdGen seed) of
-        Nothing -> counterexample "the region does not lie on the face" False
-        Just t -> case withStitching (runTrial standardTolerance reader standardRegistration t) of
-          Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
-          _ -> property True
+    for_
+      [mirrorColumns, mirrorRows, quarterTurn . mirrorColumns, quarterTurn . mirrorRows]
+      $ \change ->
+        refusal (change (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]))
+          `shouldBe` Just Mirrored
+  it "every refusal has a name of its own" $
+    length (nub (map refusalName refusals)) `shouldBe` length refusals
+  modifyMaxSuccess (const 40) $
+    prop
+      "noise and position errors: a random exploration is right or refused, never wrong"
+      $ \seed ->
+        forAll (elements (reliefs parts array)) $ \face ->
+          case trial standardSensor quarterTurns standardRegionSize face (mkStdGen seed) of
+            Nothing -> counterexample "the region does not lie on the face" False
+            Just t ->
+              case withStitching (runTrial standardTolerance reader standardRegistration t) of
+                Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
+                _ -> property True
   where
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)
       Right recognition -> case recognisedAnswer recognition of
         Left e -> Left (refusalName e)
         Right (Several _ _) -> Left "several"
-        Right (Found answer) -> let window = foundWindow answer in Right (foundOrientation answer, windowPosition window, onFace (windowWhereabouts window))
+        Right (Found answer) ->
+          let window =
+                foundWindow answer
+           in Right
+                (foundOrientation answer, windowPosition window, onFace (windowWhereabouts window))
     onFace place = case place of
       OnFace p -> Just (placeFace p, placeCell p)
       _ -> Nothing
-    refusal image = either (const Nothing) (either Just (const Nothing) . recognisedAnswer) (recognise reader (compositeOf image))
-    pasted placed = generate 32 40 $ \x y -> maximum (0 : [ v | (x0, y0, c, change) <- placed, Right shape <- [shapeOf (alphabetOf parts) c]
-                                                          , Just v <- [index (change (toRaster shape)) (x - x0) (y - y0)] ])
+    refusal image =
+      either
+        (const Nothing)
+        (either Just (const Nothing) . recognisedAnswer)
+        (recognise reader (compositeOf image))
+    pasted placed = generate 32 40 $ \x y ->
+      maximum
+        ( 0 :
+            [ v
+              | (x0, y0, c, change) <-
+                  placed,
+                Right shape <- [shapeOf (alphabetOf parts) c],
+                Just v <- [index (change (toRaster shape)) (x - x0) (y - y0)]
+            ]
+        )

@@ -12,135 +12,204 @@ import qualified Data.Text as Text
 import Database.Persist.Sqlite (PersistValue (..))
 import qualified Database.Sqlite as Sqlite
 import Message.Objects (storeMessage)
-import System.Directory
-  ( copyFile, createDirectory, getFileSize, getTemporaryDirectory, listDirectory, removeFile, removePathForcibly )
-import System.FilePath ((</>))
-import System.IO
-  ( IOMode (..), SeekMode (..), hClose, hPutChar, hSeek, hSetFileSize, openTempFile, withBinaryFile )
-import Test.Hspec
-import Test.QuickCheck
-
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
+import System.Directory
+  ( copyFile,
+    createDirectory,
+    getFileSize,
+    getTemporaryDirectory,
+    listDirectory,
+    removeFile,
+    removePathForcibly,
+  )
+import System.FilePath ((</>))
+import System.IO
+  ( IOMode (..),
+    SeekMode (..),
+    hClose,
+    hPutChar,
+    hSeek,
+    hSetFileSize,
+    openTempFile,
+    withBinaryFile,
+  )
+import Test.Hspec
 import Test.Object.Support
+import Test.QuickCheck
 
 spec :: Spec
 spec = describe "store" $ do
   describe "is the relation" $ do
     it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
       withCanonical $ \place path ->
-      asked path $ \store ->
-        for_ [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18] $ \window ->
-          for_ everyPosition $ \at ->
+        asked path $ \store ->
+          for_
+            [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18]
+            $ \window ->
+              for_ everyPosition $ \at ->
+                storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "positions and windows of any size are answered, as on the torus" $
+      withCanonical $ \place path ->
+        asked path $ \store -> do
+          let huge = 10 ^ (30 :: Int)
+          let far = Position (15 * huge + 6) (17 * huge + 5)
+          for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
             storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
-    it "positions and windows of any size are answered, as on the torus" $ withCanonical $ \place path ->
-      asked path $ \store -> do
-        let huge = 10 ^ (30 :: Int)
-        let far = Position (15 * huge + 6) (17 * huge + 5)
-        for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
-          storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
     it "every cell of every face is where the placement says, and so are those that there are not" $
       withCanonical $ \place path ->
-      asked path $ \store ->
-        for_ blocks $ \block -> do
-          let beyond = [Position (blockRows block) 0, Position 0 (blockColumns block), Position 0 (10 ^ (30 :: Int))]
-          for_ (map snd (blockCells block) ++ beyond) $ \cell ->
-            storedPosition store (blockFace block) cell
-              `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
-    it "faces are found, and refused, as in the placement" $ withCanonical $ \place path ->
-      asked path $ \store ->
-        for_ [("cube", "C3 C4 C1 C2"), ("cube", "C4 C3 C2 C1"), ("cube", "P1 P2 P3 P4"), ("cube", ""), ("sphere", "C1 C2")] $
-          \(object, face) -> do
-            let named = Face object (readFaceName face)
-                cell = Position 1 1
-            storedPosition store named cell `shouldReturn` first NotInStore (arrayPosition place named cell)
-    it "a face that is not laid is refused as in the placement" $ inDirectory $ \directory -> theCube $ \solid_ ->
-      right (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings)) $ \place -> do
-        let path = directory </> "one-face.sqlite"
-            top = Face "cube" (readFaceName "C1 C2 C3 C4")
-        create path "profile" place `shouldReturn` Right ()
-        asked path $ \store -> do
-          storedPosition store top (Position 0 0) `shouldReturn` Left (NotInStore (FaceNotLaid top))
-          for_ everyPosition $ \at ->
-            storedWhereabouts store canonicalWindow at `shouldReturn` Right (whereabouts place canonicalWindow at)
-    it "the placement and the profile come back" $ withCanonical $ \place path ->
-      asked path $ \store -> (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
-    it "placementOf . relation = id" $ thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
+        asked path $ \store ->
+          for_ blocks $ \block -> do
+            let beyond =
+                  [ Position (blockRows block) 0,
+                    Position 0 (blockColumns block),
+                    Position 0 (10 ^ (30 :: Int))
+                  ]
+            for_ (map snd (blockCells block) ++ beyond) $ \cell ->
+              storedPosition store (blockFace block) cell
+                `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
+    it "faces are found, and refused, as in the placement" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          for_
+            [ ("cube", "C3 C4 C1 C2"),
+              ("cube", "C4 C3 C2 C1"),
+              ("cube", "P1 P2 P3 P4"),
+              ("cube", ""),
+              ("sphere", "C1 C2")
+            ]
+            $ \(object, face) -> do
+              let named = Face object (readFaceName face)
+                  cell = Position 1 1
+              storedPosition store named cell
+                `shouldReturn` first NotInStore (arrayPosition place named cell)
+    it "a face that is not laid is refused as in the placement" $
+      inDirectory $ \directory -> theCube $ \solid_ ->
+        right
+          (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings))
+          $ \place -> do
+            let path = directory </> "one-face.sqlite"
+                top = Face "cube" (readFaceName "C1 C2 C3 C4")
+            create path "profile" place `shouldReturn` Right ()
+            asked path $ \store -> do
+              storedPosition store top (Position 0 0)
+                `shouldReturn` Left (NotInStore (FaceNotLaid top))
+              for_ everyPosition $ \at ->
+                storedWhereabouts store canonicalWindow at
+                  `shouldReturn` Right (whereabouts place canonicalWindow at)
+    it "the placement and the profile come back" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
+    it "placementOf . relation = id" $
+      thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
 
   describe "is one file, replaced whole or not at all" $ do
-    it "nothing else is left beside it, made twice" $ inDirectory $ \directory -> thePlacement $ \place -> do
-      create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
-      create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
-      asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
-      listDirectory directory `shouldReturn` ["a.sqlite"]
-    it "what cannot be stored leaves the file as it was" $ withCanonical $ \place path -> theCube $ \solid_ ->
-      right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) $ \odd_ -> do
-        create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
-        asked path $ \store -> storedPlacement store `shouldBe` place
-    it "a directory, or a folder that is not there, is refused" $ inDirectory $ \directory -> thePlacement $ \place -> do
-      create directory profileText place `shouldReturn` Left (IsDirectory directory)
-      create (directory </> "none" </> "a.sqlite") profileText place >>= (`shouldSatisfy` isCannotWrite)
-      listDirectory directory `shouldReturn` []
-    it "names that SQLite keeps for itself are plain names" $ inDirectory $ \directory -> thePlacement $ \place -> do
-      create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
-      asked (directory </> "file:x?mode=memory") $ \store -> storedPlacement store `shouldBe` place
+    it "nothing else is left beside it, made twice" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
+        create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
+        asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
+        listDirectory directory `shouldReturn` ["a.sqlite"]
+    it "what cannot be stored leaves the file as it was" $
+      withCanonical $ \place path -> theCube $ \solid_ ->
+        right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) $ \odd_ -> do
+          create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
+          asked path $ \store -> storedPlacement store `shouldBe` place
+    it "a directory, or a folder that is not there, is refused" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create directory profileText place `shouldReturn` Left (IsDirectory directory)
+        create (directory </> "none" </> "a.sqlite") profileText place
+          >>= (`shouldSatisfy` isCannotWrite)
+        listDirectory directory `shouldReturn` []
+    it "names that SQLite keeps for itself are plain names" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
+        asked (directory </> "file:x?mode=memory") $ \store ->
+          storedPlacement store `shouldBe` place
 
   describe "refuses, with a reason and no exception," $ do
-    it "a file that is not there, and does not make it" $ inDirectory $ \directory -> do
-      opening (directory </> "none.sqlite") `shouldReturn` Left (NoSuchFile (directory </> "none.sqlite"))
-      listDirectory directory `shouldReturn` []
-    it "a directory" $ inDirectory $ \directory -> opening directory `shouldReturn` Left (IsDirectory directory)
-    it "a text file, and an empty one, named as a database" $ inDirectory $ \directory -> do
-      let path = directory </> "text.sqlite"
-      for_ ["", "SQLite form", "cube,C1 C2 C3 C4\n"] $ \contents -> do
-        writeFile path contents
-        opening path `shouldReturn` Left (NotADatabase path)
-    it "a file cut off anywhere" $ withCanonical $ \_ path -> do
-      size <- getFileSize path
-      let lengths = [size - 1] ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009)) ++ [15, 16, 17, 99, 100, 101]
-      for_ lengths $ \kept -> do
-        cut <- copied path (path ++ ".cut")
-        withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
-        opening cut >>= (`shouldSatisfy` (if kept < 16 then (== Left (NotADatabase cut)) else isDamaged cut))
-    it "bytes overwritten at random, or answers" $ withCanonical $ \_ path -> do
-      size <- getFileSize path
-      damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
-      for_ damages $ \(at, byte) -> do
-        broken <- copied path (path ++ ".broken")
-        withBinaryFile broken ReadWriteMode $ \handle -> do
-          hSeek handle AbsoluteSeek at
-          hPutChar handle (toEnum (byte `mod` 256))
-        outcome <- withStore broken Nothing $ \store ->
-          for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
-            storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
-        void (evaluate (length (show outcome)))
-        either plain (const (pure ())) outcome
-    it "a database of something else" $ inDirectory $ \directory -> do
-      let path = directory </> "other.sqlite"
-      execute path "CREATE TABLE shopping (item TEXT)"
-      opening path `shouldReturn` Left (NotAStore path)
-    it "tables of another version" $ tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
-      outcome `shouldBe` Left (WrongSchemaVersion 7 schemaVersion)
-    it "a store of another profile" $ withCanonical $ \_ path ->
-      withStore path (Just "another") (const (pure ())) `shouldReturn` Left (ForeignProfile profileText "another")
+    it "a file that is not there, and does not make it" $
+      inDirectory $ \directory -> do
+        opening (directory </> "none.sqlite")
+          `shouldReturn` Left (NoSuchFile (directory </> "none.sqlite"))
+        listDirectory directory `shouldReturn` []
+    it "a directory" $
+      inDirectory $ \directory -> opening directory `shouldReturn` Left (IsDirectory directory)
+    it "a text file, and an empty one, named as a database" $
+      inDirectory $ \directory -> do
+        let path = directory </> "text.sqlite"
+        for_ ["", "SQLite form", "cube,C1 C2 C3 C4\n"] $ \contents -> do
+          writeFile path contents
+          opening path `shouldReturn` Left (NotADatabase path)
+    it "a file cut off anywhere" $
+      withCanonical $ \_ path -> do
+        size <- getFileSize path
+        let lengths =
+              [size - 1]
+                ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009))
+                ++ [15, 16, 17, 99, 100, 101]
+        for_ lengths $ \kept -> do
+          cut <- copied path (path ++ ".cut")
+          withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
+          opening cut
+            >>= ( `shouldSatisfy`
+                    ( if kept < 16
+                        then (== Left (NotADatabase cut))
+                        else isDamaged cut
+                    )
+                )
+    it "bytes overwritten at random, or answers" $
+      withCanonical $ \_ path -> do
+        size <- getFileSize path
+        damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
+        for_ damages $ \(at, byte) -> do
+          broken <- copied path (path ++ ".broken")
+          withBinaryFile broken ReadWriteMode $ \handle -> do
+            hSeek handle AbsoluteSeek at
+            hPutChar handle (toEnum (byte `mod` 256))
+          outcome <- withStore broken Nothing $ \store ->
+            for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
+              storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
+          void (evaluate (length (show outcome)))
+          either plain (const (pure ())) outcome
+    it "a database of something else" $
+      inDirectory $ \directory -> do
+        let path = directory </> "other.sqlite"
+        execute path "CREATE TABLE shopping (item TEXT)"
+        opening path `shouldReturn` Left (NotAStore path)
+    it "tables of another version" $
+      tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
+        outcome `shouldBe` Left (WrongSchemaVersion 7 schemaVersion)
+    it "a store of another profile" $
+      withCanonical $ \_ path ->
+        withStore path (Just "another") (const (pure ()))
+          `shouldReturn` Left (ForeignProfile profileText "another")
     for_ contradictions $ \(sentence, statement, expected) ->
       it sentence $ tampered statement $ \_ outcome -> outcome `shouldBe` Left expected
-    it "words where numbers should be" $ tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
-      outcome `shouldSatisfy` isDamaged path
-    it "a table that is missing" $ tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
-    it "a column that is missing" $ tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
-      outcome `shouldBe` Left (TablesDiffer path)
+    it "words where numbers should be" $
+      tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
+        outcome `shouldSatisfy` isDamaged path
+    it "a table that is missing" $
+      tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that is missing" $
+      tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
     it "an object, a vertex or a face by another name, with the rows that refer to it" $ do
-      tampered "UPDATE object SET name = 'box' WHERE name = 'cube'" $ \_ outcome -> outcome `shouldBe` Left ChangedRows
-      tampered "UPDATE metadata SET profile = profile || ' '" $ \_ outcome -> outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE object SET name = 'box' WHERE name = 'cube'" $ \_ outcome ->
+        outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE metadata SET profile = profile || ' '" $ \_ outcome ->
+        outcome `shouldBe` Left ChangedRows
       tampered "UPDATE metadata SET contents = 'f' || substr(contents, 2)" $ \_ outcome ->
         outcome `shouldSatisfy` (`elem` [Left ChangedRows, Right ()])
-    it "any cell of any table changed: other numbers, other words, and values of other types, without a foreign word" $
-      withCanonical $ \_ path -> do
+    it
+      "any cell of any table changed: other numbers, other words, and values of other types, \
+      \without a foreign word"
+      $ withCanonical $ \_ path -> do
         changes <- concat <$> traverse (changesOf path) tableNames
         length changes `shouldSatisfy` (> 600)
         for_ changes $ \change -> do
@@ -149,20 +218,25 @@ spec = describe "store" $ do
           outcome <- opening changed
           case applied of
             -- What a key or a column does not take is not there.
-            Left fault -> Sqlite.seError fault `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
+            Left fault ->
+              Sqlite.seError fault
+                `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
             Right () -> do
               (change, outcome) `shouldSatisfy` (/= Right ()) . snd
               either plain (const (pure ())) outcome
 
-  describe "has keys" $ for_ duplicates $ \(table, columns_) ->
-    it ("no row of " ++ Text.unpack table ++ " twice") $ withCanonical $ \_ path -> do
-      let listed = Text.intercalate ", " columns_
-          doubling = ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
-      outcome <- try (execute path (Text.unwords doubling))
-      first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
+  describe "has keys" $
+    for_ duplicates $ \(table, columns_) ->
+      it ("no row of " ++ Text.unpack table ++ " twice") $
+        withCanonical $ \_ path -> do
+          let listed = Text.intercalate ", " columns_
+              doubling =
+                ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
+          outcome <- try (execute path (Text.unwords doubling))
+          first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
 
--- One cell at a time of the first row, one in the middle and the last, keys included, each with another value of its type
--- and with values of other types.
+-- One cell at a time of the first row, one in the middle and the last, keys included, each with
+-- another value of its type and with values of other types.
 changesOf :: FilePath -> Text -> IO [Text]
 changesOf path table = do
   columns_ <- asking (Text.unwords ["SELECT name FROM pragma_table_info('" <> table <> "')"])
@@ -170,21 +244,32 @@ changesOf path table = do
   let count = sum (map (read . Text.unpack) counted) :: Int
       which = nub [1, (count + 1) `div` 2, count]
   pure
-    [ Text.unwords ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", Text.pack (show at)]
-    | column_ <- columns_, at <- which, to <- values ]
+    [ Text.unwords
+        ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", Text.pack (show at)]
+      | column_ <- columns_,
+        at <- which,
+        to <- values
+    ]
   where
     values =
-      [ \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN " <> c <> " || 'x' ELSE " <> c <> " + 1 END"
-      , \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN '' ELSE -1 - " <> c <> " END"
-      , const "'word'", const "x'ff00'", const "CAST(x'ff' AS TEXT)", const "1.5", const "9223372036854775807" ]
+      [ \c ->
+          "CASE typeof(" <> c <> ") WHEN 'text' THEN " <> c <> " || 'x' ELSE " <> c <> " + 1 END",
+        \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN '' ELSE -1 - " <> c <> " END",
+        const "'word'",
+        const "x'ff00'",
+        const "CAST(x'ff' AS TEXT)",
+        const "1.5",
+        const "9223372036854775807"
+      ]
     asking question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
       bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->
-        let rows_ = Sqlite.step statement >>= \more -> case more of
-              Sqlite.Row -> do
-                values_ <- Sqlite.columns statement
-                (map shown (take 1 values_) ++) <$> rows_
-              Sqlite.Done -> pure []
-        in rows_
+        let rows_ =
+              Sqlite.step statement >>= \more -> case more of
+                Sqlite.Row -> do
+                  values_ <- Sqlite.columns statement
+                  (map shown (take 1 values_) ++) <$> rows_
+                Sqlite.Done -> pure []
+         in rows_
     shown value = case value of
       PersistText text -> text
       PersistInt64 n -> Text.pack (show n)
@@ -198,7 +283,21 @@ plain :: StoreError -> Expectation
 plain fault = do
   let said = storeMessage fault
   length (lines said) `shouldBe` 1
-  filter (`isInfixOf` said) ["Persist", "Haskell", "parse", "openBinaryFile", "hClose", "SQLite3", "Table", "Int64", "ByteString", "exception", "UTF-8", "decode"]
+  filter
+    (`isInfixOf` said)
+    [ "Persist",
+      "Haskell",
+      "parse",
+      "openBinaryFile",
+      "hClose",
+      "SQLite3",
+      "Table",
+      "Int64",
+      "ByteString",
+      "exception",
+      "UTF-8",
+      "decode"
+    ]
     `shouldBe` []
 
 profileText :: String
@@ -207,42 +306,81 @@ profileText = "any text, \"quoted\"; with ' and \955\n"
 -- What may not be written into a store, and the answer.
 contradictions :: [(String, Text, StoreError)]
 contradictions =
-  [ ("no metadata", "DELETE FROM metadata", UnreadableRow MetadataTable)
-  , ("a cell moved on its face"
-    , "UPDATE cell SET local_column = 99 WHERE id = 7"
-    , InconsistentRows (RowsDisagree CellTable))
-  , ("a cell missing", "DELETE FROM cell WHERE id = 228", InconsistentRows (RowsDisagree CellTable))
-  , ("a cell of no face", "UPDATE cell SET laying = 99 WHERE id = 7", UnreadableRow CellTable)
-  , ("a cell in a negative row", "UPDATE cell SET array_row = -1 WHERE id = 7", UnreadableRow CellTable)
-  , ("a face laid over another", "UPDATE laying SET at_row = 1, at_column = 5 WHERE id = 1"
-    , InconsistentRows (NotPlaced (FacesOverlap (blockFace (blocks !! 0)) (blockFace (blocks !! 1))
-        [Position r c | r <- [1 .. 3], c <- [5 .. 9]])))
-  , ("a face wider than its vertices are apart"
-    , "UPDATE laying SET width_um = 127001 WHERE id = 2"
-    , InconsistentRows (RowsDisagree LayingTable))
-  , ("a face by another name", "UPDATE face SET name = 'lid' WHERE id = 4", InconsistentRows (RowsDisagree FaceTable))
-  , ("an edge between other faces"
-    , "UPDATE edge SET left_face = right_face WHERE id = 3"
-    , InconsistentRows (RowsDisagree EdgeTable))
-  , ("an edge missing", "DELETE FROM edge WHERE id = 24", InconsistentRows (RowsDisagree EdgeTable))
-  , ("an edge to no vertex", "UPDATE edge SET end_vertex = 99 WHERE id = 3", UnreadableRow EdgeTable)
-  , ("an object with a vertex moved", "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'"
-    , InconsistentRows (NotSolid "cube" (NotPlanar (readFaceName "C1 C2 C3 C4"))))
-  , ("an object with a vertex too many"
-    , "INSERT INTO vertex (object, name, x_um, y_um, z_um) VALUES (1, 'C9', 1, 2, 3)"
-    , InconsistentRows (NotSolid "cube" (UnusedVertex "C9")))
+  [ ("no metadata", "DELETE FROM metadata", UnreadableRow MetadataTable),
+    ( "a cell moved on its face",
+      "UPDATE cell SET local_column = 99 WHERE id = 7",
+      InconsistentRows (RowsDisagree CellTable)
+    ),
+    ( "a cell missing",
+      "DELETE FROM cell WHERE id = 228",
+      InconsistentRows (RowsDisagree CellTable)
+    ),
+    ("a cell of no face", "UPDATE cell SET laying = 99 WHERE id = 7", UnreadableRow CellTable),
+    ( "a cell in a negative row",
+      "UPDATE cell SET array_row = -1 WHERE id = 7",
+      UnreadableRow CellTable
+    ),
+    ( "a face laid over another",
+      "UPDATE laying SET at_row = 1, at_column = 5 WHERE id = 1",
+      InconsistentRows
+        ( NotPlaced
+            ( FacesOverlap
+                (blockFace (blocks !! 0))
+                (blockFace (blocks !! 1))
+                [Position r c | r <- [1 .. 3], c <- [5 .. 9]]
+            )
+        )
+    ),
+    ( "a face wider than its vertices are apart",
+      "UPDATE laying SET width_um = 127001 WHERE id = 2",
+      InconsistentRows (RowsDisagree LayingTable)
+    ),
+    ( "a face by another name",
+      "UPDATE face SET name = 'lid' WHERE id = 4",
+      InconsistentRows (RowsDisagree FaceTable)
+    ),
+    ( "an edge between other faces",
+      "UPDATE edge SET left_face = right_face WHERE id = 3",
+      InconsistentRows (RowsDisagree EdgeTable)
+    ),
+    ( "an edge missing",
+      "DELETE FROM edge WHERE id = 24",
+      InconsistentRows (RowsDisagree EdgeTable)
+    ),
+    ( "an edge to no vertex",
+      "UPDATE edge SET end_vertex = 99 WHERE id = 3",
+      UnreadableRow EdgeTable
+    ),
+    ( "an object with a vertex moved",
+      "UPDATE vertex SET z_um = z_um + 1 WHERE name = 'C1'",
+      InconsistentRows (NotSolid "cube" (NotPlanar (readFaceName "C1 C2 C3 C4")))
+    ),
+    ( "an object with a vertex too many",
+      "INSERT INTO vertex (object, name, x_um, y_um, z_um) VALUES (1, 'C9', 1, 2, 3)",
+      InconsistentRows (NotSolid "cube" (UnusedVertex "C9"))
+    )
   ]
 
 duplicates :: [(Text, [Text])]
 duplicates =
-  [ ("metadata", ["schema_version", "profile", "array_rows", "array_columns", "pitch_right_um", "pitch_down_um"])
-  , ("object", ["name"])
-  , ("vertex", ["object", "name", "x_um", "y_um", "z_um"])
-  , ("face", ["object", "name"])
-  , ("corner", ["face", "number", "vertex"])
-  , ("edge", ["object", "start_vertex", "end_vertex", "left_face", "right_face"])
-  , ("laying", ["face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
-  , ("cell", ["array_row", "array_column", "laying", "local_row", "local_column"])
+  [ ( "metadata",
+      [ "schema_version",
+        "profile",
+        "array_rows",
+        "array_columns",
+        "pitch_right_um",
+        "pitch_down_um"
+      ]
+    ),
+    ("object", ["name"]),
+    ("vertex", ["object", "name", "x_um", "y_um", "z_um"]),
+    ("face", ["object", "name"]),
+    ("corner", ["face", "number", "vertex"]),
+    ("edge", ["object", "start_vertex", "end_vertex", "left_face", "right_face"]),
+    ( "laying",
+      ["face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"]
+    ),
+    ("cell", ["array_row", "array_column", "laying", "local_row", "local_column"])
   ]
 
 isCannotWrite :: Either StoreError () -> Bool
@@ -266,7 +404,8 @@ withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
   test place path
 
 tampered :: Text -> (FilePath -> Either StoreError () -> Expectation) -> Expectation
-tampered statement test = withCanonical $ \_ path -> execute path statement >> opening path >>= test path
+tampered statement test =
+  withCanonical $ \_ path -> execute path statement >> opening path >>= test path
 
 -- Without the foreign keys' guard, which is off where it is not asked for.
 execute :: FilePath -> Text -> IO ()

@@ -23,25 +23,29 @@ import Test.Object.Support (right)
 
 spec :: Spec
 spec = describe "create" $ do
-  it "writes under a new name, and over a store, of an older version too" $ inFolder $ \folder place -> do
-    let path = folder </> "a.sqlite"
-    create path "one" place `shouldReturn` Right ()
-    create path "two" place `shouldReturn` Right ()
-    profileIn path `shouldReturn` Right "two"
-    execute path "UPDATE metadata SET schema_version = 1"
-    create path "three" place `shouldReturn` Right ()
-    profileIn path `shouldReturn` Right "three"
-    listDirectory folder `shouldReturn` ["a.sqlite"]
-  it "follows a link to a store: the store is replaced, the link stays" $ inFolder $ \folder place -> do
-    let (path, link) = (folder </> "a.sqlite", folder </> "link")
-    create path "one" place `shouldReturn` Right ()
-    createFileLink "a.sqlite" link
-    create link "two" place `shouldReturn` Right ()
-    profileIn path `shouldReturn` Right "two"
-    pathIsSymbolicLink link `shouldReturn` True
-    sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "link"]
-  it "refuses a text file, an empty one, one that begins as a database, and another database; they stay to the byte" $
+  it "writes under a new name, and over a store, of an older version too" $
     inFolder $ \folder place -> do
+      let path = folder </> "a.sqlite"
+      create path "one" place `shouldReturn` Right ()
+      create path "two" place `shouldReturn` Right ()
+      profileIn path `shouldReturn` Right "two"
+      execute path "UPDATE metadata SET schema_version = 1"
+      create path "three" place `shouldReturn` Right ()
+      profileIn path `shouldReturn` Right "three"
+      listDirectory folder `shouldReturn` ["a.sqlite"]
+  it "follows a link to a store: the store is replaced, the link stays" $
+    inFolder $ \folder place -> do
+      let (path, link) = (folder </> "a.sqlite", folder </> "link")
+      create path "one" place `shouldReturn` Right ()
+      createFileLink "a.sqlite" link
+      create link "two" place `shouldReturn` Right ()
+      profileIn path `shouldReturn` Right "two"
+      pathIsSymbolicLink link `shouldReturn` True
+      sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "link"]
+  it
+    "refuses a text file, an empty one, one that begins as a database, and another database; they \
+    \stay to the byte"
+    $ inFolder $ \folder place -> do
       let path = folder </> "mine"
       execute (folder </> "other") "CREATE TABLE metadata (schema_version INTEGER, profile TEXT)"
       execute (folder </> "wal") "PRAGMA journal_mode = WAL"
@@ -50,17 +54,22 @@ spec = describe "create" $ do
       create (folder </> "a.sqlite") "one" place `shouldReturn` Right ()
       cut <- Bytes.take 5000 <$> Bytes.readFile (folder </> "a.sqlite")
       there <- listDirectory folder
-      forM_ (["precious\n", "", "SQLite format 3", "SQLite format 3\0", cut] ++ foreigners) $ \content -> do
-        Bytes.writeFile path content
-        create path "two" place `shouldReturn` Left (Occupied path NoStore)
-        Bytes.readFile path `shouldReturn` content
-        createFileLink path (path ++ ".link")
-        create (path ++ ".link") "two" place `shouldReturn` Left (Occupied (path ++ ".link") NoStore)
-        Bytes.readFile path `shouldReturn` content
-        removeLink (path ++ ".link")
+      forM_
+        (["precious\n", "", "SQLite format 3", "SQLite format 3\0", cut] ++ foreigners)
+        $ \content -> do
+          Bytes.writeFile path content
+          create path "two" place `shouldReturn` Left (Occupied path NoStore)
+          Bytes.readFile path `shouldReturn` content
+          createFileLink path (path ++ ".link")
+          create (path ++ ".link") "two" place
+            `shouldReturn` Left (Occupied (path ++ ".link") NoStore)
+          Bytes.readFile path `shouldReturn` content
+          removeLink (path ++ ".link")
       sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
-  it "refuses a folder, a pipe, a device, a link to any of them and a link to nothing, and opens none" $
-    inFolder $ \folder place -> do
+  it
+    "refuses a folder, a pipe, a device, a link to any of them and a link to nothing, and opens \
+    \none"
+    $ inFolder $ \folder place -> do
       createDirectory (folder </> "folder")
       createNamedPipe (folder </> "pipe") 0o600
       createFileLink (folder </> "pipe") (folder </> "to-pipe")
@@ -70,34 +79,41 @@ spec = describe "create" $ do
       -- The device that takes everything, under a name of its own.
       when (user == 0) $ createDevice (folder </> "device") (characterSpecialMode + 0o600) 0x103
       there <- sort <$> listDirectory folder
-      create (folder </> "folder") "one" place `shouldReturn` Left (IsDirectory (folder </> "folder"))
+      create (folder </> "folder") "one" place
+        `shouldReturn` Left (IsDirectory (folder </> "folder"))
       forM_ (["pipe", "to-pipe"] ++ ["device" | user == 0]) $ \name -> do
-        create (folder </> name) "one" place `shouldReturn` Left (Occupied (folder </> name) NoRegularFile)
-        withStore (folder </> name) Nothing (const (pure ())) `shouldReturn` Left (NotADatabase (folder </> name))
-      create (folder </> "to-nothing") "one" place `shouldReturn` Left (Occupied (folder </> "to-nothing") DanglingLink)
-      create (folder </> "round") "one" place >>= (`shouldSatisfy` either (const True) (const False))
+        create (folder </> name) "one" place
+          `shouldReturn` Left (Occupied (folder </> name) NoRegularFile)
+        withStore (folder </> name) Nothing (const (pure ()))
+          `shouldReturn` Left (NotADatabase (folder </> name))
+      create (folder </> "to-nothing") "one" place
+        `shouldReturn` Left (Occupied (folder </> "to-nothing") DanglingLink)
+      create (folder </> "round") "one" place
+        >>= (`shouldSatisfy` either (const True) (const False))
       sort <$> listDirectory folder `shouldReturn` there
       when (user == 0) $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True
-  it "uses up what an interrupted run left behind, its journal too, and nothing else of that name" $ inFolder $ \folder place -> do
-    let path = folder </> "a.sqlite"
-        part = path ++ ".part"
-    create (folder </> "b.sqlite") "old" place `shouldReturn` Right ()
-    store <- Bytes.readFile (folder </> "b.sqlite")
-    forM_ ["", "SQLite form", Bytes.take 9000 store, store] $ \content -> do
-      Bytes.writeFile part content
-      Bytes.writeFile (part ++ "-journal") (Bytes8.replicate 600 'j')
-      create path "new" place `shouldReturn` Right ()
+  it "uses up what an interrupted run left behind, its journal too, and nothing else of that name" $
+    inFolder $ \folder place -> do
+      let path = folder </> "a.sqlite"
+          part = path ++ ".part"
+      create (folder </> "b.sqlite") "old" place `shouldReturn` Right ()
+      store <- Bytes.readFile (folder </> "b.sqlite")
+      forM_ ["", "SQLite form", Bytes.take 9000 store, store] $ \content -> do
+        Bytes.writeFile part content
+        Bytes.writeFile (part ++ "-journal") (Bytes8.replicate 600 'j')
+        create path "new" place `shouldReturn` Right ()
+        profileIn path `shouldReturn` Right "new"
+        sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "b.sqlite"]
+      Bytes.writeFile part "precious\n"
+      create path "newer" place `shouldReturn` Left (Occupied part NoStore)
+      Bytes.readFile part `shouldReturn` "precious\n"
       profileIn path `shouldReturn` Right "new"
-      sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "b.sqlite"]
-    Bytes.writeFile part "precious\n"
-    create path "newer" place `shouldReturn` Left (Occupied part NoStore)
-    Bytes.readFile part `shouldReturn` "precious\n"
-    profileIn path `shouldReturn` Right "new"
 
 inFolder :: (FilePath -> Placement -> Expectation) -> Expectation
-inFolder test = withSystemTempDirectory "pra-tactile" $ \folder -> right canonicalPlacement (test folder)
+inFolder test =
+  withSystemTempDirectory "pra-tactile" $ \folder -> right canonicalPlacement (test folder)
 
 profileIn :: FilePath -> IO (Either StoreError String)
 profileIn path = withStore path Nothing (pure . storedProfile)

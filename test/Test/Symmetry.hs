@@ -16,19 +16,28 @@ spec = do
     it "g <> h is one of them" $
       [(g, h) | g <- symmetries, h <- symmetries, g <> h `notElem` symmetries] `shouldBe` []
     it "identity <> g = g = g <> identity" $
-      [g | g <- symmetries, identity <> g /= g || g <> identity /= g || mempty <> g /= g] `shouldBe` []
+      [g | g <- symmetries, identity <> g /= g || g <> identity /= g || mempty <> g /= g]
+        `shouldBe` []
     it "(f <> g) <> h = f <> (g <> h)" $
-      [(f, g, h) | f <- symmetries, g <- symmetries, h <- symmetries, (f <> g) <> h /= f <> (g <> h)] `shouldBe` []
+      [ (f, g, h)
+        | f <- symmetries,
+          g <- symmetries,
+          h <- symmetries,
+          (f <> g) <> h /= f <> (g <> h)
+      ]
+        `shouldBe` []
     it "invert g <> g = identity = g <> invert g" $
       [g | g <- symmetries, invert g <> g /= identity || g <> invert g /= identity] `shouldBe` []
     it "turned m <> turned n = turned (m + n), and turned 4 = identity" $ do
-      [(m, n) | m <- [-5 .. 5], n <- [-5 .. 5], turned m <> turned n /= turned (m + n)] `shouldBe` []
+      [(m, n) | m <- [-5 .. 5], n <- [-5 .. 5], turned m <> turned n /= turned (m + n)]
+        `shouldBe` []
       turned 4 `shouldBe` identity
     it "mirror <> mirror = identity, and mirror <> turned n = turned (-n) <> mirror" $ do
       mirror <> mirror `shouldBe` identity
       [n | n <- [0 .. 3], mirror <> turned n /= turned (negate n) <> mirror] `shouldBe` []
     it "consists of the rotations and those of the mirror image, each by what it is called" $ do
-      [(mirrored g, quarterTurns g) | g <- symmetries] `shouldBe` [(m, n) | m <- [False, True], n <- [0 .. 3]]
+      [(mirrored g, quarterTurns g) | g <- symmetries]
+        `shouldBe` [(m, n) | m <- [False, True], n <- [0 .. 3]]
       symmetries `shouldBe` rotations ++ [g <> mirror | g <- rotations]
   describe "its actions" $ do
     it "rows: turned 1 is a quarter turn clockwise, mirror exchanges left and right" $ do
@@ -36,7 +45,8 @@ spec = do
       onRows mirror ["abc", "def"] `shouldBe` ["cba", "fed"]
     it "onRows identity = id, and onRows (g <> h) = onRows g . onRows h" $ do
       onRows identity scene `shouldBe` scene
-      forM_ symmetries $ \g -> forM_ symmetries $ \h -> onRows (g <> h) scene `shouldBe` onRows g (onRows h scene)
+      forM_ symmetries $ \g ->
+        forM_ symmetries $ \h -> onRows (g <> h) scene `shouldBe` onRows g (onRows h scene)
     it "onShape (g <> h) = onShape g . onShape h, the shape of the rows" $
       forM_ shapes $ \shape -> forM_ symmetries $ \g -> do
         let seen = onRows g (cellsOf shape)
@@ -44,13 +54,19 @@ spec = do
         forM_ symmetries $ \h -> onShape (g <> h) shape `shouldBe` onShape g (onShape h shape)
     it "onPosition tells where the rows have a cell" $
       forM_ shapes $ \shape -> forM_ symmetries $ \g -> do
-        let seen = [(cell, Position i j) | (i, line) <- zip [0 ..] (onRows g (cellsOf shape)), (j, cell) <- zip [0 ..] line]
+        let seen =
+              [ (cell, Position i j)
+                | (i, line) <- zip [0 ..] (onRows g (cellsOf shape)),
+                  (j, cell) <- zip [0 ..] line
+              ]
         [(cell, onPosition g shape cell) | (cell, _) <- seen] `shouldBe` seen
     it "onPosition (g <> h) shape = onPosition g (onShape h shape) . onPosition h shape" $
-      forM_ shapes $ \shape -> forM_ symmetries $ \g -> forM_ symmetries $ \h -> forM_ (concat (cellsOf shape)) $ \cell ->
-        onPosition (g <> h) shape cell `shouldBe` onPosition g (onShape h shape) (onPosition h shape cell)
- where
-  scene = ["abc", "def"]
-  shapes = [Shape h w | h <- [1 .. 3], w <- [1 .. 4]]
-  cellsOf (Shape h w) = [[Position i j | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
-  count xs = fromIntegral (length xs)
+      forM_ shapes $ \shape ->
+        forM_ symmetries $ \g -> forM_ symmetries $ \h -> forM_ (concat (cellsOf shape)) $ \cell ->
+          onPosition (g <> h) shape cell
+            `shouldBe` onPosition g (onShape h shape) (onPosition h shape cell)
+  where
+    scene = ["abc", "def"]
+    shapes = [Shape h w | h <- [1 .. 3], w <- [1 .. 4]]
+    cellsOf (Shape h w) = [[Position i j | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
+    count xs = fromIntegral (length xs)

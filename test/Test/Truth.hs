@@ -1,58 +1,93 @@
 -- | Where a point that the robot touched truly is, and answers compared with that.
 module Test.Truth (spec) where
 
-import Test.Hspec
-import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
-
 import PraTactile.Explore
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Truth
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop "the region's corners, as the robot sees them, are the corners of the rectangle on the face, turned clockwise" $
-    forAllShrink someTruth simpler $ \truth ->
+  prop
+    "the region's corners, as the robot sees them, are the corners of the rectangle on the face, \
+    \turned clockwise"
+    $ forAllShrink someTruth simpler $ \truth ->
       let region = truthRegion truth
-          (wide, high) = (taxelPitch * fromIntegral (regionWidth region), taxelPitch * fromIntegral (regionHeight region))
+          (wide, high) =
+            ( taxelPitch * fromIntegral (regionWidth region),
+              taxelPitch * fromIntegral (regionHeight region)
+            )
           (ox, oy) = truthOrigin truth
-          -- Clockwise from the upper left, in the robot's frame and on the face. A face that is turned clockwise by
-          -- a quarter shows its lower left corner at the upper left.
+          -- Clockwise from the upper left, in the robot's frame and on the face. A face that is
+          -- turned clockwise by a quarter shows its lower left corner at the upper left.
           seen = [(ox, oy), (ox + wide, oy), (ox + wide, oy + high), (ox, oy + high)]
           (left, top) = (taxelPitch * regionRight region, taxelPitch * regionDown region)
           (across, down) = if odd (regionTurns region) then (high, wide) else (wide, high)
-          onFace = [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
+          onFace =
+            [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
           turned = take 4 (drop ((4 - regionTurns region) `mod` 4) (cycle onFace))
-      in conjoin (zipWith near (map (truePlace truth) seen) turned)
-  prop "an answer that names the true place of what it saw agrees to nothing; moved less than half a cell, to as much; more, it is elsewhere" $
-    forAllShrink someTruth simpler $ \truth point (dx, dy) ->
+       in conjoin (zipWith near (map (truePlace truth) seen) turned)
+  prop
+    "an answer that names the true place of what it saw agrees to nothing; moved less than half a \
+    \cell, to as much; more, it is elsewhere"
+    $ forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
-          claim = Claim (truthFace truth) (90 * regionTurns (truthRegion truth)) (x + dx, y + dy) point
+          claim =
+            Claim (truthFace truth) (90 * regionTurns (truthRegion truth)) (x + dx, y + dy) point
           distance = sqrt (dx * dx + dy * dy)
-      in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
-           Right far -> abs dx < 12.7 + tiny && abs dy < 15.875 + tiny && abs (far - distance) < tiny
-           Left (Elsewhere far) -> (abs dx > 12.7 - tiny || abs dy > 15.875 - tiny) && abs (far - distance) < tiny
-           Left _ -> False
-  prop "another face, or another way up, is no agreement, wherever it is" $ forAllShrink someTruth simpler $ \truth point ->
-    let right = Claim (truthFace truth) (90 * regionTurns (truthRegion truth)) (truePlace truth point) point
-    in (compared canonicalPitch truth right { claimFace = Face (ObjectName "cube") (readFaceName "C2 C6 C7 C3") }
-       , compared canonicalPitch truth right { claimDegrees = (claimDegrees right + 90) `mod` 360 })
-         === (Left OtherFace, Left OtherWayUp)
+       in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
+            Right far ->
+              abs dx < 12.7 + tiny && abs dy < 15.875 + tiny && abs (far - distance) < tiny
+            Left (Elsewhere far) ->
+              (abs dx > 12.7 - tiny || abs dy > 15.875 - tiny) && abs (far - distance) < tiny
+            Left _ -> False
+  prop "another face, or another way up, is no agreement, wherever it is" $
+    forAllShrink someTruth simpler $ \truth point ->
+      let right =
+            Claim
+              (truthFace truth)
+              (90 * regionTurns (truthRegion truth))
+              (truePlace truth point)
+              point
+       in ( compared
+              canonicalPitch
+              truth
+              right
+                { claimFace = Face (ObjectName "cube") (readFaceName "C2 C6 C7 C3")
+                },
+            compared canonicalPitch truth right {claimDegrees = (claimDegrees right + 90) `mod` 360}
+          )
+            === (Left OtherFace, Left OtherWayUp)
   where
     tiny = 1e-6 :: Double
-    near (x, y) (u, v) = counterexample (show ((x, y), (u, v))) (abs (x - u) < tiny && abs (y - v) < tiny)
+    near (x, y) (u, v) =
+      counterexample (show ((x, y), (u, v))) (abs (x - u) < tiny && abs (y - v) < tiny)
 
 someTruth :: Gen Truth
-someTruth = Truth (Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4"))
-  <$> (Region <$> choose (0, 30) <*> choose (0, 30) <*> choose (16, 50) <*> choose (16, 50) <*> choose (0, 3))
-  <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
+someTruth =
+  Truth (Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4"))
+    <$> ( Region
+            <$> choose (0, 30)
+            <*> choose (0, 30)
+            <*> choose (16, 50)
+            <*> choose (16, 50)
+            <*> choose (0, 3)
+        )
+    <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
 
 -- | With its origins at 0, and upright.
 simpler :: Truth -> [Truth]
-simpler truth = filter (/= truth)
-  [ truth { truthOrigin = (0, 0) }, truth { truthRegion = region { regionRight = 0, regionDown = 0 } }, truth { truthRegion = region { regionTurns = 0 } } ]
+simpler truth =
+  filter
+    (/= truth)
+    [ truth {truthOrigin = (0, 0)},
+      truth {truthRegion = region {regionRight = 0, regionDown = 0}},
+      truth {truthRegion = region {regionTurns = 0}}
+    ]
   where
     region = truthRegion truth

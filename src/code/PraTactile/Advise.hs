@@ -1,26 +1,24 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- |
--- Which arrays are there? Given an alphabet, the least numbers of rows and columns, and perhaps a window: what
--- is possible, and what is not and why, in order of size. Pseudorandom arrays exist in few sizes, because
--- their cells number q^n - 1, or a divisor of it for several arrays together.
+-- | Which arrays are there? Given an alphabet, the least numbers of rows and columns, and perhaps a
+-- window: what is possible, and what is not and why, in order of size. Pseudorandom arrays exist in
+-- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays together.
 module PraTactile.Advise
   ( -- * Asking
-    Request (..)
-  , advise
-  , AdviceError (..)
+    Request (..),
+    advise,
+    AdviceError (..),
 
     -- * What is possible
-  , Advice (..)
-  , Option (..)
-  , Fit (..)
-  , Layout (..)
-  , layoutSurface
+    Advice (..),
+    Option (..),
+    Fit (..),
+    Layout (..),
+    layoutSurface,
 
     -- * What is not
-  , Obstacle (..)
-  , obstacleDegree
-  ) where
+    Obstacle (..),
+    obstacleDegree,
+  )
+where
 
 import Data.Bifunctor (first)
 import Data.List (sortOn)
@@ -37,14 +35,14 @@ import PraTactile.Window
 
 -- | What is wanted.
 data Request = Request
-  { requestOrder :: Natural
-  -- ^ q, the number of symbols
-  , requestRows :: Natural
-  -- ^ the least number of rows
-  , requestColumns :: Natural
-  -- ^ the least number of columns
-  , requestWindow :: Maybe Shape
-  -- ^ the window, or any
+  { -- | q, the number of symbols
+    requestOrder :: Natural,
+    -- | the least number of rows
+    requestRows :: Natural,
+    -- | the least number of columns
+    requestColumns :: Natural,
+    -- | the window, or any
+    requestWindow :: Maybe Shape
   }
   deriving stock (Eq, Show)
 
@@ -62,39 +60,42 @@ data AdviceError
 
 -- | What there is, and what there is not; both in order of size.
 data Advice = Advice
-  { adviceOptions :: [Option]
-  -- ^ what is possible, the fewest cells first
-  , adviceObstacles :: [Obstacle]
-  -- ^ what is not, for the same degrees
+  { -- | what is possible, the fewest cells first
+    adviceOptions :: [Option],
+    -- | what is not, for the same degrees
+    adviceObstacles :: [Obstacle]
   }
   deriving stock (Eq, Show)
 
 -- | Arrays that exist.
 data Option = Option
-  { optionDegree :: Natural
-  -- ^ the degree n of the primitive polynomial
-  , optionLayout :: Layout
-  -- ^ one array or several, and how the sequence is folded
-  , optionShape :: Shape
-  -- ^ the shape of each array
-  , optionFits :: [Fit]
-  -- ^ windows that tell the position, the most nearly square ones first; at least one
+  { -- | the degree n of the primitive polynomial
+    optionDegree :: Natural,
+    -- | one array or several, and how the sequence is folded
+    optionLayout :: Layout,
+    -- | the shape of each array
+    optionShape :: Shape,
+    -- | windows that tell the position, the most nearly square ones first; at least one
+    optionFits :: [Fit]
   }
   deriving stock (Eq, Show)
 
 -- | A combination that does not work, and why.
 data Obstacle
-  = -- | For this degree, q^n - 1, the second number, is not a product of so many rows and columns or more.
+  = -- | For this degree, q^n - 1, the second number, is not a product of so many rows and columns
+    -- or more.
     NoSuchShape Natural Natural
-  | -- | For this degree, the sides n1 and n2 have a common divisor, so that the diagonal reaches only a part of
-    -- the cells and no linear array of the shape exists on the torus; but something like it does.
+  | -- | For this degree, the sides n1 and n2 have a common divisor, so that the diagonal reaches
+    -- only a part of the cells and no linear array of the shape exists on the torus; but something
+    -- like it does.
     SidesShareDivisor Natural Natural Natural Natural [Option]
-  | -- | For this degree n, the window has fewer than n cells, and so fewer contents than there are positions.
+  | -- | For this degree n, the window has fewer than n cells, and so fewer contents than there are
+    -- positions.
     WindowTooFewCells Natural Shape
   | -- | For this degree, the window is larger than an array of this shape.
     WindowBeyondArray Natural Layout Shape
-  | -- | For this degree, the windows of these arrays are not distinct with any of the first polynomials that
-    -- were tried, this many.
+  | -- | For this degree, the windows of these arrays are not distinct with any of the first
+    -- polynomials that were tried, this many.
     WindowFails Natural Layout Shape Int
   | -- | For this degree, q^n - 1 was not factored.
     NotFactored Natural FactorError
@@ -110,105 +111,158 @@ obstacleDegree obstacle = case obstacle of
   WindowFails n _ _ _ -> n
   NotFactored n _ -> n
 
--- | What is possible and what is not, from the least degree n with enough terms up to the first that gives one
--- array on a plain torus, or beyond which the window has too few cells; at most 16 degrees. Several arrays
--- are listed for a degree only if it gives no single one on a plain torus. Polynomials are over the field
--- with the default modulus. Refuses a q that is no prime power up to 256, a window without cells or with more
--- than 4096, and more than 2^128 cells.
+-- | What is possible and what is not, from the least degree n with enough terms up to the first
+-- that gives one array on a plain torus, or beyond which the window has too few cells; at most 16
+-- degrees. Several arrays are listed for a degree only if it gives no single one on a plain torus.
+-- Polynomials are over the field with the default modulus. Refuses a q that is no prime power up to
+-- 256, a window without cells or with more than 4096, and more than 2^128 cells.
 advise :: Request -> Either AdviceError Advice
 advise request
   | fmap area (requestWindow request) == Just 0 = Left AdviceWindowEmpty
-  | Just (Left (WindowTooLarge cells)) <- rectangle <$> requestWindow request = Left (AdviceWindowTooLarge cells)
+  | Just (Left (WindowTooLarge cells)) <-
+      rectangle <$> requestWindow request =
+    Left (AdviceWindowTooLarge cells)
   | wantedArea request > 2 ^ (128 :: Int) = Left (AdviceTooLarge (wantedArea request))
   | otherwise = first AdviceField $ do
-      (p, modulus) <- conwayModulus q
-      withField p modulus (\k -> gather (map (adviseDegree k request) (take 16 [least ..])))
- where
-  q = requestOrder request
-  least = until (\n -> q ^ n - 1 >= wantedArea request) (+ 1) 1
+    (p, modulus) <- conwayModulus q
+    withField p modulus (\k -> gather (map (adviseDegree k request) (take 16 [least ..])))
+  where
+    q = requestOrder request
+    least = until (\n -> q ^ n - 1 >= wantedArea request) (+ 1) 1
 
 wantedArea :: Request -> Natural
 wantedArea request = max 1 (requestRows request) * max 1 (requestColumns request)
 
 -- | Join the advice for the degrees, up to the first that suffices or beyond which nothing can.
 gather :: [Advice] -> Advice
-gather degrees = Advice (sortOn size (concatMap adviceOptions used)) (concatMap adviceObstacles used)
- where
-  used = case break enough degrees of
-    (before, after) -> before ++ take 1 after
-  enough (Advice options obstacles) =
-    or [True | Option {optionLayout = Single Diagonal} <- options] || or [True | WindowTooFewCells _ _ <- obstacles]
-  size option = (area (optionShape option), rows (optionShape option), optionLayout option)
+gather degrees =
+  Advice (sortOn size (concatMap adviceOptions used)) (concatMap adviceObstacles used)
+  where
+    used = case break enough degrees of
+      (before, after) -> before ++ take 1 after
+    enough (Advice options obstacles) =
+      or [True | Option {optionLayout = Single Diagonal} <- options]
+        || or [True | WindowTooFewCells _ _ <- obstacles]
+    size option = (area (optionShape option), rows (optionShape option), optionLayout option)
 
 -- | What is possible with the polynomials of a degree, and what is not.
 adviseDegree :: KnownField k => Proxy k -> Request -> Natural -> Advice
 adviseDegree k request n
   | Just w <- requestWindow request, area w < n = Advice [] [WindowTooFewCells n w]
   | otherwise = case factorisePowerMinusOne q n of
-      Left why -> Advice [] [NotFactored n why]
-      Right factors -> collect (divisors factors)
- where
-  q = requestOrder request
-  terms = q ^ n - 1
-  polynomials = candidates k n
-  collect ds = Advice [option | Right option <- judged] (if null shapes then [NoSuchShape n terms] else refused)
-   where
-    refused = shared ++ [obstacle | Left obstacle <- judged]
-    shapes = shapesIn terms
-    shapesIn cells =
-      [ Shape n1 (cells `div` n1)
-      | n1 <- ds, cells `mod` n1 == 0, n1 >= requestRows request, cells `div` n1 >= requestColumns request ]
-    coprime (Shape n1 n2) = gcd n1 n2 == 1
-    singles =
-      [ judge request n polynomials layout shape
-      | shape <- shapes, layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor] ]
-    judged = singles ++ (if or [True | Right Option {optionLayout = Single Diagonal} <- singles] then [] else joints)
-    joints =
-      [ judge request n polynomials (Joint g) shape
-      | g <- drop 1 ds, shape <- shapesIn (terms `div` g), coprime shape, whole shape ]
-    -- The terms of one of several arrays must still generate all of GF(q^n).
-    whole shape = degreeOfOrder q n (area shape) == n
-    shared =
-      [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs request n polynomials ds shape)
-      | shape@(Shape n1 n2) <- shapes, not (coprime shape) ]
+    Left why -> Advice [] [NotFactored n why]
+    Right factors -> collect (divisors factors)
+  where
+    q = requestOrder request
+    terms = q ^ n - 1
+    polynomials = candidates k n
+    collect ds =
+      Advice
+        [option | Right option <- judged]
+        (if null shapes then [NoSuchShape n terms] else refused)
+      where
+        refused = shared ++ [obstacle | Left obstacle <- judged]
+        shapes = shapesIn terms
+        shapesIn cells =
+          [ Shape n1 (cells `div` n1)
+            | n1 <- ds,
+              cells `mod` n1 == 0,
+              n1 >= requestRows request,
+              cells `div` n1 >= requestColumns request
+          ]
+        coprime (Shape n1 n2) = gcd n1 n2 == 1
+        singles =
+          [ judge request n polynomials layout shape
+            | shape <- shapes,
+              layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor]
+          ]
+        judged =
+          singles
+            ++ ( if or [True | Right Option {optionLayout = Single Diagonal} <- singles]
+                   then []
+                   else joints
+               )
+        joints =
+          [ judge request n polynomials (Joint g) shape
+            | g <- drop 1 ds,
+              shape <- shapesIn (terms `div` g),
+              coprime shape,
+              whole shape
+          ]
+        -- The terms of one of several arrays must still generate all of GF(q^n).
+        whole shape = degreeOfOrder q n (area shape) == n
+        shared =
+          [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs request n polynomials ds shape)
+            | shape@(Shape n1 n2) <- shapes,
+              not (coprime shape)
+          ]
 
 -- | Whether the windows wanted tell the position in these arrays.
-judge :: KnownField k => Request -> Natural -> [Primitive k] -> Layout -> Shape -> Either Obstacle Option
+judge ::
+  KnownField k =>
+  Request ->
+  Natural ->
+  [Primitive k] ->
+  Layout ->
+  Shape ->
+  Either Obstacle Option
 judge request n polynomials layout shape = case requestWindow request of
   Nothing -> Right (Option n layout shape (fitting n polynomials layout shape))
   Just w
     | not (w `within` shape) -> Left (WindowBeyondArray n layout shape)
     | otherwise -> case fits n polynomials layout shape w of
-        Right fit -> Right (Option n layout shape [fit])
-        Left tried -> Left (WindowFails n layout shape tried)
+      Right fit -> Right (Option n layout shape [fit])
+      Left tried -> Left (WindowFails n layout shape tried)
 
--- | What to do about n1 x n2 whose sides have a common divisor: the most nearly square shape of as many cells
--- on the torus, lying or standing alike; the same shape row by row on the twisted torus; and as few arrays as
--- possible, of parts of the sides. With the window wanted, or where it does not work with others.
+-- | What to do about n1 x n2 whose sides have a common divisor: the most nearly square shape of as
+-- many cells on the torus, lying or standing alike; the same shape row by row on the twisted torus;
+-- and as few arrays as possible, of parts of the sides. With the window wanted, or where it does
+-- not work with others.
 repairs :: KnownField k => Request -> Natural -> [Primitive k] -> [Natural] -> Shape -> [Option]
 repairs request n polynomials ds shape@(Shape n1 n2) =
   [ Option n layout other found
-  | (layout, other) <- take 1 otherShapes ++ [(Single RowMajor, shape)] ++ take 1 several
-  , let found = if null (wanted layout other) then fitting n polynomials layout other else wanted layout other
-  , not (null found)
+    | (layout, other) <- take 1 otherShapes ++ [(Single RowMajor, shape)] ++ take 1 several,
+      let found =
+            if null (wanted layout other)
+              then fitting n polynomials layout other
+              else wanted layout other,
+      not (null found)
   ]
- where
-  q = requestOrder request
-  otherShapes =
-    sortOn
-      (\(_, Shape a b) -> max a b)
-      [ (Single Diagonal, Shape a b)
-      | a <- ds, let b = area shape `div` a, a > 1, b > 1, gcd a b == 1, (a <= b) == (n1 <= n2) ]
-  several =
-    sortOn
-      (\(_, Shape a b) -> (area shape `div` (a * b), n1 `div` a))
-      [ (Joint (area shape `div` (a * b)), Shape a b)
-      | a <- ds, a > 1, n1 `mod` a == 0, b <- ds, b > 1, n2 `mod` b == 0, gcd a b == 1, degreeOfOrder q n (a * b) == n
+  where
+    q = requestOrder request
+    otherShapes =
+      sortOn
+        (\(_, Shape a b) -> max a b)
+        [ (Single Diagonal, Shape a b)
+          | a <- ds,
+            let b = area shape `div` a,
+            a > 1,
+            b > 1,
+            gcd a b == 1,
+            (a <= b) == (n1 <= n2)
+        ]
+    several =
+      sortOn
+        (\(_, Shape a b) -> (area shape `div` (a * b), n1 `div` a))
+        [ (Joint (area shape `div` (a * b)), Shape a b)
+          | a <- ds,
+            a > 1,
+            n1 `mod` a == 0,
+            b <- ds,
+            b > 1,
+            n2 `mod` b == 0,
+            gcd a b == 1,
+            degreeOfOrder q n (a * b) == n
+        ]
+    wanted layout other =
+      [ fit
+        | Just w <- [requestWindow request],
+          w `within` other,
+          Right fit <- [fits n polynomials layout other w]
       ]
-  wanted layout other =
-    [fit | Just w <- [requestWindow request], w `within` other, Right fit <- [fits n polynomials layout other w]]
 
--- | The windows of n cells that tell the position in these arrays, the most nearly square ones first.
+-- | The windows of n cells that tell the position in these arrays, the most nearly square ones
+-- first.
 fitting :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> [Fit]
 fitting n polynomials layout shape =
   [fit | w <- windowsOf n, w `within` shape, Right fit <- [fits n polynomials layout shape w]]
@@ -216,5 +270,5 @@ fitting n polynomials layout shape =
 -- | All rectangles of n cells, the most nearly square ones first.
 windowsOf :: Natural -> [Shape]
 windowsOf n = sortOn squareness [Shape k1 (n `div` k1) | k1 <- [1 .. n], n `mod` k1 == 0]
- where
-  squareness w = (max (rows w) (columns w), columns w)
+  where
+    squareness w = (max (rows w) (columns w), columns w)

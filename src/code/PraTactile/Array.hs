@@ -1,40 +1,35 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
 -- paper). Along the diagonal, a[i mod n1][i mod n2] = s(i), which fills the rectangle exactly when
 -- gcd(n1, n2) = 1, by the Chinese remainder theorem; or row by row, a[r][c] = s(n2 r + c).
 module PraTactile.Array
   ( -- * Shapes and positions
-    Shape (..)
-  , area
-  , Position (..)
-  , shapeCells
-  , naturalsBelow
-  , Surface (..)
+    Shape (..),
+    area,
+    Position (..),
+    shapeCells,
+    naturalsBelow,
+    Surface (..),
 
     -- * Arrays
-  , PseudorandomArray
-  , fold
-  , Folding (..)
-  , naturalSurface
-  , arrayPrimitive
-  , arrayState
-  , arrayFolding
-  , arrayShape
-  , FoldError (..)
+    PseudorandomArray,
+    fold,
+    Folding (..),
+    naturalSurface,
+    arrayPrimitive,
+    arrayState,
+    arrayFolding,
+    arrayShape,
+    FoldError (..),
 
     -- * Cells
-  , cellAt
-  , sequenceIndex
-  , positionOfIndex
-  , toGrid
-  , toRows
-  ) where
+    cellAt,
+    sequenceIndex,
+    positionOfIndex,
+    toGrid,
+    toRows,
+  )
+where
 
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
@@ -65,65 +60,73 @@ data FoldError
     NotCoprime Natural Natural Natural
   | -- | The shape does not have as many cells as the sequence has terms, this many.
     WrongArea Shape Natural
-  | -- | There are this many cells, more than the second number, which is the most that is held in memory.
+  | -- | There are this many cells, more than the second number, which is the most that is held in
+    -- memory.
     TooManyCells Natural Natural
   deriving stock (Eq, Show)
 
 -- | A period of the m-sequence of a primitive polynomial, folded so that it fills the shape. Only
 -- 'fold' makes one. Its size has no limit: cells are computed as they are asked for.
 data PseudorandomArray (k :: Field) = PseudorandomArray
-  { arrayPrimitive :: !(Primitive k)
-  -- ^ The characteristic polynomial of the sequence.
-  , arrayState :: !(State k)
-  -- ^ The first n terms.
-  , arrayFolding :: !Folding
-  -- ^ How the sequence is folded.
-  , arrayShape :: !Shape
-  -- ^ The shape, n1 x n2.
-  , arrayWeights :: !Weights
-  , arrayTerm :: Natural -> GF k
-  -- ^ The terms of the sequence, by what is made for all of them when first used.
+  { -- | The characteristic polynomial of the sequence.
+    arrayPrimitive :: !(Primitive k),
+    -- | The first n terms.
+    arrayState :: !(State k),
+    -- | How the sequence is folded.
+    arrayFolding :: !Folding,
+    -- | The shape, n1 x n2.
+    arrayShape :: !Shape,
+    arrayWeights :: !Weights,
+    -- | The terms of the sequence, by what is made for all of them when first used.
+    arrayTerm :: Natural -> GF k
   }
 
 type role PseudorandomArray nominal
 
 -- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'),
 -- and the diagonal of one whose sides have a common divisor ('NotCoprime').
-fold
-  :: forall k. KnownField k => Folding -> Shape -> Primitive k -> State k -> Either FoldError (PseudorandomArray k)
+fold ::
+  forall k.
+  KnownField k =>
+  Folding ->
+  Shape ->
+  Primitive k ->
+  State k ->
+  Either FoldError (PseudorandomArray k)
 fold folding shape@(Shape n1 n2) h state
   | area shape /= terms = Left (WrongArea shape terms)
   | otherwise = case folding of
-      RowMajor -> Right (array (n2, 1))
-      Diagonal
-        | g == 1 -> Right (array (diagonalWeights n1 n2))
-        | otherwise -> Left (NotCoprime n1 n2 g)
- where
-  terms = period h
-  g = gcd n1 n2
-  array weights = PseudorandomArray h state folding shape weights term
-  term
-    | terms <= 2 ^ (20 :: Int) =
+    RowMajor -> Right (array (n2, 1))
+    Diagonal
+      | g == 1 -> Right (array (diagonalWeights n1 n2))
+      | otherwise -> Left (NotCoprime n1 n2 g)
+  where
+    terms = period h
+    g = gcd n1 n2
+    array weights = PseudorandomArray h state folding shape weights term
+    term
+      | terms <= 2 ^ (20 :: Int) =
         let short = sequenceVector h state (fromIntegral terms)
          in fromMaybe zero . (short Primitive.!?) . fromIntegral
-    | otherwise = termAt h state
+      | otherwise = termAt h state
 
 -- | The index i, below the period, of the term s(i) that a cell holds; positions beyond the edges
 -- continue on the 'naturalSurface'.
 sequenceIndex :: KnownField k => PseudorandomArray k -> Position -> Natural
-sequenceIndex array (Position r c) = weightedIndex (period (arrayPrimitive array)) (arrayWeights array) r c
+sequenceIndex array (Position r c) =
+  weightedIndex (period (arrayPrimitive array)) (arrayWeights array) r c
 
 -- | The cell that holds the term s(i), for any i: the inverse of 'sequenceIndex'.
 positionOfIndex :: PseudorandomArray k -> Natural -> Position
 positionOfIndex array i = case arrayFolding array of
   Diagonal -> Position (i `mod` n1) (i `mod` n2)
   RowMajor -> Position ((i `div` n2) `mod` n1) (i `mod` n2)
- where
-  Shape n1 n2 = arrayShape array
+  where
+    Shape n1 n2 = arrayShape array
 
--- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. The array
--- is not built: up to 2^20 cells are looked up in one period of the sequence, and of larger arrays
--- each cell is computed by a jump.
+-- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. The
+-- array is not built: up to 2^20 cells are looked up in one period of the sequence, and of larger
+-- arrays each cell is computed by a jump.
 cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
 cellAt array = arrayTerm array . sequenceIndex array
 
@@ -132,13 +135,14 @@ toGrid :: forall k. KnownField k => PseudorandomArray k -> Either FoldError Grid
 toGrid array
   | area shape > largestGrid = Left tooMany
   | otherwise = either (const (Left tooMany)) Right (gridFromVector q shape (codes cells))
- where
-  shape = arrayShape array
-  tooMany = TooManyCells (area shape) largestGrid
-  q = fieldOrder array
-  cells = case arrayFolding array of
-    RowMajor -> sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
-    Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
+  where
+    shape = arrayShape array
+    tooMany = TooManyCells (area shape) largestGrid
+    q = fieldOrder array
+    cells = case arrayFolding array of
+      RowMajor ->
+        sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
+      Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
 
 -- | The whole array, row by row. Refuses as 'toGrid' does.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]

@@ -1,34 +1,29 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
--- |
--- Pseudorandom array codes: several arrays of one shape that share one window property, so that a window
--- tells the array as well as the position in it. They exist for shapes that no single array has: where
--- n1 n2 g = q^n - 1 with n1 and n2 coprime, the sequence falls into g sequences s(j), s(j + g),
--- s(j + 2 g), ..., and each folds along the diagonal of a torus of its own. With g = 1 it is the single
--- array. Over GF(4), degree 6, no linear array of 15 x 273 cells exists on the torus, as both sides are
--- divisible by 3; three arrays of 15 x 91 cells share the 2 x 3 windows.
+-- | Pseudorandom array codes: several arrays of one shape that share one window property, so that a
+-- window tells the array as well as the position in it. They exist for shapes that no single array
+-- has: where n1 n2 g = q^n - 1 with n1 and n2 coprime, the sequence falls into g sequences s(j),
+-- s(j + g), s(j + 2 g), ..., and each folds along the diagonal of a torus of its own. With g = 1 it
+-- is the single array. Over GF(4), degree 6, no linear array of 15 x 273 cells exists on the torus,
+-- as both sides are divisible by 3; three arrays of 15 x 91 cells share the 2 x 3 windows.
 module PraTactile.ArrayCode
-  ( ArrayCode
-  , foldCode
-  , codePrimitive
-  , codeState
-  , codeShape
-  , codeArrays
-  , ArrayCodeError (..)
+  ( ArrayCode,
+    foldCode,
+    codePrimitive,
+    codeState,
+    codeShape,
+    codeArrays,
+    ArrayCodeError (..),
 
     -- * Cells
-  , Place (..)
-  , codeCellAt
-  , codeIndex
-  , placeOfIndex
-  , codeGrid
+    Place (..),
+    codeCellAt,
+    codeIndex,
+    placeOfIndex,
+    codeGrid,
 
     -- * The window property by algebra
-  , codeRank
-  ) where
+    codeRank,
+  )
+where
 
 import Numeric.Natural (Natural)
 import PraTactile.Array
@@ -47,58 +42,58 @@ data ArrayCodeError
     AreaNotDivisor Shape Natural
   | -- | n1 and n2 have this common divisor.
     SidesNotCoprime Natural Natural Natural
-  | -- | An array has this many cells, more than the second number, which is the most that is held in
-    -- memory.
+  | -- | An array has this many cells, more than the second number, which is the most that is held
+    -- in memory.
     CodeTooLarge Natural Natural
   deriving stock (Eq, Show)
 
 -- | A period of an m-sequence, folded into g arrays of n1 x n2 cells. Only 'foldCode' makes one.
 data ArrayCode (k :: Field) = ArrayCode
-  { codePrimitive :: !(Primitive k)
-  -- ^ The characteristic polynomial of the sequence.
-  , codeState :: !(State k)
-  -- ^ The first n terms.
-  , codeShape :: !Shape
-  -- ^ The shape of each array, n1 x n2.
-  , codeArrays :: !Natural
-  -- ^ The number g of arrays.
-  , codeTerm :: Natural -> GF k
+  { -- | The characteristic polynomial of the sequence.
+    codePrimitive :: !(Primitive k),
+    -- | The first n terms.
+    codeState :: !(State k),
+    -- | The shape of each array, n1 x n2.
+    codeShape :: !Shape,
+    -- | The number g of arrays.
+    codeArrays :: !Natural,
+    codeTerm :: Natural -> GF k
   }
 
 type role ArrayCode nominal
 
 -- | A cell of one of the arrays, which are numbered from 0.
 data Place = Place
-  { placeArray :: !Natural
-  , placePosition :: !Position
+  { placeArray :: !Natural,
+    placePosition :: !Position
   }
   deriving stock (Eq, Ord, Show)
 
--- | Fold a sequence into as many arrays of the shape as it fills. Refuses a shape whose cells do not divide
--- q^n - 1, and one whose sides have a common divisor.
+-- | Fold a sequence into as many arrays of the shape as it fills. Refuses a shape whose cells do
+-- not divide q^n - 1, and one whose sides have a common divisor.
 foldCode :: KnownField k => Shape -> Primitive k -> State k -> Either ArrayCodeError (ArrayCode k)
 foldCode shape@(Shape n1 n2) h state
   | area shape == 0 || terms `mod` area shape /= 0 = Left (AreaNotDivisor shape terms)
   | gcd n1 n2 /= 1 = Left (SidesNotCoprime n1 n2 (gcd n1 n2))
   | otherwise = Right (ArrayCode h state shape (terms `div` area shape) (termAt h state))
- where
-  terms = period h
+  where
+    terms = period h
 
--- | The index i, below the period, of the term s(i) in a cell: i = j modulo g in array j, and
--- (i - j) / g is the row modulo n1 and the column modulo n2. Arrays are numbered modulo g; positions beyond
--- the edges continue on the torus.
+-- | The index i, below the period, of the term s(i) in a cell: i = j modulo g in array j, and (i -
+-- j) / g is the row modulo n1 and the column modulo n2. Arrays are numbered modulo g; positions
+-- beyond the edges continue on the torus.
 codeIndex :: ArrayCode k -> Place -> Natural
 codeIndex code (Place j (Position r c)) =
   j `mod` codeArrays code + codeArrays code * weightedIndex (n1 * n2) (diagonalWeights n1 n2) r c
- where
-  Shape n1 n2 = codeShape code
+  where
+    Shape n1 n2 = codeShape code
 
 -- | The cell that holds the term s(i), for any i below the period: the inverse of 'codeIndex'.
 placeOfIndex :: ArrayCode k -> Natural -> Place
 placeOfIndex code i = Place j (Position (along `mod` n1) (along `mod` n2))
- where
-  (along, j) = i `divMod` codeArrays code
-  Shape n1 n2 = codeShape code
+  where
+    (along, j) = i `divMod` codeArrays code
+    Shape n1 n2 = codeShape code
 
 -- | The element in a cell. No array is built.
 codeCellAt :: ArrayCode k -> Place -> GF k
@@ -108,22 +103,24 @@ codeCellAt code = codeTerm code . codeIndex code
 codeGrid :: KnownField k => ArrayCode k -> Natural -> Either ArrayCodeError Grid
 codeGrid code j
   | area shape > largestGrid = Left tooLarge
-  | otherwise = either (const (Left tooLarge)) Right (gridFromVector (fieldOrder code) shape (codes cells))
- where
-  shape@(Shape n1 n2) = codeShape code
-  tooLarge = CodeTooLarge (area shape) largestGrid
-  h = codePrimitive code
-  g = codeArrays code
-  (u, v) = diagonalWeights n1 n2
-  start = j `mod` g
-  cells = laid h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
+  | otherwise =
+    either (const (Left tooLarge)) Right (gridFromVector (fieldOrder code) shape (codes cells))
+  where
+    shape@(Shape n1 n2) = codeShape code
+    tooLarge = CodeTooLarge (area shape) largestGrid
+    h = codePrimitive code
+    g = codeArrays code
+    (u, v) = diagonalWeights n1 n2
+    start = j `mod` g
+    cells = laid h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
 
--- | The rank over GF(q) of the alpha^e, e the indices of the mask's cells from the cell of s(0). The
--- windows of all arrays together are distinct iff it is n: moving a window by one term of the sequence,
--- into another array where need be, multiplies by alpha, as in "PraTactile.Window.Rank". The vectors
--- s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that is one to one.
+-- | The rank over GF(q) of the alpha^e, e the indices of the mask's cells from the cell of s(0).
+-- The windows of all arrays together are distinct iff it is n: moving a window by one term of the
+-- sequence, into another array where need be, multiplies by alpha, as in "PraTactile.Window.Rank".
+-- The vectors s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that
+-- is one to one.
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
 codeRank code mask = rankOf (map (vector . codeIndex code . Place 0) (maskOffsets mask))
- where
-  vector e = map (codeTerm code . (`mod` period h)) (take (primitiveDegree h) [e ..])
-  h = codePrimitive code
+  where
+    vector e = map (codeTerm code . (`mod` period h)) (take (primitiveDegree h) [e ..])
+    h = codePrimitive code

@@ -1,29 +1,25 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
--- |
--- All arrays of a size, one after another: for an alphabet and a degree n, every primitive polynomial, every
--- shape that its sequence fills, and every window worth asking about; whether the windows are distinct, by
--- both roads, and how many errors they forgive.
+-- | All arrays of a size, one after another: for an alphabet and a degree n, every primitive
+-- polynomial, every shape that its sequence fills, and every window worth asking about; whether the
+-- windows are distinct, by both roads, and how many errors they forgive.
 module PraTactile.Census
   ( -- * What is asked
-    Scope (..)
-  , standardScope
-  , scopeText
-  , scopeShapes
-  , scopeWindowsOf
-  , scopePlaces
-  , largestShapes
-  , CensusError (..)
+    Scope (..),
+    standardScope,
+    scopeText,
+    scopeShapes,
+    scopeWindowsOf,
+    scopePlaces,
+    largestShapes,
+    CensusError (..),
 
     -- * What there is
-  , census
-  , censusSize
-  , Entry (..)
-  ) where
+    census,
+    censusSize,
+    Entry (..),
+  )
+where
 
 import Control.Monad (when)
 import Data.Bifunctor (first)
@@ -43,21 +39,21 @@ import PraTactile.Window.Proof
 
 -- | What a census is of.
 data Scope = Scope
-  { scopeOrder :: Natural
-  -- ^ q, the number of symbols
-  , scopeModulus :: [Natural]
-  -- ^ the modulus of GF(q)
-  , scopeDegree :: Natural
-  -- ^ n: the sequences have q^n - 1 terms
-  , scopeFoldings :: [Folding]
-  -- ^ how they are folded; the windows are those of the folding's natural surface
-  , scopeWindows :: [Shape]
-  -- ^ the windows; none stands for those of 'scopeWindowsOf'
+  { -- | q, the number of symbols
+    scopeOrder :: Natural,
+    -- | the modulus of GF(q)
+    scopeModulus :: [Natural],
+    -- | n: the sequences have q^n - 1 terms
+    scopeDegree :: Natural,
+    -- | how they are folded; the windows are those of the folding's natural surface
+    scopeFoldings :: [Folding],
+    -- | the windows; none stands for those of 'scopeWindowsOf'
+    scopeWindows :: [Shape]
   }
   deriving stock (Eq, Show)
 
--- | The census of q and n: the default modulus, both foldings, the standard windows. Refuses a q that is no
--- prime power up to 256.
+-- | The census of q and n: the default modulus, both foldings, the standard windows. Refuses a q
+-- that is no prime power up to 256.
 standardScope :: Natural -> Natural -> Either CensusError Scope
 standardScope q n = do
   (_, modulus) <- first CensusField (conwayModulus q)
@@ -70,15 +66,20 @@ standardScope q n = do
 scopeText :: Scope -> String
 scopeText scope =
   unwords
-    [ "q=" ++ show (scopeOrder scope)
-    , "modulus=" ++ commas (map show (scopeModulus scope))
-    , "degree=" ++ show (scopeDegree scope)
-    , "foldings=" ++ commas [if folding == Diagonal then "diagonal" else "row-major" | folding <- foldingsOf scope]
-    , "windows=" ++ if null (scopeWindows scope) then "standard" else commas (map byName (windowsOf scope))
+    [ "q=" ++ show (scopeOrder scope),
+      "modulus=" ++ commas (map show (scopeModulus scope)),
+      "degree=" ++ show (scopeDegree scope),
+      "foldings="
+        ++ commas
+          [if folding == Diagonal then "diagonal" else "row-major" | folding <- foldingsOf scope],
+      "windows="
+        ++ if null (scopeWindows scope)
+          then "standard"
+          else commas (map byName (windowsOf scope))
     ]
- where
-  commas = intercalate ","
-  byName (Shape k1 k2) = show k1 ++ "x" ++ show k2
+  where
+    commas = intercalate ","
+    byName (Shape k1 k2) = show k1 ++ "x" ++ show k2
 
 foldingsOf :: Scope -> [Folding]
 foldingsOf = nub . sort . scopeFoldings
@@ -100,33 +101,40 @@ data CensusError
     CensusTooManyShapes Natural Natural
   deriving stock (Eq, Show)
 
--- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by increasing
--- number of rows, all divisors; along the diagonal those whose sides are coprime.
+-- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by
+-- increasing number of rows, all divisors; along the diagonal those whose sides are coprime.
 scopeShapes :: Folding -> [(Natural, Natural)] -> [Shape]
 scopeShapes folding factors =
-  [shape | n1 <- divisors factors, let shape = Shape n1 (terms `div` n1), folding == RowMajor || coprime shape]
- where
-  terms = product [l ^ e | (l, e) <- factors]
-  coprime (Shape n1 n2) = gcd n1 n2 == 1
+  [ shape
+    | n1 <- divisors factors,
+      let shape = Shape n1 (terms `div` n1),
+      folding == RowMajor || coprime shape
+  ]
+  where
+    terms = product [l ^ e | (l, e) <- factors]
+    coprime (Shape n1 n2) = gcd n1 n2 == 1
 
--- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles of n
--- cells, the fewest that can tell all positions, and those with one row or column more, which forgive
--- something.
+-- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles
+-- of n cells, the fewest that can tell all positions, and those with one row or column more, which
+-- forgive something.
 --
 -- >>> let shown (Shape a b) = show a ++ "x" ++ show b
 -- >>> map shown . (`scopeWindowsOf` Shape 15 17) <$> standardScope 4 4
 -- Right ["1x4","1x5","2x2","2x3","2x4","3x2","4x1","4x2","5x1"]
 scopeWindowsOf :: Scope -> Shape -> [Shape]
 scopeWindowsOf scope (Shape n1 n2)
-  | null (scopeWindows scope) = filter fits (nub (sort (concat [[Shape a b, Shape (a + 1) b, Shape a (b + 1)] | (a, b) <- sides])))
+  | null (scopeWindows scope) =
+    filter
+      fits
+      (nub (sort (concat [[Shape a b, Shape (a + 1) b, Shape a (b + 1)] | (a, b) <- sides])))
   | otherwise = filter fits (windowsOf scope)
- where
-  n = scopeDegree scope
-  sides = [(a, n `div` a) | a <- takeWhile (<= n) [1 ..], n `mod` a == 0]
-  fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
+  where
+    n = scopeDegree scope
+    sides = [(a, n `div` a) | a <- takeWhile (<= n) [1 ..], n `mod` a == 0]
+    fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
 
--- | The foldings, shapes and windows that every polynomial is taken with, in their order: entry i of a census
--- has the one with index i modulo their number. Refuses as 'censusSize' does.
+-- | The foldings, shapes and windows that every polynomial is taken with, in their order: entry i
+-- of a census has the one with index i modulo their number. Refuses as 'censusSize' does.
 --
 -- >>> length <$> (standardScope 4 4 >>= scopePlaces)
 -- Right 104
@@ -140,17 +148,17 @@ placesOver scope k = do
 
 -- | An array and a window, and what was found of them.
 data Entry = Entry
-  { entryNumber :: Natural
-  -- ^ its place in the census, from 0
-  , entryPolynomial :: [Natural]
-  -- ^ the characteristic polynomial, as codes
-  , entryFolding :: Folding
-  , entryShape :: Shape
-  , entryWindow :: Shape
-  , entryVerdict :: Either ProofError Verdict
-  -- ^ whether the windows on the natural surface are distinct
-  , entryDistance :: Either DistanceError Distance
-  -- ^ the minimum distance between them
+  { -- | its place in the census, from 0
+    entryNumber :: Natural,
+    -- | the characteristic polynomial, as codes
+    entryPolynomial :: [Natural],
+    entryFolding :: Folding,
+    entryShape :: Shape,
+    entryWindow :: Shape,
+    -- | whether the windows on the natural surface are distinct
+    entryVerdict :: Either ProofError Verdict,
+    -- | the minimum distance between them
+    entryDistance :: Either DistanceError Distance
   }
   deriving stock (Eq, Show)
 
@@ -161,42 +169,55 @@ censusSize scope = overField scope $ \k -> do
   polynomials <- first CensusPolynomial (countPrimitive k (scopeDegree scope))
   pure (polynomials * fromIntegral (length places))
 
--- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by polynomial, by
--- folding, by shape, by window. Refuses alphabets that there are not, degree 0, degrees for which q^n - 1 is not
--- factored or has too many divisors, and windows that are none.
+-- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by
+-- polynomial, by folding, by shape, by window. Refuses alphabets that there are not, degree 0,
+-- degrees for which q^n - 1 is not factored or has too many divisors, and windows that are none.
 census :: (Natural -> Bool) -> Scope -> Either CensusError [Entry]
 census wanted scope = overField scope (\k -> entriesOver k wanted scope)
 
-entriesOver :: forall k. KnownField k => Proxy k -> (Natural -> Bool) -> Scope -> Either CensusError [Entry]
+entriesOver ::
+  forall k.
+  KnownField k =>
+  Proxy k ->
+  (Natural -> Bool) ->
+  Scope ->
+  Either CensusError [Entry]
 entriesOver k wanted scope = do
   shapes <- shapesOf k scope
-  masks <- traverse (\window -> (,) window <$> first CensusWindow (rectangle window)) (nub (concatMap (scopeWindowsOf scope . snd) shapes))
-  polynomials <- first CensusPolynomial (primitivePolynomials (scopeDegree scope)) :: Either CensusError [Primitive k]
+  masks <-
+    traverse
+      (\window -> (,) window <$> first CensusWindow (rectangle window))
+      (nub (concatMap (scopeWindowsOf scope . snd) shapes))
+  polynomials <-
+    first CensusPolynomial (primitivePolynomials (scopeDegree scope)) ::
+      Either
+        CensusError
+        [Primitive k]
   pure
     [ entry number h array mask
-    | (number, (h, array, mask)) <-
-        zip
-          [0 ..]
-          [ (h, array, (window, mask))
-          | h <- polynomials
-          , (folding, shape) <- shapes
-          , Right array <- [fold folding shape h (canonicalState h)]
-          , window <- scopeWindowsOf scope shape
-          , Just mask <- [lookup window masks]
-          ]
-    , wanted number
+      | (number, (h, array, mask)) <-
+          zip
+            [0 ..]
+            [ (h, array, (window, mask))
+              | h <- polynomials,
+                (folding, shape) <- shapes,
+                Right array <- [fold folding shape h (canonicalState h)],
+                window <- scopeWindowsOf scope shape,
+                Just mask <- [lookup window masks]
+            ],
+        wanted number
     ]
- where
-  entry number h array (window, mask) =
-    Entry
-      { entryNumber = number
-      , entryPolynomial = map (fromIntegral . toCode) (coefficients (primitivePolynomial h))
-      , entryFolding = arrayFolding array
-      , entryShape = arrayShape array
-      , entryWindow = window
-      , entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask
-      , entryDistance = minimumDistance array mask
-      }
+  where
+    entry number h array (window, mask) =
+      Entry
+        { entryNumber = number,
+          entryPolynomial = map (fromIntegral . toCode) (coefficients (primitivePolynomial h)),
+          entryFolding = arrayFolding array,
+          entryShape = arrayShape array,
+          entryWindow = window,
+          entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask,
+          entryDistance = minimumDistance array mask
+        }
 
 -- | 2^16: the most divisors of q^n - 1 that are gone through.
 largestShapes :: Natural
@@ -206,16 +227,20 @@ largestShapes = 2 ^ (16 :: Int)
 shapesOf :: KnownField k => Proxy k -> Scope -> Either CensusError [(Folding, Shape)]
 shapesOf k scope = do
   when (scopeDegree scope == 0) (Left (CensusPolynomial PolynomialConstant))
-  factors <- first (CensusPolynomial . OrderNotFactored) (factorisePowerMinusOne p (m * scopeDegree scope))
+  factors <-
+    first (CensusPolynomial . OrderNotFactored) (factorisePowerMinusOne p (m * scopeDegree scope))
   let shapes = product [e + 1 | (_, e) <- factors]
   when (shapes > largestShapes) (Left (CensusTooManyShapes shapes largestShapes))
   pure [(folding, shape) | folding <- foldingsOf scope, shape <- scopeShapes folding factors]
- where
-  p = fromIntegral (fieldCharacteristic k)
-  m = fromIntegral (fieldDegree k)
+  where
+    p = fromIntegral (fieldCharacteristic k)
+    m = fromIntegral (fieldDegree k)
 
 -- | Bring the alphabet into scope.
-overField :: Scope -> (forall k. KnownField k => Proxy k -> Either CensusError r) -> Either CensusError r
+overField ::
+  Scope ->
+  (forall k. KnownField k => Proxy k -> Either CensusError r) ->
+  Either CensusError r
 overField scope use = do
   (p, given, needs) <-
     first CensusField (modulusDegrees (scopeOrder scope) (take 10 (scopeModulus scope)))

@@ -1,26 +1,21 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- |
--- A proof of the window property as data that a stranger can check: everything that the proof stands
--- on is written down so that checking it takes no search. "PraTactile.Certificate.Check" checks it, and so
--- does @data/check_certificate.py@, which shares nothing with this library.
+-- | A proof of the window property as data that a stranger can check: everything that the proof
+-- stands on is written down so that checking it takes no search. "PraTactile.Certificate.Check"
+-- checks it, and so does @data/check_certificate.py@, which shares nothing with this library.
 module PraTactile.Certificate
   ( -- * Certificates
-    Certificate (..)
-  , OrderFactor (..)
-  , PrimeProof (..)
-  , PrimeWitness (..)
-  , Evidence (..)
-  , RankEvidence (..)
+    Certificate (..),
+    OrderFactor (..),
+    PrimeProof (..),
+    PrimeWitness (..),
+    Evidence (..),
+    RankEvidence (..),
 
     -- * Certifying
-  , certify
-  , Road (..)
-  , CertificateError (..)
-  ) where
+    certify,
+    Road (..),
+    CertificateError (..),
+  )
+where
 
 import Control.Monad (unless)
 import Data.Bifunctor (first)
@@ -38,49 +33,50 @@ import PraTactile.Window.Elimination
 import PraTactile.Window.Proof
 import PraTactile.Window.Visit (visitedShape)
 
--- | All windows of a mask on an array are distinct, and why. With N = q^n - 1, h is primitive because x
--- has order N modulo h: x^N is 1, and x^(N/l) is not for any prime l that divides N; whence the
--- sequence has period N, and fills the array.
+-- | All windows of a mask on an array are distinct, and why. With N = q^n - 1, h is primitive
+-- because x has order N modulo h: x^N is 1, and x^(N/l) is not for any prime l that divides N;
+-- whence the sequence has period N, and fills the array.
 data Certificate = Certificate
-  { certificateProfile :: Profile
-  -- ^ the array and the surface; the window is the smallest rectangle that holds the mask
-  , certificateMask :: [Position]
-  -- ^ the cells of the window, by their offsets, in reading order
-  , certificateWindows :: Natural
-  -- ^ how many windows the surface has, all of them distinct
-  , certificatePeriod :: Natural
-  -- ^ N = q^n - 1
-  , certificateFactors :: [OrderFactor]
-  -- ^ the factorisation of N, ascending
-  , certificatePrimes :: [PrimeProof]
-  -- ^ the primes used that are not below 'millerRabinDomain', each after those that its proof uses
-  , certificateEvidence :: Evidence
-  -- ^ why the windows are distinct
+  { -- | the array and the surface; the window is the smallest rectangle that holds the mask
+    certificateProfile :: Profile,
+    -- | the cells of the window, by their offsets, in reading order
+    certificateMask :: [Position],
+    -- | how many windows the surface has, all of them distinct
+    certificateWindows :: Natural,
+    -- | N = q^n - 1
+    certificatePeriod :: Natural,
+    -- | the factorisation of N, ascending
+    certificateFactors :: [OrderFactor],
+    -- | the primes used that are not below 'millerRabinDomain', each after those that its proof
+    -- uses
+    certificatePrimes :: [PrimeProof],
+    -- | why the windows are distinct
+    certificateEvidence :: Evidence
   }
   deriving stock (Eq, Show)
 
 -- | A prime l that divides N, its exponent, and x^(N/l) modulo h: n codes, constant term first.
 data OrderFactor = OrderFactor
-  { orderPrime :: Natural
-  , orderExponent :: Natural
-  , orderResidue :: [Natural]
+  { orderPrime :: Natural,
+    orderExponent :: Natural,
+    orderResidue :: [Natural]
   }
   deriving stock (Eq, Show)
 
--- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e that are told divide
--- P - 1, their product exceeds the square root of P, and for each a witness a has a^(P-1) = 1 modulo P and
--- a^((P-1)/l) - 1 coprime to P.
+-- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e that are told
+-- divide P - 1, their product exceeds the square root of P, and for each a witness a has a^(P-1) =
+-- 1 modulo P and a^((P-1)/l) - 1 coprime to P.
 data PrimeProof = PrimeProof
-  { shownPrime :: Natural
-  , shownBy :: [PrimeWitness]
+  { shownPrime :: Natural,
+    shownBy :: [PrimeWitness]
   }
   deriving stock (Eq, Show)
 
 -- | A prime l with its exponent e in P - 1, and the witness a.
 data PrimeWitness = PrimeWitness
-  { witnessPrime :: Natural
-  , witnessExponent :: Natural
-  , witnessBase :: Natural
+  { witnessPrime :: Natural,
+    witnessExponent :: Natural,
+    witnessBase :: Natural
   }
   deriving stock (Eq, Show)
 
@@ -94,12 +90,12 @@ data Evidence
 
 -- | That a mask has rank n.
 data RankEvidence = RankEvidence
-  { rankVectors :: [[Natural]]
-  -- ^ alpha^e(i, j) for each cell of the mask, by n codes, the coefficient of 1 first
-  , rankCells :: [Natural]
-  -- ^ n of the cells, by their indices in the mask, ascending
-  , rankInverse :: [[Natural]]
-  -- ^ the inverse, by rows, of the matrix whose rows are the vectors of those cells
+  { -- | alpha^e(i, j) for each cell of the mask, by n codes, the coefficient of 1 first
+    rankVectors :: [[Natural]],
+    -- | n of the cells, by their indices in the mask, ascending
+    rankCells :: [Natural],
+    -- | the inverse, by rows, of the matrix whose rows are the vectors of those cells
+    rankInverse :: [[Natural]]
   }
   deriving stock (Eq, Show)
 
@@ -130,18 +126,25 @@ data CertificateError
     PrimeNotShown Natural
   deriving stock (Eq, Show)
 
--- | Prove that all windows of a mask are distinct on the profile's surface, and write the proof down.
--- The profile's window becomes the extent of the mask. Refuses a profile without an array, windows
--- that are not distinct, and what cannot be shown on the road asked for.
+-- | Prove that all windows of a mask are distinct on the profile's surface, and write the proof
+-- down. The profile's window becomes the extent of the mask. Refuses a profile without an array,
+-- windows that are not distinct, and what cannot be shown on the road asked for.
 certify :: Road -> Profile -> Mask -> Either CertificateError Certificate
 certify road profile mask = do
-  outcome <- first CertificateProfile (withProfile stated (\array _ -> certifyArray road stated array mask))
+  outcome <-
+    first CertificateProfile (withProfile stated (\array _ -> certifyArray road stated array mask))
   outcome
- where
-  stated = profile {profileWindow = maskExtent mask}
+  where
+    stated = profile {profileWindow = maskExtent mask}
 
-certifyArray
-  :: forall k. KnownField k => Road -> Profile -> PseudorandomArray k -> Mask -> Either CertificateError Certificate
+certifyArray ::
+  forall k.
+  KnownField k =>
+  Road ->
+  Profile ->
+  PseudorandomArray k ->
+  Mask ->
+  Either CertificateError Certificate
 certifyArray road profile array mask = do
   (verdict, _) <- first CertificateProof (prove on array mask)
   unless (proved verdict) (Left (NotDistinct verdict))
@@ -149,43 +152,46 @@ certifyArray road profile array mask = do
     EnumerationRoad -> enumerated verdict
     RankRoad -> ranked verdict
     AnyRoad -> either (const (enumerated verdict)) Right (ranked verdict)
-  factors <- first PeriodNotFactored (factorisePowerMinusOne p (m * fromIntegral (primitiveDegree h)))
+  factors <-
+    first PeriodNotFactored (factorisePowerMinusOne p (m * fromIntegral (primitiveDegree h)))
   primes <- concat <$> traverse (primeProofs . fst) factors
   pure
     Certificate
-      { certificateProfile = profile
-      , certificateMask = maskOffsets mask
-      , certificateWindows = area (visitedShape on (arrayShape array) mask)
-      , certificatePeriod = period h
-      , certificateFactors = [OrderFactor l e (residueAt (period h `div` l)) | (l, e) <- factors]
-      , certificatePrimes = withoutRepetition primes
-      , certificateEvidence = evidence
+      { certificateProfile = profile,
+        certificateMask = maskOffsets mask,
+        certificateWindows = area (visitedShape on (arrayShape array) mask),
+        certificatePeriod = period h,
+        certificateFactors = [OrderFactor l e (residueAt (period h `div` l)) | (l, e) <- factors],
+        certificatePrimes = withoutRepetition primes,
+        certificateEvidence = evidence
       }
- where
-  on = profileSurface profile
-  h = arrayPrimitive array
-  p = fromIntegral (fieldCharacteristic array)
-  m = fromIntegral (fieldDegree array)
-  residueAt = codes . residueCoefficients h . powerOfRoot h
-  enumerated verdict = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
-    True <- enumeration verdict
-    grid <- either (const Nothing) Just (toGrid array)
-    digestOfWindows (profilePacking profile) on grid mask
-  ranked verdict = maybe (Left (RankUndecided verdict)) Right $ do
-    True <- rankRoad verdict
-    ByRank <$> rankEvidence array mask
-  withoutRepetition shown = [x | (i, x) <- zip [0 ..] shown, shownPrime x `notElem` map shownPrime (take i shown)]
+  where
+    on = profileSurface profile
+    h = arrayPrimitive array
+    p = fromIntegral (fieldCharacteristic array)
+    m = fromIntegral (fieldDegree array)
+    residueAt = codes . residueCoefficients h . powerOfRoot h
+    enumerated verdict = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
+      True <- enumeration verdict
+      grid <- either (const Nothing) Just (toGrid array)
+      digestOfWindows (profilePacking profile) on grid mask
+    ranked verdict = maybe (Left (RankUndecided verdict)) Right $ do
+      True <- rankRoad verdict
+      ByRank <$> rankEvidence array mask
+    withoutRepetition shown =
+      [x | (i, x) <- zip [0 ..] shown, shownPrime x `notElem` map shownPrime (take i shown)]
 
 -- | The evidence that a mask has rank n; 'Nothing' if it has not.
 rankEvidence :: KnownField k => PseudorandomArray k -> Mask -> Maybe RankEvidence
 rankEvidence array mask = do
   inverse' <- inverseMatrix [x | (i, x) <- zip [0 ..] vectors, i `elem` cells]
   if length cells == n then Just (evidence inverse') else Nothing
- where
-  n = primitiveDegree (arrayPrimitive array)
-  vectors = windowVectors array mask
-  cells = independentRows n (map rowFromList vectors)
-  evidence inverse' = RankEvidence (map codes vectors) (map fromIntegral cells) (map codes inverse')
+  where
+    n = primitiveDegree (arrayPrimitive array)
+    vectors = windowVectors array mask
+    cells = independentRows n (map rowFromList vectors)
+    evidence inverse' =
+      RankEvidence (map codes vectors) (map fromIntegral cells) (map codes inverse')
 
 codes :: [GF k] -> [Natural]
 codes = map (fromIntegral . toCode)
@@ -196,19 +202,20 @@ primeProofs :: Natural -> Either CertificateError [PrimeProof]
 primeProofs prime
   | prime < millerRabinDomain = Right []
   | otherwise = do
-      factors <- first (const (PrimeNotShown prime)) (factorise (prime - 1))
-      before <- concat <$> traverse (primeProofs . fst) factors
-      witnesses <- traverse witness factors
-      pure (before ++ [PrimeProof prime witnesses])
- where
-  witness (l, e) = maybe (Left (PrimeNotShown prime)) (Right . PrimeWitness l e) (find (shows' l) [2 .. 200])
-  shows' l a =
-    powerModuloInteger prime a (prime - 1) == 1
-      && gcd prime (powerModuloInteger prime a ((prime - 1) `div` l) + prime - 1) == 1
+    factors <- first (const (PrimeNotShown prime)) (factorise (prime - 1))
+    before <- concat <$> traverse (primeProofs . fst) factors
+    witnesses <- traverse witness factors
+    pure (before ++ [PrimeProof prime witnesses])
+  where
+    witness (l, e) =
+      maybe (Left (PrimeNotShown prime)) (Right . PrimeWitness l e) (find (shows' l) [2 .. 200])
+    shows' l a =
+      powerModuloInteger prime a (prime - 1) == 1
+        && gcd prime (powerModuloInteger prime a ((prime - 1) `div` l) + prime - 1) == 1
 
 -- | @powerModuloInteger n a e@ is a^e modulo n, by squaring.
 powerModuloInteger :: Natural -> Natural -> Natural -> Natural
 powerModuloInteger n = go 1
- where
-  go acc _ 0 = acc `mod` n
-  go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)
+  where
+    go acc _ 0 = acc `mod` n
+    go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)

@@ -1,8 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
 -- |
 -- Which power of alpha an element of GF(q^n) is: the step from the state of the shift
 -- register to the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby
@@ -10,18 +5,19 @@
 -- divides q^n - 1, and where that is too large the answer is a refusal.
 module PraTactile.DiscreteLog
   ( -- * Logarithms
-    discreteLogarithm
+    discreteLogarithm,
 
     -- * Many logarithms to one base
-  , Logarithms
-  , prepareLogarithms
-  , logarithmFrom
+    Logarithms,
+    prepareLogarithms,
+    logarithmFrom,
 
     -- * Limits
-  , LogarithmError (..)
-  , largestFeasiblePrime
-  , mostBabySteps
-  ) where
+    LogarithmError (..),
+    largestFeasiblePrime,
+    mostBabySteps,
+  )
+where
 
 import Data.List (foldl')
 import Data.Map.Strict (Map)
@@ -37,8 +33,8 @@ import PraTactile.Polynomial
 data LogarithmError
   = -- | Zero is no power of alpha.
     LogarithmOfZero
-  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime', the
-    -- second.
+  | -- | The largest prime that divides q^n - 1, the first number, exceeds 'largestFeasiblePrime',
+    -- the second.
     LogarithmInfeasible Natural Natural
   deriving stock (Eq, Show)
 
@@ -57,14 +53,14 @@ type role Logarithms nominal
 
 -- | One prime power r^e of q^n - 1, and how to take logarithms in the subgroup of order r.
 data Part k = Part
-  { partPrime :: Natural
-  , partExponent :: Natural
-  , partSteps :: Natural
-  -- ^ m, how many baby steps there are
-  , partBaby :: Map (Residue k) Natural
-  -- ^ gamma^j -> j, j < m, gamma = alpha^((q^n - 1)/r)
-  , partGiant :: Residue k
-  -- ^ gamma^(-m)
+  { partPrime :: Natural,
+    partExponent :: Natural,
+    -- | m, how many baby steps there are
+    partSteps :: Natural,
+    -- | gamma^j -> j, j < m, gamma = alpha^((q^n - 1)/r)
+    partBaby :: Map (Residue k) Natural,
+    -- | gamma^(-m)
+    partGiant :: Residue k
   }
 
 -- | Prepare to take logarithms to the base alpha, the root of h. Refuses when a prime that divides
@@ -73,70 +69,75 @@ prepareLogarithms :: KnownField k => Primitive k -> Either LogarithmError (Logar
 prepareLogarithms h
   | largest > largestFeasiblePrime = Left (LogarithmInfeasible largest largestFeasiblePrime)
   | otherwise = Right (Logarithms h (map part (periodFactors h)))
- where
-  largest = maximum (1 : map fst (periodFactors h))
-  part (r, e) = Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * cofactor))
-   where
-    m = min mostBabySteps (squareRoot (r - 1) + 1)
-    cofactor = period h `div` r
-    gamma = powerOfRoot h cofactor
-    babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
+  where
+    largest = maximum (1 : map fst (periodFactors h))
+    part (r, e) =
+      Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * cofactor))
+      where
+        m = min mostBabySteps (squareRoot (r - 1) + 1)
+        cofactor = period h `div` r
+        gamma = powerOfRoot h cofactor
+        babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
 -- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero
   | otherwise = Right (fst (foldl' chineseRemainder (0, 1) (map modulo (components h parts a))))
- where
-  modulo (p, b) = (partLogarithm h p b, partPower p)
+  where
+    modulo (p, b) = (partLogarithm h p b, partPower p)
 
 -- | r^e.
 partPower :: Part k -> Natural
 partPower p = partPrime p ^ partExponent p
 
--- | For each r^e, a^(N/r^e) with N the product of all of them. Half of them at a time, so that the powers
--- of the other half are taken once.
+-- | For each r^e, a^(N/r^e) with N the product of all of them. Half of them at a time, so that the
+-- powers of the other half are taken once.
 components :: KnownField k => Primitive k -> [Part k] -> Residue k -> [(Part k, Residue k)]
 components h parts a = case splitAt (length parts `div` 2) parts of
   ([], ps) -> [(p, a) | p <- ps]
   (ps, ps') -> components h ps (powered ps') ++ components h ps' (powered ps)
- where
-  powered = powerOfResidue h a . product . map partPower
+  where
+    powered = powerOfResidue h a . product . map partPower
 
--- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the digits
--- below r^i known to be x, the digit i is the logarithm to the base gamma of
--- (b / alpha^(x N/r^e))^(r^(e-1-i)).
+-- | The logarithm modulo r^e: its base-r digits, the lowest first. With b = a^(N/r^e) and the
+-- digits below r^i known to be x, the digit i is the logarithm to the base gamma of (b / alpha^(x
+-- N/r^e))^(r^(e-1-i)).
 partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
 partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
- where
-  r = partPrime p
-  cofactor = period h `div` partPower p
-  withDigit x i = x + r ^ i * stepLogarithm h p (powerOfResidue h (without x) (r ^ (partExponent p - 1 - i)))
-  without x
-    | x == 0 = b
-    | otherwise = multiplyModulo h b (powerOfRoot h ((partPower p - x) * cofactor))
+  where
+    r = partPrime p
+    cofactor = period h `div` partPower p
+    withDigit x i =
+      x + r ^ i * stepLogarithm h p (powerOfResidue h (without x) (r ^ (partExponent p - 1 - i)))
+    without x
+      | x == 0 = b
+      | otherwise = multiplyModulo h b (powerOfRoot h ((partPower p - x) * cofactor))
 
 -- | The logarithm to the base gamma of one of its powers: some giant step i back from it ends on a
 -- baby step j, and it is i m + j.
 stepLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
-stepLogarithm h p d = sum (take 1 (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
- where
-  m = partSteps p
-  giants = [0 .. partPrime p `div` m]
-  found (i, c) = (+ i * m) <$> Map.lookup c (partBaby p)
+stepLogarithm h p d =
+  sum (take 1 (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
+  where
+    m = partSteps p
+    giants = [0 .. partPrime p `div` m]
+    found (i, c) = (+ i * m) <$> Map.lookup c (partBaby p)
 
 -- | The number below m n that is x modulo m and y modulo n, for coprime m and n.
 chineseRemainder :: (Natural, Natural) -> (Natural, Natural) -> (Natural, Natural)
 chineseRemainder (x, m) (y, n) = (x + m * step, m * n)
- where
-  step = fromInteger ((toInteger y - toInteger x) * inverted `mod` toInteger n)
-  (inverted, _) = euclid (toInteger m) (toInteger n)
-  -- u and v with u a + v b = gcd a b.
-  euclid :: Integer -> Integer -> (Integer, Integer)
-  euclid _ 0 = (1, 0)
-  euclid s t = let (quotient, rest) = s `divMod` t; (u, v) = euclid t rest in (v, u - quotient * v)
+  where
+    step = fromInteger ((toInteger y - toInteger x) * inverted `mod` toInteger n)
+    (inverted, _) = euclid (toInteger m) (toInteger n)
+    -- u and v with u a + v b = gcd a b.
+    euclid :: Integer -> Integer -> (Integer, Integer)
+    euclid _ 0 = (1, 0)
+    euclid s t =
+      let (quotient, rest) = s `divMod` t; (u, v) = euclid t rest in (v, u - quotient * v)
 
--- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which it is infeasible.
+-- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which it is
+-- infeasible.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let twice h = discreteLogarithm h (powerOfRoot h 123)

@@ -1,34 +1,29 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- GF(q^n) as GF(q)[x] modulo a primitive h: where positions live, since the state of the
 -- shift register after t steps is alpha^t, alpha being the class of x. Its size has no limit.
 module PraTactile.Extension
   ( -- * Residues
-    Residue
-  , residue
-  , residueCoefficients
-  , residueVector
+    Residue,
+    residue,
+    residueCoefficients,
+    residueVector,
 
     -- * Arithmetic
-  , addModulo
-  , multiplyModulo
-  , powerOfResidue
-  , inverseModulo
-  , frobeniusModulo
+    addModulo,
+    multiplyModulo,
+    powerOfResidue,
+    inverseModulo,
+    frobeniusModulo,
 
     -- * Powers of the root
-  , powerOfRoot
+    powerOfRoot,
 
     -- * Down to GF(q)
-  , traceModulo
-  , tracesOfPowers
-  , normModulo
-  ) where
+    traceModulo,
+    tracesOfPowers,
+    normModulo,
+  )
+where
 
 import Data.Proxy (Proxy (..))
 import Data.Vector.Primitive (Vector)
@@ -81,10 +76,10 @@ inverseModulo :: KnownField k => Primitive k -> Residue k -> Either FieldError (
 inverseModulo h a
   | representative == 0 = Left DivisionByZero
   | otherwise = Right (residue h inverted)
- where
-  representative = polynomial (residueCoefficients h a)
-  -- h is irreducible, so that the greatest common divisor is 1.
-  (_, inverted, _) = bezout representative (primitivePolynomial h)
+  where
+    representative = polynomial (residueCoefficients h a)
+    -- h is irreducible, so that the greatest common divisor is 1.
+    (_, inverted, _) = bezout representative (primitivePolynomial h)
 
 -- | The q-th power: the automorphism of GF(q^n) that leaves GF(q) as it is.
 frobeniusModulo :: KnownField k => Primitive k -> Residue k -> Residue k
@@ -106,22 +101,22 @@ powerOfRoot h = Residue . powerOfX (primitiveModulus h)
 traceModulo :: KnownField k => Primitive k -> Residue k -> GF k
 traceModulo h a = Primitive.sum (Primitive.zipWith (*) (tracesOfPowers h) (residueVector h a))
 
--- | The traces of 1, alpha, ..., alpha^(n-1), by Newton's identities from the coefficients of h: with
--- h = x^n + c(n-1) x^(n-1) + ..., the sum p(k) of the k-th powers of the roots has
--- p(k) = - (c(n-1) p(k-1) + ... + c(n-k+1) p(1) + k c(n-k)).
+-- | The traces of 1, alpha, ..., alpha^(n-1), by Newton's identities from the coefficients of h:
+-- with h = x^n + c(n-1) x^(n-1) + ..., the sum p(k) of the k-th powers of the roots has p(k) = -
+-- (c(n-1) p(k-1) + ... + c(n-k+1) p(1) + k c(n-k)).
 tracesOfPowers :: KnownField k => Primitive k -> Vector (GF k)
 tracesOfPowers h = Primitive.fromListN n (fromIntegral n : reverse (go 1 (take (n - 1) upper) []))
- where
-  n = primitiveDegree h
-  -- c(n-1), ..., c1, c0
-  upper = drop 1 (reverse (coefficients (primitivePolynomial h)))
-  -- The sums found so far, the last one first.
-  go _ [] sums = sums
-  go k (c : rest) sums =
-    go (k + 1 :: Integer) rest (negate (sum (zipWith (*) upper sums) + fromInteger k * c) : sums)
+  where
+    n = primitiveDegree h
+    -- c(n-1), ..., c1, c0
+    upper = drop 1 (reverse (coefficients (primitivePolynomial h)))
+    -- The sums found so far, the last one first.
+    go _ [] sums = sums
+    go k (c : rest) sums =
+      go (k + 1 :: Integer) rest (negate (sum (zipWith (*) upper sums) + fromInteger k * c) : sums)
 
 -- | The norm to GF(q), the product of the n conjugates, which is the power (q^n - 1)/(q - 1).
 normModulo :: forall k. KnownField k => Primitive k -> Residue k -> GF k
 normModulo h a = sum (take 1 (residueCoefficients h (powerOfResidue h a (period h `div` (q - 1)))))
- where
-  q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural
+  where
+    q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural

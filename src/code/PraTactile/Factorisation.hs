@@ -5,20 +5,21 @@
 -- suffice, the answer is a refusal. Imports base only.
 module PraTactile.Factorisation
   ( -- * Factorisation
-    factorise
-  , factorisePowerMinusOne
-  , checkPower
-  , largestPower
-  , cyclotomicValues
-  , FactorError (..)
+    factorise,
+    factorisePowerMinusOne,
+    checkPower,
+    largestPower,
+    cyclotomicValues,
+    FactorError (..),
 
     -- * Primality
-  , isPrime
-  , millerRabinDomain
+    isPrime,
+    millerRabinDomain,
 
     -- * Euler's function
-  , totient
-  ) where
+    totient,
+  )
+where
 
 import Data.List (group, sort)
 import Numeric.Natural (Natural)
@@ -34,15 +35,17 @@ factorise :: Natural -> Either FactorError [(Natural, Natural)]
 factorise 0 = Left FactorisationOfZero
 factorise n = collect <$> primeFactors n
 
--- | The factorisation of b^n - 1 by way of its algebraic factors, the 'cyclotomicValues' at b of the
--- divisors of n. Refuses b < 2 or n = 0 (the number is 0), at once what 'checkPower' does, and as 'factorise' does.
+-- | The factorisation of b^n - 1 by way of its algebraic factors, the 'cyclotomicValues' at b of
+-- the divisors of n. Refuses b < 2 or n = 0 (the number is 0), at once what 'checkPower' does, and
+-- as 'factorise' does.
 --
 -- >>> factorisePowerMinusOne 4 4
 -- Right [(3,1),(5,1),(17,1)]
 factorisePowerMinusOne :: Natural -> Natural -> Either FactorError [(Natural, Natural)]
 factorisePowerMinusOne b n
   | b < 2 || n == 0 = Left FactorisationOfZero
-  | otherwise = checkPower b n >> collect . concat <$> mapM (primeFactors . snd) (cyclotomicValues b n)
+  | otherwise =
+    checkPower b n >> collect . concat <$> mapM (primeFactors . snd) (cyclotomicValues b n)
 
 -- | Refuses b and n at once if b^n exceeds 'largestPower'.
 --
@@ -64,9 +67,9 @@ largestPower = 2 ^ (1024 :: Int)
 -- [(1,1),(2,3),(3,7),(6,3)]
 cyclotomicValues :: Natural -> Natural -> [(Natural, Natural)]
 cyclotomicValues b n = values
- where
-  values = [(d, (b ^ d - 1) `div` product (properly d)) | d <- [1 .. n], n `mod` d == 0]
-  properly d = [v | (e, v) <- takeWhile ((< d) . fst) values, d `mod` e == 0]
+  where
+    values = [(d, (b ^ d - 1) `div` product (properly d)) | d <- [1 .. n], n `mod` d == 0]
+    properly d = [v | (e, v) <- takeWhile ((< d) . fst) values, d `mod` e == 0]
 
 collect :: [Natural] -> [(Natural, Natural)]
 collect primes = [(p, fromIntegral (length same)) | same@(p : _) <- group (sort primes)]
@@ -74,16 +77,16 @@ collect primes = [(p, fromIntegral (length same)) | same@(p : _) <- group (sort 
 -- | The prime factors of a positive number, each as often as it divides.
 primeFactors :: Natural -> Either FactorError [Natural]
 primeFactors n = (small ++) <$> split rest
- where
-  (small, rest) = trialDivision n
-  split 1 = Right []
-  split m = do
-    prime <- isPrime m
-    if prime
-      then Right [m]
-      else case properDivisor m of
-        Nothing -> Left (FactorNotFound m)
-        Just d -> (++) <$> split d <*> split (m `div` d)
+  where
+    (small, rest) = trialDivision n
+    split 1 = Right []
+    split m = do
+      prime <- isPrime m
+      if prime
+        then Right [m]
+        else case properDivisor m of
+          Nothing -> Left (FactorNotFound m)
+          Just d -> (++) <$> split d <*> split (m `div` d)
 
 -- | Euler's function of the number that has this factorisation: how many of its residues are units.
 --

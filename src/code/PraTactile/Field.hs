@@ -1,13 +1,8 @@
 {-# LANGUAGE AllowAmbiguousTypes #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
-{-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE UnboxedTuples #-}
 {-# LANGUAGE UndecidableInstances #-}
@@ -19,37 +14,38 @@
 -- from a characteristic and a modulus known at run time only.
 module PraTactile.Field
   ( -- * Fields
-    Field (Over)
-  , KnownField
-  , withField
-  , fieldOrder
-  , fieldCharacteristic
-  , fieldDegree
-  , fieldModulus
+    Field (Over),
+    KnownField,
+    withField,
+    fieldOrder,
+    fieldCharacteristic,
+    fieldDegree,
+    fieldModulus,
 
     -- * Elements
-  , GF
-  , zero
-  , one
-  , primitive
-  , elements
-  , toCode
-  , fromCode
-  , elementsFromCodes
+    GF,
+    zero,
+    one,
+    primitive,
+    elements,
+    toCode,
+    fromCode,
+    elementsFromCodes,
 
     -- * Arithmetic beyond 'Num'
-  , inverse
-  , divide
-  , power
-  , logarithm
+    inverse,
+    divide,
+    power,
+    logarithm,
 
     -- * Writing and reading
-  , showElement
-  , parseElement
+    showElement,
+    parseElement,
 
     -- * Errors
-  , FieldError (..)
-  ) where
+    FieldError (..),
+  )
+where
 
 import Data.Char (isDigit, ord)
 import Data.List (foldl')
@@ -95,9 +91,9 @@ withField :: Natural -> [Natural] -> (forall k. KnownField k => Proxy k -> r) ->
 withField p modulus use = do
   checked <- checkedTables p modulus
   pure (reify checked (use . runTime))
- where
-  runTime :: Proxy s -> Proxy ('RunTime s)
-  runTime _ = Proxy
+  where
+    runTime :: Proxy s -> Proxy ('RunTime s)
+    runTime _ = Proxy
 
 -- | q, the number of elements.
 fieldOrder :: forall k proxy. KnownField k => proxy k -> Int
@@ -178,17 +174,17 @@ fromCode :: forall k. KnownField k => Int -> Either FieldError (GF k)
 fromCode code
   | 0 <= code && code < q = Right (GF (fromIntegral code))
   | otherwise = Left (CodeOutOfRange (toInteger code) (fromIntegral q))
- where
-  q = tableOrder (tables @k)
+  where
+    q = tableOrder (tables @k)
 
 -- | The elements of a list of codes. Refuses codes not below q.
 elementsFromCodes :: forall k. KnownField k => [Natural] -> Either FieldError [GF k]
 elementsFromCodes = traverse element
- where
-  element c
-    | c < q = fromCode (fromIntegral c)
-    | otherwise = Left (CodeOutOfRange (toInteger c) q)
-  q = fromIntegral (tableOrder (tables @k))
+  where
+    element c
+      | c < q = fromCode (fromIntegral c)
+      | otherwise = Left (CodeOutOfRange (toInteger c) q)
+    q = fromIntegral (tableOrder (tables @k))
 
 -- | The multiplicative inverse. Refuses zero.
 inverse :: forall k. KnownField k => GF k -> Either FieldError (GF k)
@@ -204,8 +200,8 @@ power :: forall k. KnownField k => GF k -> Natural -> GF k
 power a n = case logarithm a of
   Just l -> GF (at1 (tablePower (tables @k)) (fromInteger (toInteger l * toInteger n `mod` units)))
   Nothing -> if n == 0 then one else zero
- where
-  units = toInteger (tableOrder (tables @k)) - 1
+  where
+    units = toInteger (tableOrder (tables @k)) - 1
 
 -- | The exponent 0 <= e < q - 1 with 'primitive' ^ e equal to the element; 'Nothing' for zero.
 logarithm :: forall k. KnownField k => GF k -> Maybe Int
@@ -231,10 +227,10 @@ parseElement text = case text of
     | all isDigit text, null (drop 3 significant), code < q -> Right (GF (fromIntegral code))
     | all isDigit text, Just large <- readMaybe text -> Left (CodeOutOfRange large q)
   _ -> Left (ElementUnreadable text)
- where
-  q = fromIntegral (tableOrder (tables @k)) :: Natural
-  significant = dropWhile (== '0') text
-  code = remainderBy 1000 significant
-  -- The number that the digits write, modulo n.
-  remainderBy :: Natural -> String -> Natural
-  remainderBy n = foldl' (\r d -> (10 * r + fromIntegral (ord d - ord '0')) `mod` n) 0
+  where
+    q = fromIntegral (tableOrder (tables @k)) :: Natural
+    significant = dropWhile (== '0') text
+    code = remainderBy 1000 significant
+    -- The number that the digits write, modulo n.
+    remainderBy :: Natural -> String -> Natural
+    remainderBy n = foldl' (\r d -> (10 * r + fromIntegral (ord d - ord '0')) `mod` n) 0

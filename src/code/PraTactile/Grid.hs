@@ -1,34 +1,33 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how
 -- rows and columns continue at their edges.
 module PraTactile.Grid
   ( -- * Shapes and positions
-    Shape (..)
-  , area
-  , Position (..)
-  , shapeCells
-  , naturalsBelow
-  , raggedRow
-  , Surface (..)
-  , canonicalPosition
-  , displaced
+    Shape (..),
+    area,
+    Position (..),
+    shapeCells,
+    naturalsBelow,
+    raggedRow,
+    Surface (..),
+    canonicalPosition,
+    displaced,
 
     -- * Grids
-  , Grid
-  , gridFromRows
-  , gridFromVector
-  , gridShape
-  , gridAlphabet
-  , gridRows
-  , gridCells
-  , gridHeight
-  , gridWidth
-  , codeAt
-  , GridError (..)
-  , largestGrid
-  ) where
+    Grid,
+    gridFromRows,
+    gridFromVector,
+    gridShape,
+    gridAlphabet,
+    gridRows,
+    gridCells,
+    gridHeight,
+    gridWidth,
+    codeAt,
+    GridError (..),
+    largestGrid,
+  )
+where
 
 import Data.Maybe (listToMaybe)
 import Data.Vector.Primitive (Vector)
@@ -58,8 +57,8 @@ naturalsBelow n = takeWhile (< n) [0 ..]
 -- Just (2,1,2)
 raggedRow :: [[a]] -> Maybe (Int, Int, Int)
 raggedRow given = listToMaybe [(i, n, width) | (i, n) <- zip [0 ..] (map length given), n /= width]
- where
-  width = sum (map length (take 1 given))
+  where
+    width = sum (map length (take 1 given))
 
 -- | What lies beyond the last row and the last column.
 data Surface
@@ -80,18 +79,21 @@ canonicalPosition :: Surface -> Shape -> Integer -> Integer -> Maybe Position
 canonicalPosition surface shape r c
   | area shape == 0 = Nothing
   | otherwise = case surface of
-      Torus -> Just (position (r `mod` height) (c `mod` width))
-      TwistedTorus -> let (carry, c') = c `divMod` width in Just (position ((r + carry) `mod` height) c')
-      Sheet
-        | 0 <= r && r < height && 0 <= c && c < width -> Just (position r c)
-        | otherwise -> Nothing
- where
-  height = toInteger (rows shape)
-  width = toInteger (columns shape)
-  position i j = Position (fromInteger i) (fromInteger j)
+    Torus -> Just (position (r `mod` height) (c `mod` width))
+    TwistedTorus ->
+      let (carry, c') =
+            c `divMod` width
+       in Just (position ((r + carry) `mod` height) c')
+    Sheet
+      | 0 <= r && r < height && 0 <= c && c < width -> Just (position r c)
+      | otherwise -> Nothing
+  where
+    height = toInteger (rows shape)
+    width = toInteger (columns shape)
+    position i j = Position (fromInteger i) (fromInteger j)
 
--- | The cell that lies an offset's rows below and columns to the right of a position, on this surface of
--- this shape, as 'canonicalPosition' has it.
+-- | The cell that lies an offset's rows below and columns to the right of a position, on this
+-- surface of this shape, as 'canonicalPosition' has it.
 --
 -- >>> displaced Torus (Shape 15 17) (Position 14 16) (Position 1 2)
 -- Just (Position {row = 0, column = 1})
@@ -119,14 +121,14 @@ largestGrid = 2 ^ (28 :: Int)
 
 -- | A matrix of at most 'largestGrid' codes, each below the size of the alphabet; it has cells.
 data Grid = Grid
-  { gridAlphabet :: !Int
-  -- ^ the size q of the alphabet, 2 ... 256
-  , gridHeight :: !Int
-  -- ^ the number of rows
-  , gridWidth :: !Int
-  -- ^ the number of columns
-  , gridCells :: !(Vector Word8)
-  -- ^ the codes, row by row
+  { -- | the size q of the alphabet, 2 ... 256
+    gridAlphabet :: !Int,
+    -- | the number of rows
+    gridHeight :: !Int,
+    -- | the number of columns
+    gridWidth :: !Int,
+    -- | the codes, row by row
+    gridCells :: !(Vector Word8)
   }
   deriving stock (Eq, Show)
 
@@ -140,12 +142,13 @@ gridFromRows q codes
   | (position, c) : _ <- outside = Left (GridCode position c)
   | cells > largestGrid = Left (GridCells cells)
   | otherwise = Right (Grid q height width (Primitive.fromListN (height * width) flat))
- where
-  flat = map fromIntegral (concat codes)
-  height = length codes
-  width = sum (map length (take 1 codes))
-  cells = fromIntegral height * fromIntegral width
-  outside = [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
+  where
+    flat = map fromIntegral (concat codes)
+    height = length codes
+    width = sum (map length (take 1 codes))
+    cells = fromIntegral height * fromIntegral width
+    outside =
+      [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
 
 -- | The grid of this shape whose codes are given row by row, as 'gridFromRows'.
 gridFromVector :: Int -> Shape -> Vector Word8 -> Either GridError Grid
@@ -153,12 +156,15 @@ gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
   | area shape == 0 = Left GridEmpty
   | cells > largestGrid || cells /= area shape = Left (GridCells cells)
-  | (i, c) : _ <- foreign' = Left (GridCode (uncurry Position (fromIntegral i `divMod` columns shape)) (fromIntegral c))
+  | (i, c) : _ <-
+      foreign' =
+    Left (GridCode (uncurry Position (fromIntegral i `divMod` columns shape)) (fromIntegral c))
   | otherwise = Right (Grid q (fromIntegral (rows shape)) width codes)
- where
-  cells = fromIntegral (Primitive.length codes)
-  foreign' = [(i, codes Primitive.! i) | Just i <- [Primitive.findIndex ((>= q) . fromIntegral) codes]]
-  width = fromIntegral (columns shape) :: Int
+  where
+    cells = fromIntegral (Primitive.length codes)
+    foreign' =
+      [(i, codes Primitive.! i) | Just i <- [Primitive.findIndex ((>= q) . fromIntegral) codes]]
+    width = fromIntegral (columns shape) :: Int
 
 -- | The numbers of rows and columns.
 gridShape :: Grid -> Shape
@@ -167,16 +173,16 @@ gridShape grid = Shape (fromIntegral (gridHeight grid)) (fromIntegral (gridWidth
 -- | The codes, row by row.
 gridRows :: Grid -> [[Int]]
 gridRows grid = [map fromIntegral (Primitive.toList (rowAt i)) | i <- [0 .. gridHeight grid - 1]]
- where
-  rowAt i = Primitive.take w (Primitive.drop (i * w) (gridCells grid))
-  w = gridWidth grid
+  where
+    rowAt i = Primitive.take w (Primitive.drop (i * w) (gridCells grid))
+    w = gridWidth grid
 
 -- | The code in a cell; 'Nothing' exactly beyond the edges. 'canonicalPosition' brings a position
 -- within them.
 codeAt :: Grid -> Position -> Maybe Int
 codeAt grid (Position r c)
   | r < rows shape && c < columns shape =
-      fromIntegral <$> gridCells grid Primitive.!? fromIntegral (r * columns shape + c)
+    fromIntegral <$> gridCells grid Primitive.!? fromIntegral (r * columns shape + c)
   | otherwise = Nothing
- where
-  shape = gridShape grid
+  where
+    shape = gridShape grid

@@ -1,76 +1,77 @@
--- |
--- From what was observed of an array to where that is (section II of the paper, and beyond it). There
--- is one question, the 'Query': cells in patches, of which a symbol is known, or how likely each symbol
--- is; the symmetries in which they may be seen; the surface; and how many cells may be wrong. There is
--- one 'Locator', made once for an array, which chooses the decoder, and one 'Answer', which says where
--- the patches are, or why not, and what that rests on. All combinations are answered.
+-- | From what was observed of an array to where that is (section II of the paper, and beyond it).
+-- There is one question, the 'Query': cells in patches, of which a symbol is known, or how likely
+-- each symbol is; the symmetries in which they may be seen; the surface; and how many cells may be
+-- wrong. There is one 'Locator', made once for an array, which chooses the decoder, and one
+-- 'Answer', which says where the patches are, or why not, and what that rests on. All combinations
+-- are answered.
 --
--- What it means is in "PraTactile.Locate.Definition", too slow to use and too simple to be wrong; the
--- decoders beside it are compared with it.
+-- What it means is in "PraTactile.Locate.Definition", too slow to use and too simple to be wrong;
+-- the decoders beside it are compared with it.
 module PraTactile.Locate
   ( -- * The question
-    Query (..)
-  , onePatch
-  , Patch
-  , patch
-  , patchShape
-  , patchRows
-  , observedCells
-  , Cell (..)
-  , Radius (..)
-  , guaranteedRadius
+    Query (..),
+    onePatch,
+    Patch,
+    patch,
+    patchShape,
+    patchRows,
+    observedCells,
+    Cell (..),
+    Radius (..),
+    guaranteedRadius,
 
     -- * Probabilities of symbols
-  , Belief
-  , belief
-  , certainly
-  , probabilities
-  , likeliest
-  , BeliefError (..)
+    Belief,
+    belief,
+    certainly,
+    probabilities,
+    likeliest,
+    BeliefError (..),
 
     -- * The answer
-  , Locator
-  , locator
-  , locate
-  , Answer (..)
-  , Outcome (..)
-  , Candidate (..)
-  , Reason (..)
-  , reasonName
-  , reasons
-  , Distances (..)
-  , Posterior (..)
-  , PatchVerdict (..)
-  , Known (..)
-  , atLeast
-  , Chance (..)
+    Locator,
+    locator,
+    locate,
+    Answer (..),
+    Outcome (..),
+    Candidate (..),
+    Reason (..),
+    reasonName,
+    reasons,
+    Distances (..),
+    Posterior (..),
+    PatchVerdict (..),
+    Known (..),
+    atLeast,
+    Chance (..),
 
     -- * Decoders
-  , DecoderName (..)
-  , decoderText
-  , decoderFor
-  , agreedSymbols
+    DecoderName (..),
+    decoderText,
+    decoderFor,
+    agreedSymbols,
 
     -- * Errors
-  , LocatorError (..)
-  , LocateError (..)
-  , AlgebraError (..)
-  , DecodingError (..)
+    LocatorError (..),
+    LocateError (..),
+    AlgebraError (..),
+    DecodingError (..),
 
     -- * The memory table
-  , Table
-  , buildTable
-  , tableSurface
-  , tableShape
-  , tableMask
-  , tablePacking
-  , tableSize
-  , tableLookup
-  , tableEntries
-  , tableUnique
-  , largestTable
-  , locatePatch
-  ) where
+    Table,
+    buildTable,
+    tableSurface,
+    tableShape,
+    tableMask,
+    tablePacking,
+    tableSize,
+    tableLookup,
+    tableEntries,
+    tableUnique,
+    largestTable,
+    locatePatch,
+  )
+where
 
 import PraTactile.Locate.Algebra (AlgebraError (..))
 import PraTactile.Locate.Answer

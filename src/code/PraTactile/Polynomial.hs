@@ -4,54 +4,55 @@
 -- all q^n - 1 non-zero states.
 module PraTactile.Polynomial
   ( -- * Polynomials
-    Polynomial
-  , polynomial
-  , polynomialFromCodes
-  , coefficients
-  , constant
-  , variable
-  , polynomialDegree
-  , leadingCoefficient
-  , isMonic
-  , valueAt
+    Polynomial,
+    polynomial,
+    polynomialFromCodes,
+    coefficients,
+    constant,
+    variable,
+    polynomialDegree,
+    leadingCoefficient,
+    isMonic,
+    valueAt,
 
     -- * Division
-  , quotientRemainder
-  , greatestCommonDivisor
-  , bezout
-  , powerModulo
+    quotientRemainder,
+    greatestCommonDivisor,
+    bezout,
+    powerModulo,
 
     -- * Irreducible polynomials
-  , isIrreducible
-  , irreduciblePolynomials
-  , countIrreducible
+    isIrreducible,
+    irreduciblePolynomials,
+    countIrreducible,
 
     -- * Primitive polynomials
-  , Primitive
-  , checkPrimitive
-  , primitivePolynomial
-  , primitiveDegree
-  , period
-  , periodFactors
-  , reciprocal
-  , PolynomialError (..)
+    Primitive,
+    checkPrimitive,
+    primitivePolynomial,
+    primitiveDegree,
+    period,
+    periodFactors,
+    reciprocal,
+    PolynomialError (..),
 
     -- * Search
-  , primitivePolynomials
-  , firstPrimitive
-  , fewestTermsPrimitive
-  , randomPrimitive
-  , countPrimitive
-  , primitiveAmong
+    primitivePolynomials,
+    firstPrimitive,
+    fewestTermsPrimitive,
+    randomPrimitive,
+    countPrimitive,
+    primitiveAmong,
 
     -- * Candidates
-  , monicPolynomials
-  , monicByTerms
-  , randomMonics
-  , ascendingCandidates
-  , fewestTermsCandidates
-  , barrenRun
-  ) where
+    monicPolynomials,
+    monicByTerms,
+    randomMonics,
+    ascendingCandidates,
+    fewestTermsCandidates,
+    barrenRun,
+  )
+where
 
 import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible

@@ -1,25 +1,22 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | Every convention as data. Two implementations agree on an array, and on what a position in it
 -- means, when they agree on its profile; 'withProfile' is the checked door from a profile to the
 -- typed array.
 module PraTactile.Profile
   ( -- * Profiles
-    Profile (..)
-  , Reading (..)
-  , canonicalProfile
-  , chooseProfile
-  , foldedBy
-  , inferWindow
+    Profile (..),
+    Reading (..),
+    canonicalProfile,
+    chooseProfile,
+    foldedBy,
+    inferWindow,
 
     -- * From profiles to arrays
-  , withProfile
-  , ProfileError (..)
-  ) where
+    withProfile,
+    ProfileError (..),
+  )
+where
 
 import Control.Monad (when)
 import Data.Bifunctor (first)
@@ -45,26 +42,26 @@ data Reading
 -- coefficients, constant term first. A value may state an impossible choice; 'withProfile' finds
 -- out.
 data Profile = Profile
-  { profileOrder :: Natural
-  -- ^ q, the number of symbols
-  , profileModulus :: [Natural]
-  -- ^ the modulus of GF(q), over the integers modulo p
-  , profilePolynomial :: [Natural]
-  -- ^ the polynomial over GF(q), of degree n
-  , profileReading :: Reading
-  -- ^ what that polynomial is
-  , profileState :: [Natural]
-  -- ^ s(0), ..., s(n-1)
-  , profileFolding :: Folding
-  -- ^ how the sequence is folded
-  , profileShape :: Shape
-  -- ^ n1 x n2 cells
-  , profileWindow :: Shape
-  -- ^ k1 x k2 cells
-  , profileSurface :: Surface
-  -- ^ what lies beyond the edges
-  , profilePacking :: Packing
-  -- ^ how a window is packed into a number
+  { -- | q, the number of symbols
+    profileOrder :: Natural,
+    -- | the modulus of GF(q), over the integers modulo p
+    profileModulus :: [Natural],
+    -- | the polynomial over GF(q), of degree n
+    profilePolynomial :: [Natural],
+    -- | what that polynomial is
+    profileReading :: Reading,
+    -- | s(0), ..., s(n-1)
+    profileState :: [Natural],
+    -- | how the sequence is folded
+    profileFolding :: Folding,
+    -- | n1 x n2 cells
+    profileShape :: Shape,
+    -- | k1 x k2 cells
+    profileWindow :: Shape,
+    -- | what lies beyond the edges
+    profileSurface :: Surface,
+    -- | how a window is packed into a number
+    profilePacking :: Packing
   }
   deriving stock (Eq, Show)
 
@@ -73,16 +70,16 @@ data Profile = Profile
 canonicalProfile :: Profile
 canonicalProfile =
   Profile
-    { profileOrder = 4
-    , profileModulus = [1, 1, 1]
-    , profilePolynomial = [3, 2, 1, 0, 1]
-    , profileReading = Characteristic
-    , profileState = [0, 0, 0, 1]
-    , profileFolding = Diagonal
-    , profileShape = Shape 15 17
-    , profileWindow = Shape 2 2
-    , profileSurface = Torus
-    , profilePacking = MostSignificantFirst
+    { profileOrder = 4,
+      profileModulus = [1, 1, 1],
+      profilePolynomial = [3, 2, 1, 0, 1],
+      profileReading = Characteristic,
+      profileState = [0, 0, 0, 1],
+      profileFolding = Diagonal,
+      profileShape = Shape 15 17,
+      profileWindow = Shape 2 2,
+      profileSurface = Torus,
+      profilePacking = MostSignificantFirst
     }
 
 -- | Why a profile describes no array.
@@ -108,33 +105,34 @@ data ProfileError
 -- the inferred one) and the initial state (or 0, ..., 0, 1), the rest as in 'canonicalProfile'.
 -- Refuses a q that is no prime power up to 256 when no modulus is given, and a window that cannot
 -- be inferred; whether the choice is possible is for 'withProfile' to say.
-chooseProfile
-  :: Natural
-  -> Maybe [Natural]
-  -> [Natural]
-  -> Shape
-  -> Maybe Shape
-  -> Maybe [Natural]
-  -> Either ProfileError Profile
+chooseProfile ::
+  Natural ->
+  Maybe [Natural] ->
+  [Natural] ->
+  Shape ->
+  Maybe Shape ->
+  Maybe [Natural] ->
+  Either ProfileError Profile
 chooseProfile q givenModulus h shape givenWindow givenState = do
   modulus <- maybe (snd <$> first ProfileField (conwayModulus q)) Right givenModulus
   window <- maybe (maybe notInferred Right (inferWindow q n shape)) Right givenWindow
   pure
     canonicalProfile
-      { profileOrder = q
-      , profileModulus = modulus
-      , profilePolynomial = h
-      , profileState = fromMaybe (map (const 0) (drop 2 h) ++ [1]) givenState
-      , profileShape = shape
-      , profileWindow = window
+      { profileOrder = q,
+        profileModulus = modulus,
+        profilePolynomial = h,
+        profileState = fromMaybe (map (const 0) (drop 2 h) ++ [1]) givenState,
+        profileShape = shape,
+        profileWindow = window
       }
- where
-  n = fromIntegral (max 1 (length h) - 1) :: Natural
-  notInferred = Left (WindowNotInferred (rows shape) n)
+  where
+    n = fromIntegral (max 1 (length h) - 1) :: Natural
+    notInferred = Left (WindowNotInferred (rows shape) n)
 
 -- | The profile with another folding, and the surface that is natural for it.
 foldedBy :: Folding -> Profile -> Profile
-foldedBy folding profile = profile {profileFolding = folding, profileSurface = naturalSurface folding}
+foldedBy folding profile =
+  profile {profileFolding = folding, profileSurface = naturalSurface folding}
 
 -- | The window k1 x k2 that belongs to n1 x n2 cells, where n1 = q^k1 - 1 and n = k1 k2
 -- (MacWilliams and Sloane 1976). The arguments are q, n and the shape.
@@ -144,9 +142,10 @@ foldedBy folding profile = profile {profileFolding = folding, profileSurface = n
 inferWindow :: Natural -> Natural -> Shape -> Maybe Shape
 inferWindow q n (Shape n1 _)
   | q < 2 = Nothing
-  | otherwise = listToMaybe [Shape k1 (n `div` k1) | (k1, size) <- powers, n `mod` k1 == 0, size == n1 + 1]
- where
-  powers = zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q))
+  | otherwise =
+    listToMaybe [Shape k1 (n `div` k1) | (k1, size) <- powers, n `mod` k1 == 0, size == n1 + 1]
+  where
+    powers = zip [1 .. n] (takeWhile (<= n1 + 1) (iterate (* q) q))
 
 -- | Check a profile and bring its field, array and window into scope. Refuses every impossible
 -- choice, each with its own 'ProfileError'. Not checked is whether the windows of the array are
@@ -154,20 +153,25 @@ inferWindow q n (Shape n1 _)
 --
 -- >>> withProfile canonicalProfile (\array _ -> toCode (cellAt array (Position 6 5)))
 -- Right 3
-withProfile
-  :: Profile -> (forall k. KnownField k => PseudorandomArray k -> Mask -> r) -> Either ProfileError r
+withProfile ::
+  Profile -> (forall k. KnownField k => PseudorandomArray k -> Mask -> r) -> Either ProfileError r
 withProfile profile use = do
   (p, given, needed) <- first ProfileField (modulusDegrees (profileOrder profile) (take 10 modulus))
   when (given /= needed) (Left (ModulusDegree given needed))
   mask <- first ProfileWindow (rectangle (profileWindow profile))
   checked <- first ProfileField (withField p modulus (\k -> (`use` mask) <$> arrayOver k profile))
   checked
- where
-  modulus = profileModulus profile
+  where
+    modulus = profileModulus profile
 
 -- | The array of a profile over its field. The number of cells is compared first, because the other
 -- checks take long for large degrees.
-arrayOver :: forall k. KnownField k => Proxy k -> Profile -> Either ProfileError (PseudorandomArray k)
+arrayOver ::
+  forall k.
+  KnownField k =>
+  Proxy k ->
+  Profile ->
+  Either ProfileError (PseudorandomArray k)
 arrayOver k profile = do
   h <- first ProfileField (polynomialFromCodes (profilePolynomial profile))
   let terms = fromIntegral (fieldOrder k) ^ fromMaybe 0 (polynomialDegree (h :: Polynomial k)) - 1
@@ -179,5 +183,5 @@ arrayOver k profile = do
   terms0 <- first ProfileField (elementsFromCodes (profileState profile))
   state <- first ProfileState (initialState characteristic terms0)
   first ProfileFold (fold (profileFolding profile) shape characteristic state)
- where
-  shape = profileShape profile
+  where
+    shape = profileShape profile

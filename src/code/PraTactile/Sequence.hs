@@ -1,31 +1,26 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
--- |
--- Maximal-length sequences (m-sequences) from a shift register with feedback (section II of the paper;
--- MacWilliams and Sloane 1976): forwards, backwards, and by jumps of any length. With h(x) = x^n +
--- c(n-1) x^(n-1) + ... + c0 the characteristic polynomial, s(i+n) = - (c0 s(i) + ... + c(n-1)
+-- | Maximal-length sequences (m-sequences) from a shift register with feedback (section II of the
+-- paper; MacWilliams and Sloane 1976): forwards, backwards, and by jumps of any length. With h(x) =
+-- x^n + c(n-1) x^(n-1) + ... + c0 the characteristic polynomial, s(i+n) = - (c0 s(i) + ... + c(n-1)
 -- s(i+n-1)).
 module PraTactile.Sequence
   ( -- * States
-    State
-  , initialState
-  , canonicalState
-  , stateElements
-  , SequenceError (..)
+    State,
+    initialState,
+    canonicalState,
+    stateElements,
+    SequenceError (..),
 
     -- * The register
-  , next
-  , previous
-  , stateAt
+    next,
+    previous,
+    stateAt,
 
     -- * Sequences
-  , mSequence
-  , sequenceVector
-  , termAt
-  ) where
+    mSequence,
+    sequenceVector,
+    termAt,
+  )
+where
 
 import Control.Monad (forM_)
 import Data.List (genericTake)
@@ -55,16 +50,16 @@ type role State nominal
 instance KnownField k => Show (State k) where
   showsPrec d (State s) = showsPrec d s
 
--- | The state s(0), ..., s(n-1) for a polynomial of degree n. Refuses another number of elements, and
--- all zeros.
+-- | The state s(0), ..., s(n-1) for a polynomial of degree n. Refuses another number of elements,
+-- and all zeros.
 initialState :: Primitive k -> [GF k] -> Either SequenceError (State k)
 initialState h s
   | given /= n = Left (StateLength given n)
   | all (== zero) s = Left StateZero
   | otherwise = Right (State s)
- where
-  n = primitiveDegree h
-  given = length (take (n + 1) s)
+  where
+    n = primitiveDegree h
+    given = length (take (n + 1) s)
 
 -- | The state 0, ..., 0, 1.
 canonicalState :: Primitive k -> State k
@@ -85,11 +80,12 @@ next h (State s) = State (drop 1 s ++ [negate (sum (zipWith (*) (feedback h) s))
 -- | One step back: s(i-1), ..., s(i+n-2), the state of which 'next' makes this one; as c0 s(i-1) =
 -- - (c1 s(i) + ... + c(n-1) s(i+n-2) + s(i+n-1)).
 previous :: KnownField k => Primitive k -> State k -> State k
-previous h (State s) = State (negate (inverted * sum (zipWith (*) others s)) : take (primitiveDegree h - 1) s)
- where
-  (constantTerm, others) = splitAt 1 (coefficients (primitivePolynomial h))
-  -- c0 is not zero, and a^(q - 2) is the inverse of such an a.
-  inverted = power (sum constantTerm) (fromIntegral (fieldOrder h - 2))
+previous h (State s) =
+  State (negate (inverted * sum (zipWith (*) others s)) : take (primitiveDegree h - 1) s)
+  where
+    (constantTerm, others) = splitAt 1 (coefficients (primitivePolynomial h))
+    -- c0 is not zero, and a^(q - 2) is the inverse of such an a.
+    inverted = power (sum constantTerm) (fromIntegral (fieldOrder h - 2))
 
 -- | The endless m-sequence, of period q^n - 1, as the recurrence states it.
 --
@@ -109,14 +105,14 @@ sequenceVector h (State s0) count = Primitive.create $ do
   continue (recurrenceOf (feedback h)) (primitiveDegree h) count terms
   pure terms
 
--- | The term s(t) for any t, without the terms before it. Prepared once for a polynomial and a state
--- it takes any number of t: @map (termAt h state) ts@.
+-- | The term s(t) for any t, without the terms before it. Prepared once for a polynomial and a
+-- state it takes any number of t: @map (termAt h state) ts@.
 termAt :: KnownField k => Primitive k -> State k -> Natural -> GF k
 termAt h (State s) = jump h s
 
--- | The state s(t), ..., s(t+n-1) of the register after t steps, or before if t is negative, without
--- the steps between.
+-- | The state s(t), ..., s(t+n-1) of the register after t steps, or before if t is negative,
+-- without the steps between.
 stateAt :: KnownField k => Primitive k -> State k -> Integer -> State k
 stateAt h s t = State (map (termAt h s . (start +)) (genericTake (primitiveDegree h) [0 ..]))
- where
-  start = fromInteger (t `mod` toInteger (period h))
+  where
+    start = fromInteger (t `mod` toInteger (period h))

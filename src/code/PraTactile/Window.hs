@@ -1,29 +1,28 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | Windows: the few neighbouring cells by whose content a position is told (section II of the
 -- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
 -- is its upper left corner, the cell from which the offsets count, observed or not.
 module PraTactile.Window
   ( -- * Masks
-    Mask
-  , rectangle
-  , maskFrom
-  , maskOffsets
-  , maskSize
-  , maskExtent
-  , maskRectangle
-  , maskFromDrawing
-  , maskDrawing
-  , WindowError (..)
+    Mask,
+    rectangle,
+    maskFrom,
+    maskOffsets,
+    maskSize,
+    maskExtent,
+    maskRectangle,
+    maskFromDrawing,
+    maskDrawing,
+    WindowError (..),
 
     -- * Contents
-  , windowAt
+    windowAt,
 
     -- * Packing
-  , Packing (..)
-  , pack
-  , unpack
-  ) where
+    Packing (..),
+    pack,
+    unpack,
+  )
+where
 
 import Data.List (foldl', intercalate, unfoldr)
 import qualified Data.Set as Set
@@ -48,7 +47,8 @@ data WindowError
     PackedOutOfRange Natural
   deriving stock (Eq, Show)
 
--- | The offsets of a window's cells from its position, in reading order, each once: 1 ... 4096 cells.
+-- | The offsets of a window's cells from its position, in reading order, each once: 1 ... 4096
+-- cells.
 newtype Mask = Mask [Position]
   deriving stock (Eq, Ord, Show)
 
@@ -69,12 +69,12 @@ maskFrom offsets
   | null offsets = Left WindowEmpty
   | size > largestMask = Left (WindowTooLarge size)
   | otherwise = go Set.empty offsets
- where
-  size = fromIntegral (length offsets)
-  go _ [] = Right (Mask offsets)
-  go seen (o : rest)
-    | o `Set.member` seen = Left (OffsetRepeated o)
-    | otherwise = go (Set.insert o seen) rest
+  where
+    size = fromIntegral (length offsets)
+    go _ [] = Right (Mask offsets)
+    go seen (o : rest)
+      | o `Set.member` seen = Left (OffsetRepeated o)
+      | otherwise = go (Set.insert o seen) rest
 
 largestMask :: Natural
 largestMask = 4096
@@ -89,15 +89,17 @@ maskSize (Mask offsets) = length offsets
 
 -- | The smallest rectangle that holds the cells and the window's position.
 maskExtent :: Mask -> Shape
-maskExtent (Mask offsets) = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
+maskExtent (Mask offsets) =
+  Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
--- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for others.
+-- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for
+-- others.
 maskRectangle :: Mask -> Maybe Shape
 maskRectangle mask
   | area extent == fromIntegral (maskSize mask) = Just extent
   | otherwise = Nothing
- where
-  extent = maskExtent mask
+  where
+    extent = maskExtent mask
 
 -- | The mask that is drawn: # for a cell that is observed and . for one that is not, the rows from
 -- the top down and parted by a slash. It is read row by row; its position is its upper left corner.
@@ -110,11 +112,11 @@ maskFromDrawing drawing
   | c : _ <- filter (`notElem` "#./") drawing = Left (DrawingCharacter c)
   | Just (i, given, first) <- raggedRow drawn = Left (DrawingRagged i given first)
   | otherwise = maskFrom [Position i j | (i, r) <- zip [0 ..] drawn, (j, '#') <- zip [0 ..] r]
- where
-  drawn = splitRows drawing
-  splitRows text = case break (== '/') text of
-    (r, _ : others) -> r : splitRows others
-    (r, []) -> [r]
+  where
+    drawn = splitRows drawing
+    splitRows text = case break (== '/') text of
+      (r, _ : others) -> r : splitRows others
+      (r, []) -> [r]
 
 -- | The drawing of a mask that 'maskFromDrawing' reads: without the order in which it is read.
 --
@@ -123,17 +125,17 @@ maskFromDrawing drawing
 maskDrawing :: Mask -> String
 maskDrawing mask =
   intercalate "/" [[drawn (Position i j) | j <- naturalsBelow width] | i <- naturalsBelow height]
- where
-  cells = Set.fromList (maskOffsets mask)
-  Shape height width = maskExtent mask
-  drawn cell = if cell `Set.member` cells then '#' else '.'
+  where
+    cells = Set.fromList (maskOffsets mask)
+    Shape height width = maskExtent mask
+    drawn cell = if cell `Set.member` cells then '#' else '.'
 
 -- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
 -- beyond the edges of the sheet.
 windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
 windowAt surface array mask position = traverse cell (maskOffsets mask)
- where
-  cell offset = cellAt array <$> displaced surface (arrayShape array) position offset
+  where
+    cell offset = cellAt array <$> displaced surface (arrayShape array) position offset
 
 -- | How a window becomes a number in base q.
 data Packing
@@ -148,16 +150,17 @@ data Packing
 -- >>> pack MostSignificantFirst 4 [3, 2, 3, 1]
 -- 237
 pack :: Packing -> Int -> [Int] -> Natural
-pack packing q codes = foldl' (\n c -> fromIntegral q * n + fromIntegral c) 0 (ordered packing codes)
+pack packing q codes =
+  foldl' (\n c -> fromIntegral q * n + fromIntegral c) 0 (ordered packing codes)
 
 -- | @unpack packing q cells n@ undoes 'pack'. Refuses n >= q^cells.
 unpack :: Packing -> Int -> Int -> Natural -> Either WindowError [Int]
 unpack packing q cells n
   | n >= base ^ max 0 cells = Left (PackedOutOfRange n)
   | otherwise = Right (ordered packing (reverse (take cells (unfoldr digit n))))
- where
-  base = fromIntegral q :: Natural
-  digit m = Just (fromIntegral (m `mod` base), m `div` base)
+  where
+    base = fromIntegral q :: Natural
+    digit m = Just (fromIntegral (m `mod` base), m `div` base)
 
 ordered :: Packing -> [a] -> [a]
 ordered MostSignificantFirst = id

@@ -1,20 +1,19 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- Cells of a rectangle and rectangles of cells: natural numbers of any size, rows downwards and
 -- columns to the right, counted from 0.
 module PraTactile.Position
-  ( Shape (..)
-  , area
-  , Position (..)
-  ) where
+  ( Shape (..),
+    area,
+    Position (..),
+  )
+where
 
 import Numeric.Natural (Natural)
 
 -- | Numbers of rows and of columns, in cells.
 data Shape = Shape
-  { rows :: !Natural
-  , columns :: !Natural
+  { rows :: !Natural,
+    columns :: !Natural
   }
   deriving stock (Eq, Ord, Show)
 
@@ -24,7 +23,7 @@ area shape = rows shape * columns shape
 
 -- | A cell: row and column, from 0, rows downwards and columns to the right.
 data Position = Position
-  { row :: !Natural
-  , column :: !Natural
+  { row :: !Natural,
+    column :: !Natural
   }
   deriving stock (Eq, Ord, Show)

@@ -1,9 +1,6 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- |
--- The eight symmetries of the square: how a face, a patch or a symbol may be seen turned or mirrored.
--- They are the dihedral group of order 8, with composition as '<>', and act on rows of cells, on the
--- shapes of rectangles and on the cells within them.
+-- | The eight symmetries of the square: how a face, a patch or a symbol may be seen turned or
+-- mirrored. They are the dihedral group of order 8, with composition as '<>', and act on rows of
+-- cells, on the shapes of rectangles and on the cells within them.
 --
 -- The corners of a square with the letters a to d, clockwise from the upper left, and how they are
 -- seen:
@@ -13,33 +10,34 @@
 -- >   d c          c b          b a          a d          c d          d a
 module PraTactile.Symmetry
   ( -- * The group
-    Symmetry
-  , mirrored
-  , quarterTurns
-  , identity
-  , turned
-  , mirror
-  , invert
+    Symmetry,
+    mirrored,
+    quarterTurns,
+    identity,
+    turned,
+    mirror,
+    invert,
 
     -- * Its elements
-  , rotations
-  , symmetries
+    rotations,
+    symmetries,
 
     -- * Actions
-  , onRows
-  , onShape
-  , onPosition
-  ) where
+    onRows,
+    onShape,
+    onPosition,
+  )
+where
 
 import Data.List (transpose)
 import PraTactile.Position
 
 -- | How something is seen: mirrored or not, left and right exchanged; and then turned.
 data Symmetry = Symmetry
-  { mirrored :: !Bool
-  -- ^ Whether left and right are exchanged before turning.
-  , quarterTurns :: !Int
-  -- ^ Clockwise: 0, 1, 2 or 3.
+  { -- | Whether left and right are exchanged before turning.
+    mirrored :: !Bool,
+    -- | Clockwise: 0, 1, 2 or 3.
+    quarterTurns :: !Int
   }
   deriving stock (Eq, Ord, Show)
 
@@ -84,8 +82,8 @@ symmetries = rotations ++ map (<> mirror) rotations
 onRows :: Symmetry -> [[a]] -> [[a]]
 onRows (Symmetry flipped turns) cells =
   iterate clockwise (if flipped then map reverse cells else cells) !! turns
- where
-  clockwise = map reverse . transpose
+  where
+    clockwise = map reverse . transpose
 
 -- | The shape of a rectangle as it is seen.
 --
@@ -105,7 +103,7 @@ onPosition (Symmetry flipped turns) (Shape h w) (Position i j) = case turns of
   1 -> Position j' (h `less` i)
   2 -> Position (h `less` i) (w `less` j')
   _ -> Position (w `less` j') i
- where
-  j' = if flipped then w `less` j else j
-  -- As far from the last of so many as the index is from the first.
-  less n k = if k < n then n - 1 - k else 0
+  where
+    j' = if flipped then w `less` j else j
+    -- As far from the last of so many as the index is from the first.
+    less n k = if k < n then n - 1 - k else 0

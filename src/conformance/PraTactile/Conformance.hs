@@ -1,20 +1,23 @@
--- | The conformance suite: what every implementation of the code must do, as data. A law is a name and a property over a
--- session with the implementation under test; it needs QuickCheck and no test framework:
+-- | The conformance suite: what every implementation of the code must do, as data. A law is a name
+-- and a property over a session with the implementation under test; it needs QuickCheck and no test
+-- framework:
 --
 -- > mapM_ (\law -> quickCheck (lawProperty law session)) laws
 --
 -- The project's own test suite runs all of them on this library; a user runs them on theirs.
 module PraTactile.Conformance
   ( -- * Implementations under test
-    module PraTactile.Conformance.Implementation
-  , library
+    module PraTactile.Conformance.Implementation,
+    library,
+
     -- * Laws
-  , Law (..)
-  , laws
-  , damageLaws
-  , chanceLaws
-  , openingLaws
-  ) where
+    Law (..),
+    laws,
+    damageLaws,
+    chanceLaws,
+    openingLaws,
+  )
+where
 
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))

@@ -1,30 +1,30 @@
-{-# LANGUAGE DerivingStrategies #-}
 -- | Reading folders of frames and images from disk. Only bytes are read here: what they hold is for
 -- "PraTactile.Source" to say.
 module PraTactile.Files
   ( -- * Reading
-    readFolder
-  , readChosen
-  , readImage
-  , readUpTo
-  , largestInput
+    readFolder,
+    readChosen,
+    readImage,
+    readUpTo,
+    largestInput,
+
     -- * What can be wrong
-  , FilesError (..)
-  ) where
+    FilesError (..),
+  )
+where
 
 import Control.Exception (try)
-import qualified Data.ByteString as Bytes
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import qualified Data.Map.Strict as Map
 import GHC.IO.Exception (IOException (..))
+import PraTactile.Source (Folder (..), manifestName, namedImages)
 import System.Directory (doesDirectoryExist, doesPathExist)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hFileSize, withBinaryFile)
 import System.IO.Error (isDoesNotExistError, isPermissionError)
-
-import PraTactile.Source (Folder (..), manifestName, namedImages)
 
 -- | Why bytes were not read; each names the path.
 data FilesError
@@ -46,13 +46,14 @@ data FilesError
     Unreadable FilePath String
   deriving stock (Eq, Show)
 
--- | 256 MiB: the largest image or manifest that is read, and the most that the images of one folder may be
--- together. A frame is some hundred bytes.
+-- | 256 MiB: the largest image or manifest that is read, and the most that the images of one folder
+-- may be together. A frame is some hundred bytes.
 largestInput :: Int
 largestInput = 256 * 1024 * 1024
 
--- | A folder's manifest, and the images that it names. Names that lead out of the folder are not read, nor is
--- anything if the manifest is wrong: 'PraTactile.Source.folderFrames' refuses such a folder and says why.
+-- | A folder's manifest, and the images that it names. Names that lead out of the folder are not
+-- read, nor is anything if the manifest is wrong: 'PraTactile.Source.folderFrames' refuses such a
+-- folder and says why.
 readFolder :: FilePath -> IO (Either FilesError Folder)
 readFolder = readChosen (const True)
 
@@ -63,19 +64,23 @@ readChosen wanted folder = do
   isSomething <- doesPathExist folder
   hasManifest <- doesPathExist (folder </> manifestName)
   case () of
-    _ | isFolder && hasManifest -> readUpTo largestInput (folder </> manifestName) >>= either (pure . Left) named
+    _
+      | isFolder && hasManifest ->
+        readUpTo largestInput (folder </> manifestName) >>= either (pure . Left) named
       | isFolder -> pure (Left (NoManifest folder))
       | isSomething -> pure (Left (IsFile folder))
       | otherwise -> pure (Left (NoSuchFolder folder))
   where
     named manifest =
-      fmap (Folder manifest . Map.fromList) <$> images largestInput (filter wanted (namedImages manifest))
+      fmap (Folder manifest . Map.fromList)
+        <$> images largestInput (filter wanted (namedImages manifest))
     images _ [] = pure (Right [])
     images room (name : names) = do
       read' <- readUpTo room (folder </> name)
       case read' of
         Right bytes -> fmap ((name, bytes) :) <$> images (room - Bytes.length bytes) names
-        Left (TooLarge file _) -> pure (Left (TooLarge (if room < largestInput then folder else file) largestInput))
+        Left (TooLarge file _) ->
+          pure (Left (TooLarge (if room < largestInput then folder else file) largestInput))
         Left other -> pure (Left other)
 
 -- | An image's bytes.
@@ -86,14 +91,17 @@ readImage = readUpTo largestInput
 readUpTo :: Int -> FilePath -> IO (Either FilesError ByteString)
 readUpTo limit file = do
   isFolder <- doesDirectoryExist file
-  if isFolder then pure (Left (IsFolder file)) else do
-    outcome <- try (withBinaryFile file ReadMode bytesOf)
-    pure (either (Left . problemOf) id outcome)
+  if isFolder
+    then pure (Left (IsFolder file))
+    else do
+      outcome <- try (withBinaryFile file ReadMode bytesOf)
+      pure (either (Left . problemOf) id outcome)
   where
     bytesOf handle = do
       -- A pipe has no size to be asked for; it is read as far as it may go.
       size <- either unknown id <$> try (hFileSize handle)
-      bytes <- if size > toInteger limit then pure Nothing else Just <$> Lazy.hGet handle (limit + 1)
+      bytes <-
+        if size > toInteger limit then pure Nothing else Just <$> Lazy.hGet handle (limit + 1)
       pure $ case bytes of
         Just whole | Lazy.length whole <= fromIntegral limit -> Right (Lazy.toStrict whole)
         _ -> Left (TooLarge file limit)

@@ -16,32 +16,38 @@
 -- census files that are not finished.
 module PraTactile.Format
   ( -- * Why a text is not read
-    FormatError (..)
-  , JsonError (..)
-  , Misfit (..)
-  , CensusFileError (..)
-  , RowError (..)
+    FormatError (..),
+    JsonError (..),
+    Misfit (..),
+    CensusFileError (..),
+    RowError (..),
+
     -- * Profiles
-  , encodeProfile
-  , decodeProfile
+    encodeProfile,
+    decodeProfile,
+
     -- * Certificates
-  , encodeCertificate
-  , decodeCertificate
-  , CertificateFile (..)
+    encodeCertificate,
+    decodeCertificate,
+    CertificateFile (..),
+
     -- * Answers and the truth
-  , encodeRecognition
-  , RecognitionReport (..)
-  , decodeClaim
-  , encodeTruth
-  , decodeTruth
+    encodeRecognition,
+    RecognitionReport (..),
+    decodeClaim,
+    encodeTruth,
+    decodeTruth,
+
     -- * Advice
-  , encodeAdvice
+    encodeAdvice,
+
     -- * Census files
-  , encodeCensus
-  , decodeCensus
-  , Form (..)
-  , Row (..)
-  ) where
+    encodeCensus,
+    decodeCensus,
+    Form (..),
+    Row (..),
+  )
+where
 
 import PraTactile.Format.Advice
 import PraTactile.Format.Census

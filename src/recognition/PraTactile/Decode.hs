@@ -1,23 +1,24 @@
-{-# LANGUAGE DerivingStrategies #-}
 -- | Bytes in, recognition out, with everything chosen: the shortest way through the library.
 -- "PraTactile.Recognise" has the same with every part in the caller's hands.
 module PraTactile.Decode
   ( -- * Decoders
-    Decoder
-  , decoder
-  , canonicalDecoder
+    Decoder,
+    decoder,
+    canonicalDecoder,
+
     -- * Decoding
-  , decodeFolder
-  , decodeImage
-  , decodeFrames
-  , decodeComposites
+    decodeFolder,
+    decodeImage,
+    decodeFrames,
+    decodeComposites,
+
     -- * What can be wrong
-  , DecodeError (..)
-  ) where
+    DecodeError (..),
+  )
+where
 
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
-
 import PraTactile.Classify.Network (Network, NetworkError)
 import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Image.Error (ImageError)
@@ -33,8 +34,8 @@ import PraTactile.Stitch
 -- | A recogniser whose field need not be known: of composites of one face, what they show together.
 newtype Decoder = Decoder (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
--- | Why there is no recognition. A composite that is read but not understood is no error: its 'Recognition'
--- has a 'Refusal'.
+-- | Why there is no recognition. A composite that is read but not understood is no error: its
+-- 'Recognition' has a 'Refusal'.
 data DecodeError
   = -- | The profile has no array.
     ArrayRefused ProfileError
@@ -54,18 +55,25 @@ data DecodeError
     FramesRefused StitchError
   deriving stock (Eq, Show)
 
--- | The decoder of a profile's array on its own surface, with objects laid on it, shapes and a network.
--- Refuses parts that are impossible or do not fit each other.
+-- | The decoder of a profile's array on its own surface, with objects laid on it, shapes and a
+-- network. Refuses parts that are impossible or do not fit each other.
 decoder :: Profile -> Placement -> Alphabet -> Network -> Either DecodeError Decoder
 decoder profile layout alphabet network = do
-  made <- first ArrayRefused (withProfile profile (\array window ->
-    decoding <$> recogniser (profileSurface profile) array window layout alphabet network))
+  made <-
+    first
+      ArrayRefused
+      ( withProfile
+          profile
+          ( \array window ->
+              decoding <$> recogniser (profileSurface profile) array window layout alphabet network
+          )
+      )
   first PartsRefused made
   where
     decoding reader = Decoder (`recogniseWith` reader)
 
--- | The decoder for the paper's array with the shipped placement, shapes and network. It is always 'Right':
--- the tests build it.
+-- | The decoder for the paper's array with the shipped placement, shapes and network. It is always
+-- 'Right': the tests build it.
 canonicalDecoder :: Either DecodeError Decoder
 canonicalDecoder = do
   layout <- first PlacementRefused canonicalPlacement
@@ -73,19 +81,22 @@ canonicalDecoder = do
   network <- first NetworkRefused shippedNetwork
   decoder canonicalProfile layout alphabet network
 
--- | What the frames of a folder show, stitched with 'standardRegistration', by 'standardTolerance'. Refuses
--- what 'folderFrames' and 'stitch' refuse.
+-- | What the frames of a folder show, stitched with 'standardRegistration', by 'standardTolerance'.
+-- Refuses what 'folderFrames' and 'stitch' refuse.
 decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = first FolderRefused (folderFrames folder) >>= decodeFrames with
 
--- | What one PGM file shows that is a whole composite, likewise. Refuses what 'imageComposite' refuses.
+-- | What one PGM file shows that is a whole composite, likewise. Refuses what 'imageComposite'
+-- refuses.
 decodeImage :: Decoder -> ByteString -> Either DecodeError Recognition
-decodeImage with bytes = first FileRefused (imageComposite bytes) >>= decodeComposites standardTolerance with . pure
+decodeImage with bytes =
+  first FileRefused (imageComposite bytes) >>= decodeComposites standardTolerance with . pure
 
 -- | What frames show, likewise. Refuses what 'stitch' refuses.
 decodeFrames :: Decoder -> [Frame] -> Either DecodeError Recognition
 decodeFrames with frames =
-  first FramesRefused (stitch standardRegistration frames) >>= decodeComposites standardTolerance with . pure
+  first FramesRefused (stitch standardRegistration frames)
+    >>= decodeComposites standardTolerance with . pure
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
 decodeComposites :: Tolerance -> Decoder -> [Composite] -> Either DecodeError Recognition

@@ -1,29 +1,30 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | How often the whole way is right, wrong, or refuses: simulated presses at random places on the faces in turn, each
--- decoded with stitching and, from the same frames, with the nominal positions alone.
+-- | How often the whole way is right, wrong, or refuses: simulated presses at random places on the
+-- faces in turn, each decoded with stitching and, from the same frames, with the nominal positions
+-- alone.
 module PraTactile.Evaluate
   ( -- * A trial
-    Trial (..)
-  , trial
-  , trials
-  , fitting
+    Trial (..),
+    trial,
+    trials,
+    fitting,
+
     -- * Its results
-  , Result (..)
-  , TrialResult (..)
-  , runTrial
+    Result (..),
+    TrialResult (..),
+    runTrial,
+
     -- * Counts
-  , Tally (..)
-  , tally
-  , noResults
-  , counting
-  ) where
+    Tally (..),
+    tally,
+    noResults,
+    counting,
+  )
+where
 
 import Data.Either (isRight)
 import Data.List (foldl', unfoldr)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
-import System.Random (StdGen, mkStdGen, split)
-
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
@@ -32,58 +33,67 @@ import PraTactile.Probe.Sensor (HeightMap, Sensor)
 import PraTactile.Recognise
 import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
 import PraTactile.Truth
+import System.Random (StdGen, mkStdGen, split)
 
 -- | One exploration whose truth is known.
 data Trial = Trial
-  { trialFace :: LaidFace
-  , trialRegion :: Region
-  , trialFrames :: [Frame]
+  { trialFace :: LaidFace,
+    trialRegion :: Region,
+    trialFrames :: [Frame]
   }
 
--- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of the given ways (quarter turns
--- clockwise); @Nothing@ if it does not fit.
+-- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of
+-- the given ways (quarter turns clockwise); @Nothing@ if it does not fit.
 trial :: Sensor -> [Int] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
 trial sensor turns size (face, heights) generator = do
   (region, generator1) <- randomRegion turns size face generator
   (frames, _) <- either (const Nothing) Just (explore sensor heights region generator1)
   pure (Trial face region frames)
 
--- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any one can be run alone.
+-- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
+-- one can be run alone.
 trials :: Sensor -> [Int] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trials sensor turns size faces seed = zipWith (trial sensor turns size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+trials sensor turns size faces seed =
+  zipWith (trial sensor turns size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
--- | Whether so many 'trials' all find room on their faces; costs next to nothing beside running them.
+-- | Whether so many 'trials' all find room on their faces; costs next to nothing beside running
+-- them.
 fitting :: [Int] -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
 fitting turns size faces seed count = go count (cycle faces) (mkStdGen seed)
   where
-    go n (face : others) generator | n > 0 =
-      let (own, next) = split generator
-      in isJust (randomRegion turns size face own) && go (n - 1) others next
+    go n (face : others) generator
+      | n > 0 =
+        let (own, next) = split generator
+         in isJust (randomRegion turns size face own) && go (n - 1) others next
     go _ _ _ = True
 
 -- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
 data Result
-  = Correct !Double       -- ^ object, face, orientation and place are the true ones; with the answer's doubt
-  | Mistaken !Double      -- ^ an answer, but not the true one; likewise
-  | NoAnswer !String      -- ^ no answer, with the stable name of the refusal
+  = -- | object, face, orientation and place are the true ones; with the answer's doubt
+    Correct !Double
+  | -- | an answer, but not the true one; likewise
+    Mistaken !Double
+  | -- | no answer, with the stable name of the refusal
+    NoAnswer !String
   deriving stock (Eq, Ord, Show)
 
 -- | The same frames decoded twice.
 data TrialResult = TrialResult
-  { withStitching :: !Result
-  , withoutStitching :: !Result
+  { withStitching :: !Result,
+    withoutStitching :: !Result
   }
   deriving stock (Eq, Show)
 
 -- | Decode a trial's frames with and without stitching.
 runTrial :: KnownField k => Tolerance -> Recogniser k -> Registration -> Trial -> TrialResult
-runTrial tolerance reader registration t = TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
+runTrial tolerance reader registration t =
+  TrialResult (judge (stitch registration frames)) (judge (placeOnly frames))
   where
     frames = trialFrames t
     judge = either (const (NoAnswer "not-stitched")) (result tolerance reader t)
 
--- | Compare an answer with the truth: the window's centre must lie on the true face, in the true orientation, within
--- half a cell of where the composite shows it.
+-- | Compare an answer with the truth: the window's centre must lie on the true face, in the true
+-- orientation, within half a cell of where the composite shows it.
 result :: KnownField k => Tolerance -> Recogniser k -> Trial -> Composite -> Result
 result tolerance reader t composite = case recogniseWith tolerance reader [composite] of
   Left _ -> NoAnswer "network-misfit"
@@ -97,21 +107,29 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
         doubt = maybe 0 evidenceDoubt (recognisedEvidence recognition)
   where
     isTrue orientation window = case windowWhereabouts window of
-      OnFace place -> isRight (compared (placementPitch (recogniserPlacement reader)) truth Claim
-        { claimFace = placeFace place
-        , claimDegrees = orientationDegrees orientation
-        , claimPlace = spotMillimetres (placeCentre place)
-        , claimSeenAt = compositePosition composite (windowSeenAt window)
-        })
+      OnFace place ->
+        isRight
+          ( compared
+              (placementPitch (recogniserPlacement reader))
+              truth
+              Claim
+                { claimFace = placeFace place,
+                  claimDegrees = orientationDegrees orientation,
+                  claimPlace = spotMillimetres (placeCentre place),
+                  claimSeenAt = compositePosition composite (windowSeenAt window)
+                }
+          )
       _ -> False
     truth = Truth (laidFace (trialFace t)) (trialRegion t) (0, 0)
 
 -- | How many of each.
 data Tally = Tally
-  { tallyRight :: !Int
-  , tallyWrong :: !Int
-  , tallyExpected :: !Double                -- ^ how many wrong ones the answers' doubts add up to
-  , tallyRefused :: !(Map.Map String Int)   -- ^ by the refusal's name
+  { tallyRight :: !Int,
+    tallyWrong :: !Int,
+    -- | how many wrong ones the answers' doubts add up to
+    tallyExpected :: !Double,
+    -- | by the refusal's name
+    tallyRefused :: !(Map.Map String Int)
   }
   deriving stock (Eq, Show)
 
@@ -122,9 +140,11 @@ noResults = Tally 0 0 0 Map.empty
 -- | Count one more result, in constant memory.
 counting :: Tally -> Result -> Tally
 counting counted r = case r of
-  Correct doubt -> counted { tallyRight = tallyRight counted + 1, tallyExpected = tallyExpected counted + doubt }
-  Mistaken doubt -> counted { tallyWrong = tallyWrong counted + 1, tallyExpected = tallyExpected counted + doubt }
-  NoAnswer name -> counted { tallyRefused = Map.insertWith (+) name 1 (tallyRefused counted) }
+  Correct doubt ->
+    counted {tallyRight = tallyRight counted + 1, tallyExpected = tallyExpected counted + doubt}
+  Mistaken doubt ->
+    counted {tallyWrong = tallyWrong counted + 1, tallyExpected = tallyExpected counted + doubt}
+  NoAnswer name -> counted {tallyRefused = Map.insertWith (+) name 1 (tallyRefused counted)}
 
 -- | Count results; the doubts are added up in their order.
 tally :: [Result] -> Tally

@@ -1,39 +1,41 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | Where images come from, as bytes: a folder of frames with its manifest, or one image that is a whole
--- composite. Nothing is read here; the sublibrary @files@ reads ("PraTactile.Files").
+-- | Where images come from, as bytes: a folder of frames with its manifest, or one image that is a
+-- whole composite. Nothing is read here; the sublibrary @files@ reads ("PraTactile.Files").
 module PraTactile.Source
   ( -- * Folders of frames
-    Folder (..)
-  , manifestName
-  , namedImages
-  , folderFrames
-  , chosenFrames
-  , framesFolder
+    Folder (..),
+    manifestName,
+    namedImages,
+    folderFrames,
+    chosenFrames,
+    framesFolder,
+
     -- * Whole images
-  , imageComposite
+    imageComposite,
+
     -- * What can be wrong
-  , SourceError (..)
-  ) where
+    SourceError (..),
+  )
+where
 
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
-import System.FilePath (isAbsolute, splitDirectories)
-import Text.Printf (printf)
-
 import PraTactile.Image (Raster)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
 import PraTactile.Probe (Frame (..))
 import PraTactile.Probe.Manifest
 import PraTactile.Stitch (Composite, compositeOf)
+import System.FilePath (isAbsolute, splitDirectories)
+import Text.Printf (printf)
 
--- | A folder of frames: the bytes of its manifest and of the images that this names, by their names.
+-- | A folder of frames: the bytes of its manifest and of the images that this names, by their
+-- names.
 data Folder = Folder
-  { folderManifest :: ByteString
-  , folderImages :: Map FilePath ByteString
+  { folderManifest :: ByteString,
+    folderImages :: Map FilePath ByteString
   }
   deriving stock (Eq, Show)
 
@@ -41,7 +43,8 @@ data Folder = Folder
 data SourceError
   = -- | The manifest cannot be read.
     ManifestRefused ManifestError
-  | -- | The manifest names this file, which is not one of its folder: the path is absolute or has a @..@ in it.
+  | -- | The manifest names this file, which is not one of its folder: the path is absolute or has a
+    -- @..@ in it.
     ImageElsewhere FilePath
   | -- | The manifest names this file, and it is not among the folder's images.
     ImageAbsent FilePath
@@ -53,17 +56,18 @@ data SourceError
 manifestName :: FilePath
 manifestName = "manifest.csv"
 
--- | The files that a manifest names, as far as they lie in its folder, each once: those to be read. None if it
--- cannot be read; 'folderFrames' then tells why.
+-- | The files that a manifest names, as far as they lie in its folder, each once: those to be read.
+-- None if it cannot be read; 'folderFrames' then tells why.
 namedImages :: ByteString -> [FilePath]
-namedImages = Set.toAscList . Set.fromList . filter inside . either (const []) (map entryFile) . parseManifest
+namedImages =
+  Set.toAscList . Set.fromList . filter inside . either (const []) (map entryFile) . parseManifest
 
 -- | Whether a name stays within the folder that it is relative to.
 inside :: FilePath -> Bool
 inside name = not (isAbsolute name) && ".." `notElem` splitDirectories name
 
--- | All frames of a folder, in the manifest's order. Refuses, naming the file, a manifest and images that
--- cannot be read, names that lead out of the folder, and images that are not there.
+-- | All frames of a folder, in the manifest's order. Refuses, naming the file, a manifest and
+-- images that cannot be read, names that lead out of the folder, and images that are not there.
 folderFrames :: Folder -> Either SourceError [Frame]
 folderFrames = chosenFrames (const True)
 
@@ -77,17 +81,18 @@ chosenFrames wanted folder = do
     image name
       | not (inside name) = Left (ImageElsewhere name)
       | otherwise = do
-          bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name (folderImages folder))
-          first (ImageRefused name) (intensities bytes)
+        bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name (folderImages folder))
+        first (ImageRefused name) (intensities bytes)
 
--- | The folder of these frames, each an 8-bit binary PGM. Refuses what has no such image ('pgmFromIntensity').
+-- | The folder of these frames, each an 8-bit binary PGM. Refuses what has no such image
+-- ('pgmFromIntensity').
 framesFolder :: [Frame] -> Either ImageError Folder
 framesFolder frames = do
   images <- traverse (fmap (encodePgm Binary) . pgmFromIntensity 255 . frameImage) frames
   pure (Folder (renderManifest entries) (Map.fromList (zip names images)))
   where
-    names = [ printf "frame_%03d.pgm" i | i <- [0 .. length frames - 1] ]
-    entries = [ Entry name (framePose f) (frameForce f) | (name, f) <- zip names frames ]
+    names = [printf "frame_%03d.pgm" i | i <- [0 .. length frames - 1]]
+    entries = [Entry name (framePose f) (frameForce f) | (name, f) <- zip names frames]
 
 -- | The composite that a PGM file is. Refuses what is no PGM.
 imageComposite :: ByteString -> Either ImageError Composite

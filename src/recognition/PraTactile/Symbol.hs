@@ -1,9 +1,10 @@
--- | The one place where the two wings agree on what an embossed symbol means: class @c@ of the alphabet stands for the
--- field element of code @c@ (the paper's section II.B, figure 3).
+-- | The one place where the two wings agree on what an embossed symbol means: class @c@ of the
+-- alphabet stands for the field element of code @c@ (the paper's section II.B, figure 3).
 module PraTactile.Symbol
-  ( elementOfClass
-  , classOfElement
-  ) where
+  ( elementOfClass,
+    classOfElement,
+  )
+where
 
 import PraTactile.Field (FieldError, GF, KnownField, fromCode, toCode)
 

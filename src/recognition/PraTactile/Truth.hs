@@ -1,14 +1,14 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | An answer and the truth, where the truth is known: are they the same place? The truth is a region of a face,
--- the answer a window's centre; what compares them is the point of the composite at which the window's centre was
--- seen.
+-- | An answer and the truth, where the truth is known: are they the same place? The truth is a
+-- region of a face, the answer a window's centre; what compares them is the point of the composite
+-- at which the window's centre was seen.
 module PraTactile.Truth
-  ( Truth (..)
-  , truePlace
-  , Claim (..)
-  , Difference (..)
-  , compared
-  ) where
+  ( Truth (..),
+    truePlace,
+    Claim (..),
+    Difference (..),
+    compared,
+  )
+where
 
 import PraTactile.Explore
 import PraTactile.Object.Placement
@@ -16,14 +16,15 @@ import PraTactile.Probe (movePoint)
 
 -- | Where an exploration was.
 data Truth = Truth
-  { truthFace :: Face
-  , truthRegion :: Region
-  , truthOrigin :: (Double, Double)   -- ^ the region's upper left corner in the robot's coordinates, millimetres
+  { truthFace :: Face,
+    truthRegion :: Region,
+    -- | the region's upper left corner in the robot's coordinates, millimetres
+    truthOrigin :: (Double, Double)
   }
   deriving stock (Eq, Show)
 
--- | The place on the true face, in millimetres right of and below its upper left vertex, of a point in the robot's
--- coordinates.
+-- | The place on the true face, in millimetres right of and below its upper left vertex, of a point
+-- in the robot's coordinates.
 truePlace :: Truth -> (Double, Double) -> (Double, Double)
 truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - originX, y - originY)
   where
@@ -31,22 +32,29 @@ truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - origi
 
 -- | What an answer says.
 data Claim = Claim
-  { claimFace :: Face
-  , claimDegrees :: Int                 -- ^ how the face is turned in the robot's frame, clockwise
-  , claimPlace :: (Double, Double)      -- ^ a point in millimetres right of and below the face's upper left vertex
-  , claimSeenAt :: (Double, Double)     -- ^ the same point in the robot's coordinates, millimetres
+  { claimFace :: Face,
+    -- | how the face is turned in the robot's frame, clockwise
+    claimDegrees :: Int,
+    -- | a point in millimetres right of and below the face's upper left vertex
+    claimPlace :: (Double, Double),
+    -- | the same point in the robot's coordinates, millimetres
+    claimSeenAt :: (Double, Double)
   }
   deriving stock (Eq, Show)
 
 -- | How an answer is wrong.
 data Difference
-  = OtherFace             -- ^ on another face
-  | OtherWayUp            -- ^ on the face, but turned otherwise
-  | Elsewhere Double      -- ^ so many millimetres away on the face, half a cell or more along one of its sides
+  = -- | on another face
+    OtherFace
+  | -- | on the face, but turned otherwise
+    OtherWayUp
+  | -- | so many millimetres away on the face, half a cell or more along one of its sides
+    Elsewhere Double
   deriving stock (Eq, Show)
 
--- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is wrong. Windows
--- lie a whole cell apart at least, so that less than half a cell is the error of the measurement.
+-- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is
+-- wrong. Windows lie a whole cell apart at least, so that less than half a cell is the error of the
+-- measurement.
 compared :: Pitch -> Truth -> Claim -> Either Difference Double
 compared pitch truth claim
   | claimFace claim /= truthFace truth = Left OtherFace

@@ -1,6 +1,6 @@
--- | The sizes of the sensor and of the symbols that it reads (the paper's sections III and IV), once for
--- simulation, reading, objects and pictures. Lengths in millimetres are of the type that is calculated
--- with: exact as a 'Rational', the nearest machine number as a 'Double'.
+-- | The sizes of the sensor and of the symbols that it reads (the paper's sections III and IV),
+-- once for simulation, reading, objects and pictures. Lengths in millimetres are of the type that
+-- is calculated with: exact as a 'Rational', the nearest machine number as a 'Double'.
 --
 -- > +----------------+  - - -      columnPitch = 16 taxels across
 -- > |   . . . . .    |    |        rowPitch    = 20 taxels down
@@ -12,18 +12,22 @@
 -- > |<- columnPitch >|
 module PraTactile.Geometry
   ( -- * The sensor
-    taxelPitch
-  , sensorSide
-    -- * The symbols
-  , symbolWidth
-  , symbolHeight
-  , symbolThickness
-    -- * Their distances
-  , columnPitch
-  , rowPitch
-  ) where
+    taxelPitch,
+    sensorSide,
 
--- | The distance between neighbouring sensing elements in millimetres: 1.5875, a sixteenth of an inch.
+    -- * The symbols
+    symbolWidth,
+    symbolHeight,
+    symbolThickness,
+
+    -- * Their distances
+    columnPitch,
+    rowPitch,
+  )
+where
+
+-- | The distance between neighbouring sensing elements in millimetres: 1.5875, a sixteenth of an
+-- inch.
 taxelPitch :: Fractional millimetres => millimetres
 taxelPitch = 127 / 80
 {-# INLINE taxelPitch #-}

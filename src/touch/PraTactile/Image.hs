@@ -1,57 +1,56 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | Tactile images as numbers: a rectangle of real values, row 0 at the top, 0 for no contact and 1 for full scale.
--- Files are the business of "PraTactile.Image.Pgm".
+-- | Tactile images as numbers: a rectangle of real values, row 0 at the top, 0 for no contact and 1
+-- for full scale. Files are the business of "PraTactile.Image.Pgm".
 --
--- Wherever a place is named, x (the column, to the right) comes before y (the row, downwards), and pixel
--- centres lie at the integers.
+-- Wherever a place is named, x (the column, to the right) comes before y (the row, downwards), and
+-- pixel centres lie at the integers.
 module PraTactile.Image
   ( -- * Rasters
-    Raster
-  , rasterWidth
-  , rasterHeight
-  , rasterValues
-  , ImageError (..)
+    Raster,
+    rasterWidth,
+    rasterHeight,
+    rasterValues,
+    ImageError (..),
 
     -- * Making one
-  , raster
-  , fromRows
-  , generate
-  , constant
+    raster,
+    fromRows,
+    generate,
+    constant,
 
     -- * Looking at it
-  , toRows
-  , index
-  , sample
+    toRows,
+    index,
+    sample,
 
     -- * Parts and symmetries
-  , crop
-  , halfTurn
-  , quarterTurn
-  , mirrorColumns
-  , mirrorRows
-  , transposed
+    crop,
+    halfTurn,
+    quarterTurn,
+    mirrorColumns,
+    mirrorRows,
+    transposed,
 
     -- * Value by value
-  , mapRaster
-  , zipRaster
+    mapRaster,
+    zipRaster,
 
     -- * Statistics
-  , mean
-  , standardDeviation
-  , minimumValue
-  , maximumValue
-  , quantile
-  ) where
+    mean,
+    standardDeviation,
+    minimumValue,
+    maximumValue,
+    quantile,
+  )
+where
 
 import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-
 import PraTactile.Image.Error (ImageError (..))
 
--- | An image: its width, its height, and its values row by row. There are always width times height of them.
+-- | An image: its width, its height, and its values row by row. There are always width times height
+-- of them.
 data Raster = Raster !Int !Int !(Vector Double)
   deriving stock (Eq, Show)
 
@@ -70,11 +69,12 @@ rasterValues :: Raster -> Vector Double
 rasterValues (Raster _ _ v) = v
 {-# INLINE rasterValues #-}
 
--- | A raster of the given width and height from its values, row by row. Refuses ('WrongValueCount') any other
--- number of values.
+-- | A raster of the given width and height from its values, row by row. Refuses ('WrongValueCount')
+-- any other number of values.
 raster :: Int -> Int -> Vector Double -> Either ImageError Raster
 raster w h v
-  | w < 0 || h < 0 || toInteger w * toInteger h /= toInteger (V.length v) = Left (WrongValueCount w h (V.length v))
+  | w < 0 || h < 0 || toInteger w * toInteger h /= toInteger (V.length v) =
+    Left (WrongValueCount w h (V.length v))
   | otherwise = Right (Raster w h v)
 
 -- | A raster from its rows. Refuses ('RaggedRow') rows of different length.
@@ -85,13 +85,14 @@ fromRows :: [[Double]] -> Either ImageError Raster
 fromRows rows = case [(i, n) | (i, n) <- zip [0 ..] lengths, n /= width] of
   (i, n) : _ -> Left (RaggedRow i n width)
   [] -> Right (Raster width (length rows) (V.fromList (concat rows)))
- where
-  lengths = map length rows
-  width = case lengths of
-    n : _ -> n
-    [] -> 0
+  where
+    lengths = map length rows
+    width = case lengths of
+      n : _ -> n
+      [] -> 0
 
--- | The raster of that width and height whose value at x, y is the function's. A negative size counts as none.
+-- | The raster of that width and height whose value at x, y is the function's. A negative size
+-- counts as none.
 generate :: Int -> Int -> (Int -> Int -> Double) -> Raster
 generate w h f
   | w <= 0 || h <= 0 = Raster (max 0 w) (max 0 h) V.empty
@@ -113,38 +114,39 @@ index (Raster w h v) x y
   | otherwise = v V.!? (y * w + x)
 {-# INLINE index #-}
 
--- | The value at a real place, bilinearly between the four pixel centres around it. Outside the image the
--- nearest edge pixel's value holds; an empty image is 0 everywhere, and so is a place that is not a number.
+-- | The value at a real place, bilinearly between the four pixel centres around it. Outside the
+-- image the nearest edge pixel's value holds; an empty image is 0 everywhere, and so is a place
+-- that is not a number.
 sample :: Raster -> Double -> Double -> Double
 sample (Raster w h v) x y
   | w == 0 || h == 0 || isNaN x || isNaN y = 0
   | otherwise = (1 - fy) * row y0 + fy * row y1
- where
-  (x0, x1, fx) = bracket w x
-  (y0, y1, fy) = bracket h y
-  -- Note [Bounds]
-  row r = (1 - fx) * V.unsafeIndex v (r * w + x0) + fx * V.unsafeIndex v (r * w + x1)
+  where
+    (x0, x1, fx) = bracket w x
+    (y0, y1, fy) = bracket h y
+    -- Note [Bounds]
+    row r = (1 - fx) * V.unsafeIndex v (r * w + x0) + fx * V.unsafeIndex v (r * w + x1)
 {-# INLINE sample #-}
 
 -- | The two pixels around a place on an axis of n >= 1 pixels, and the share of the second.
 bracket :: Int -> Double -> (Int, Int, Double)
 bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
- where
-  t' = max 0 (min (fromIntegral (n - 1)) t)
-  i = truncate t' :: Int
+  where
+    t' = max 0 (min (fromIntegral (n - 1)) t)
+    i = truncate t' :: Int
 {-# INLINE bracket #-}
 
--- Note [Bounds]
--- ~~~~~~~~~~~~~
--- 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both its indices lie in [0, n
--- - 1]; the constructor is hidden and every function here keeps width * height values; so r * w + x is an
--- index of the vector.
+-- Note [Bounds] ~~~~~~~~~~~~~ 'bracket' clamps the place to [0, n - 1] before it takes its integer
+-- part, so both its indices lie in [0, n
+-- - 1]; the constructor is hidden and every function here keeps width * height values; so r * w + x
+-- is an index of the vector.
 
--- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage') what is not
--- wholly in the image.
+-- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage')
+-- what is not wholly in the image.
 crop :: Int -> Int -> Int -> Int -> Raster -> Either ImageError Raster
 crop x y cw ch image@(Raster w h _)
-  | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch = Left (OutsideImage (x, y, cw, ch) (w, h))
+  | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch =
+    Left (OutsideImage (x, y, cw, ch) (w, h))
   | otherwise = Right (rearranged cw ch (\i j -> (x + i, y + j)) image)
 
 -- | Turned by 180 degrees.
@@ -170,7 +172,8 @@ mirrorRows image@(Raster w h _) = rearranged w h (\x y -> (x, h - 1 - y)) image
 transposed :: Raster -> Raster
 transposed image@(Raster w h _) = rearranged h w (\x y -> (y, x)) image
 
--- | A raster of another size that takes each pixel from the place the function names; 0 where there is none.
+-- | A raster of another size that takes each pixel from the place the function names; 0 where there
+-- is none.
 rearranged :: Int -> Int -> (Int -> Int -> (Int, Int)) -> Raster -> Raster
 rearranged w h place image = generate w h (\x y -> fromMaybe 0 (uncurry (index image) (place x y)))
 {-# INLINE rearranged #-}
@@ -180,7 +183,8 @@ mapRaster :: (Double -> Double) -> Raster -> Raster
 mapRaster f (Raster w h v) = Raster w h (V.map f v)
 {-# INLINE mapRaster #-}
 
--- | The function applied to the two values at each place. Refuses ('SizesDiffer') rasters of different size.
+-- | The function applied to the two values at each place. Refuses ('SizesDiffer') rasters of
+-- different size.
 zipRaster :: (Double -> Double -> Double) -> Raster -> Raster -> Either ImageError Raster
 zipRaster f (Raster w h v) (Raster w' h' v')
   | w /= w' || h /= h' = Left (SizesDiffer (w, h) (w', h'))
@@ -191,7 +195,8 @@ zipRaster f (Raster w h v) (Raster w' h' v')
 mean :: Raster -> Maybe Double
 mean = ifAny (\v -> V.sum v / fromIntegral (V.length v))
 
--- | The standard deviation of the values (the root of the mean squared difference from their mean), if there are any.
+-- | The standard deviation of the values (the root of the mean squared difference from their mean),
+-- if there are any.
 standardDeviation :: Raster -> Maybe Double
 standardDeviation image = do
   m <- mean image
@@ -205,8 +210,8 @@ minimumValue = ifAny V.minimum
 maximumValue :: Raster -> Maybe Double
 maximumValue = ifAny V.maximum
 
--- | The value below which that share (clipped to 0..1) of the values lies, linearly between the two nearest
--- in order, if there are any.
+-- | The value below which that share (clipped to 0..1) of the values lies, linearly between the two
+-- nearest in order, if there are any.
 --
 -- >>> fromRows [[4, 1, 3, 2]] >>= Right . quantile 0.5
 -- Right (Just 2.5)

@@ -1,60 +1,60 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back, and the
--- plan of a scan.
+-- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back,
+-- and the plan of a scan.
 --
--- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the face;
--- angles are degrees clockwise.
+-- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the
+-- face; angles are degrees clockwise.
 module PraTactile.Probe
   ( -- * The sensor's geometry
-    taxelPitch
-  , sensorSide
+    taxelPitch,
+    sensorSide,
 
     -- * Frames
-  , Pose (..)
-  , Frame (..)
+    Pose (..),
+    Frame (..),
 
     -- * Rigid motions
-  , Motion (..)
-  , stay
-  , move
-  , movePoint
-  , andThen
-  , inverse
+    Motion (..),
+    stay,
+    move,
+    movePoint,
+    andThen,
+    inverse,
 
     -- * Planning a scan
-  , planScan
-  , ProbeError (..)
-  ) where
+    planScan,
+    ProbeError (..),
+  )
+where
 
 import PraTactile.Geometry (sensorSide, taxelPitch)
 import PraTactile.Image (Raster)
 
--- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some frame of
--- coordinates.
+-- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some
+-- frame of coordinates.
 data Pose = Pose
-  { poseX :: !Double
-  , poseY :: !Double
-  , poseRotation :: !Double
+  { poseX :: !Double,
+    poseY :: !Double,
+    poseRotation :: !Double
   }
   deriving stock (Eq, Ord, Show)
 
--- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its own frame
--- of coordinates), the force in newtons, and the tactile image, 'sensorSide' taxels square.
+-- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its
+-- own frame of coordinates), the force in newtons, and the tactile image, 'sensorSide' taxels
+-- square.
 data Frame = Frame
-  { framePose :: !Pose
-  , frameForce :: !Double
-  , frameImage :: !Raster
+  { framePose :: !Pose,
+    frameForce :: !Double,
+    frameImage :: !Raster
   }
   deriving stock (Eq, Show)
 
--- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift (millimetres). As
--- a change of coordinates it carries what is said in one frame of coordinates, such as the robot's, to
--- another, such as a face's.
+-- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift
+-- (millimetres). As a change of coordinates it carries what is said in one frame of coordinates,
+-- such as the robot's, to another, such as a face's.
 data Motion = Motion
-  { motionRotation :: !Double
-  , motionX :: !Double
-  , motionY :: !Double
+  { motionRotation :: !Double,
+    motionX :: !Double,
+    motionY :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -65,8 +65,8 @@ stay = Motion 0 0 0
 -- | A pose carried along by a motion. The rotation is kept in [0, 360).
 move :: Motion -> Pose -> Pose
 move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
- where
-  (x', y') = movePoint motion (x, y)
+  where
+    (x', y') = movePoint motion (x, y)
 
 -- | A point carried along by a motion. Multiples of 90 degrees are exact.
 --
@@ -74,20 +74,20 @@ move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
 -- (8.0,1.0)
 movePoint :: Motion -> (Double, Double) -> (Double, Double)
 movePoint (Motion r tx ty) (x, y) = (c * x - s * y + tx, s * x + c * y + ty)
- where
-  (c, s) = cosineSine r
+  where
+    (c, s) = cosineSine r
 
 -- | The one motion followed by the other.
 andThen :: Motion -> Motion -> Motion
 andThen (Motion r x y) second = Motion (turned (r + motionRotation second)) x' y'
- where
-  (x', y') = movePoint second (x, y)
+  where
+    (x', y') = movePoint second (x, y)
 
 -- | The motion that takes a motion back.
 inverse :: Motion -> Motion
 inverse (Motion r x y) = Motion (turned (negate r)) x' y'
- where
-  (x', y') = movePoint (Motion (negate r) 0 0) (negate x, negate y)
+  where
+    (x', y') = movePoint (Motion (negate r) 0 0) (negate x, negate y)
 
 -- | An angle in degrees brought to [0, 360); what is not finite stays as it is.
 turned :: Double -> Double
@@ -95,8 +95,8 @@ turned r
   | isNaN r || isInfinite r = r
   | r' >= 360 = 0
   | otherwise = r'
- where
-  r' = r - 360 * fromIntegral (floor (r / 360) :: Integer)
+  where
+    r' = r - 360 * fromIntegral (floor (r / 360) :: Integer)
 
 -- | Cosine and sine of an angle in degrees, exact at the multiples of 90.
 cosineSine :: Double -> (Double, Double)
@@ -121,9 +121,9 @@ data ProbeError
 maxPresses :: Integer
 maxPresses = 100000
 
--- | The poses, rotation 0, of presses that cover a region exactly: that many taxels apart in both directions,
--- row by row from the upper left, the last row and column flush with the region's edge. Spacing in taxels;
--- the region's upper left corner in millimetres, its width and height in taxels.
+-- | The poses, rotation 0, of presses that cover a region exactly: that many taxels apart in both
+-- directions, row by row from the upper left, the last row and column flush with the region's edge.
+-- Spacing in taxels; the region's upper left corner in millimetres, its width and height in taxels.
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24
@@ -132,8 +132,9 @@ planScan spacing (left, top) (width, height)
   | spacing < 1 = Left (SpacingTooSmall spacing)
   | width < sensorSide || height < sensorSide = Left (RegionTooSmall width height)
   | presses width * presses height > maxPresses = Left (RegionTooLarge width height)
-  | otherwise = Right [Pose (centre left x) (centre top y) 0 | y <- offsets height, x <- offsets width]
- where
-  presses size = 2 + toInteger (size - sensorSide) `div` toInteger spacing
-  offsets size = takeWhile (< size - sensorSide) [0, spacing ..] ++ [size - sensorSide]
-  centre edge offset = edge + taxelPitch * (fromIntegral offset + fromIntegral sensorSide / 2)
+  | otherwise =
+    Right [Pose (centre left x) (centre top y) 0 | y <- offsets height, x <- offsets width]
+  where
+    presses size = 2 + toInteger (size - sensorSide) `div` toInteger spacing
+    offsets size = takeWhile (< size - sensorSide) [0, spacing ..] ++ [size - sensorSide]
+    centre edge offset = edge + taxelPitch * (fromIntegral offset + fromIntegral sensorSide / 2)

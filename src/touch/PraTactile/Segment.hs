@@ -1,26 +1,25 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images of the
--- symbols that lie wholly in it, each with its position and its axes.
+-- | Segmentation (the paper's section IV): a composite tactile image to the 8 wide x 12 tall images
+-- of the symbols that lie wholly in it, each with its position and its axes.
 module PraTactile.Segment
   ( -- * Symbols
-    SymbolImage (..)
+    SymbolImage (..),
 
     -- * Segmentation
-  , segment
-  , Segmentation (..)
-  , Reject (..)
-  , Cause (..)
+    segment,
+    Segmentation (..),
+    Reject (..),
+    Cause (..),
 
     -- * On the side
-  , counterclockwise
-  , turnedBack
+    counterclockwise,
+    turnedBack,
 
     -- * Parts of symbols
-  , Part (..)
-  , partAt
-  , leastSeen
-  ) where
+    Part (..),
+    partAt,
+    leastSeen,
+  )
+where
 
 import Data.Either (partitionEithers)
 import Data.Map.Strict (Map)
@@ -29,8 +28,17 @@ import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-
-import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn, rasterHeight, rasterValues, rasterWidth, zipRaster)
+import PraTactile.Image
+  ( Raster,
+    generate,
+    halfTurn,
+    index,
+    quarterTurn,
+    rasterHeight,
+    rasterValues,
+    rasterWidth,
+    zipRaster,
+  )
 import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
@@ -40,19 +48,21 @@ import PraTactile.Stitch.Composite (Composite (..))
 
 -- | One symbol found in a composite.
 data SymbolImage = SymbolImage
-  { symbolCentre :: !(Double, Double)
-  -- ^ The centre of its box, x and y in the composite's pixels.
-  , symbolPixels :: !Raster
-  -- ^ 8 x 12 taxels, resampled along the symbol's axis from its box: background 0, embossing about 1, not clipped.
-  , symbolAxis :: !Double
-  -- ^ The direction of its x axis, degrees clockwise from the composite's, up to a half turn, which only
-  -- recognising the symbol decides. Upright boxes: 0; boxes on their side: 90.
-  , symbolSize :: !(Double, Double)
-  -- ^ The width and height that were measured, in pixels.
+  { -- | The centre of its box, x and y in the composite's pixels.
+    symbolCentre :: !(Double, Double),
+    -- | 8 x 12 taxels, resampled along the symbol's axis from its box: background 0, embossing
+    -- about 1, not clipped.
+    symbolPixels :: !Raster,
+    -- | The direction of its x axis, degrees clockwise from the composite's, up to a half turn,
+    -- which only recognising the symbol decides. Upright boxes: 0; boxes on their side: 90.
+    symbolAxis :: !Double,
+    -- | The width and height that were measured, in pixels.
+    symbolSize :: !(Double, Double)
   }
   deriving stock (Eq, Show)
 
--- | Something embossed that is no complete symbol: its box (left, top, right, bottom, in pixels), and why.
+-- | Something embossed that is no complete symbol: its box (left, top, right, bottom, in pixels),
+-- and why.
 data Reject = Reject !(Double, Double, Double, Double) !Cause
   deriving stock (Eq, Show)
 
@@ -66,19 +76,19 @@ data Cause
 
 -- | What a composite holds.
 data Segmentation = Segmentation
-  { segmentedSymbols :: ![SymbolImage]
-  -- ^ The complete symbols, from left to right.
-  , segmentedRejects :: ![Reject]
-  , segmentedBackground :: !Double
-  -- ^ The background's intensity; 0 when nothing embossed was found.
-  , segmentedContrast :: !Double
-  -- ^ The embossing's intensity above the background's; likewise.
+  { -- | The complete symbols, from left to right.
+    segmentedSymbols :: ![SymbolImage],
+    segmentedRejects :: ![Reject],
+    -- | The background's intensity; 0 when nothing embossed was found.
+    segmentedBackground :: !Double,
+    -- | The embossing's intensity above the background's; likewise.
+    segmentedContrast :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The symbols of a composite. A blank composite has none. The levels are taken from the whole composite;
--- what rises above their middle is cut into components, and each component whose box fits a symbol's becomes
--- one.
+-- | The symbols of a composite. A blank composite has none. The levels are taken from the whole
+-- composite; what rises above their middle is cut into components, and each component whose box
+-- fits a symbol's becomes one.
 segment :: Composite -> Segmentation
 segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList differences) of
   Nothing -> Segmentation [] [] 0 0
@@ -86,77 +96,94 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
     let scene = Scene (`Map.lookup` touched) (threshold found)
         embossed = Map.keysSet (Map.filter (>= threshold found) touched)
         whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
-        (rejects, symbols) = partitionEithers (mapMaybe (judged (blended composite) found scene) whole)
+        (rejects, symbols) =
+          partitionEithers (mapMaybe (judged (blended composite) found scene) whole)
      in Segmentation symbols rejects (levelBackground found) (contrast found)
- where
-  touched = touchedPixels composite
-  differences =
-    [ a - 2 * b + c
-    | ((x, y), b) <- Map.toList touched
-    , Just a <- [Map.lookup (x - 1, y) touched]
-    , Just c <- [Map.lookup (x + 1, y) touched]
-    ]
+  where
+    touched = touchedPixels composite
+    differences =
+      [ a - 2 * b + c
+        | ((x, y), b) <- Map.toList touched,
+          Just a <- [Map.lookup (x - 1, y) touched],
+          Just c <- [Map.lookup (x + 1, y) touched]
+      ]
 
--- | The composite turned by 90 degrees counterclockwise: what pointed down points right. A pixel at x, y comes from width - 1 - y, x; the
--- origin is left as it was.
+-- | The composite turned by 90 degrees counterclockwise: what pointed down points right. A pixel at
+-- x, y comes from width - 1 - y, x; the origin is left as it was.
 counterclockwise :: Composite -> Composite
 counterclockwise composite =
-  composite {compositeImage = turned (compositeImage composite), compositeCoverage = turned (compositeCoverage composite)}
- where
-  turned = quarterTurn . halfTurn
+  composite
+    { compositeImage = turned (compositeImage composite),
+      compositeCoverage = turned (compositeCoverage composite)
+    }
+  where
+    turned = quarterTurn . halfTurn
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double
 touchedPixels (Composite image coverage _ _) =
   Map.fromDistinctAscList
     [ ((x, y), v)
-    | x <- [0 .. rasterWidth image - 1]
-    , y <- [0 .. rasterHeight image - 1]
-    , Just m <- [index coverage x y]
-    , m >= leastCoverage
-    , Just v <- [index image x y]
+      | x <- [0 .. rasterWidth image - 1],
+        y <- [0 .. rasterHeight image - 1],
+        Just m <- [index coverage x y],
+        m >= leastCoverage,
+        Just v <- [index image x y]
     ]
 
 -- | The composite as a weighted image, to be interpolated.
 blended :: Composite -> Reference
 blended (Composite image coverage _ _) =
-  either (const (referenceOf image)) id (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
+  either
+    (const (referenceOf image))
+    id
+    (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
 
--- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols that lie on their side, turned
--- by 90 degrees or by 270. Centres and boxes are in the composite's pixels; the symbols' axis is 90, and their images and sizes are
--- as seen along that axis.
+-- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols
+-- that lie on their side, turned by 90 degrees or by 270. Centres and boxes are in the composite's
+-- pixels; the symbols' axis is 90, and their images and sizes are as seen along that axis.
 turnedBack :: Composite -> Segmentation -> Segmentation
-turnedBack composite found = found {segmentedSymbols = map symbolBack (segmentedSymbols found), segmentedRejects = map boxBack (segmentedRejects found)}
- where
-  right = fromIntegral (rasterWidth (compositeImage composite)) - 1
-  symbolBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
-  boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
+turnedBack composite found =
+  found
+    { segmentedSymbols = map symbolBack (segmentedSymbols found),
+      segmentedRejects = map boxBack (segmentedRejects found)
+    }
+  where
+    right = fromIntegral (rasterWidth (compositeImage composite)) - 1
+    symbolBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
+    boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
 
 -- | What was touched of a place where a symbol is expected.
 data Part = Part
-  { partPixels :: !Raster
-  -- ^ 8 x 12 taxels, background 0 and embossing about 1; 0 where nothing was touched.
-  , partSeen :: !Raster
-  -- ^ 1 where it was touched, and 0 elsewhere.
+  { -- | 8 x 12 taxels, background 0 and embossing about 1; 0 where nothing was touched.
+    partPixels :: !Raster,
+    -- | 1 where it was touched, and 0 elsewhere.
+    partSeen :: !Raster
   }
   deriving stock (Eq, Show)
 
--- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels, given the composite's
--- segmentation. 'Nothing' where that is less than 'leastSeen' taxels, or nothing embossed was found. What is computed once a
--- composite is computed when it is given.
+-- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels,
+-- given the composite's segmentation. 'Nothing' where that is less than 'leastSeen' taxels, or
+-- nothing embossed was found. What is computed once a composite is computed when it is given.
 partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
 partAt composite found = look
- where
-  image = blended composite
-  look (x, y)
-    | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen = Just (Part pixels seen)
-    | otherwise = Nothing
-   where
-    here i j = case referenceAt image (x + fromIntegral i - (fromIntegral symbolWidth - 1) / 2) (y + fromIntegral j - (fromIntegral symbolHeight - 1) / 2) of
-      Just (v, m) | m >= leastCoverage -> Just ((v - segmentedBackground found) / segmentedContrast found)
-      _ -> Nothing
-    pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
-    seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
+  where
+    image = blended composite
+    look (x, y)
+      | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
+        Just (Part pixels seen)
+      | otherwise = Nothing
+      where
+        here i j = case referenceAt
+          image
+          (x + fromIntegral i - (fromIntegral symbolWidth - 1) / 2)
+          (y + fromIntegral j - (fromIntegral symbolHeight - 1) / 2) of
+          Just (v, m)
+            | m >= leastCoverage ->
+              Just ((v - segmentedBackground found) / segmentedContrast found)
+          _ -> Nothing
+        pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
+        seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
 
 -- | The fewest taxels of a symbol's 96 that are worth a look.
 leastSeen :: Int
@@ -168,31 +195,42 @@ judged image found scene component = do
   across <- horizontalExtent scene component
   down <- verticalExtent scene component
   pure $ case (fitted sizeTolerance width across, fitted sizeTolerance height down) of
-    (Just x, Just y) -> Right (SymbolImage (x, y) (pixelsAt (x, y) across down) 0 (size across down))
+    (Just x, Just y) ->
+      Right (SymbolImage (x, y) (pixelsAt (x, y) across down) 0 (size across down))
     _ -> Left (Reject (box across down) (cause across down))
- where
-  width = fromIntegral symbolWidth
-  height = fromIntegral symbolHeight
-  size across down = (extentLength across, extentLength down)
-  box (Extent l r) (Extent t b) = (sidePlace l, sidePlace t, sidePlace r, sidePlace b)
-  cause across down
-    | any cut [(across, width), (down, height)] && all notTooLarge [(across, width), (down, height)] = CutOff
-    | otherwise = WrongSize
-  cut (extent@(Extent from to), full) = extentLength extent < full && (sideOpen from || sideOpen to)
-  notTooLarge (extent, full) = extentLength extent <= full + sizeTolerance
-  pixelsAt (x, y) across down =
-    generate symbolWidth symbolHeight $ \i j ->
-      let px = within across (x + fromIntegral i - (width - 1) / 2)
-          py = within down (y + fromIntegral j - (height - 1) / 2)
-       in maybe 0 (\(v, _) -> (v - levelBackground found) / contrast found) (referenceAt image px py)
+  where
+    width = fromIntegral symbolWidth
+    height = fromIntegral symbolHeight
+    size across down = (extentLength across, extentLength down)
+    box (Extent l r) (Extent t b) = (sidePlace l, sidePlace t, sidePlace r, sidePlace b)
+    cause across down
+      | any
+          cut
+          [ (across, width),
+            (down, height)
+          ]
+          && all notTooLarge [(across, width), (down, height)] =
+        CutOff
+      | otherwise = WrongSize
+    cut (extent@(Extent from to), full) =
+      extentLength extent < full && (sideOpen from || sideOpen to)
+    notTooLarge (extent, full) = extentLength extent <= full + sizeTolerance
+    pixelsAt (x, y) across down =
+      generate symbolWidth symbolHeight $ \i j ->
+        let px = within across (x + fromIntegral i - (width - 1) / 2)
+            py = within down (y + fromIntegral j - (height - 1) / 2)
+         in maybe
+              0
+              (\(v, _) -> (v - levelBackground found) / contrast found)
+              (referenceAt image px py)
 
--- | The place itself, or, where it lies beyond an open side, the last pixel centre before that side: what was
--- not touched is taken to go on as it was seen last.
+-- | The place itself, or, where it lies beyond an open side, the last pixel centre before that
+-- side: what was not touched is taken to go on as it was seen last.
 within :: Extent -> Double -> Double
 within (Extent from to) = atMost . atLeast
- where
-  atLeast t = if sideOpen from then max (sidePlace from + 0.5) t else t
-  atMost t = if sideOpen to then min (sidePlace to - 0.5) t else t
+  where
+    atLeast t = if sideOpen from then max (sidePlace from + 0.5) t else t
+    atMost t = if sideOpen to then min (sidePlace to - 0.5) t else t
 
 -- | The least weight with which a pixel counts as touched.
 leastCoverage :: Double
@@ -202,11 +240,12 @@ leastCoverage = 0.4
 leastPixels :: Int
 leastPixels = 4
 
--- | Embossed pixels this many pixels apart still belong to one symbol; symbols are eight taxels apart.
+-- | Embossed pixels this many pixels apart still belong to one symbol; symbols are eight taxels
+-- apart.
 largestGap :: Int
 largestGap = 2
 
--- | How far a measured width or height may be from a symbol's, in taxels: less than the two taxels that a
--- symbol's strokes are wide.
+-- | How far a measured width or height may be from a symbol's, in taxels: less than the two taxels
+-- that a symbol's strokes are wide.
 sizeTolerance :: Double
 sizeTolerance = 1.6

@@ -1,48 +1,49 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE TemplateHaskell #-}
 
--- | The embossed shapes that stand for the classes of an alphabet (the paper's section II.B): bitmaps 8 taxels wide and 12 tall, and
--- the drawing file they are kept in. Which element a class denotes is not known here.
+-- | The embossed shapes that stand for the classes of an alphabet (the paper's section II.B):
+-- bitmaps 8 taxels wide and 12 tall, and the drawing file they are kept in. Which element a class
+-- denotes is not known here.
 module PraTactile.Shape
   ( -- * Bitmaps
-    Bitmap
-  , bitmap
-  , bitmapWhere
-  , bitmapRows
-  , embossedAt
-  , area
-  , toRaster
-  , symbolWidth
-  , symbolHeight
+    Bitmap,
+    bitmap,
+    bitmapWhere,
+    bitmapRows,
+    embossedAt,
+    area,
+    toRaster,
+    symbolWidth,
+    symbolHeight,
 
     -- * Symmetries
-  , Symmetry (..)
-  , symmetries
-  , transformedRows
-  , halfTurned
-  , mirroredColumns
-  , mirroredRows
+    Symmetry (..),
+    symmetries,
+    transformedRows,
+    halfTurned,
+    mirroredColumns,
+    mirroredRows,
 
     -- * Alphabets
-  , Alphabet
-  , alphabet
-  , alphabetSize
-  , shapes
-  , shapeNames
-  , shapeOf
+    Alphabet,
+    alphabet,
+    alphabetSize,
+    shapes,
+    shapeNames,
+    shapeOf,
 
     -- * Drawings
-  , parseAlphabet
-  , renderAlphabet
-  , drawBitmap
+    parseAlphabet,
+    renderAlphabet,
+    drawBitmap,
 
     -- * The shipped alphabet
-  , paperAlphabet
+    paperAlphabet,
 
     -- * What can be wrong
-  , ShapeError (..)
-  ) where
+    ShapeError (..),
+  )
+where
 
 import Control.Monad (zipWithM_)
 import Data.Bits (popCount, setBit, testBit)
@@ -52,7 +53,6 @@ import Data.List (foldl', transpose)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
-
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate)
 
@@ -74,7 +74,8 @@ data ShapeError
     BadName Text
   | -- | There is no such class in an alphabet of so many.
     UnknownClass Int Int
-  | -- | The line of the drawing file (counted from 1) is neither a row of @#@ and @.@, nor @symbol NAME@, nor a comment, nor empty.
+  | -- | The line of the drawing file (counted from 1) is neither a row of @#@ and @.@, nor @symbol
+    -- NAME@, nor a comment, nor empty.
     UnreadableLine Int Text
   | -- | The row on this line of the drawing file comes before any @symbol NAME@.
     RowWithoutSymbol Int
@@ -86,8 +87,8 @@ data ShapeError
     NoAlphabet
   deriving stock (Eq, Show)
 
--- | A shape: which of its 8 x 12 taxels are embossed. The order is that of the rows' first difference, embossed after flat, read
--- backwards; it serves only to make sets.
+-- | A shape: which of its 8 x 12 taxels are embossed. The order is that of the rows' first
+-- difference, embossed after flat, read backwards; it serves only to make sets.
 newtype Bitmap = Bitmap Integer -- bit 8 * row + column
   deriving stock (Eq, Ord)
 
@@ -95,14 +96,21 @@ newtype Bitmap = Bitmap Integer -- bit 8 * row + column
 instance Show Bitmap where
   showsPrec d = showsPrec d . T.lines . drawBitmap
 
--- | A bitmap from its rows, from the top, 'True' where embossed. Refuses anything but 12 rows ('WrongRowCount') of 8
--- ('WrongRowWidth').
+-- | A bitmap from its rows, from the top, 'True' where embossed. Refuses anything but 12 rows
+-- ('WrongRowCount') of 8 ('WrongRowWidth').
 bitmap :: [[Bool]] -> Either ShapeError Bitmap
 bitmap rows
   | length rows /= symbolHeight = Left (WrongRowCount (length rows))
   | otherwise = do
-      zipWithM_ (\i row -> if length row == symbolWidth then Right () else Left (WrongRowWidth i (length row))) [0 ..] rows
-      Right (fromRows rows)
+    zipWithM_
+      ( \i row ->
+          if length row == symbolWidth
+            then Right ()
+            else Left (WrongRowWidth i (length row))
+      )
+      [0 ..]
+      rows
+    Right (fromRows rows)
 
 -- | The bitmap whose taxel at a column and row is embossed where the function says so.
 bitmapWhere :: (Int -> Int -> Bool) -> Bitmap
@@ -112,7 +120,8 @@ bitmapWhere f = fromRows [[f x y | x <- [0 .. symbolWidth - 1]] | y <- [0 .. sym
 bitmapRows :: Bitmap -> [[Bool]]
 bitmapRows b = [[embossedAt b x y | x <- [0 .. symbolWidth - 1]] | y <- [0 .. symbolHeight - 1]]
 
--- | Whether the taxel at this column and row, counted from 0 at the upper left, is embossed. Outside the box nothing is.
+-- | Whether the taxel at this column and row, counted from 0 at the upper left, is embossed.
+-- Outside the box nothing is.
 embossedAt :: Bitmap -> Int -> Int -> Bool
 embossedAt (Bitmap bits) x y =
   x >= 0 && x < symbolWidth && y >= 0 && y < symbolHeight && testBit bits (y * symbolWidth + x)
@@ -148,16 +157,16 @@ symmetries = [minBound .. maxBound]
 -- | The rows of the transformed shape: 12 of 8, or 8 of 12 when rows and columns are exchanged.
 transformedRows :: Symmetry -> Bitmap -> [[Bool]]
 transformedRows symmetry = move . bitmapRows
- where
-  move = case symmetry of
-    Identity -> id
-    HalfTurn -> reverse . map reverse
-    QuarterTurn -> map reverse . transpose
-    ThreeQuarterTurn -> reverse . transpose
-    MirrorColumns -> map reverse
-    MirrorRows -> reverse
-    MirrorDiagonal -> transpose
-    MirrorAntidiagonal -> reverse . map reverse . transpose
+  where
+    move = case symmetry of
+      Identity -> id
+      HalfTurn -> reverse . map reverse
+      QuarterTurn -> map reverse . transpose
+      ThreeQuarterTurn -> reverse . transpose
+      MirrorColumns -> map reverse
+      MirrorRows -> reverse
+      MirrorDiagonal -> transpose
+      MirrorAntidiagonal -> reverse . map reverse . transpose
 
 -- | Turned by 180 degrees.
 halfTurned :: Bitmap -> Bitmap
@@ -179,19 +188,20 @@ fromRows rows = Bitmap (foldl' setBit 0 [i | (i, True) <- zip [0 ..] (concat row
 newtype Alphabet = Alphabet [(Text, Bitmap)]
   deriving stock (Eq, Show)
 
--- | An alphabet from its names and shapes, class by class. Refuses no shapes at all, a blank one, a repeated shape or name, and a name
--- that a drawing file could not hold.
+-- | An alphabet from its names and shapes, class by class. Refuses no shapes at all, a blank one, a
+-- repeated shape or name, and a name that a drawing file could not hold.
 alphabet :: [(Text, Bitmap)] -> Either ShapeError Alphabet
 alphabet [] = Left EmptyAlphabet
 alphabet named = go [] named
- where
-  go _ [] = Right (Alphabet named)
-  go seen ((name, shape) : rest)
-    | T.null name || name /= T.strip name || T.any (\c -> isSpace c && c /= ' ') name = Left (BadName name)
-    | area shape == 0 = Left (BlankShape name)
-    | any ((== name) . fst) seen = Left (RepeatedName name)
-    | (other, _) : _ <- filter ((== shape) . snd) seen = Left (RepeatedShape other name)
-    | otherwise = go ((name, shape) : seen) rest
+  where
+    go _ [] = Right (Alphabet named)
+    go seen ((name, shape) : rest)
+      | T.null name || name /= T.strip name || T.any (\c -> isSpace c && c /= ' ') name =
+        Left (BadName name)
+      | area shape == 0 = Left (BlankShape name)
+      | any ((== name) . fst) seen = Left (RepeatedName name)
+      | (other, _) : _ <- filter ((== shape) . snd) seen = Left (RepeatedShape other name)
+      | otherwise = go ((name, shape) : seen) rest
 
 -- | The number of classes.
 alphabetSize :: Alphabet -> Int
@@ -215,38 +225,41 @@ shapeOf a k = case drop k (shapes a) of
 drawBitmap :: Bitmap -> Text
 drawBitmap = T.unlines . map (T.pack . map (\e -> if e then '#' else '.')) . bitmapRows
 
--- | The drawing file of an alphabet: for each class in order a line @symbol NAME@ and its drawing, with an empty line between.
+-- | The drawing file of an alphabet: for each class in order a line @symbol NAME@ and its drawing,
+-- with an empty line between.
 renderAlphabet :: Alphabet -> Text
-renderAlphabet (Alphabet named) = T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- named]
+renderAlphabet (Alphabet named) =
+  T.intercalate "\n" ["symbol " <> name <> "\n" <> drawBitmap shape | (name, shape) <- named]
 
--- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments; empty lines and spaces at the end of a
--- line do not count.
+-- | Reads a drawing file as 'renderAlphabet' writes it. Lines that begin with @;@ are comments;
+-- empty lines and spaces at the end of a line do not count.
 parseAlphabet :: Text -> Either ShapeError Alphabet
 parseAlphabet text = mapM classify (zip [1 ..] (T.lines text)) >>= collect [] . concat >>= alphabet
- where
-  classify :: (Int, Text) -> Either ShapeError [(Int, DrawingLine)]
-  classify (n, raw)
-    | T.null line || T.isPrefixOf ";" line = Right []
-    | Just name <- T.stripPrefix "symbol " line = Right [(n, Heading (T.strip name))]
-    | T.all (`elem` ("#." :: String)) line = Right [(n, Row (map (== '#') (T.unpack line)))]
-    | otherwise = Left (UnreadableLine n line)
-   where
-    line = T.stripEnd raw
+  where
+    classify :: (Int, Text) -> Either ShapeError [(Int, DrawingLine)]
+    classify (n, raw)
+      | T.null line || T.isPrefixOf ";" line = Right []
+      | Just name <- T.stripPrefix "symbol " line = Right [(n, Heading (T.strip name))]
+      | T.all (`elem` ("#." :: String)) line = Right [(n, Row (map (== '#') (T.unpack line)))]
+      | otherwise = Left (UnreadableLine n line)
+      where
+        line = T.stripEnd raw
 
-  collect done [] = Right (reverse done)
-  collect _ ((n, Row _) : _) = Left (RowWithoutSymbol n)
-  collect done ((n, Heading name) : rest) = do
-    let (rows, others) = spanRows rest
-    shape <- either (Left . BadDrawing n) Right (bitmap rows)
-    collect ((name, shape) : done) others
+    collect done [] = Right (reverse done)
+    collect _ ((n, Row _) : _) = Left (RowWithoutSymbol n)
+    collect done ((n, Heading name) : rest) = do
+      let (rows, others) = spanRows rest
+      shape <- either (Left . BadDrawing n) Right (bitmap rows)
+      collect ((name, shape) : done) others
 
-  spanRows ((_, Row row) : rest) = let (rows, others) = spanRows rest in (row : rows, others)
-  spanRows others = ([], others)
+    spanRows ((_, Row row) : rest) = let (rows, others) = spanRows rest in (row : rows, others)
+    spanRows others = ([], others)
 
 -- | What a line of the drawing file says.
 data DrawingLine = Heading Text | Row [Bool]
 
--- | The four shapes shipped in @data/shapes.txt@, for the classes 0, 1, 2, 3. A test shows that it is not refused; how the shapes were
--- designed is "PraTactile.Shape.Design".
+-- | The four shapes shipped in @data/shapes.txt@, for the classes 0, 1, 2, 3. A test shows that it
+-- is not refused; how the shapes were designed is "PraTactile.Shape.Design".
 paperAlphabet :: Either ShapeError Alphabet
-paperAlphabet = either (const (Left NotText)) parseAlphabet (decodeUtf8' $(embedFile "data/shapes.txt"))
+paperAlphabet =
+  either (const (Left NotText)) parseAlphabet (decodeUtf8' $(embedFile "data/shapes.txt"))

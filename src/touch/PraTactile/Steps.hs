@@ -1,14 +1,14 @@
 {-# LANGUAGE DeriveFunctor #-}
-{-# LANGUAGE DerivingStrategies #-}
 
--- | Long computations that can be looked on at: what each step did, and the result last. Lazy, so that each
--- step is there as soon as it is done, and pure, so that looking on changes nothing.
+-- | Long computations that can be looked on at: what each step did, and the result last. Lazy, so
+-- that each step is there as soon as it is done, and pure, so that looking on changes nothing.
 module PraTactile.Steps
-  ( Steps (..)
-  , result
-  , stepsDone
-  , counted
-  ) where
+  ( Steps (..),
+    result,
+    stepsDone,
+    counted,
+  )
+where
 
 -- | What was done, step by step, and then the result.
 data Steps s a
@@ -41,7 +41,7 @@ stepsDone steps = case steps of
 -- [1,2]
 counted :: Steps s a -> Steps Int a
 counted = go 1
- where
-  go n steps = case steps of
-    Step _ more -> Step n (go (n + 1) more)
-    Done a -> Done a
+  where
+    go n steps = case steps of
+      Step _ more -> Step n (go (n + 1) more)
+      Done a -> Done a

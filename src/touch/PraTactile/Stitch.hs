@@ -1,29 +1,36 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one composite image,
--- the misalignment of successive frames corrected by two-dimensional cross-correlation.
+-- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one
+-- composite image, the misalignment of successive frames corrected by two-dimensional
+-- cross-correlation.
 module PraTactile.Stitch
   ( -- * Composites
-    Composite (..)
-  , compositeOf
-  , compositePosition
+    Composite (..),
+    compositeOf,
+    compositePosition,
 
     -- * Stitching
-  , stitch
-  , placeOnly
-  , Registration (..)
-  , standardRegistration
-  , StitchError (..)
-  , maxCompositePixels
-  , maxFrames
-  ) where
+    stitch,
+    placeOnly,
+    Registration (..),
+    standardRegistration,
+    StitchError (..),
+    maxCompositePixels,
+    maxFrames,
+  )
+where
 
 import Control.Monad (when)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
-
-import PraTactile.Image (Raster, halfTurn, quarterTurn, rasterHeight, rasterValues, rasterWidth, zipRaster)
+import PraTactile.Image
+  ( Raster,
+    halfTurn,
+    quarterTurn,
+    rasterHeight,
+    rasterValues,
+    rasterWidth,
+    zipRaster,
+  )
 import PraTactile.Probe (Frame (..), Pose (..), sensorSide, taxelPitch)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
@@ -42,11 +49,11 @@ data StitchError
     FrameRotation !Int !Double
   | -- | A frame's pose or one of its values is infinite or not a number.
     FrameNotFinite !Int
-  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels' pixels; its
-    -- width and height, taxels.
+  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
+    -- pixels; its width and height, taxels.
     AreaTooLarge !Double !Double
-  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius that is
-    -- negative or above 64 taxels.
+  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
+    -- that is negative or above 64 taxels.
     UnusableRegistration !Registration
   deriving stock (Eq, Show)
 
@@ -58,9 +65,9 @@ maxCompositePixels = 4194304
 maxFrames :: Int
 maxFrames = 10000
 
--- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the frames saw
--- there, with bilinear weights. The composite does not depend on the order of the frames, and moves with
--- their poses. A single frame of rotation 0 is returned as it is.
+-- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
+-- frames saw there, with bilinear weights. The composite does not depend on the order of the
+-- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
 stitch settings frames
   | usable settings = compose (register settings) frames
@@ -74,7 +81,9 @@ placeOnly = compose (map (const (0, 0)))
 compose :: ([(Place, Raster)] -> [Place]) -> [Frame] -> Either StitchError Composite
 compose displace frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
-  placed <- maybe (Left NoFrames) Right (nonEmpty frames) >>= traverse (uncurry upright) . NonEmpty.zip (0 :| [1 ..])
+  placed <-
+    maybe (Left NoFrames) Right (nonEmpty frames)
+      >>= traverse (uncurry upright) . NonEmpty.zip (0 :| [1 ..])
   let left = minimum (fmap (fst . fst) placed)
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
@@ -83,33 +92,35 @@ compose displace frames = do
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
   pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
 
--- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do not decide
--- anything.
+-- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
+-- not decide anything.
 inTaxels :: Double -> Double
 inTaxels t
   | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
   | otherwise = taxels
- where
-  taxels = t / taxelPitch
-  million = 1048576
+  where
+    taxels = t / taxelPitch
+    million = 1048576
 
--- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is the
--- origin's, moved by whole taxels so that it holds all the images.
+-- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is
+-- the origin's, moved by whole taxels so that it holds all the images.
 blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
 blended (left, top) images = Composite image weights origin
- where
-  (x0, x1) = reach fst
-  (y0, y1) = reach snd
-  reach :: (Place -> Double) -> (Int, Int)
-  reach coordinate = (floor (minimum along), ceiling (maximum along) + sensorSide)
-   where
-    along = fmap (coordinate . fst) images
-  origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
-  onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
-  Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
-  image = either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
+  where
+    (x0, x1) = reach fst
+    (y0, y1) = reach snd
+    reach :: (Place -> Double) -> (Int, Int)
+    reach coordinate = (floor (minimum along), ceiling (maximum along) + sensorSide)
+      where
+        along = fmap (coordinate . fst) images
+    origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
+    onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
+    Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
+    image =
+      either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
 
--- | A pixel with less sensor weight than this counts as not touched: its value would be mostly rounding.
+-- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
+-- rounding.
 leastWeight :: Double
 leastWeight = 0.001
 
@@ -117,24 +128,24 @@ checkArea :: NonEmpty Place -> Either StitchError ()
 checkArea places
   | width * height > fromIntegral maxCompositePixels = Left (AreaTooLarge width height)
   | otherwise = Right ()
- where
-  width = maximum (fmap fst places) + fromIntegral sensorSide
-  height = maximum (fmap snd places) + fromIntegral sensorSide
+  where
+    width = maximum (fmap fst places) + fromIntegral sensorSide
+    height = maximum (fmap snd places) + fromIntegral sensorSide
 
--- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's own rotation
--- is undone, and the image so turned.
+-- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's
+-- own rotation is undone, and the image so turned.
 upright :: Int -> Frame -> Either StitchError (Place, Raster)
 upright i (Frame (Pose x y r) _ image)
   | width /= sensorSide || height /= sensorSide = Left (FrameSize i width height)
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
   | otherwise = (,) (x - half, y - half) <$> turned
- where
-  (width, height) = (rasterWidth image, rasterHeight image)
-  half = taxelPitch * fromIntegral (sensorSide - 1) / 2
-  finite v = not (isNaN v || isInfinite v)
-  turned = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
-    0 -> Right image
-    90 -> Right (quarterTurn image)
-    180 -> Right (halfTurn image)
-    270 -> Right (quarterTurn (halfTurn image))
-    _ -> Left (FrameRotation i r)
+  where
+    (width, height) = (rasterWidth image, rasterHeight image)
+    half = taxelPitch * fromIntegral (sensorSide - 1) / 2
+    finite v = not (isNaN v || isInfinite v)
+    turned = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
+      0 -> Right image
+      90 -> Right (quarterTurn image)
+      180 -> Right (halfTurn image)
+      270 -> Right (quarterTurn (halfTurn image))
+      _ -> Left (FrameRotation i r)

@@ -1,5 +1,3 @@
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- | The adviser, whose every word is checked by visiting the windows.
 module Test.Code.Advise (spec) where
 
@@ -23,80 +21,149 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "15 x 273 over GF(4) with 2 x 3 windows" $ do
-    it "is not coprime; instead 63 x 65 with 3 x 2, row by row with 2 x 3, or three arrays of 15 x 91 with 2 x 3" $ do
-      advice <- asked 4 15 273 (Just (Shape 2 3))
-      [ (n1, n2, g, [(optionLayout o, optionShape o, map fitWindow (take 1 (optionFits o))) | o <- instead])
-        | SidesShareDivisor 6 n1 n2 g instead <- adviceObstacles advice ]
-        `shouldBe`
-          [ ( 15, 273, 3
-            , [ (Single Diagonal, Shape 63 65, [Shape 3 2])
-              , (Single RowMajor, Shape 15 273, [Shape 2 3])
-              , (Joint 3, Shape 15 91, [Shape 2 3])
-              ])
-          ]
+    it
+      "is not coprime; instead 63 x 65 with 3 x 2, row by row with 2 x 3, or three arrays of 15 x \
+      \91 with 2 x 3"
+      $ do
+        advice <- asked 4 15 273 (Just (Shape 2 3))
+        let seen =
+              [ ( n1,
+                  n2,
+                  g,
+                  [ (optionLayout o, optionShape o, map fitWindow (take 1 (optionFits o)))
+                    | o <- instead
+                  ]
+                )
+                | SidesShareDivisor 6 n1 n2 g instead <- adviceObstacles advice
+              ]
+        seen
+          `shouldBe` [ ( 15,
+                         273,
+                         3,
+                         [ (Single Diagonal, Shape 63 65, [Shape 3 2]),
+                           (Single RowMajor, Shape 15 273, [Shape 2 3]),
+                           (Joint 3, Shape 15 91, [Shape 2 3])
+                         ]
+                       )
+                     ]
     it "is possible row by row, and only so" $ do
       advice <- asked 4 15 273 (Just (Shape 2 3))
-      [(optionLayout o, optionShape o) | o <- adviceOptions advice] `shouldBe` [(Single RowMajor, Shape 15 273)]
+      [(optionLayout o, optionShape o) | o <- adviceOptions advice]
+        `shouldBe` [(Single RowMajor, Shape 15 273)]
   it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]
       `shouldBe` [(Single Diagonal, Shape 15 17, [Fit (Shape 2 2) True [3, 2, 1, 0, 1]])]
     adviceObstacles advice `shouldBe` []
-  it "30 x 40 over GF(4): degree 6, every factor pair of 4095 in range, and 39 x 105 on the torus is not possible" $ do
-    advice <- asked 4 30 40 Nothing
-    let at layout = [optionShape o | o <- adviceOptions advice, optionLayout o == layout]
-        inRange = [Shape a (4095 `div` a) | a <- [30 .. 102], 4095 `mod` a == 0]
-    at (Single RowMajor) `shouldBe` inRange
-    at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
-    [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
-  it "the windows said to work for every polynomial do, and those for one do for that one: by visiting" $
-    forM_ requests $ \(q, high, wide, window) -> do
+  it
+    "30 x 40 over GF(4): degree 6, every factor pair of 4095 in range, and 39 x 105 on the torus \
+    \is not possible"
+    $ do
+      advice <- asked 4 30 40 Nothing
+      let at layout = [optionShape o | o <- adviceOptions advice, optionLayout o == layout]
+          inRange = [Shape a (4095 `div` a) | a <- [30 .. 102], 4095 `mod` a == 0]
+      at (Single RowMajor) `shouldBe` inRange
+      at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
+      [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
+  it
+    "the windows said to work for every polynomial do, and those for one do for that one: by \
+    \visiting"
+    $ forM_ requests $ \(q, high, wide, window) -> do
       advice <- asked q high wide window
-      forM_ (adviceOptions advice ++ concat [instead | SidesShareDivisor _ _ _ _ instead <- adviceObstacles advice]) $ \option ->
-        unless (q ^ optionDegree option > 5000) $ do
-          optionFits option `shouldSatisfy` (not . null)
-          forM_ (optionFits option) (proves (fromIntegral q) option)
+      forM_
+        ( adviceOptions advice
+            ++ concat [instead | SidesShareDivisor _ _ _ _ instead <- adviceObstacles advice]
+        )
+        $ \option ->
+          unless (q ^ optionDegree option > 5000) $ do
+            optionFits option `shouldSatisfy` (not . null)
+            forM_ (optionFits option) (proves (fromIntegral q) option)
   it "what it lists is large enough, in order of size, and the window is the one wanted" $
     forM_ requests $ \(q, high, wide, window) -> do
       advice <- asked q high wide window
       let shapes = map optionShape (adviceOptions advice)
       shapes `shouldSatisfy` all (\s -> rows s >= high && columns s >= wide)
       map area shapes `shouldBe` sort (map area shapes)
-      [w | Just wanted <- [window], o <- adviceOptions advice, w <- map fitWindow (optionFits o), w /= wanted] `shouldBe` []
+      let failing =
+            [ w
+              | Just wanted <- [window],
+                o <- adviceOptions advice,
+                w <- map fitWindow (optionFits o),
+                w /= wanted
+            ]
+      failing `shouldBe` []
   it "the degree of an element of order m over GF(q) is the least d with m dividing q^d - 1" $
-    [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]] `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
-  it "sure windows have rank n for every primitive polynomial, every shape and every layout: q^n <= 1024" $
-    forM_ ([(2, n) | n <- [2 .. 10]] ++ [(3, n) | n <- [2 .. 6]] ++ [(4, n) | n <- [2 .. 5]] ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3), (9, 2), (9, 3), (16, 2), (25, 2)]) $
-      \(q, n) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+    [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]]
+      `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
+  it
+    "sure windows have rank n for every primitive polynomial, every shape and every layout: q^n \
+    \<= 1024"
+    $ forM_
+      ( [(2, n) | n <- [2 .. 10]]
+          ++ [(3, n) | n <- [2 .. 6]]
+          ++ [(4, n) | n <- [2 .. 5]]
+          ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3)]
+          ++ [(9, 2), (9, 3), (16, 2), (25, 2)]
+      )
+      $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
         found <- right (primitivePolynomials n)
         let terms = fromIntegral q ^ n - 1 :: Natural
             ds = [d | d <- [1 .. terms], terms `mod` d == 0]
-        forM_ (zip [0 :: Int ..] (found :: [Primitive k])) $ \(i, h) -> unless (i `mod` 5 > 0 && i > 20) $ do
-          forM_ ds $ \n1 -> forM_ (Single RowMajor : [Single Diagonal | gcd n1 (terms `div` n1) == 1]) $ \layout ->
-            forM_ (sureWindows (fromIntegral q) n layout (Shape n1 (terms `div` n1))) $ \w -> do
-              array <- right (fold (foldingOf layout) (Shape n1 (terms `div` n1)) h (canonicalState h))
-              window <- right (rectangle w)
-              (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
+        forM_ (zip [0 :: Int ..] (found :: [Primitive k])) $ \(i, h) ->
+          unless (i `mod` 5 > 0 && i > 20) $ do
+            forM_ ds $ \n1 ->
+              forM_
+                (Single RowMajor : [Single Diagonal | gcd n1 (terms `div` n1) == 1])
+                $ \layout ->
+                  let size = Shape n1 (terms `div` n1)
+                   in forM_ (sureWindows (fromIntegral q) n layout size) $ \w -> do
+                        array <- right (fold (foldingOf layout) size h (canonicalState h))
+                        window <- right (rectangle w)
+                        (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
   it "refuses an alphabet that is none, a window without cells, and more than it can judge" $ do
     advise (Request 6 1 1 Nothing) `shouldSatisfy` either isField (const False)
     advise (Request 4 1 1 (Just (Shape 0 2))) `shouldBe` Left AdviceWindowEmpty
-    advise (Request 4 (2 ^ (70 :: Int)) (2 ^ (70 :: Int)) Nothing) `shouldBe` Left (AdviceTooLarge (2 ^ (140 :: Int)))
- where
-  isField e = case e of
-    AdviceField _ -> True
-    _ -> False
-  foldingOf layout = case layout of
-    Single folding -> folding
-    Joint _ -> Diagonal
+    advise (Request 4 (2 ^ (70 :: Int)) (2 ^ (70 :: Int)) Nothing)
+      `shouldBe` Left (AdviceTooLarge (2 ^ (140 :: Int)))
+  where
+    isField e = case e of
+      AdviceField _ -> True
+      _ -> False
+    foldingOf layout = case layout of
+      Single folding -> folding
+      Joint _ -> Diagonal
 
 -- | Some alphabets, sizes and windows.
 requests :: [(Natural, Natural, Natural, Maybe Shape)]
 requests =
-  [ (2, 3, 5, Nothing), (2, 5, 5, Nothing), (2, 7, 9, Nothing), (2, 10, 10, Just (Shape 3 3)), (2, 20, 20, Just (Shape 5 2))
-  , (3, 2, 13, Nothing), (3, 5, 5, Nothing), (3, 8, 10, Just (Shape 2 2)), (3, 10, 20, Just (Shape 2 3))
-  , (4, 3, 5, Nothing), (4, 15, 17, Just (Shape 2 2)), (4, 15, 17, Just (Shape 3 2)), (4, 15, 273, Nothing), (4, 15, 273, Just (Shape 2 3)), (4, 30, 40, Nothing)
-  , (5, 4, 31, Nothing), (5, 10, 10, Nothing), (7, 6, 8, Nothing), (7, 9, 9, Just (Shape 2 2)), (8, 7, 9, Nothing), (8, 7, 60, Just (Shape 1 3))
-  , (9, 8, 10, Nothing), (16, 15, 17, Nothing), (25, 10, 10, Nothing), (27, 26, 28, Just (Shape 1 2)), (2, 1, 1, Nothing), (2, 0, 0, Nothing) ]
+  [ (2, 3, 5, Nothing),
+    (2, 5, 5, Nothing),
+    (2, 7, 9, Nothing),
+    (2, 10, 10, Just (Shape 3 3)),
+    (2, 20, 20, Just (Shape 5 2)),
+    (3, 2, 13, Nothing),
+    (3, 5, 5, Nothing),
+    (3, 8, 10, Just (Shape 2 2)),
+    (3, 10, 20, Just (Shape 2 3)),
+    (4, 3, 5, Nothing),
+    (4, 15, 17, Just (Shape 2 2)),
+    (4, 15, 17, Just (Shape 3 2)),
+    (4, 15, 273, Nothing),
+    (4, 15, 273, Just (Shape 2 3)),
+    (4, 30, 40, Nothing),
+    (5, 4, 31, Nothing),
+    (5, 10, 10, Nothing),
+    (7, 6, 8, Nothing),
+    (7, 9, 9, Just (Shape 2 2)),
+    (8, 7, 9, Nothing),
+    (8, 7, 60, Just (Shape 1 3)),
+    (9, 8, 10, Nothing),
+    (16, 15, 17, Nothing),
+    (25, 10, 10, Nothing),
+    (27, 26, 28, Just (Shape 1 2)),
+    (2, 1, 1, Nothing),
+    (2, 0, 0, Nothing)
+  ]
 
 asked :: Natural -> Natural -> Natural -> Maybe Shape -> IO Advice
 asked q high wide window = right (advise (Request q high wide window))
@@ -106,7 +173,10 @@ proves :: Int -> Option -> Fit -> Expectation
 proves q option claim = forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
   window <- right (rectangle (fitWindow claim))
   stated <- right (elementsFromCodes (fitPolynomial claim)) >>= right . checkPrimitive . polynomial
-  others <- if fitEvery claim then take 8 <$> right (primitivePolynomials (optionDegree option)) else pure []
+  others <-
+    if fitEvery claim
+      then take 8 <$> right (primitivePolynomials (optionDegree option))
+      else pure []
   forM_ (stated : others :: [Primitive k]) $ \h -> do
     distinct <- case optionLayout option of
       Single folding -> do

@@ -1,6 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- | Several arrays that share one window property.
 module Test.Code.ArrayCode (spec) where
 
@@ -27,7 +24,8 @@ spec = do
       codeArrays code `shouldBe` 3
       window <- right (rectangle (Shape 2 3))
       (verdict, witness) <- right (proveCode code window)
-      (codeProved verdict, codeVisited verdict, codeMaskRank verdict, codeCollision verdict) `shouldBe` (True, Just 4095, 6, Nothing)
+      (codeProved verdict, codeVisited verdict, codeMaskRank verdict, codeCollision verdict)
+        `shouldBe` (True, Just 4095, 6, Nothing)
       fmap (codeShape . provedCode) witness `shouldBe` Just (Shape 15 91)
       -- The same count with nothing but sets of lists.
       Set.size (Set.fromList (contentsOf code window)) `shouldBe` 4095
@@ -42,7 +40,8 @@ spec = do
       code <- right first6 >>= coded (Shape 15 91)
       window <- right (rectangle (Shape 1 5))
       (verdict, witness) <- right (proveCode code window)
-      (codeProved verdict, codeVisited verdict, codeMaskRank verdict) `shouldBe` (False, Just (4 ^ (5 :: Int)), 5)
+      (codeProved verdict, codeVisited verdict, codeMaskRank verdict)
+        `shouldBe` (False, Just (4 ^ (5 :: Int)), 5)
       fmap (const ()) witness `shouldBe` Nothing
       case codeCollision verdict of
         Just (a, b) -> do
@@ -50,31 +49,64 @@ spec = do
           contentAt code window a `shouldBe` contentAt code window b
         Nothing -> expectationFailure "no collision"
   it "array j holds s(j + g i) in cell (i mod n1, i mod n2), and its grid is made of its cells" $
-    forM_ [(2, 4, Shape 5 1), (2, 6, Shape 7 3), (2, 8, Shape 5 17), (3, 4, Shape 2 5), (3, 4, Shape 8 5), (4, 4, Shape 5 17), (5, 3, Shape 4 1), (9, 2, Shape 5 8), (2, 12, Shape 1 455)] $
-      \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+    forM_
+      [ (2, 4, Shape 5 1),
+        (2, 6, Shape 7 3),
+        (2, 8, Shape 5 17),
+        (3, 4, Shape 2 5),
+        (3, 4, Shape 8 5),
+        (4, 4, Shape 5 17),
+        (5, 3, Shape 4 1),
+        (9, 2, Shape 5 8),
+        (2, 12, Shape 1 455)
+      ]
+      $ \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
         h <- firstOver k n
         code <- coded shape h
         let g = codeArrays code
             s = mSequence h (canonicalState h)
-            cellsOf j = [codeCellAt code (Place j (Position (i `mod` rows shape) (i `mod` columns shape))) | i <- [0 .. area shape - 1]]
+            cellsOf j =
+              [ codeCellAt code (Place j (Position (i `mod` rows shape) (i `mod` columns shape)))
+                | i <- [0 .. area shape - 1]
+              ]
             every m (x : xs) = x : every m (drop (m - 1) xs)
             every _ [] = []
         g * area shape `shouldBe` period h
         forM_ [0 .. g - 1] $ \j -> do
-          cellsOf j `shouldBe` take (fromIntegral (area shape)) (every (fromIntegral g) (drop (fromIntegral j) s))
+          cellsOf j
+            `shouldBe` take
+              (fromIntegral (area shape))
+              (every (fromIntegral g) (drop (fromIntegral j) s))
           grid <- right (codeGrid code j)
-          gridRows grid `shouldBe` [[toCode (codeCellAt code (Place j (Position r c))) | c <- [0 .. columns shape - 1]] | r <- [0 .. rows shape - 1]]
-        [codeIndex code (placeOfIndex code i) | i <- [0 .. period h - 1]] `shouldBe` [0 .. period h - 1]
+          gridRows grid
+            `shouldBe` [ [ toCode (codeCellAt code (Place j (Position r c)))
+                           | c <- [0 .. columns shape - 1]
+                         ]
+                         | r <- [0 .. rows shape - 1]
+                       ]
+        [codeIndex code (placeOfIndex code i) | i <- [0 .. period h - 1]]
+          `shouldBe` [0 .. period h - 1]
   it "both roads agree for every shape, and all rectangles of up to n cells: q^n <= 256" $
-    forM_ [(2, 4), (2, 6), (2, 8), (3, 4), (4, 2), (4, 3), (4, 4), (5, 2), (7, 2), (16, 2)] $ \(q, n) ->
-      forM_ (lookup q everyField) $ \(SomeField k) -> do
-        h <- firstOver k n
-        forM_ [Shape a b | a <- [1 .. period h], period h `mod` a == 0, b <- [1 .. period h `div` a], (period h `div` a) `mod` b == 0, gcd a b == 1] $ \shape -> do
-          code <- coded shape h
-          forM_ [Shape a b | a <- [1 .. n], b <- [1 .. n `div` a]] $ \size -> do
-            window <- right (rectangle size)
-            (verdict, _) <- right (proveCode code window)
-            codeVisited verdict `shouldBe` Just (fromIntegral (Set.size (Set.fromList (contentsOf code window))))
+    forM_
+      [(2, 4), (2, 6), (2, 8), (3, 4), (4, 2), (4, 3), (4, 4), (5, 2), (7, 2), (16, 2)]
+      $ \(q, n) ->
+        forM_ (lookup q everyField) $ \(SomeField k) -> do
+          h <- firstOver k n
+          forM_
+            [ Shape a b
+              | a <- [1 .. period h],
+                period h `mod` a == 0,
+                b <- [1 .. period h `div` a],
+                (period h `div` a) `mod` b == 0,
+                gcd a b == 1
+            ]
+            $ \shape -> do
+              code <- coded shape h
+              forM_ [Shape a b | a <- [1 .. n], b <- [1 .. n `div` a]] $ \size -> do
+                window <- right (rectangle size)
+                (verdict, _) <- right (proveCode code window)
+                codeVisited verdict
+                  `shouldBe` Just (fromIntegral (Set.size (Set.fromList (contentsOf code window))))
   it "with one array is that array" $ do
     h <- right paperPrimitive
     code <- coded (Shape 15 17) h
@@ -99,11 +131,16 @@ coded shape h = right (foldCode shape h (canonicalState h))
 contentsOf :: ArrayCode k -> Mask -> [[Int]]
 contentsOf code window =
   [ contentAt code window (Place j (Position r c))
-  | j <- below (codeArrays code), r <- below (rows (codeShape code)), c <- below (columns (codeShape code)) ]
- where
-  below :: Natural -> [Natural]
-  below m = takeWhile (< m) [0 ..]
+    | j <- below (codeArrays code),
+      r <- below (rows (codeShape code)),
+      c <- below (columns (codeShape code))
+  ]
+  where
+    below :: Natural -> [Natural]
+    below m = takeWhile (< m) [0 ..]
 
 contentAt :: ArrayCode k -> Mask -> Place -> [Int]
 contentAt code window (Place j (Position r c)) =
-  [toCode (codeCellAt code (Place j (Position (r + i) (c + k)))) | Position i k <- maskOffsets window]
+  [ toCode (codeCellAt code (Place j (Position (r + i) (c + k))))
+    | Position i k <- maskOffsets window
+  ]

@@ -1,5 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-
 -- | Certificates and their check.
 module Test.Code.Certificate (spec) where
 
@@ -25,22 +23,26 @@ spec = do
   describe "SHA-256" $ do
     it "of the examples of FIPS 180-4, and of a million times a" $ do
       sha256OfText "" `shouldBe` "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"
-      sha256OfText "abc" `shouldBe` "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+      sha256OfText "abc"
+        `shouldBe` "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
       sha256OfText "abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"
         `shouldBe` "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"
-      sha256 (Bytes.replicate 1000000 97) `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
-    it "the digest of windows is that of their positions, eight bytes each, by increasing content" $ do
-      -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
-      h <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF2))
-      array <- right (folded RowMajor (Shape 1 3) h)
-      grid <- right (toGrid array)
-      m <- right (rectangle (Shape 1 2))
-      toRows array `shouldBe` Right [[0, 1, 1]]
-      digestOfWindows MostSignificantFirst Sheet grid m
-        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [0, 1])))
-      digestOfWindows LeastSignificantFirst Torus grid m
-        -- 01, 11 and 10, read backwards: 2, 3 and 1.
-        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
+      sha256 (Bytes.replicate 1000000 97)
+        `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
+    it
+      "the digest of windows is that of their positions, eight bytes each, by increasing content"
+      $ do
+        -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
+        h <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF2))
+        array <- right (folded RowMajor (Shape 1 3) h)
+        grid <- right (toGrid array)
+        m <- right (rectangle (Shape 1 2))
+        toRows array `shouldBe` Right [[0, 1, 1]]
+        digestOfWindows MostSignificantFirst Sheet grid m
+          `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [0, 1])))
+        digestOfWindows LeastSignificantFirst Torus grid m
+          -- 01, 11 and 10, read backwards: 2, 3 and 1.
+          `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
     it "there is none of windows that repeat" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       grid <- right (toGrid array)
@@ -59,27 +61,61 @@ spec = do
       (checkCertificate c, certificateWindows c, isRank c) `shouldBe` (Right (), 32, False)
       certified RankRoad sheet m >>= (`shouldSatisfy` isLeft)
       certified AnyRoad canonicalProfile m >>= (`shouldSatisfy` isLeft)
-    it "row by row on the twisted torus, with the reciprocal reading, other packing, other states, other fields" $
-      forM_
-        [ canonicalProfile {profileFolding = RowMajor, profileSurface = TwistedTorus, profileWindow = Shape 2 2}
-        , canonicalProfile {profileReading = Reciprocal}
-        , canonicalProfile {profilePacking = LeastSignificantFirst, profileState = [3, 0, 2, 1]}
-        , canonicalProfile {profileOrder = 9, profileModulus = [2, 2, 1], profilePolynomial = [3, 1, 1], profileState = [5, 0], profileShape = Shape 1 80, profileWindow = Shape 1 2}
-        , canonicalProfile {profileOrder = 5, profileModulus = [3, 1], profilePolynomial = [2, 3, 0, 1], profileState = [0, 0, 4], profileShape = Shape 4 31, profileWindow = Shape 1 3}
+    it
+      "row by row on the twisted torus, with the reciprocal reading, other packing, other states, \
+      \other fields"
+      $ forM_
+        [ canonicalProfile
+            { profileFolding = RowMajor,
+              profileSurface = TwistedTorus,
+              profileWindow = Shape 2 2
+            },
+          canonicalProfile {profileReading = Reciprocal},
+          canonicalProfile {profilePacking = LeastSignificantFirst, profileState = [3, 0, 2, 1]},
+          canonicalProfile
+            { profileOrder = 9,
+              profileModulus = [2, 2, 1],
+              profilePolynomial = [3, 1, 1],
+              profileState = [5, 0],
+              profileShape = Shape 1 80,
+              profileWindow = Shape 1 2
+            },
+          canonicalProfile
+            { profileOrder = 5,
+              profileModulus = [3, 1],
+              profilePolynomial = [2, 3, 0, 1],
+              profileState = [0, 0, 4],
+              profileShape = Shape 4 31,
+              profileWindow = Shape 1 3
+            }
         ]
         $ \profile -> forM_ [minBound .. maxBound] $ \road -> do
-            c <- made road profile (rectangle (profileWindow profile))
-            checkCertificate c `shouldBe` Right ()
+          c <- made road profile (rectangle (profileWindow profile))
+          checkCertificate c `shouldBe` Right ()
     it "of 2^64 - 1 cells by rank, of 2^89 - 1 with a prime beyond the strong test's domain" $
-      forM_ [(64, [0, 1, 3, 4], Shape 255 ((2 ^ (64 :: Int) - 1) `div` 255), Shape 8 8), (89, [0, 38], Shape 1 (2 ^ (89 :: Int) - 1), Shape 1 89)] $
-        \(n, terms, shape, window) -> do
-          profile <- right (chooseProfile 2 Nothing [if i `elem` (n : terms) then 1 else 0 | i <- [0 .. n :: Int]] shape (Just window) Nothing)
+      forM_
+        [ (64, [0, 1, 3, 4], Shape 255 ((2 ^ (64 :: Int) - 1) `div` 255), Shape 8 8),
+          (89, [0, 38], Shape 1 (2 ^ (89 :: Int) - 1), Shape 1 89)
+        ]
+        $ \(n, terms, shape, window) -> do
+          profile <-
+            right
+              ( chooseProfile
+                  2
+                  Nothing
+                  [if i `elem` (n : terms) then 1 else 0 | i <- [0 .. n :: Int]]
+                  shape
+                  (Just window)
+                  Nothing
+              )
           c <- made AnyRoad profile (rectangle window)
-          (checkCertificate c, map shownPrime (certificatePrimes c)) `shouldBe` (Right (), [2 ^ n - 1 | n == 89])
+          (checkCertificate c, map shownPrime (certificatePrimes c))
+            `shouldBe` (Right (), [2 ^ n - 1 | n == 89])
           forM_ (certificatePrimes c) $ \proof -> do
             isShownPrime [] proof `shouldBe` True
             isShownPrime [] proof {shownBy = drop 10 (shownBy proof)} `shouldBe` False
-            isShownPrime [] proof {shownBy = [w {witnessBase = 1} | w <- shownBy proof]} `shouldBe` False
+            isShownPrime [] proof {shownBy = [w {witnessBase = 1} | w <- shownBy proof]}
+              `shouldBe` False
             isShownPrime [] proof {shownPrime = shownPrime proof + 2} `shouldBe` False
   describe "a certificate that is changed is found bad, with the reason" $ do
     it "every field of one by rank" $ do
@@ -87,57 +123,66 @@ spec = do
       let p = certificateProfile c
           ofProfile change = c {certificateProfile = change}
           ofFactor change = c {certificateFactors = mapFirst change (certificateFactors c)}
-          ofRank change = c {certificateEvidence = case certificateEvidence c of ByRank e -> ByRank (change e); other -> other}
-      map (() <$)
-        [ checkCertificate (ofProfile p {profileOrder = 8})
-        , checkCertificate (ofProfile p {profileModulus = [1, 0, 1]})
-        , checkCertificate (ofProfile p {profilePolynomial = [3, 2, 1, 0, 2]})
-        , checkCertificate (ofProfile p {profilePolynomial = [3, 2, 1, 1]})
-        , checkCertificate (ofProfile p {profilePolynomial = [2, 2, 1, 0, 1]})
-        , checkCertificate (ofProfile p {profileState = [0, 0, 0, 0]})
-        , checkCertificate (ofProfile p {profileFolding = RowMajor})
-        , checkCertificate (ofProfile p {profileShape = Shape 17 16})
-        , checkCertificate (ofProfile p {profileWindow = Shape 2 3})
-        , checkCertificate (ofProfile p {profileSurface = Sheet})
-        , checkCertificate c {certificateMask = take 3 (certificateMask c)}
-        , checkCertificate c {certificateMask = take 3 (certificateMask c) ++ [Position 1 2]}
-        , checkCertificate c {certificateWindows = 254}
-        , checkCertificate c {certificatePeriod = 254}
-        , checkCertificate (ofFactor (\f -> f {orderPrime = 15}))
-        , checkCertificate (ofFactor (\f -> f {orderExponent = 2}))
-        , checkCertificate (ofFactor (\f -> f {orderResidue = [1, 0, 0, 0]}))
-        , checkCertificate c {certificateFactors = drop 1 (certificateFactors c)}
-        , checkCertificate c {certificatePrimes = [PrimeProof 341 [PrimeWitness 2 2 3, PrimeWitness 5 1 3, PrimeWitness 17 1 3]]}
-        , checkCertificate (ofRank (\e -> e {rankVectors = reverse (rankVectors e)}))
-        , checkCertificate (ofRank (\e -> e {rankCells = [0, 1, 2, 4]}))
-        , checkCertificate (ofRank (\e -> e {rankCells = [0, 1, 2]}))
-        , checkCertificate (ofRank (\e -> e {rankInverse = rankVectors e}))
+          ofRank change =
+            c
+              { certificateEvidence =
+                  case certificateEvidence c of ByRank e -> ByRank (change e); other -> other
+              }
+      map
+        (() <$)
+        [ checkCertificate (ofProfile p {profileOrder = 8}),
+          checkCertificate (ofProfile p {profileModulus = [1, 0, 1]}),
+          checkCertificate (ofProfile p {profilePolynomial = [3, 2, 1, 0, 2]}),
+          checkCertificate (ofProfile p {profilePolynomial = [3, 2, 1, 1]}),
+          checkCertificate (ofProfile p {profilePolynomial = [2, 2, 1, 0, 1]}),
+          checkCertificate (ofProfile p {profileState = [0, 0, 0, 0]}),
+          checkCertificate (ofProfile p {profileFolding = RowMajor}),
+          checkCertificate (ofProfile p {profileShape = Shape 17 16}),
+          checkCertificate (ofProfile p {profileWindow = Shape 2 3}),
+          checkCertificate (ofProfile p {profileSurface = Sheet}),
+          checkCertificate c {certificateMask = take 3 (certificateMask c)},
+          checkCertificate c {certificateMask = take 3 (certificateMask c) ++ [Position 1 2]},
+          checkCertificate c {certificateWindows = 254},
+          checkCertificate c {certificatePeriod = 254},
+          checkCertificate (ofFactor (\f -> f {orderPrime = 15})),
+          checkCertificate (ofFactor (\f -> f {orderExponent = 2})),
+          checkCertificate (ofFactor (\f -> f {orderResidue = [1, 0, 0, 0]})),
+          checkCertificate c {certificateFactors = drop 1 (certificateFactors c)},
+          checkCertificate
+            c
+              { certificatePrimes =
+                  [PrimeProof 341 [PrimeWitness 2 2 3, PrimeWitness 5 1 3, PrimeWitness 17 1 3]]
+              },
+          checkCertificate (ofRank (\e -> e {rankVectors = reverse (rankVectors e)})),
+          checkCertificate (ofRank (\e -> e {rankCells = [0, 1, 2, 4]})),
+          checkCertificate (ofRank (\e -> e {rankCells = [0, 1, 2]})),
+          checkCertificate (ofRank (\e -> e {rankInverse = rankVectors e}))
         ]
         `shouldBe` map
           Left
-          [ OrderNotOfModulus 8
-          , FieldFault (ModulusReducible 2 [1, 0, 1])
-          , PolynomialFault [3, 2, 1, 0, 2]
-          , PeriodFault 255 63
-          , ResidueFault 3
-          , StateFault [0, 0, 0, 0]
-          , SurfaceFault Torus
-          , AreaFault (Shape 17 16)
-          , ExtentFault (Shape 2 2)
-          , WindowsFault 255 224
-          , VectorFault 3
-          , ExtentFault (Shape 2 3)
-          , WindowsFault 254 255
-          , PeriodFault 254 255
-          , PrimeFault 15
-          , FactorsFault 255
-          , ResidueFault 3
-          , FactorsFault 255
-          , PrimeFault 341
-          , VectorFault 0
-          , CellsFault [0, 1, 2, 4]
-          , CellsFault [0, 1, 2]
-          , InverseFault
+          [ OrderNotOfModulus 8,
+            FieldFault (ModulusReducible 2 [1, 0, 1]),
+            PolynomialFault [3, 2, 1, 0, 2],
+            PeriodFault 255 63,
+            ResidueFault 3,
+            StateFault [0, 0, 0, 0],
+            SurfaceFault Torus,
+            AreaFault (Shape 17 16),
+            ExtentFault (Shape 2 2),
+            WindowsFault 255 224,
+            VectorFault 3,
+            ExtentFault (Shape 2 3),
+            WindowsFault 254 255,
+            PeriodFault 254 255,
+            PrimeFault 15,
+            FactorsFault 255,
+            ResidueFault 3,
+            FactorsFault 255,
+            PrimeFault 341,
+            VectorFault 0,
+            CellsFault [0, 1, 2, 4],
+            CellsFault [0, 1, 2],
+            InverseFault
           ]
     it "one by enumeration" $ do
       c <- made EnumerationRoad canonicalProfile (rectangle (Shape 2 2))
@@ -148,24 +193,43 @@ spec = do
             _ -> False
       map
         (\change -> refuses c {certificateProfile = change})
-        [p {profileState = [0, 0, 1, 0]}, p {profilePacking = LeastSignificantFirst}, p {profileShape = Shape 17 15}]
+        [ p {profileState = [0, 0, 1, 0]},
+          p {profilePacking = LeastSignificantFirst},
+          p {profileShape = Shape 17 15}
+        ]
         `shouldBe` [True, True, True]
-      checkCertificate c {certificateProfile = p {profileFolding = RowMajor, profileSurface = Torus}} `shouldSatisfy` isLeft
-      checkCertificate c {certificateProfile = p {profileWindow = Shape 1 2}, certificateMask = [Position 0 0, Position 0 1]} `shouldBe` Left RepeatedFault
+      checkCertificate
+        c
+          { certificateProfile = p {profileFolding = RowMajor, profileSurface = Torus}
+          }
+        `shouldSatisfy` isLeft
+      checkCertificate
+        c
+          { certificateProfile = p {profileWindow = Shape 1 2},
+            certificateMask = [Position 0 0, Position 0 1]
+          }
+        `shouldBe` Left RepeatedFault
   describe "a polynomial that is not primitive" $
-    it "is not accepted in the place of one: the 28 irreducible quartics over GF(4) that are not" $ do
-      c <- made RankRoad canonicalProfile (rectangle (Shape 2 2))
-      let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
-      length irreducible `shouldBe` 28
-      forM_ irreducible $ \codes ->
-        checkCertificate c {certificateProfile = (certificateProfile c) {profilePolynomial = codes}} `shouldSatisfy` isLeft
- where
-  mapFirst change list = map change (take 1 list) ++ drop 1 list
-  quartics = [[a, b, c, d, 1] | a <- [0 .. 3], b <- [0 .. 3], c <- [0 .. 3], d <- [0 .. 3]] :: [[Natural]]
-  over codes = either (const Nothing) Just (polynomialFromCodes codes) :: Maybe (Polynomial GF4)
-  isIrreducible' = maybe False isIrreducible . over
-  notPrimitive = maybe False (isLeft . checkPrimitive) . over
-  isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
+    it
+      "is not accepted in the place of one: the 28 irreducible quartics over GF(4) that are not"
+      $ do
+        c <- made RankRoad canonicalProfile (rectangle (Shape 2 2))
+        let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
+        length irreducible `shouldBe` 28
+        forM_ irreducible $ \codes ->
+          checkCertificate
+            c
+              { certificateProfile = (certificateProfile c) {profilePolynomial = codes}
+              }
+            `shouldSatisfy` isLeft
+  where
+    mapFirst change list = map change (take 1 list) ++ drop 1 list
+    quartics =
+      [[a, b, c, d, 1] | a <- [0 .. 3], b <- [0 .. 3], c <- [0 .. 3], d <- [0 .. 3]] :: [[Natural]]
+    over codes = either (const Nothing) Just (polynomialFromCodes codes) :: Maybe (Polynomial GF4)
+    isIrreducible' = maybe False isIrreducible . over
+    notPrimitive = maybe False (isLeft . checkPrimitive) . over
+    isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
 
 certified :: Road -> Profile -> Either WindowError Mask -> IO (Either CertificateError Certificate)
 certified road profile window = certify road profile <$> right window

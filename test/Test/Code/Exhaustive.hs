@@ -1,5 +1,5 @@
--- | The window property of all arrays up to a size, by both roads; larger ones with PRA_TACTILE_EXHAUSTIVE set to the
--- binary logarithm of their size, as @make prove@ sets it.
+-- | The window property of all arrays up to a size, by both roads; larger ones with
+-- PRA_TACTILE_EXHAUSTIVE set to the binary logarithm of their size, as @make prove@ sets it.
 module Test.Code.Exhaustive (spec) where
 
 import Control.Monad (forM_, when)
@@ -22,24 +22,39 @@ import Text.Read (readMaybe)
 spec :: Spec
 spec = do
   bits <- runIO (fromMaybe 16 . (>>= readMaybe) <$> lookupEnv "PRA_TACTILE_EXHAUSTIVE")
-  describe ("every array of n1 = q^k1 - 1 rows and k1 x k2 windows, q^(k1 k2) <= 2^" ++ show (bits :: Int)) $
-    forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
-      it ("over GF(" ++ show q ++ "), by both roads, where gcd(q^k1 - 1, k2) = 1; row by row elsewhere") $
-        forM_ (lookup q everyField) $ \(SomeField k) ->
-          forM_ (sizes (fromIntegral q) (2 ^ bits)) $ \(k1, k2) -> firstOver k (k1 * k2) >>= bothRoads k1 k2
+  describe
+    ("every array of n1 = q^k1 - 1 rows and k1 x k2 windows, q^(k1 k2) <= 2^" ++ show (bits :: Int))
+    $ forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
+      it
+        ( "over GF("
+            ++ show q
+            ++ "), by both roads, where gcd(q^k1 - 1, k2) = 1; row by row elsewhere"
+        )
+        $ forM_ (lookup q everyField) $ \(SomeField k) ->
+          forM_ (sizes (fromIntegral q) (2 ^ bits)) $ \(k1, k2) ->
+            firstOver k (k1 * k2) >>= bothRoads k1 k2
   -- Up to 2^12 these are among the next.
-  when (bits > 16) $ describe ("the same of every primitive polynomial, q^(k1 k2) <= 2^" ++ show (bits - 4)) $
-    forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
-      it ("over GF(" ++ show q ++ ")") $
-        forM_ (lookup q everyField) $ \(SomeField k) ->
-          forM_ (sizes (fromIntegral q) (2 ^ (bits - 4))) $ \(k1, k2) -> allOver k (k1 * k2) >>= mapM_ (bothRoads k1 k2)
+  when (bits > 16) $
+    describe ("the same of every primitive polynomial, q^(k1 k2) <= 2^" ++ show (bits - 4)) $
+      forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
+        it ("over GF(" ++ show q ++ ")") $
+          forM_ (lookup q everyField) $ \(SomeField k) ->
+            forM_ (sizes (fromIntegral q) (2 ^ (bits - 4))) $ \(k1, k2) ->
+              allOver k (k1 * k2) >>= mapM_ (bothRoads k1 k2)
   describe "every primitive polynomial and every shape, q^n <= 4096" $
     forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
       it ("over GF(" ++ show q ++ "): the windows that are sure to work do, by both roads") $
         forM_ (lookup q everyField) $ \(SomeField k) ->
-          forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= 4096) [1 ..]) $ \n -> everyShape k n
- where
-  sizes q bound = [(k1, k2) | n <- takeWhile (\n -> q ^ n <= (bound :: Natural)) [1 ..], k1 <- [1 .. n], k2 <- [1 .. n], k1 * k2 == n]
+          forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= 4096) [1 ..]) $ \n ->
+            everyShape k n
+  where
+    sizes q bound =
+      [ (k1, k2)
+        | n <- takeWhile (\n -> q ^ n <= (bound :: Natural)) [1 ..],
+          k1 <- [1 .. n],
+          k2 <- [1 .. n],
+          k1 * k2 == n
+      ]
 
 allOver :: KnownField k => Proxy k -> Natural -> IO [Primitive k]
 allOver _ n = right (primitivePolynomials n)
@@ -61,23 +76,31 @@ bothRoads k1 k2 h = do
     Right array -> do
       g `shouldBe` 1
       provedOn Torus array
- where
-  provedOn on array = do
-    m <- right (rectangle (Shape k1 k2))
-    (verdict, witness) <- right (prove on array m)
-    (proved verdict, enumeration verdict, rankRoad verdict, distinctWindows verdict, zeroWindow verdict, isJust witness)
-      `shouldBe` (True, Just True, Just True, Just (area (arrayShape array)), Nothing, True)
+  where
+    provedOn on array = do
+      m <- right (rectangle (Shape k1 k2))
+      (verdict, witness) <- right (prove on array m)
+      ( proved verdict,
+        enumeration verdict,
+        rankRoad verdict,
+        distinctWindows verdict,
+        zeroWindow verdict,
+        isJust witness
+        )
+        `shouldBe` (True, Just True, Just True, Just (area (arrayShape array)), Nothing, True)
 
 -- | All arrays of a degree, with the windows that work whatever the polynomial is.
 everyShape :: KnownField k => Proxy k -> Natural -> Expectation
 everyShape k n = do
   polynomials <- allOver k n
   factors <- right (factorise (q ^ n - 1))
-  forM_ polynomials $ \h -> forM_ [minBound .. maxBound] $ \folding -> forM_ (scopeShapes folding factors) $ \shape -> do
-    array <- right (folded folding shape h)
-    forM_ (sureWindows q n (Single folding) shape) $ \window -> do
-      m <- right (rectangle window)
-      (verdict, _) <- right (prove (naturalSurface folding) array m)
-      (shape, window, proved verdict, enumeration verdict, rankRoad verdict) `shouldBe` (shape, window, True, Just True, Just True)
- where
-  q = fromIntegral (fieldOrder k) :: Natural
+  forM_ polynomials $ \h ->
+    forM_ [minBound .. maxBound] $ \folding -> forM_ (scopeShapes folding factors) $ \shape -> do
+      array <- right (folded folding shape h)
+      forM_ (sureWindows q n (Single folding) shape) $ \window -> do
+        m <- right (rectangle window)
+        (verdict, _) <- right (prove (naturalSurface folding) array m)
+        (shape, window, proved verdict, enumeration verdict, rankRoad verdict)
+          `shouldBe` (shape, window, True, Just True, Just True)
+  where
+    q = fromIntegral (fieldOrder k) :: Natural

@@ -1,5 +1,4 @@
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | Every folding of every small sequence, against walking along it.
 module Test.Code.Folding (spec) where
@@ -29,16 +28,24 @@ spec = do
             Right _ -> (shape, distinct reached) `shouldBe` (shape, Primitive.length reached)
             Left reason -> do
               reason `shouldBe` NotCoprime n1 n2 (gcd n1 n2)
-              (shape, distinct reached) `shouldBe` (shape, Primitive.length reached `div` fromIntegral (gcd n1 n2))
+              (shape, distinct reached)
+                `shouldBe` (shape, Primitive.length reached `div` fromIntegral (gcd n1 n2))
     it "with every primitive polynomial, a[i mod n1][i mod n2] = s(i)" $
-      forM_ (sizesUpTo 4096) $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField (_ :: proxy k)) -> do
-        found <- right (primitivePolynomials n)
-        let coprime = [(shape, walk shape) | shape <- shapesOf (fromIntegral q ^ n - 1), gcd (rows shape) (columns shape) == 1]
-        forM_ (found :: [Primitive k]) $ \h -> do
-          let s = codes (sequenceVector h (canonicalState h) (fromIntegral (period h)))
-          forM_ coprime $ \(shape, cells) -> do
-            grid <- right (folded Diagonal shape h >>= toGrid)
-            unless (Primitive.backpermute (gridCells grid) cells == s) (expectationFailure (show (q, h, shape)))
+      forM_ (sizesUpTo 4096) $ \(q, n) ->
+        forM_ (lookup q everyField) $ \(SomeField (_ :: proxy k)) -> do
+          found <- right (primitivePolynomials n)
+          let coprime =
+                [ (shape, walk shape)
+                  | shape <- shapesOf (fromIntegral q ^ n - 1),
+                    gcd (rows shape) (columns shape) == 1
+                ]
+          forM_ (found :: [Primitive k]) $ \h -> do
+            let s = codes (sequenceVector h (canonicalState h) (fromIntegral (period h)))
+            forM_ coprime $ \(shape, cells) -> do
+              grid <- right (folded Diagonal shape h >>= toGrid)
+              unless
+                (Primitive.backpermute (gridCells grid) cells == s)
+                (expectationFailure (show (q, h, shape)))
   describe "wide, tall and square arrays of more cells, written a block at a time" $
     forM_ [(2, 16), (3, 11), (4, 9), (5, 7), (8, 6), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
       it ("GF(" ++ show q ++ "), degree " ++ show n ++ ", every factorisation") $
@@ -50,28 +57,32 @@ spec = do
               Left _ -> pure ()
               Right array -> do
                 grid <- right (toGrid array)
-                unless (Primitive.backpermute (gridCells grid) (walk shape) == s) (expectationFailure (show (h, shape)))
+                unless
+                  (Primitive.backpermute (gridCells grid) (walk shape) == s)
+                  (expectationFailure (show (h, shape)))
 
 -- | The orders and degrees with 2 < q^n <= the limit.
 sizesUpTo :: Int -> [(Int, Natural)]
-sizesUpTo limit = [(q, n) | (q, _) <- everyField, n <- takeWhile (\n -> q ^ n <= limit) [1 ..], q ^ n > 2]
+sizesUpTo limit =
+  [(q, n) | (q, _) <- everyField, n <- takeWhile (\n -> q ^ n <= limit) [1 ..], q ^ n > 2]
 
 -- | All n1 x n2 with this many cells.
 shapesOf :: Natural -> [Shape]
 shapesOf cells = [Shape n1 (cells `div` n1) | n1 <- [1 .. cells], cells `mod` n1 == 0]
 
--- | The cells of the diagonal, i mod n1 and i mod n2 for i = 0, 1, 2, ..., each by its index row by row.
+-- | The cells of the diagonal, i mod n1 and i mod n2 for i = 0, 1, 2, ..., each by its index row by
+-- row.
 walk :: Shape -> Primitive.Vector Int
 walk (Shape n1 n2) = Primitive.generate (high * wide) (\i -> (i `mod` high) * wide + i `mod` wide)
- where
-  high = fromIntegral n1
-  wide = fromIntegral n2
+  where
+    high = fromIntegral n1
+    wide = fromIntegral n2
 
 -- | How many different cells there are among them.
 distinct :: Primitive.Vector Int -> Int
 distinct cells = Primitive.sum (Primitive.map fromIntegral marks)
- where
-  marks = Primitive.create $ do
-    seen <- Mutable.replicate (Primitive.length cells) (0 :: Word8)
-    Primitive.forM_ cells (\cell -> Mutable.write seen cell 1)
-    pure seen
+  where
+    marks = Primitive.create $ do
+      seen <- Mutable.replicate (Primitive.length cells) (0 :: Word8)
+      Primitive.forM_ cells (\cell -> Mutable.write seen cell 1)
+      pure seen

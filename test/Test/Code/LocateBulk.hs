@@ -1,6 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- | The memory table in bulk says what the table and the search say.
 module Test.Code.LocateBulk (spec) where
 
@@ -27,55 +24,112 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "every packed window of every small array, on every surface and under both packings, as the table has it" $
-    forM_ smallArrays $ \(q, n, shape, window) -> forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
-      h <- firstOver k n
-      m <- right (rectangle window)
-      forM_ [(folding, surface, packing) | folding <- [Diagonal, RowMajor], surface <- [minBound .. maxBound], packing <- [minBound .. maxBound]] $
-        \(folding, surface, packing) -> forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
-          table <- right (buildTable packing surface array m)
-          let all' = everyWindow (tableSize table)
-              found = locateWindows (memoryOf table) all'
-              expected packed = case tableLookup table (fromIntegral packed) of
-                [] -> notOccurring
-                [place] -> linear shape place
-                _ -> notUnique
-          memorySize (memoryOf table) `shouldBe` fromIntegral q ^ maskSize m
-          Primitive.length found `shouldBe` Primitive.length all'
-          [packed | (packed, place) <- zip (Primitive.toList all') (Primitive.toList found), place /= expected packed] `shouldBe` []
+  it
+    "every packed window of every small array, on every surface and under both packings, as the \
+    \table has it"
+    $ forM_ smallArrays $ \(q, n, shape, window) ->
+      forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
+        h <- firstOver k n
+        m <- right (rectangle window)
+        forM_
+          [ (folding, surface, packing)
+            | folding <- [Diagonal, RowMajor],
+              surface <- [minBound .. maxBound],
+              packing <- [minBound .. maxBound]
+          ]
+          $ \(folding, surface, packing) ->
+            forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
+              table <- right (buildTable packing surface array m)
+              let all' = everyWindow (tableSize table)
+                  found = locateWindows (memoryOf table) all'
+                  expected packed = case tableLookup table (fromIntegral packed) of
+                    [] -> notOccurring
+                    [place] -> linear shape place
+                    _ -> notUnique
+              memorySize (memoryOf table) `shouldBe` fromIntegral q ^ maskSize m
+              Primitive.length found `shouldBe` Primitive.length all'
+              let failing =
+                    [ packed
+                      | (packed, place) <- zip (Primitive.toList all') (Primitive.toList found),
+                        place /= expected packed
+                    ]
+              failing `shouldBe` []
   it "and as the search finds it, comparing with the array at every position" $
-    forM_ [a | a@(_, _, _, window) <- smallArrays, area window <= 4] $ \(q, n, shape, window) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
-      h <- firstOver k n
-      m <- right (rectangle window)
-      forM_ (either (const []) pure (folded Diagonal shape h)) $ \array -> forM_ [Torus, Sheet] $ \surface -> do
-        memory <- memoryOf <$> right (buildTable MostSignificantFirst surface array m)
-        forM_ [0 .. fromIntegral q ^ maskSize m - 1] $ \packed -> do
-          codes <- right (unpack MostSignificantFirst q (maskSize m) (fromIntegral packed))
-          patches <- mapM (right . patch) (toPatch window codes)
-          outcomes <- mapM (right . searchPatch surface array m) patches
-          (packed, locateOne memory packed) `shouldBe` (packed, head' (map (asBulk shape) outcomes))
+    forM_ [a | a@(_, _, _, window) <- smallArrays, area window <= 4] $ \(q, n, shape, window) ->
+      forM_ (lookup q everyField) $ \(SomeField k) -> do
+        h <- firstOver k n
+        m <- right (rectangle window)
+        forM_ (either (const []) pure (folded Diagonal shape h)) $ \array ->
+          forM_ [Torus, Sheet] $ \surface -> do
+            memory <- memoryOf <$> right (buildTable MostSignificantFirst surface array m)
+            forM_ [0 .. fromIntegral q ^ maskSize m - 1] $ \packed -> do
+              codes <- right (unpack MostSignificantFirst q (maskSize m) (fromIntegral packed))
+              patches <- mapM (right . patch) (toPatch window codes)
+              outcomes <- mapM (right . searchPatch surface array m) patches
+              (packed, locateOne memory packed)
+                `shouldBe` (packed, head' (map (asBulk shape) outcomes))
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
     foundWhereItStands (Proxy :: Proxy GF4) 6 (Shape 63 65) (Shape 3 2)
     foundWhereItStands (Proxy :: Proxy GF2) 12 (Shape 63 65) (Shape 6 2)
-  it "every window of 3 x 5461 cells over GF(4), for any mask and surface, is where its cells are read one by one" $ do
-    h <- firstOver (Proxy :: Proxy GF4) 7
-    holds 20 $ forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets -> forAll (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)]) $ \(folding, surface) ->
-      ioProperty $ do
-        m <- right (mask offsets)
-        array <- right (folded folding (Shape 3 5461) h)
-        table <- right (buildTable LeastSignificantFirst surface array m)
-        let standing = [(pack LeastSignificantFirst 4 (map toCode content), p) | p <- places (Shape 3 5461), Just content <- [windowAt surface array m p]]
-        pure (Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing] === Map.fromList (tableEntries table))
+  it
+    "every window of 3 x 5461 cells over GF(4), for any mask and surface, is where its cells are \
+    \read one by one"
+    $ do
+      h <- firstOver (Proxy :: Proxy GF4) 7
+      holds 20 $
+        forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
+          forAll
+            (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
+            $ \(folding, surface) ->
+              ioProperty $ do
+                m <- right (mask offsets)
+                array <- right (folded folding (Shape 3 5461) h)
+                table <- right (buildTable LeastSignificantFirst surface array m)
+                let standing =
+                      [ (pack LeastSignificantFirst 4 (map toCode content), p)
+                        | p <- places (Shape 3 5461),
+                          Just content <- [windowAt surface array m p]
+                      ]
+                pure
+                  ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
+                      === Map.fromList (tableEntries table)
+                  )
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
     memory <- paperMemory Torus
-    let beyond = [256, 257, 511, 512, 65535, 65536, 2 ^ (26 :: Int), 2 ^ (31 :: Int) - 1, 2 ^ (31 :: Int), 2 ^ (31 :: Int) + 78, maxBound - 1, maxBound]
-    Primitive.toList (locateWindows memory (Primitive.fromList beyond)) `shouldBe` map (const notOccurring) beyond
+    let beyond =
+          [ 256,
+            257,
+            511,
+            512,
+            65535,
+            65536,
+            2 ^ (26 :: Int),
+            2 ^ (31 :: Int) - 1,
+            2 ^ (31 :: Int),
+            2 ^ (31 :: Int) + 78,
+            maxBound - 1,
+            maxBound
+          ]
+    Primitive.toList (locateWindows memory (Primitive.fromList beyond))
+      `shouldBe` map (const notOccurring) beyond
   it "whatever the numbers and how many: one answer each, in their order" $ do
     memory <- paperMemory Sheet
-    table <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= \array -> right (rectangle (Shape 2 2)) >>= right . buildTable MostSignificantFirst Sheet array
-    holds 300 $ forAll (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary])) $ \numbers ->
-        Primitive.toList (locateWindows memory (Primitive.fromList numbers))
-          === [case tableLookup table (fromIntegral w) of [place] -> linear (Shape 15 17) place; _ -> notOccurring | w <- numbers]
+    table <-
+      right paperPrimitive
+        >>= right . folded Diagonal (Shape 15 17)
+        >>= \array ->
+          right (rectangle (Shape 2 2)) >>= right . buildTable MostSignificantFirst Sheet array
+    holds 300 $
+      forAll
+        (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary]))
+        $ \numbers ->
+          Primitive.toList (locateWindows memory (Primitive.fromList numbers))
+            === [ case tableLookup table (fromIntegral w) of
+                    [place] ->
+                      linear (Shape 15 17) place
+                    _ -> notOccurring
+                  | w <- numbers
+                ]
   it "the worked example: 3 2 / 3 1 is 237, and its position (6, 5) is 107" $ do
     memory <- paperMemory Torus
     a <- right (traverse fromCode [3, 2, 3, 1])
@@ -86,10 +140,14 @@ spec = do
     locateOne memory 0 `shouldBe` notOccurring
   it "what is no position and no window is not packed or unpacked" $ do
     memory <- paperMemory Torus
-    map (unpackPosition memory) [notOccurring, notUnique, minBound, -3, 255, maxBound] `shouldBe` replicate 6 Nothing
-    [unpackPosition memory p | p <- [0 .. 254]] `shouldBe` [Just (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
-    map (packPosition memory) [Position 15 0, Position 0 17, Position (2 ^ (32 :: Int)) 0] `shouldBe` [Nothing, Nothing, Nothing]
-    map (packWindow memory . map (const 1)) [[], [1, 2, 3 :: Int], [1, 2, 3, 4], [1 .. 5], [1 ..]] `shouldBe` [Nothing, Nothing, Just 85, Nothing, Nothing]
+    map (unpackPosition memory) [notOccurring, notUnique, minBound, -3, 255, maxBound]
+      `shouldBe` replicate 6 Nothing
+    [unpackPosition memory p | p <- [0 .. 254]]
+      `shouldBe` [Just (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
+    map (packPosition memory) [Position 15 0, Position 0 17, Position (2 ^ (32 :: Int)) 0]
+      `shouldBe` [Nothing, Nothing, Nothing]
+    map (packWindow memory . map (const 1)) [[], [1, 2, 3 :: Int], [1, 2, 3, 4], [1 .. 5], [1 ..]]
+      `shouldBe` [Nothing, Nothing, Just 85, Nothing, Nothing]
 
 paperMemory :: Surface -> IO (Memory GF4)
 paperMemory surface = do
@@ -97,11 +155,18 @@ paperMemory surface = do
   m <- right (rectangle (Shape 2 2))
   memoryOf <$> right (buildTable MostSignificantFirst surface array m)
 
--- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column 4096.
+-- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column
+-- 4096.
 genMask :: QuickCheck.Gen [(Natural, Natural)]
-genMask = nub <$> QuickCheck.resize 10 (QuickCheck.listOf1 ((,) <$> below 9 <*> QuickCheck.oneof [below 4, below 5000, (1363 +) <$> below 4]))
- where
-  below n = fromInteger <$> QuickCheck.choose (0, n - 1)
+genMask =
+  nub
+    <$> QuickCheck.resize
+      10
+      ( QuickCheck.listOf1
+          ((,) <$> below 9 <*> QuickCheck.oneof [below 4, below 5000, (1363 +) <$> below 4])
+      )
+  where
+    below n = fromInteger <$> QuickCheck.choose (0, n - 1)
 
 everyWindow :: Natural -> Primitive.Vector Word32
 everyWindow size = Primitive.enumFromN 0 (fromIntegral size)
@@ -131,8 +196,14 @@ foundWhereItStands k n shape window = do
   array <- right (folded Diagonal shape h)
   m <- right (rectangle window)
   memory <- memoryOf <$> right (buildTable MostSignificantFirst Torus array m)
-  let packed = [w | p <- places shape, Just content <- [windowAt Torus array m p], Just w <- [packWindow memory content]]
-  map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed))) `shouldBe` map Just (places shape)
+  let packed =
+        [ w
+          | p <- places shape,
+            Just content <- [windowAt Torus array m p],
+            Just w <- [packWindow memory content]
+        ]
+  map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed)))
+    `shouldBe` map Just (places shape)
 
 places :: Shape -> [Position]
 places shape = [Position r c | r <- [0 .. rows shape - 1], c <- [0 .. columns shape - 1]]

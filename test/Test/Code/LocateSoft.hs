@@ -1,5 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-
 -- | Positions from probabilities.
 module Test.Code.LocateSoft (spec) where
 
@@ -25,17 +23,32 @@ spec = do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
     shelf <- right (book Torus array m)
-    holds 300 $ forAll ((,,) <$> choose (0, 14) <*> choose (0, 16) <*> vectorOf 6 genElement') $ \(r, c, other) ->
-      let at i j = Position (fromInteger (r + i)) (fromInteger (c + j))
-          seen = [[Just (cellAt array (at i j)) | j <- [0 .. 2]] | i <- [0, 1]]
-          drawn = [map Just (take 3 other), map Just (drop 3 other)]
-          exact cells = either (const (Refused TooFewCells)) (withoutSupport . decisionOutcome . nearest shelf (UpTo 0)) (patch cells)
-          soft cells = either (const (Refused TooFewCells)) (decide 0 . posterior shelf) (patch (map (map (fmap certainly)) cells))
-          withoutSupport outcome = case outcome of
-            Unique p _ -> Unique p []
-            Ambiguous ps _ -> Ambiguous ps []
-            _ -> Refused Contradiction
-       in conjoin [soft seen === exact seen, soft drawn === exact drawn, soft (map (take 1) seen) === exact (map (take 1) seen)]
+    holds 300 $
+      forAll
+        ((,,) <$> choose (0, 14) <*> choose (0, 16) <*> vectorOf 6 genElement')
+        $ \(r, c, other) ->
+          let at i j = Position (fromInteger (r + i)) (fromInteger (c + j))
+              seen = [[Just (cellAt array (at i j)) | j <- [0 .. 2]] | i <- [0, 1]]
+              drawn = [map Just (take 3 other), map Just (drop 3 other)]
+              exact cells =
+                either
+                  (const (Refused TooFewCells))
+                  (withoutSupport . decisionOutcome . nearest shelf (UpTo 0))
+                  (patch cells)
+              soft cells =
+                either
+                  (const (Refused TooFewCells))
+                  (decide 0 . posterior shelf)
+                  (patch (map (map (fmap certainly)) cells))
+              withoutSupport outcome = case outcome of
+                Unique p _ -> Unique p []
+                Ambiguous ps _ -> Ambiguous ps []
+                _ -> Refused Contradiction
+           in conjoin
+                [ soft seen === exact seen,
+                  soft drawn === exact drawn,
+                  soft (map (take 1) seen) === exact (map (take 1) seen)
+                ]
   it "a position is told only if the doubt is tolerated" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
@@ -59,9 +72,11 @@ spec = do
   it "numbers that are no probabilities are refused" $ do
     (belief [1, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefLength 3 4)
     (belief [1, 0, 0, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefLength 5 4)
-    (belief [1.5, -0.5, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefNegative 1 (-0.5))
+    (belief [1.5, -0.5, 0, 0] :: Either BeliefError (Belief GF4))
+      `shouldBe` Left (BeliefNegative 1 (-0.5))
     (belief [0.5, 0, 0, 0] :: Either BeliefError (Belief GF4)) `shouldBe` Left (BeliefSum 0.5)
-    (belief [0 / 0, 0, 0, 1] :: Either BeliefError (Belief GF4)) `shouldSatisfy` either (const True) (const False)
- where
-  near a b = abs (a - b) < 1e-9 * (1 + abs a)
-  genElement' = genElement :: Gen (GF GF4)
+    (belief [0 / 0, 0, 0, 1] :: Either BeliefError (Belief GF4))
+      `shouldSatisfy` either (const True) (const False)
+  where
+    near a b = abs (a - b) < 1e-9 * (1 + abs a)
+    genElement' = genElement :: Gen (GF GF4)

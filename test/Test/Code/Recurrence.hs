@@ -1,6 +1,4 @@
-{-# LANGUAGE DataKinds #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | The fast forms of sequences, each against its definition.
 module Test.Code.Recurrence (spec) where
@@ -27,17 +25,28 @@ spec = do
     it "in blocks is what it is term by term, over every field" $
       withMaxSuccess 4 (forEveryField (`filledAlike` 0))
     it "in blocks is what it is term by term, whatever the offset of the vector in memory" $
-      forAll (choose (1, 17)) $ \offset -> conjoin
-        [filledAlike (Proxy :: Proxy GF2) offset, filledAlike (Proxy :: Proxy GF8) offset, filledAlike (Proxy :: Proxy GF9) offset]
-    it "of an m-sequence, by whichever way, is the sequence: 40000 terms over GF(2), GF(3), GF(4), GF(9), GF(251), GF(256)" $
-      forM_ [(2, 17), (3, 10), (4, 9), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
+      forAll (choose (1, 17)) $ \offset ->
+        conjoin
+          [ filledAlike (Proxy :: Proxy GF2) offset,
+            filledAlike (Proxy :: Proxy GF8) offset,
+            filledAlike (Proxy :: Proxy GF9) offset
+          ]
+    it
+      "of an m-sequence, by whichever way, is the sequence: 40000 terms over GF(2), GF(3), GF(4), \
+      \GF(9), GF(251), GF(256)"
+      $ forM_ [(2, 17), (3, 10), (4, 9), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
         forM_ (lookup q everyField) $ \(SomeField k) -> do
           h <- firstOver k n
           forM_ [h, reciprocal h] $ \g ->
-            (q, Primitive.toList (sequenceVector g (canonicalState g) 40000) == take 40000 (mSequence g (canonicalState g))) `shouldBe` (q, True)
+            ( q,
+              Primitive.toList (sequenceVector g (canonicalState g) 40000)
+                == take 40000 (mSequence g (canonicalState g))
+            )
+              `shouldBe` (q, True)
     it "is left alone where the recurrence would look outside it" $ do
       let r = recurrenceOf [1, 0, 1 :: GF GF2]
-          untouched way from to = Primitive.toList (runWay way r from to (replicate 10 0)) == replicate 10 0
+          untouched way from to =
+            Primitive.toList (runWay way r from to (replicate 10 0)) == replicate 10 0
       [untouched (Way stepwise) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
       [untouched (Way blockwise) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
       [untouched (Way continue) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
@@ -46,24 +55,42 @@ spec = do
       forM_ everyField $ \(q, SomeField k) -> forM_ (if q > 16 then [1, 2] else [1 .. 5]) $ \n -> do
         h <- firstOver k n
         let state = take (primitiveDegree h) (cycle (drop (q `div` 3) elements))
-        (q, n, [t | t <- [0 .. 40] ++ map (10 ^) [3 .. 24 :: Int], jump h state t /= byDefinition h state t]) `shouldBe` (q, n, [])
+        ( q,
+          n,
+          [ t
+            | t <- [0 .. 40] ++ map (10 ^) [3 .. 24 :: Int],
+              jump h state t /= byDefinition h state t
+          ]
+          )
+          `shouldBe` (q, n, [])
     it "in packed words is the general one: GF(2), every degree up to 20, and 32 and 64" $
       forM_ ([1 .. 20] ++ [32, 64]) $ \n -> do
         h <- right (firstPrimitive n :: Either PolynomialError (Primitive GF2))
         let state = stateElements (canonicalState h)
-            ts = [0 .. 40] ++ map (period h +) [0 .. 10] ++ take 20 (iterate (\t -> t * 6364136223846793005 + 1442695040888963407) n)
+            ts =
+              [0 .. 40]
+                ++ map (period h +) [0 .. 10]
+                ++ take 20 (iterate (\t -> t * 6364136223846793005 + 1442695040888963407) n)
         (n, [t | t <- ts, jump h state t /= generalJump h state t]) `shouldBe` (n, [])
-        (n, [t | t <- take 3 (reverse ts), jump h state t /= byDefinition h state t]) `shouldBe` (n, [])
+        (n, [t | t <- take 3 (reverse ts), jump h state t /= byDefinition h state t])
+          `shouldBe` (n, [])
     it "to the 10^18th term and beyond obeys the recurrence there" $
       forM_ [(2, 64), (3, 40), (4, 31), (5, 27), (9, 20)] $ \(q, n) ->
         forM_ (lookup q everyField) $ \(SomeField k) -> do
           h <- firstOver k n
           forM_ [10 ^ (18 :: Int), 10 ^ (18 :: Int) + 12345678987654321, 10 ^ (30 :: Int)] $ \t ->
-            sum (zipWith (*) (coefficients (primitivePolynomial h)) (map (termAt h (canonicalState h)) [t ..])) `shouldBe` 0
+            sum
+              ( zipWith
+                  (*)
+                  (coefficients (primitivePolynomial h))
+                  (map (termAt h (canonicalState h)) [t ..])
+              )
+              `shouldBe` 0
 
 -- | For every field of at most 256 elements.
 forEveryField :: Testable prop => (forall k. KnownField k => Proxy k -> prop) -> Property
-forEveryField check = conjoin [counterexample ("q = " ++ show q) (check k) | (q, SomeField k) <- everyField]
+forEveryField check =
+  conjoin [counterexample ("q = " ++ show q) (check k) | (q, SomeField k) <- everyField]
 
 -- | A way to continue a vector by a recurrence.
 newtype Way k = Way (forall s. Recurrence k -> Int -> Int -> Mutable.MVector s (GF k) -> ST s ())
@@ -72,8 +99,8 @@ newtype Way k = Way (forall s. Recurrence k -> Int -> Int -> Mutable.MVector s (
 runWay :: Way k -> Recurrence k -> Int -> Int -> [GF k] -> Primitive.Vector (GF k)
 runWay (Way way) r from to start = Primitive.modify (way r from to) (Primitive.fromList start)
 
--- | A recurrence with a few or with many lags, its power, and a vector that it continues, which begins
--- at an offset in memory.
+-- | A recurrence with a few or with many lags, its power, and a vector that it continues, which
+-- begins at an offset in memory.
 filledAlike :: KnownField k => Proxy k -> Int -> Property
 filledAlike (k :: Proxy k) offset =
   forAll (choose (1, 9)) $ \n ->
@@ -84,11 +111,17 @@ filledAlike (k :: Proxy k) offset =
          in forAll (genElements (offset + from)) $ \start ->
               forAll (choose (0, 9000)) $ \more ->
                 let filled (Way way) =
-                      runWay (Way (\_ _ _ v -> way r from (from + more) (Mutable.drop offset v))) r 0 0 (start ++ replicate more one)
-                 in filled (Way stepwise) == filled (Way blockwise) && filled (Way stepwise) == filled (Way continue)
+                      runWay
+                        (Way (\_ _ _ v -> way r from (from + more) (Mutable.drop offset v)))
+                        r
+                        0
+                        0
+                        (start ++ replicate more one)
+                 in filled (Way stepwise) == filled (Way blockwise)
+                      && filled (Way stepwise) == filled (Way continue)
 
 -- | r0 s(0) + ... + r(n-1) s(n-1), where x^t = r0 + ... + r(n-1) x^(n-1) modulo h.
 byDefinition :: KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 byDefinition h state t = sum (zipWith (*) residue state)
- where
-  residue = maybe [] coefficients (powerModulo (primitivePolynomial h) variable t)
+  where
+    residue = maybe [] coefficients (powerModulo (primitivePolynomial h) variable t)

@@ -1,6 +1,4 @@
-{-# LANGUAGE DataKinds #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | The two forms of the shift register, and which register produced some symbols.
 module Test.Code.Register (spec) where
@@ -44,7 +42,8 @@ spec = do
           stateAt h s (t + 10 ^ (20 :: Int) * terms) `shouldBe` stateAt h s t
     it "backward is the sequence of the reciprocal polynomial" $
       forRegisters $ \h -> forM_ (take 5 (states h)) $ \s -> do
-        let backward = take 60 (concatMap (take 1 . reverse . stateElements) (iterate (previous h) s))
+        let backward =
+              take 60 (concatMap (take 1 . reverse . stateElements) (iterate (previous h) s))
             g = reciprocal h
         start <- right (initialState g (take (primitiveDegree h) backward))
         take 60 (mSequence g start) `shouldBe` backward
@@ -61,30 +60,47 @@ spec = do
       forRegisters $ \h -> forM_ (states h) $ \s -> do
         let residue = polynomial (stateElements s)
         fmap galoisElements (galoisNext h <$> galoisState h (stateElements s))
-          `shouldBe` Right (padded h (maybe [] (coefficients . snd) (quotientRemainder (variable * residue) (primitivePolynomial h))))
+          `shouldBe` Right
+            ( padded
+                h
+                ( maybe
+                    []
+                    (coefficients . snd)
+                    (quotientRemainder (variable * residue) (primitivePolynomial h))
+                )
+            )
     it "over GF(3), x^2 + x + 2: from 1 + 0 x it runs 1, x, 2 x + 1, ..." $ do
       -- x^2 = - x - 2 = 2 x + 1.
       h <- right (polynomialFromCodes [2, 1, 1])
       p <- right (checkPrimitive (h :: Polynomial GF3))
       start <- right (galoisState p [1, 0])
-      map (map toCode . galoisElements) (take 3 (iterate (galoisNext p) start)) `shouldBe` [[1, 0], [0, 1], [1, 2]]
+      map (map toCode . galoisElements) (take 3 (iterate (galoisNext p) start))
+        `shouldBe` [[1, 0], [0, 1], [1, 2]]
     it "refuses a state of zeros or of another length" $ do
       h <- right paperPrimitive
       galoisState h [0, 0, 0, 0] `shouldBe` Left StateZero
       galoisState h [1] `shouldBe` Left (StateLength 1 4)
   describe "synthesis" $ do
     it "recovers every primitive polynomial with q^n <= 4096 from 2 n terms, from any start" $
-      forM_ everyField $ \(q, SomeField k) -> forM_ (takeWhile (\n -> q ^ n <= 4096) [1 ..]) $ \n -> do
-        found <- right (primitivePolynomials (fromIntegral n))
-        forM_ (zip [1 ..] found) $ \(i, h) -> do
-          let s = mSequence h (stateAt (h `over` k) (canonicalState h) (i * i * 2654435761))
-              result = synthesise (take (2 * n) s)
-          if synthesisPolynomial result == primitivePolynomial h && synthesisLength result == n && synthesisDetermined result
-            then pure ()
-            else expectationFailure (show (q, h, synthesisLength result, synthesisPolynomial result))
-    it "finds a shortest register, and says when it is the only one: all sequences of up to 7 bits and 5 trits, against trying them all" $ do
-      sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
-      sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
+      forM_ everyField $ \(q, SomeField k) ->
+        forM_ (takeWhile (\n -> q ^ n <= 4096) [1 ..]) $ \n -> do
+          found <- right (primitivePolynomials (fromIntegral n))
+          forM_ (zip [1 ..] found) $ \(i, h) -> do
+            let s = mSequence h (stateAt (h `over` k) (canonicalState h) (i * i * 2654435761))
+                result = synthesise (take (2 * n) s)
+            if synthesisPolynomial result == primitivePolynomial h
+              && synthesisLength result == n
+              && synthesisDetermined result
+              then pure ()
+              else
+                expectationFailure
+                  (show (q, h, synthesisLength result, synthesisPolynomial result))
+    it
+      "finds a shortest register, and says when it is the only one: all sequences of up to 7 bits \
+      \and 5 trits, against trying them all"
+      $ do
+        sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
+        sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
     it "one 1 after k zeros needs k + 1 stages" $
       forM_ [0 .. 20] $ \k ->
         synthesisLength (synthesise (replicate k 0 ++ [1 :: GF GF4])) `shouldBe` k + 1
@@ -92,24 +108,50 @@ spec = do
       synthesisLength (synthesise (replicate 9 (0 :: GF GF9))) `shouldBe` 0
       synthesisLength (synthesise ([] :: [GF GF9])) `shouldBe` 0
       synthesisPolynomial (synthesise ([] :: [GF GF9])) `shouldBe` 1
-    it "what it finds puts out the terms, whatever they are; and with 2 L <= N - 1 one term less finds it too" $
-      conjoin [counterexample (show q) (putsOut k) | (q, SomeField k) <- [f | f <- everyField, fst f `elem` [2, 3, 4, 5, 8, 9, 251, 256]]]
- where
-  padded h cs = take (primitiveDegree h) (cs ++ repeat zero)
-  over :: Primitive k -> Proxy k -> Primitive k
-  over h _ = h
+    it
+      "what it finds puts out the terms, whatever they are; and with 2 L <= N - 1 one term less \
+      \finds it too"
+      $ conjoin
+        [ counterexample (show q) (putsOut k)
+          | (q, SomeField k) <- [f | f <- everyField, fst f `elem` [2, 3, 4, 5, 8, 9, 251, 256]]
+        ]
+  where
+    padded h cs = take (primitiveDegree h) (cs ++ repeat zero)
+    over :: Primitive k -> Proxy k -> Primitive k
+    over h _ = h
 
 -- | For the first three primitive polynomials of many small sizes.
 forRegisters :: (forall k. KnownField k => Primitive k -> Expectation) -> Expectation
 forRegisters check =
-  forM_ [(2, 1), (2, 2), (2, 5), (2, 8), (3, 1), (3, 2), (3, 4), (4, 1), (4, 3), (5, 2), (7, 2), (8, 2), (9, 1), (9, 2), (16, 2), (25, 1), (256, 1), (251, 1)] $ \(q, n) ->
-    forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
-      found <- right (primitivePolynomials n)
-      forM_ (take 3 (found :: [Primitive k])) check
+  forM_
+    [ (2, 1),
+      (2, 2),
+      (2, 5),
+      (2, 8),
+      (3, 1),
+      (3, 2),
+      (3, 4),
+      (4, 1),
+      (4, 3),
+      (5, 2),
+      (7, 2),
+      (8, 2),
+      (9, 1),
+      (9, 2),
+      (16, 2),
+      (25, 1),
+      (256, 1),
+      (251, 1)
+    ]
+    $ \(q, n) ->
+      forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+        found <- right (primitivePolynomials n)
+        forM_ (take 3 (found :: [Primitive k])) check
 
 -- | Some states, all of them for small sizes.
 states :: KnownField k => Primitive k -> [State k]
-states h = [s | Right s <- map (initialState h) (take 40 (mapM (const elements) [1 .. primitiveDegree h]))]
+states h =
+  [s | Right s <- map (initialState h) (take 40 (mapM (const elements) [1 .. primitiveDegree h]))]
 
 sequencesUpTo :: KnownField k => Int -> ([GF k] -> Expectation) -> Expectation
 sequencesUpTo n check = forM_ [0 .. n] $ \size -> forM_ (mapM (const elements) [1 .. size]) check
@@ -120,8 +162,13 @@ judged :: KnownField k => [GF k] -> Expectation
 judged s = do
   let result = synthesise s
       registers l = mapM (const elements) [1 .. l]
-      fits a = and [x == sum (zipWith (*) a earlier) | (earlier, x) <- drop (length a) (zip (map reverse (inits s)) s)]
-      shortest = take 1 [(l, good) | l <- [0 ..], let good = filter fits (registers l), not (null good)]
+      fits a =
+        and
+          [ x == sum (zipWith (*) a earlier)
+            | (earlier, x) <- drop (length a) (zip (map reverse (inits s)) s)
+          ]
+      shortest =
+        take 1 [(l, good) | l <- [0 ..], let good = filter fits (registers l), not (null good)]
       ours = map negate (drop 1 (reverse (coefficients (synthesisPolynomial result))))
   [l | (l, _) <- shortest] `shouldBe` [synthesisLength result]
   concatMap snd shortest `shouldContain` [ours]
@@ -133,9 +180,16 @@ putsOut k =
     let result = synthesise s
         n = synthesisLength result
         a = map negate (drop 1 (reverse (coefficients (synthesisPolynomial result))))
-     in and [x == sum (zipWith (*) a earlier) | (earlier, x) <- drop n (zip (map reverse (inits s)) s)]
+     in and
+          [ x == sum (zipWith (*) a earlier)
+            | (earlier, x) <- drop n (zip (map reverse (inits s)) s)
+          ]
           .&&. length (coefficients (synthesisPolynomial result)) === n + 1
-          .&&. (2 * n > length s - 1 || synthesisPolynomial (synthesise (take (length s - 1) s)) == synthesisPolynomial result || null s)
- where
-  genElementsOf :: KnownField k => Proxy k -> Int -> Gen [GF k]
-  genElementsOf _ = genElements
+          .&&. ( 2 * n > length s - 1
+                   || synthesisPolynomial (synthesise (take (length s - 1) s))
+                     == synthesisPolynomial result
+                   || null s
+               )
+  where
+    genElementsOf :: KnownField k => Proxy k -> Int -> Gen [GF k]
+    genElementsOf _ = genElements

@@ -1,6 +1,4 @@
-{-# LANGUAGE DataKinds #-}
 {-# LANGUAGE RankNTypes #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- | m-sequences.
 module Test.Code.Sequence (spec) where
@@ -22,11 +20,16 @@ import Test.Hspec
 -- | Fields and degrees with periods small enough to walk.
 sizes :: [(Int, Natural)]
 sizes =
-  [(2, n) | n <- [1 .. 10]] ++ [(3, n) | n <- [1 .. 5]] ++ [(4, n) | n <- [1 .. 4]] ++ [(5, n) | n <- [1 .. 3]]
+  [(2, n) | n <- [1 .. 10]]
+    ++ [(3, n) | n <- [1 .. 5]]
+    ++ [(4, n) | n <- [1 .. 4]]
+    ++ [(5, n) | n <- [1 .. 3]]
     ++ [(7, 2), (8, 2), (9, 1), (9, 2), (16, 2), (25, 2), (27, 2), (256, 1), (251, 1)]
 
 -- | For the first few primitive polynomials of each size.
-forSequences :: (forall k. KnownField k => Proxy k -> Primitive k -> [GF k] -> Expectation) -> Expectation
+forSequences ::
+  (forall k. KnownField k => Proxy k -> Primitive k -> [GF k] -> Expectation) ->
+  Expectation
 forSequences check =
   forM_ sizes $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
     found <- right (primitivePolynomials n)
@@ -48,7 +51,8 @@ spec = do
   it "the period is q^n - 1 and no divisor of it" $
     forSequences $ \_ h s -> do
       let terms = int (period h)
-          repeatsAfter d = take (terms + primitiveDegree h) s == take (terms + primitiveDegree h) (drop d s)
+          repeatsAfter d =
+            take (terms + primitiveDegree h) s == take (terms + primitiveDegree h) (drop d s)
       [d | d <- [1 .. terms], terms `mod` d == 0, repeatsAfter d] `shouldBe` [terms]
   it "every non-zero n-tuple occurs once a period" $
     forSequences $ \k h s -> do
@@ -59,7 +63,8 @@ spec = do
     forSequences $ \k h s -> do
       let counts = Map.fromListWith (+) [(toCode a, 1 :: Int) | a <- take (int (period h)) s]
           each = fieldOrder k ^ (primitiveDegree h - 1)
-      [Map.findWithDefault 0 (toCode a) counts | a <- elementsOf k] `shouldBe` [if a == 0 then each - 1 else each | a <- elementsOf k]
+      [Map.findWithDefault 0 (toCode a) counts | a <- elementsOf k]
+        `shouldBe` [if a == 0 then each - 1 else each | a <- elementsOf k]
   it "the vector form is the list form" $
     forSequences $ \_ h s ->
       forM_ [-1, 0, 1, primitiveDegree h, 300] $ \count ->
@@ -70,7 +75,8 @@ spec = do
   it "termAt is periodic, for exponents of any size" $ do
     h <- right (firstPrimitive 20 :: Either PolynomialError (Primitive GF4))
     let term = termAt h (canonicalState h)
-    map (\t -> term (t + period h * 10 ^ (20 :: Int))) [0 .. 99] `shouldBe` take 100 (mSequence h (canonicalState h))
+    map (\t -> term (t + period h * 10 ^ (20 :: Int))) [0 .. 99]
+      `shouldBe` take 100 (mSequence h (canonicalState h))
     -- and the recurrence holds in the middle of nowhere
     let t0 = 4 ^ (19 :: Int) + 12345
     sum (zipWith (*) (coefficients (primitivePolynomial h)) (map term [t0 ..])) `shouldBe` 0
@@ -94,8 +100,9 @@ spec = do
     let s = Primitive.toList (sequenceVector h (canonicalState h) 255)
         shift i = take 255 (drop i (cycle s))
         shifts = Set.fromList [map toCode (shift i) | i <- [0 .. 254]]
-    forM_ [1 .. 254] $ \i -> Set.member (map toCode (zipWith (+) s (shift i))) shifts `shouldBe` True
- where
-  int = fromIntegral :: Natural -> Int
-  elementsOf :: KnownField k => Proxy k -> [GF k]
-  elementsOf _ = elements
+    forM_ [1 .. 254] $ \i ->
+      Set.member (map toCode (zipWith (+) s (shift i))) shifts `shouldBe` True
+  where
+    int = fromIntegral :: Natural -> Int
+    elementsOf :: KnownField k => Proxy k -> [GF k]
+    elementsOf _ = elements

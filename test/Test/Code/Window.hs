@@ -15,7 +15,8 @@ spec :: Spec
 spec = do
   describe "masks" $ do
     it "a rectangle is read row by row" $
-      fmap offsets (rectangle (Shape 2 3)) `shouldBe` Right [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
+      fmap offsets (rectangle (Shape 2 3))
+        `shouldBe` Right [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]
     it "cells keep the order in which they are given" $
       fmap offsets (mask [(3, 1), (0, 0)]) `shouldBe` Right [(3, 1), (0, 0)]
     it "the extent holds the cells and the position, observed or not" $ do
@@ -27,7 +28,8 @@ spec = do
       rectangle (Shape 0 3) `shouldBe` Left WindowEmpty
       rectangle (Shape 3 0) `shouldBe` Left WindowEmpty
       mask [(0, 0), (1, 1), (0, 0)] `shouldBe` Left (OffsetRepeated (Position 0 0))
-      rectangle (Shape (10 ^ (9 :: Int)) (10 ^ (9 :: Int))) `shouldBe` Left (WindowTooLarge (10 ^ (18 :: Int)))
+      rectangle (Shape (10 ^ (9 :: Int)) (10 ^ (9 :: Int)))
+        `shouldBe` Left (WindowTooLarge (10 ^ (18 :: Int)))
       isLeft (rectangle (Shape 64 64)) `shouldBe` False
       rectangle (Shape 64 65) `shouldBe` Left (WindowTooLarge 4160)
     it "are drawn with # and ., rows parted by slashes" $ do
@@ -43,44 +45,57 @@ spec = do
       maskFromDrawing "#x/##" `shouldBe` Left (DrawingCharacter 'x')
       maskFromDrawing "##/" `shouldBe` Left (DrawingRagged 1 0 2)
     it "a drawing is read as it was drawn" $
-      forAll (choose (1, 5) >>= (`vectorOf` ((,) <$> choose (0, 4) <*> choose (0, 4))) :: Gen [(Int, Int)]) $ \cells ->
-        let sorted = nub (sort [(fromIntegral i, fromIntegral j) | (i, j) <- cells])
-         in fmap (fmap offsets . maskFromDrawing . maskDrawing) (mask sorted) === Right (Right sorted)
+      forAll
+        ( choose (1, 5)
+            >>= (`vectorOf` ((,) <$> choose (0, 4) <*> choose (0, 4))) ::
+            Gen [(Int, Int)]
+        )
+        $ \cells ->
+          let sorted = nub (sort [(fromIntegral i, fromIntegral j) | (i, j) <- cells])
+           in fmap (fmap offsets . maskFromDrawing . maskDrawing) (mask sorted)
+                === Right (Right sorted)
   describe "contents" $ do
     it "of the worked example" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       m <- right (rectangle (Shape 2 2))
       forM_ [Torus, Sheet] $ \surface ->
-        fmap (map showElement) (windowAt surface array m (Position 6 5)) `shouldBe` Just ["A^2", "A", "A^2", "1"]
+        fmap (map showElement) (windowAt surface array m (Position 6 5))
+          `shouldBe` Just ["A^2", "A", "A^2", "1"]
     it "wrap on the torus, and are absent where they stick out of the sheet" $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       m <- right (rectangle (Shape 2 2))
       windowAt Torus array m (Position 14 16)
-        `shouldBe` Just [cellAt array (Position r c) | (r, c) <- [(14, 16), (14, 0), (0, 16), (0, 0)]]
+        `shouldBe` Just
+          [cellAt array (Position r c) | (r, c) <- [(14, 16), (14, 0), (0, 16), (0, 0)]]
       windowAt TwistedTorus array m (Position 0 16)
         `shouldBe` Just [cellAt array (Position r c) | (r, c) <- [(0, 16), (1, 0), (1, 16), (2, 0)]]
-      length [() | r <- [0 .. 14], c <- [0 .. 16], Just _ <- [windowAt Sheet array m (Position r c)]] `shouldBe` 14 * 16
+      length
+        [() | r <- [0 .. 14], c <- [0 .. 16], Just _ <- [windowAt Sheet array m (Position r c)]]
+        `shouldBe` 14 * 16
   describe "packing" $ do
     it "the first cell is the most significant digit, or the least" $ do
       pack MostSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 * 64 + 2 * 16 + 3 * 4 + 1
       pack LeastSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 + 2 * 4 + 3 * 16 + 1 * 64
     it "unpack . pack is the identity" $
-      forAllShrink genCodes shrinkCodes $ \(q, codes) -> conjoin
-        [unpack packing q (length codes) (pack packing q codes) === Right codes | packing <- [minBound .. maxBound]]
+      forAllShrink genCodes shrinkCodes $ \(q, codes) ->
+        conjoin
+          [ unpack packing q (length codes) (pack packing q codes) === Right codes
+            | packing <- [minBound .. maxBound]
+          ]
     it "pack . unpack is the identity on the numbers below q^cells, exhaustively for small ones" $
       [ (packing, q, cells, n)
-      | packing <- [minBound .. maxBound]
-      , q <- [2 .. 5]
-      , cells <- [0 .. 4]
-      , n <- [0 .. fromIntegral q ^ cells - 1]
-      , fmap (pack packing q) (unpack packing q cells n) /= Right n
+        | packing <- [minBound .. maxBound],
+          q <- [2 .. 5],
+          cells <- [0 .. 4],
+          n <- [0 .. fromIntegral q ^ cells - 1],
+          fmap (pack packing q) (unpack packing q cells n) /= Right n
       ]
         `shouldBe` []
     it "other numbers are refused" $ do
       unpack MostSignificantFirst 4 4 256 `shouldBe` Left (PackedOutOfRange 256)
       unpack MostSignificantFirst 4 0 1 `shouldBe` Left (PackedOutOfRange 1)
- where
-  offsets m = [(i, j) | Position i j <- maskOffsets m]
+  where
+    offsets m = [(i, j) | Position i j <- maskOffsets m]
 
 -- | A base from 2 to 256, and digits.
 genCodes :: Gen (Int, [Int])

@@ -1,4 +1,5 @@
--- | Numbers that ask for more than there is time or memory for are refused at once, and for the right reason.
+-- | Numbers that ask for more than there is time or memory for are refused at once, and for the
+-- right reason.
 module Test.CommandLine.Bounds (spec) where
 
 import Control.Monad (forM_)
@@ -11,46 +12,105 @@ import Test.Hspec
 spec :: Spec
 spec = do
   it "factorisePowerMinusOne: b^n beyond 2^1024 is refused, b^n = 2^1024 is not" $ do
-    [checkPower b n | (b, n) <- [(2, 1024), (4, 512), (16, 256), (2, 1), (1, 10 ^ (9 :: Int))]] `shouldBe` replicate 5 (Right ())
-    forM_ [(2, 1025), (4, 513), (3, 647), (2, 10 ^ (30 :: Int)), (10 ^ (400 :: Int), 1)] $ \(b, n) -> do
-      checkPower b n `shouldBe` Left (PowerTooLarge b n)
-      factorisePowerMinusOne b n `shouldBe` Left (PowerTooLarge b n)
-  it "polynomials, primitive ones of a degree that is too large: status 1, as for every q^n - 1 that is not factored" $
-    forM_ [["--count"], ["--first"], ["--fewest-terms"], ["--random", "1"], []] $ \wanted -> atOnce $ do
-      (status, out, err) <- pra (words "polynomials --q 4 --degree 1000" ++ wanted)
-      (status, out, length (lines err)) `shouldBe` (1, "", 1)
-      err `shouldSatisfy` ("2^2000 - 1" `isInfixOf`)
+    [checkPower b n | (b, n) <- [(2, 1024), (4, 512), (16, 256), (2, 1), (1, 10 ^ (9 :: Int))]]
+      `shouldBe` replicate 5 (Right ())
+    forM_
+      [(2, 1025), (4, 513), (3, 647), (2, 10 ^ (30 :: Int)), (10 ^ (400 :: Int), 1)]
+      $ \(b, n) -> do
+        checkPower b n `shouldBe` Left (PowerTooLarge b n)
+        factorisePowerMinusOne b n `shouldBe` Left (PowerTooLarge b n)
+  it
+    "polynomials, primitive ones of a degree that is too large: status 1, as for every q^n - 1 \
+    \that is not factored"
+    $ forM_ [["--count"], ["--first"], ["--fewest-terms"], ["--random", "1"], []] $ \wanted ->
+      atOnce $ do
+        (status, out, err) <- pra (words "polynomials --q 4 --degree 1000" ++ wanted)
+        (status, out, length (lines err)) `shouldBe` (1, "", 1)
+        err `shouldSatisfy` ("2^2000 - 1" `isInfixOf`)
   it "an array of a polynomial whose degree is too large, in every command that takes one" $ do
     let terms = 2 ^ (5000 :: Int) - 1 :: Integer
-        chosen = ["--q", "2", "--polynomial", "1," ++ concat (replicate 4999 "0,") ++ "1", "--shape", "1x" ++ show terms, "--window", "1x5000"]
+        chosen =
+          [ "--q",
+            "2",
+            "--polynomial",
+            "1," ++ concat (replicate 4999 "0,") ++ "1",
+            "--shape",
+            "1x" ++ show terms,
+            "--window",
+            "1x5000"
+          ]
         windowed = take 6 chosen ++ ["--window", "1x4096"]
-    forM_ ["array", "prove", "table", "certificate", "locate", "sequence", "rates", "profile"] $ \name -> atOnce $
-      complains (name : windowed ++ ["0" | name == "locate"]) "2^5000 - 1"
+    forM_
+      ["array", "prove", "table", "certificate", "locate", "sequence", "rates", "profile"]
+      $ \name ->
+        atOnce $
+          complains (name : windowed ++ ["0" | name == "locate"]) "2^5000 - 1"
     atOnce (complains ("prove" : chosen) "5000 cells")
     atOnce (complains ("sequence" : take 4 chosen) "2^5000 - 1")
   it "a shape that is no shape of the array, of whatever size, in a line that can be read" $
     forM_ ["array", "prove", "table", "certificate"] $ \name -> atOnce $ do
       let huge = replicate 5000 '9'
-      (status, out, err) <- pra [name, "--q", "4", "--polynomial", "3,2,1,0,1", "--shape", huge ++ "x" ++ huge, "--window", "2x2"]
+      (status, out, err) <-
+        pra
+          [ name,
+            "--q",
+            "4",
+            "--polynomial",
+            "3,2,1,0,1",
+            "--shape",
+            huge ++ "x" ++ huge,
+            "--window",
+            "2x2"
+          ]
       (status, out, length (lines err)) `shouldBe` (2, "", 1)
       err `shouldSatisfy` ("a number of 5000 digits" `isInfixOf`)
       length err `shouldSatisfy` (< 400)
   it "prove: windows larger than a large array" $ do
-    let large = ["prove", "--q", "2", "--polynomial", "1,0,0,1," ++ concat (replicate 24 "0,") ++ "1", "--shape", "5x53687091"]
-    atOnce (complains (large ++ words "--window 6x2 --surface sheet") "no window of this shape lies on the sheet")
-    atOnce (complains (large ++ words "--window 6x100 --folding row-major --surface torus") "too much memory")
+    let large =
+          [ "prove",
+            "--q",
+            "2",
+            "--polynomial",
+            "1,0,0,1," ++ concat (replicate 24 "0,") ++ "1",
+            "--shape",
+            "5x53687091"
+          ]
+    atOnce
+      ( complains
+          (large ++ words "--window 6x2 --surface sheet")
+          "no window of this shape lies on the sheet"
+      )
+    atOnce
+      ( complains
+          (large ++ words "--window 6x100 --folding row-major --surface torus")
+          "too much memory"
+      )
     atOnce (complains (large ++ words "--window 6x53687092") "more than 4096")
   it "advise: a window of too many cells is no window that fails" $ do
-    atOnce (complains (words "advise --q 2 --rows 100000 --columns 100000 --window 5000x1") "5000 cells, more than 4096")
-    atOnce (complains ["advise", "--q", "2", "--rows", replicate 5000 '9', "--columns", "2"] "2^128")
+    atOnce
+      ( complains
+          (words "advise --q 2 --rows 100000 --columns 100000 --window 5000x1")
+          "5000 cells, more than 4096"
+      )
+    atOnce
+      (complains ["advise", "--q", "2", "--rows", replicate 5000 '9', "--columns", "2"] "2^128")
   it "table: more windows than memory has" $
-    atOnce (complains (words "table --q 2 --polynomial 1,1,0,0,1 --shape 3x5 --window 3x40") "entries")
+    atOnce
+      (complains (words "table --q 2 --polynomial 1,1,0,0,1 --shape 3x5 --window 3x40") "entries")
   it "objects --at: a position outside the array, from memory and from a database" $
     forM_ ["99,1", "15,0", "0,17", intercalate "," (replicate 2 (replicate 40 '9'))] $ \at ->
-      forM_ [[], ["--json"], ["--database", "none.sqlite"], ["--database", "none.sqlite", "--json"]] $ \options ->
-        complains (["objects", "--at", at] ++ options) "no cell at row"
+      forM_
+        [[], ["--json"], ["--database", "none.sqlite"], ["--database", "none.sqlite", "--json"]]
+        $ \options ->
+          complains (["objects", "--at", at] ++ options) "no cell at row"
   it "objects --at: the last cell is a position" $
-    prints ["objects", "--at", "14,16"] ["on no object: the window straddles cube, face C2 C6 C7 C3 and parallelepiped, face P1 P2 P3 P4 and parallelepiped, face P3 P7 P8 P4"]
- where
-  -- Generous: other work may go on beside the tests.
-  atOnce action = timeout 10000000 action >>= maybe (expectationFailure "this took longer than ten seconds") pure
+    prints
+      ["objects", "--at", "14,16"]
+      [ "on no object: the window straddles cube, face C2 C6 C7 C3 and parallelepiped, face P1 P2 \
+        \P3 P4 and parallelepiped, face P3 P7 P8 P4"
+      ]
+  where
+    -- Generous: other work may go on beside the tests.
+    atOnce action =
+      timeout 10000000 action
+        >>= maybe (expectationFailure "this took longer than ten seconds") pure

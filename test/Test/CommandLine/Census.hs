@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | The census as scripts use it: in one run, continued, and in shards.
 module Test.CommandLine.Census (spec) where
 
@@ -14,168 +15,228 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "census: one line an entry; the paper's array is in it, proved by both roads" $ inFolder $ \folder -> do
-    (status, out, err) <- pra (census folder "c.csv" ++ ["--json"])
-    -- 32 polynomials, 6 shapes, 2 windows; with 3 rows or 3 columns the powers of alpha down or across lie in
-    -- GF(4), so that two cells tell no more than one.
-    (status, key ["entries"] out, key ["proved"] out, err) `shouldBe` (0, Just (Number 384), Just (Number 256), "")
-    whole <- lines <$> readFile (folder </> "c.csv")
-    length whole `shouldBe` 385
-    -- The check at the end is that of the rest, by a definition of its own in "Test.Code.Certificate".
-    [take 16 (drop 1 line) | line <- map fields (drop 1 whole), take 2 (drop 7 line) `elem` [["15x17", "2x2"], ["15x17", "2x3"]], drop 5 (take 6 line) == ["3 2 1 0 1"]]
-      `shouldBe` [ words' "4;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x2;yes;yes;yes;4;4;255;255;1"
-                 , words' "5;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x3;yes;yes;yes;4;4;255;255;2" ]
-  it "census: cut off anywhere, it is continued to the same bytes; complete, it stays as it is" $ inFolder $ \folder -> do
-    _ <- pra (census folder "whole.csv")
-    whole <- readFile (folder </> "whole.csv")
-    let file = folder </> "cut.csv"
-        ends = length whole : [0, 1, 100, 137, 138, 139, 1000, length whole - 1]
-    forM_ ends $ \end -> do
-      writeFile file (take end whole)
-      (status, _, _) <- pra (census folder "cut.csv")
-      again <- readFile file
-      (end, status, again == whole) `shouldBe` (end, 0, True)
-  it "census, merge: a row says yes,yes,yes; changed to no,yes,yes it is refused, in a new file and in an old one" $ inFolder $ \folder -> do
-    _ <- pra (small folder "c.csv")
-    whole <- readFile (folder </> "c.csv")
-    forM_ [("new.csv", whole, "its check does not fit"), ("old.csv", olden whole, "proved, rank_road contradict")] $ \(name, text, about) -> do
-      let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines text))
-          file = folder </> name
-      writeFile file changed
-      changed `shouldNotBe` text
-      complains ["merge", file] about
-      complains ["merge", file] "line 3"
-      complains (small folder name) "line 3"
-      readFile file `shouldReturn` changed
-  it "census --keep-whole: damaged, lost, swapped and repeated lines are made good, in the file's own form" $ inFolder $ \folder -> do
-    _ <- pra (small folder "c.csv")
-    checked <- readFile (folder </> "c.csv")
-    forM_ [checked, olden checked] $ \whole -> do
-      let file = folder </> "d.csv"
-          ls = lines whole
-          damaged =
-            [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls), unlines (take 4 ls ++ drop 5 ls)
-            , unlines (take 4 ls ++ drop 3 ls), unlines (take 3 ls ++ reverse (drop 3 ls)), take (length whole - 40) whole ++ "Z"
-            , unlines (take 4 ls ++ ["x"] ++ take 2 (drop 4 ls)) ]
-      forM_ damaged $ \text -> do
-        writeFile file text
-        (status, _, err) <- pra (small folder "d.csv")
-        (status, length (lines err)) `shouldBe` (2, 1)
-        readFile file `shouldReturn` text
-        (kept, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+  it "census: one line an entry; the paper's array is in it, proved by both roads" $
+    inFolder $ \folder -> do
+      (status, out, err) <- pra (census folder "c.csv" ++ ["--json"])
+      -- 32 polynomials, 6 shapes, 2 windows; with 3 rows or 3 columns the powers of alpha down or
+      -- across lie in GF(4), so that two cells tell no more than one.
+      (status, key ["entries"] out, key ["proved"] out, err)
+        `shouldBe` (0, Just (Number 384), Just (Number 256), "")
+      whole <- lines <$> readFile (folder </> "c.csv")
+      length whole `shouldBe` 385
+      -- The check at the end is that of the rest, by a definition of its own in
+      -- "Test.Code.Certificate".
+      let found =
+            [ take 16 (drop 1 line)
+              | line <- map fields (drop 1 whole),
+                take 2 (drop 7 line) `elem` [["15x17", "2x2"], ["15x17", "2x3"]],
+                drop 5 (take 6 line) == ["3 2 1 0 1"]
+            ]
+      found
+        `shouldBe` [ words' "4;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x2;yes;yes;yes;4;4;255;255;1",
+                     words' "5;384;4;1 1 1;3 2 1 0 1;diagonal;15x17;2x3;yes;yes;yes;4;4;255;255;2"
+                   ]
+  it "census: cut off anywhere, it is continued to the same bytes; complete, it stays as it is" $
+    inFolder $ \folder -> do
+      _ <- pra (census folder "whole.csv")
+      whole <- readFile (folder </> "whole.csv")
+      let file = folder </> "cut.csv"
+          ends = length whole : [0, 1, 100, 137, 138, 139, 1000, length whole - 1]
+      forM_ ends $ \end -> do
+        writeFile file (take end whole)
+        (status, _, _) <- pra (census folder "cut.csv")
         again <- readFile file
-        (kept, again) `shouldBe` (0, whole)
-    writeFile (folder </> "mine") "precious\n"
-    complains (small folder "mine" ++ ["--keep-whole"]) "first line"
-    writeFile (folder </> "other.csv") checked
-    complains ["census", "--q", "2", "--degree", "4", "--output", folder </> "other.csv", "--keep-whole"] "not an unfinished file"
-    readFile (folder </> "other.csv") `shouldReturn` checked
-  it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $ inFolder $ \folder -> do
-    _ <- pra (small folder "c.csv")
-    whole <- readFile (folder </> "c.csv")
-    writeFile (folder </> "d.csv") ('C' : drop 1 whole)
-    complains (small folder "d.csv") "first line"
-    (status, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
-    again <- readFile (folder </> "d.csv")
-    (status, again) `shouldBe` (0, whole)
-  it "merge --keep-whole: takes the rows that are whole, and tells which are missing" $ inFolder $ \folder -> do
-    let file name = folder </> name
-    forM_ [1, 2 :: Int] $ \i -> pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
-    whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
-    part <- readFile (file "part1")
-    writeFile (file "bad") (unlines (onLine 3 (replaced "yes" "no") (lines part)))
-    complains ["merge", "--keep-whole", file "bad", file "part2"] "entries are missing: 2;"
-    writeFile (file "bad") (unlines (lines part ++ ["garbage"]))
-    complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
-    (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
-    (status, out, length (lines err)) `shouldBe` (0, whole, 1)
-  it "merge: old files, without checks, are read and said to be unchecked; with new ones they make an old one" $ inFolder $ \folder -> do
-    let file name = folder </> name
-    forM_ [1, 2 :: Int] $ \i -> pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
-    whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
-    parts <- mapM (readFile . file) ["part1", "part2"]
-    forM_ (zip [1 :: Int ..] parts) $ \(i, text) -> writeFile (file ("old" ++ show i)) (olden text)
-    forM_ [["old1", "old2"], ["old1", "part2"], ["part1", "old2"]] $ \names -> do
-      (status, out, err) <- pra ("merge" : map file names)
-      (status, out, length (lines err)) `shouldBe` (0, olden whole, length (filter ((== "old") . take 3) names))
-    writeFile (file "old") (take 400 (olden whole))
-    (status, _, err) <- pra (small folder "old")
-    again <- readFile (file "old")
-    (status, again, length (lines err)) `shouldBe` (0, olden whole, 1)
-    -- Of which form a file is, its first line says, not its rows.
-    writeFile (file "mixed") (unlines (take 3 (lines whole) ++ drop 3 (lines (olden whole))))
-    complains ["merge", file "mixed"] "line 4 is damaged: it has 17 fields, not 18"
-  it "merge: the output is none of the shards, however it is spelt" $ inFolder $ \folder -> do
-    let file name = folder </> name
-    _ <- pra (small folder "c.csv")
-    whole <- readFile (file "c.csv")
-    createFileLink (file "c.csv") (file "soft.csv")
-    createLink (file "c.csv") (file "hard.csv")
-    forM_ [file "c.csv", folder </> "." </> "c.csv", file "soft.csv", file "hard.csv"] $ \output -> do
-      complains ["merge", file "c.csv", "--output", output] "is the shard"
-      complains ["merge", file "soft.csv", "--output", output] "is the shard"
-      readFile (file "c.csv") `shouldReturn` whole
-  it "census: another census's file, or any other file, is refused and not touched" $ inFolder $ \folder -> do
-    _ <- pra (census folder "whole.csv")
-    whole <- readFile (folder </> "whole.csv")
-    let file = folder </> "other"
-    forM_ ["precious\n", whole ++ "1\n", unlines (swapped (lines whole)), take 300 whole ++ "\nx\n"] $ \content -> do
-      writeFile file content
-      (status, _, err) <- pra (census folder "other")
-      (status, length (lines err)) `shouldBe` (2, 1)
-      readFile file `shouldReturn` content
-    writeFile file whole
-    complains ["census", "--q", "4", "--degree", "3", "--output", file] "not an unfinished file"
-    complains (census folder "other" ++ ["--shard", "1/2"]) "not an unfinished file"
-  it "merge: shards in any order are the census in one run, byte by byte" $ inFolder $ \folder -> do
-    _ <- pra (census folder "whole.csv")
-    whole <- readFile (folder </> "whole.csv")
-    forM_ [1, 2, 5 :: Int] $ \k -> do
-      let part i = "part" ++ show i ++ "-" ++ show k
-          names = map ((folder </>) . part) [1 .. k]
-      forM_ [1 .. k] $ \i -> pra (census folder (part i) ++ ["--shard", show i ++ "/" ++ show k])
-      pra ("merge" : reverse names) `shouldReturn` (0, whole, "")
-      (status, _, _) <- pra ("merge" : names ++ ["--output", folder </> "merged.csv"])
-      again <- readFile (folder </> "merged.csv")
-      (status, again == whole) `shouldBe` (0, True)
-  it "merge: incomplete, overlapping, unfinished and foreign shards are refused" $ inFolder $ \folder -> do
-    let file name = folder </> name
-    forM_ [1, 2, 3 :: Int] $ \i -> pra (census folder ("part" ++ show i) ++ ["--shard", show i ++ "/3"])
-    complains ["merge", file "part1", file "part3"] "128 of 384 entries are missing"
-    complains ["merge", file "part1", file "part2", file "part3", file "part2"] "entry 1 is in"
-    _ <- pra ["census", "--q", "2", "--degree", "4", "--output", file "other"]
-    complains ["merge", file "part1", file "other"] "different censuses"
-    part <- readFile (file "part1")
-    writeFile (file "cut") (take (length part - 3) part)
-    complains ["merge", file "cut", file "part2", file "part3"] "cut off"
-    complains ["merge", file "none"] "none"
-    complains ["merge", "data/shapes.txt"] "first line"
-    complains ["merge", file "part1", file "part2", file "part3", "--output", file "no/such"] "folder does not exist"
-  it "census: an impossible scope is status 2 with the reason" $ inFolder $ \folder -> do
-    complains ["census", "--q", "6", "--degree", "2", "--output", folder </> "x"] "6 is not a prime power"
-    complains ["census", "--q", "4", "--degree", "0", "--output", folder </> "x"] "degree 0"
-    complains ["census", "--q", "4", "--modulus", "1,0,1", "--degree", "2", "--output", folder </> "x"] "factors"
-    complains ["census", "--q", "2", "--degree", "3", "--output", folder </> "no" </> "x"] "cannot write"
-    complains ["census", "--q", "2", "--degree", "1000000", "--output", folder </> "x"] "2^1000000 - 1"
-    complains ["census", "--q", "4", "--degree", "100", "--output", folder </> "x"] "524288 divisors"
-    doesPathExist (folder </> "x") `shouldReturn` False
-    forM_ ["0/2", "3/2", "1", "a/b"] $ \shard -> do
-      (status, out, _) <- pra (census folder "x" ++ ["--shard", shard])
-      (status, out) `shouldBe` (2, "")
- where
-  small folder name = words "census --q 2 --degree 3 --output" ++ [folder </> name]
-  -- As files were before rows had a check.
-  olden = unlines . map (intercalate "," . take 17 . fields) . lines
-  onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 :: Int ..] ls]
-  replaced from to text
-    | take (length from) text == from = to ++ drop (length from) text
-    | otherwise = case text of
+        (end, status, again == whole) `shouldBe` (end, 0, True)
+  it
+    "census, merge: a row says yes,yes,yes; changed to no,yes,yes it is refused, in a new file \
+    \and in an old one"
+    $ inFolder $ \folder -> do
+      _ <- pra (small folder "c.csv")
+      whole <- readFile (folder </> "c.csv")
+      forM_
+        [ ("new.csv", whole, "its check does not fit"),
+          ("old.csv", olden whole, "proved, rank_road contradict")
+        ]
+        $ \(name, text, about) -> do
+          let changed = unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") (lines text))
+              file = folder </> name
+          writeFile file changed
+          changed `shouldNotBe` text
+          complains ["merge", file] about
+          complains ["merge", file] "line 3"
+          complains (small folder name) "line 3"
+          readFile file `shouldReturn` changed
+  it
+    "census --keep-whole: damaged, lost, swapped and repeated lines are made good, in the file's \
+    \own form"
+    $ inFolder $ \folder -> do
+      _ <- pra (small folder "c.csv")
+      checked <- readFile (folder </> "c.csv")
+      forM_ [checked, olden checked] $ \whole -> do
+        let file = folder </> "d.csv"
+            ls = lines whole
+            damaged =
+              [ unlines (onLine 3 (replaced "yes,yes,yes" "no,yes,yes") ls),
+                unlines (take 4 ls ++ drop 5 ls),
+                unlines (take 4 ls ++ drop 3 ls),
+                unlines (take 3 ls ++ reverse (drop 3 ls)),
+                take (length whole - 40) whole ++ "Z",
+                unlines (take 4 ls ++ ["x"] ++ take 2 (drop 4 ls))
+              ]
+        forM_ damaged $ \text -> do
+          writeFile file text
+          (status, _, err) <- pra (small folder "d.csv")
+          (status, length (lines err)) `shouldBe` (2, 1)
+          readFile file `shouldReturn` text
+          (kept, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+          again <- readFile file
+          (kept, again) `shouldBe` (0, whole)
+      writeFile (folder </> "mine") "precious\n"
+      complains (small folder "mine" ++ ["--keep-whole"]) "first line"
+      writeFile (folder </> "other.csv") checked
+      complains
+        ["census", "--q", "2", "--degree", "4", "--output", folder </> "other.csv", "--keep-whole"]
+        "not an unfinished file"
+      readFile (folder </> "other.csv") `shouldReturn` checked
+  it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $
+    inFolder $ \folder -> do
+      _ <- pra (small folder "c.csv")
+      whole <- readFile (folder </> "c.csv")
+      writeFile (folder </> "d.csv") ('C' : drop 1 whole)
+      complains (small folder "d.csv") "first line"
+      (status, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
+      again <- readFile (folder </> "d.csv")
+      (status, again) `shouldBe` (0, whole)
+  it "merge --keep-whole: takes the rows that are whole, and tells which are missing" $
+    inFolder $ \folder -> do
+      let file name = folder </> name
+      forM_ [1, 2 :: Int] $ \i ->
+        pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
+      whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
+      part <- readFile (file "part1")
+      writeFile (file "bad") (unlines (onLine 3 (replaced "yes" "no") (lines part)))
+      complains ["merge", "--keep-whole", file "bad", file "part2"] "entries are missing: 2;"
+      writeFile (file "bad") (unlines (lines part ++ ["garbage"]))
+      complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
+      (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
+      (status, out, length (lines err)) `shouldBe` (0, whole, 1)
+  it
+    "merge: old files, without checks, are read and said to be unchecked; with new ones they make \
+    \an old one"
+    $ inFolder $ \folder -> do
+      let file name = folder </> name
+      forM_ [1, 2 :: Int] $ \i ->
+        pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
+      whole <- pra (small folder "c.csv") >> readFile (file "c.csv")
+      parts <- mapM (readFile . file) ["part1", "part2"]
+      forM_ (zip [1 :: Int ..] parts) $ \(i, text) ->
+        writeFile (file ("old" ++ show i)) (olden text)
+      forM_ [["old1", "old2"], ["old1", "part2"], ["part1", "old2"]] $ \names -> do
+        (status, out, err) <- pra ("merge" : map file names)
+        (status, out, length (lines err))
+          `shouldBe` (0, olden whole, length (filter ((== "old") . take 3) names))
+      writeFile (file "old") (take 400 (olden whole))
+      (status, _, err) <- pra (small folder "old")
+      again <- readFile (file "old")
+      (status, again, length (lines err)) `shouldBe` (0, olden whole, 1)
+      -- Of which form a file is, its first line says, not its rows.
+      writeFile (file "mixed") (unlines (take 3 (lines whole) ++ drop 3 (lines (olden whole))))
+      complains ["merge", file "mixed"] "line 4 is damaged: it has 17 fields, not 18"
+  it "merge: the output is none of the shards, however it is spelt" $
+    inFolder $ \folder -> do
+      let file name = folder </> name
+      _ <- pra (small folder "c.csv")
+      whole <- readFile (file "c.csv")
+      createFileLink (file "c.csv") (file "soft.csv")
+      createLink (file "c.csv") (file "hard.csv")
+      forM_
+        [file "c.csv", folder </> "." </> "c.csv", file "soft.csv", file "hard.csv"]
+        $ \output -> do
+          complains ["merge", file "c.csv", "--output", output] "is the shard"
+          complains ["merge", file "soft.csv", "--output", output] "is the shard"
+          readFile (file "c.csv") `shouldReturn` whole
+  it "census: another census's file, or any other file, is refused and not touched" $
+    inFolder $ \folder -> do
+      _ <- pra (census folder "whole.csv")
+      whole <- readFile (folder </> "whole.csv")
+      let file = folder </> "other"
+      forM_
+        ["precious\n", whole ++ "1\n", unlines (swapped (lines whole)), take 300 whole ++ "\nx\n"]
+        $ \content -> do
+          writeFile file content
+          (status, _, err) <- pra (census folder "other")
+          (status, length (lines err)) `shouldBe` (2, 1)
+          readFile file `shouldReturn` content
+      writeFile file whole
+      complains ["census", "--q", "4", "--degree", "3", "--output", file] "not an unfinished file"
+      complains (census folder "other" ++ ["--shard", "1/2"]) "not an unfinished file"
+  it "merge: shards in any order are the census in one run, byte by byte" $
+    inFolder $ \folder -> do
+      _ <- pra (census folder "whole.csv")
+      whole <- readFile (folder </> "whole.csv")
+      forM_ [1, 2, 5 :: Int] $ \k -> do
+        let part i = "part" ++ show i ++ "-" ++ show k
+            names = map ((folder </>) . part) [1 .. k]
+        forM_ [1 .. k] $ \i -> pra (census folder (part i) ++ ["--shard", show i ++ "/" ++ show k])
+        pra ("merge" : reverse names) `shouldReturn` (0, whole, "")
+        (status, _, _) <- pra ("merge" : names ++ ["--output", folder </> "merged.csv"])
+        again <- readFile (folder </> "merged.csv")
+        (status, again == whole) `shouldBe` (0, True)
+  it "merge: incomplete, overlapping, unfinished and foreign shards are refused" $
+    inFolder $ \folder -> do
+      let file name = folder </> name
+      forM_ [1, 2, 3 :: Int] $ \i ->
+        pra (census folder ("part" ++ show i) ++ ["--shard", show i ++ "/3"])
+      complains ["merge", file "part1", file "part3"] "128 of 384 entries are missing"
+      complains ["merge", file "part1", file "part2", file "part3", file "part2"] "entry 1 is in"
+      _ <- pra ["census", "--q", "2", "--degree", "4", "--output", file "other"]
+      complains ["merge", file "part1", file "other"] "different censuses"
+      part <- readFile (file "part1")
+      writeFile (file "cut") (take (length part - 3) part)
+      complains ["merge", file "cut", file "part2", file "part3"] "cut off"
+      complains ["merge", file "none"] "none"
+      complains ["merge", "data/shapes.txt"] "first line"
+      complains
+        ["merge", file "part1", file "part2", file "part3", "--output", file "no/such"]
+        "folder does not exist"
+  it "census: an impossible scope is status 2 with the reason" $
+    inFolder $ \folder -> do
+      complains
+        ["census", "--q", "6", "--degree", "2", "--output", folder </> "x"]
+        "6 is not a prime power"
+      complains ["census", "--q", "4", "--degree", "0", "--output", folder </> "x"] "degree 0"
+      complains
+        ["census", "--q", "4", "--modulus", "1,0,1", "--degree", "2", "--output", folder </> "x"]
+        "factors"
+      complains
+        ["census", "--q", "2", "--degree", "3", "--output", folder </> "no" </> "x"]
+        "cannot write"
+      complains
+        ["census", "--q", "2", "--degree", "1000000", "--output", folder </> "x"]
+        "2^1000000 - 1"
+      complains
+        ["census", "--q", "4", "--degree", "100", "--output", folder </> "x"]
+        "524288 divisors"
+      doesPathExist (folder </> "x") `shouldReturn` False
+      forM_ ["0/2", "3/2", "1", "a/b"] $ \shard -> do
+        (status, out, _) <- pra (census folder "x" ++ ["--shard", shard])
+        (status, out) `shouldBe` (2, "")
+  where
+    small folder name = words "census --q 2 --degree 3 --output" ++ [folder </> name]
+    -- As files were before rows had a check.
+    olden = unlines . map (intercalate "," . take 17 . fields) . lines
+    onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 :: Int ..] ls]
+    replaced from to text
+      | take (length from) text == from = to ++ drop (length from) text
+      | otherwise = case text of
         c : rest -> c : replaced from to rest
         [] -> []
-  census folder name = words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output" ++ [folder </> name]
-  inFolder = withSystemTempDirectory "pra-tactile"
-  fields line = words' (map (\c -> if c == ',' then ';' else c) line)
-  words' text = case break (== ';') text of
-    (field, _ : rest) -> field : words' rest
-    (field, []) -> [field]
-  swapped ls = take 1 ls ++ reverse (drop 1 ls)
+    census folder name =
+      words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output"
+        ++ [folder </> name]
+    inFolder = withSystemTempDirectory "pra-tactile"
+    fields line = words' (map (\c -> if c == ',' then ';' else c) line)
+    words' text = case break (== ';') text of
+      (field, _ : rest) -> field : words' rest
+      (field, []) -> [field]
+    swapped ls = take 1 ls ++ reverse (drop 1 ls)

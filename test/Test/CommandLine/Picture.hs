@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | Pictures, the simulated press and its truth, as scripts use them.
 module Test.CommandLine.Picture (spec) where
 
@@ -11,23 +12,25 @@ import Data.Maybe (mapMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
-import Test.Hspec
-
 import Test.CommandLine.Run
+import Test.Hspec
 
 spec :: Spec
 spec = do
-  inFolder "a picture whose name says that it is none of SVG is refused, before any work is done" $ \folder -> do
-    for_ ["picture.png", "picture.PDF", "picture.svg.png"] $ \name -> do
-      -- The input is not even looked for.
-      complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
-      complains ["rates", "--trials", "1000000000", "--plot", folder </> name] ".svg"
-    listDirectory folder `shouldReturn` []
-    for_ ["picture.svg", "PICTURE.SVG", "picture"] $ \name -> do
-      answer <- pra ["decode", worked]
-      pra ["decode", worked, "--picture", folder </> name] `shouldReturn` answer
-      picture <- readFile (folder </> name)
-      for_ ["<svg ", "cube, face C1 C2 C3 C4, corner C2", "</svg>"] $ \part -> picture `shouldSatisfy` (part `isInfixOf`)
+  inFolder
+    "a picture whose name says that it is none of SVG is refused, before any work is done"
+    $ \folder -> do
+      for_ ["picture.png", "picture.PDF", "picture.svg.png"] $ \name -> do
+        -- The input is not even looked for.
+        complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
+        complains ["rates", "--trials", "1000000000", "--plot", folder </> name] ".svg"
+      listDirectory folder `shouldReturn` []
+      for_ ["picture.svg", "PICTURE.SVG", "picture"] $ \name -> do
+        answer <- pra ["decode", worked]
+        pra ["decode", worked, "--picture", folder </> name] `shouldReturn` answer
+        picture <- readFile (folder </> name)
+        for_ ["<svg ", "cube, face C1 C2 C3 C4, corner C2", "</svg>"] $ \part ->
+          picture `shouldSatisfy` (part `isInfixOf`)
   inFolder "- is the standard output: the picture alone, as the file has it" $ \folder -> do
     _ <- pra ["decode", worked, "--picture", folder </> "picture.svg"]
     picture <- readFile (folder </> "picture.svg")
@@ -39,12 +42,18 @@ spec = do
   inFolder "what was refused has a picture too, without a face" $ \folder -> do
     (status, _, _) <- pra ["decode", "--doubt", "0", worked, "--picture", folder </> "picture.svg"]
     picture <- readFile (folder </> "picture.svg")
-    (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture) `shouldBe` (1, False, True)
+    (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture)
+      `shouldBe` (1, False, True)
   it "docs/demo.svg is what the command beside it in the README draws" $ do
     readme <- lines <$> readFile "README.md"
-    case [ words command | l <- readme, Just command <- [stripPrefix "pra-tactile " l], "docs/demo.svg" `isInfixOf` command ] of
+    case [ words command
+           | l <- readme,
+             Just command <- [stripPrefix "pra-tactile " l],
+             "docs/demo.svg" `isInfixOf` command
+         ] of
       [arguments] -> do
-        (status, drawn, _) <- pra [ if argument == "docs/demo.svg" then "-" else argument | argument <- arguments ]
+        (status, drawn, _) <-
+          pra [if argument == "docs/demo.svg" then "-" else argument | argument <- arguments]
         kept <- readFile "docs/demo.svg"
         (status, marks drawn) `shouldBe` (0, marks kept)
       other -> expectationFailure ("one command was expected: " ++ show other)
@@ -56,60 +65,118 @@ spec = do
       (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
       (line, status, err) `shouldBe` (line, 0, "")
       doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
-  inFolder "a region that is not on the face: how large it is, where, and how large the face is" $ \folder -> do
-    let press = ["probe", "--object", "parallelepiped", "--face", "P6 P5 P8 P7", "--seed", "1", "--output", folder </> "frames"]
-    -- 40 x 52 taxels of 1.5875 mm.
-    complains (press ++ ["--at", "0,60"]) "63.5 x 82.55 mm from 0,60 mm, does not lie on the face P6 P5 P8 P7, which is 177.8 x 101.6 mm"
-    complains (press ++ ["--size", "60x70"]) "95.25 x 111.12 mm"
-    -- Turned by a quarter, it lies across.
-    complains (press ++ ["--size", "80x20", "--turn", "90"]) "31.75 x 127 mm"
-  inFolder "probe --truth, decode, compare: an answer agrees with its own truth and with no other" $ \folder -> do
-    for_ [0, 90, 180, 270 :: Int] $ \degrees -> do
-      let file name = folder </> name ++ show degrees
-      (probed, _, _) <- pra ["probe", "--object", "cube", "--face", "C1 C2 C3 C4", "--at", "12.7,12.7", "--turn", show degrees, "--origin", "1000,-250.5"
-        , "--seed", "3", "--size", "48x48", "--truth", file "truth", "--output", file "frames"]
-      (decoded, answer, _) <- pra ["decode", "--json", file "frames"]
-      writeFile (file "answer") answer
-      (probed, decoded) `shouldBe` (0, 0)
-      (agrees, out, _) <- pra ["compare", file "answer", file "truth"]
-      (agrees, "they agree to " `isPrefixOf` last ("" : lines out)) `shouldBe` (0, True)
-      (status, told, _) <- pra ["compare", "--json", file "answer", file "truth"]
-      (status, key ["agree"] told, key ["answer_mm"] told) `shouldBe` (0, Just (Bool True), key ["place_mm"] answer)
-      key ["distance_mm"] told `shouldSatisfy` maybe False (below 2)
-    for_ [("answer0", "truth180", "other-orientation")] $ \(answer, truth, difference) -> do
-      (status, told, _) <- pra ["compare", "--json", folder </> answer, folder </> truth]
-      (status, key ["agree"] told, key ["difference"] told) `shouldBe` (1, Just (Bool False), Just (String difference))
-    _ <- pra ["probe", "--object", "parallelepiped", "--seed", "4", "--truth", folder </> "elsewhere", "--output", folder </> "other"]
-    (status, out, _) <- pra ["compare", folder </> "answer0", folder </> "elsewhere"]
-    (status, "another face" `isInfixOf` out) `shouldBe` (1, True)
-    (_, refused, _) <- pra ["decode", "--json", "--doubt", "0", folder </> "frames0"]
-    writeFile (folder </> "refused") refused
-    (none, _, _) <- pra ["compare", folder </> "refused", folder </> "truth0"]
-    none `shouldBe` 1
-    complains ["compare", folder </> "truth0", folder </> "answer0"] "schema"
-    complains ["compare", worked, folder </> "truth0"] "not one answer"
-  it "the window's centre in the robot's coordinates: where the composite shows it, in millimetres from the first pixel's centre" $ do
-    (_, out, _) <- pra ["decode", "--json", worked]
-    case (key ["windows"] out, key ["robot_mm"] out) of
-      (Just windows, Just there) -> case fromJSON windows of
-        Success (window : _) | Success (x, y) <- fromJSON there -> do
-          let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
-          pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
-          pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
-        _ -> expectationFailure "no window"
-      other -> expectationFailure (show other)
+  inFolder
+    "a region that is not on the face: how large it is, where, and how large the face is"
+    $ \folder -> do
+      let press =
+            [ "probe",
+              "--object",
+              "parallelepiped",
+              "--face",
+              "P6 P5 P8 P7",
+              "--seed",
+              "1",
+              "--output",
+              folder </> "frames"
+            ]
+      -- 40 x 52 taxels of 1.5875 mm.
+      complains
+        (press ++ ["--at", "0,60"])
+        "63.5 x 82.55 mm from 0,60 mm, does not lie on the face P6 P5 P8 P7, which is 177.8 x \
+        \101.6 mm"
+      complains (press ++ ["--size", "60x70"]) "95.25 x 111.12 mm"
+      -- Turned by a quarter, it lies across.
+      complains (press ++ ["--size", "80x20", "--turn", "90"]) "31.75 x 127 mm"
+  inFolder
+    "probe --truth, decode, compare: an answer agrees with its own truth and with no other"
+    $ \folder -> do
+      for_ [0, 90, 180, 270 :: Int] $ \degrees -> do
+        let file name = folder </> name ++ show degrees
+        (probed, _, _) <-
+          pra
+            [ "probe",
+              "--object",
+              "cube",
+              "--face",
+              "C1 C2 C3 C4",
+              "--at",
+              "12.7,12.7",
+              "--turn",
+              show degrees,
+              "--origin",
+              "1000,-250.5",
+              "--seed",
+              "3",
+              "--size",
+              "48x48",
+              "--truth",
+              file "truth",
+              "--output",
+              file "frames"
+            ]
+        (decoded, answer, _) <- pra ["decode", "--json", file "frames"]
+        writeFile (file "answer") answer
+        (probed, decoded) `shouldBe` (0, 0)
+        (agrees, out, _) <- pra ["compare", file "answer", file "truth"]
+        (agrees, "they agree to " `isPrefixOf` last ("" : lines out)) `shouldBe` (0, True)
+        (status, told, _) <- pra ["compare", "--json", file "answer", file "truth"]
+        (status, key ["agree"] told, key ["answer_mm"] told)
+          `shouldBe` (0, Just (Bool True), key ["place_mm"] answer)
+        key ["distance_mm"] told `shouldSatisfy` maybe False (below 2)
+      for_ [("answer0", "truth180", "other-orientation")] $ \(answer, truth, difference) -> do
+        (status, told, _) <- pra ["compare", "--json", folder </> answer, folder </> truth]
+        (status, key ["agree"] told, key ["difference"] told)
+          `shouldBe` (1, Just (Bool False), Just (String difference))
+      _ <-
+        pra
+          [ "probe",
+            "--object",
+            "parallelepiped",
+            "--seed",
+            "4",
+            "--truth",
+            folder </> "elsewhere",
+            "--output",
+            folder </> "other"
+          ]
+      (status, out, _) <- pra ["compare", folder </> "answer0", folder </> "elsewhere"]
+      (status, "another face" `isInfixOf` out) `shouldBe` (1, True)
+      (_, refused, _) <- pra ["decode", "--json", "--doubt", "0", folder </> "frames0"]
+      writeFile (folder </> "refused") refused
+      (none, _, _) <- pra ["compare", folder </> "refused", folder </> "truth0"]
+      none `shouldBe` 1
+      complains ["compare", folder </> "truth0", folder </> "answer0"] "schema"
+      complains ["compare", worked, folder </> "truth0"] "not one answer"
+  it
+    "the window's centre in the robot's coordinates: where the composite shows it, in millimetres \
+    \from the first pixel's centre"
+    $ do
+      (_, out, _) <- pra ["decode", "--json", worked]
+      case (key ["windows"] out, key ["robot_mm"] out) of
+        (Just windows, Just there) -> case fromJSON windows of
+          Success (window : _) | Success (x, y) <- fromJSON there -> do
+            let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
+            pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
+            pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
+          _ -> expectationFailure "no window"
+        other -> expectationFailure (show other)
   where
     inFolder name = it name . withSystemTempDirectory "pra-tactile"
     worked = "data/worked-example/composite.pgm"
-    moved prefix argument = if argument `elem` ["frames", "truth.json"] then prefix ++ argument else argument
+    moved prefix argument =
+      if argument `elem` ["frames", "truth.json"] then prefix ++ argument else argument
     below limit value = maybe False (< limit) (number value)
     number :: Value -> Maybe Double
     number value = case fromJSON value of
       Success x -> Just x
       Error _ -> Nothing
-    -- What is drawn, without the order of attributes and the bytes of the image, which depend on versions of
-    -- libraries.
-    marks = sort . filter (not . ("xlink:href" `isPrefixOf`)) . words . map (\c -> if c `elem` ("<>" :: String) then ' ' else c)
+    -- What is drawn, without the order of attributes and the bytes of the image, which depend on
+    -- versions of libraries.
+    marks =
+      sort
+        . filter (not . ("xlink:href" `isPrefixOf`))
+        . words
+        . map (\c -> if c `elem` ("<>" :: String) then ' ' else c)
 
 -- | Words as a shell parts them, where single quotes are all that is quoted.
 shellWords :: String -> [String]

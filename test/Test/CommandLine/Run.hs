@@ -1,14 +1,15 @@
 -- | Running the executable, for the tests of the command line.
 module Test.CommandLine.Run
-  ( Outcome
-  , pra
-  , praWith
-  , praUnder
-  , key
-  , prints
-  , locates
-  , complains
-  ) where
+  ( Outcome,
+    pra,
+    praWith,
+    praUnder,
+    key,
+    prints,
+    locates,
+    complains,
+  )
+where
 
 import Data.Aeson
 import qualified Data.Aeson.KeyMap as KeyMap
@@ -27,14 +28,15 @@ pra = (`praWith` "")
 praWith :: [String] -> String -> IO Outcome
 praWith = ran "pra-tactile"
 
--- | The same under these options of the run-time system, which the program takes from its environment alone.
+-- | The same under these options of the run-time system, which the program takes from its
+-- environment alone.
 praUnder :: String -> [String] -> String -> IO Outcome
 praUnder options arguments = ran "env" (("GHCRTS=" ++ options) : "pra-tactile" : arguments)
 
 ran :: FilePath -> [String] -> String -> IO Outcome
 ran program arguments input = do
   (code, out, err) <- readProcessWithExitCode program arguments input
-  pure (case code of { ExitSuccess -> 0; ExitFailure n -> n }, out, err)
+  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
 
 -- | The value under a path of keys in one line of JSON.
 key :: [Key] -> String -> Maybe Value

@@ -1,5 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
--- | Census files: what is written is read again, and every change of a byte is noticed, by merge and on continuing.
+
+-- | Census files: what is written is read again, and every change of a byte is noticed, by merge
+-- and on continuing.
 module Test.Formats.CensusFile (spec) where
 
 import Control.Monad (forM_)
@@ -25,49 +27,67 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  it "a file is merged, and kept whole, as it is" $ forM_ [wantedOf 2 1, wantedOf 4 2] $ \wanted -> do
-    let file = fileOf Checked wanted
-    merge file `shouldBe` Right (Bytes.lines file)
-    continue wanted file `shouldBe` Right (length (wantedInOrder wanted))
+  it "a file is merged, and kept whole, as it is" $
+    forM_ [wantedOf 2 1, wantedOf 4 2] $ \wanted -> do
+      let file = fileOf Checked wanted
+      merge file `shouldBe` Right (Bytes.lines file)
+      continue wanted file `shouldBe` Right (length (wantedInOrder wanted))
   it "a row is read as the entry that it was written for, in both forms" $
-    forM_ [(q, n, form) | (q, n) <- [(2, 6), (3, 3), (4, 2), (9, 2)], form <- [minBound ..]] $ \(q, n, form) -> do
-      let wanted = wantedOf q n
-          file = fileOf form wanted
-          entries = map fst (wantedInOrder wanted)
-      (read', rows') <- either (fail . show) pure (decodeCensus file)
-      read' `shouldBe` form
-      map stated rows' `shouldBe` map (statedOf wanted) entries
-      Lazy.toStrict (encodeCensus form (map rowText rows')) `shouldBe` file
+    forM_
+      [(q, n, form) | (q, n) <- [(2, 6), (3, 3), (4, 2), (9, 2)], form <- [minBound ..]]
+      $ \(q, n, form) -> do
+        let wanted = wantedOf q n
+            file = fileOf form wanted
+            entries = map fst (wantedInOrder wanted)
+        (read', rows') <- either (fail . show) pure (decodeCensus file)
+        read' `shouldBe` form
+        map stated rows' `shouldBe` map (statedOf wanted) entries
+        Lazy.toStrict (encodeCensus form (map rowText rows')) `shouldBe` file
   it "every byte replaced by every other byte is refused: by merge, and on continuing" $ do
     let wanted = wantedOf 2 1
         file = fileOf Checked wanted
-        changes = [(i, b) | i <- [0 .. Octets.length file - 1], b <- [minBound .. maxBound], b /= Octets.index file i]
+        changes =
+          [ (i, b)
+            | i <- [0 .. Octets.length file - 1],
+              b <- [minBound .. maxBound],
+              b /= Octets.index file i
+          ]
         replaced (i, b) = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
     length changes `shouldBe` 255 * Octets.length file
     filter (isRight . merge . replaced) changes `shouldBe` []
     filter (isRight . continue wanted . replaced) changes `shouldBe` []
-  it "every byte left out is refused, and every byte inserted; but an unfinished last line is continued" $ do
-    let wanted = wantedOf 2 1
-        file = fileOf Checked wanted
-        size = Octets.length file
-        without i = Octets.take i file <> Octets.drop (i + 1) file
-        inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
-        insertions = [(i, b) | i <- [0 .. size], b <- map (fromIntegral . fromEnum) (" ,\n0y" :: String)]
-    filter (isRight . merge . without) [0 .. size - 1] `shouldBe` []
-    filter (isRight . continue wanted . without) [0 .. size - 1] `shouldBe` [size - 1]
-    filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
-    -- A byte after the last end of line that begins no row.
-    filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
+  it
+    "every byte left out is refused, and every byte inserted; but an unfinished last line is \
+    \continued"
+    $ do
+      let wanted = wantedOf 2 1
+          file = fileOf Checked wanted
+          size = Octets.length file
+          without i = Octets.take i file <> Octets.drop (i + 1) file
+          inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
+          insertions =
+            [(i, b) | i <- [0 .. size], b <- map (fromIntegral . fromEnum) (" ,\n0y" :: String)]
+      filter (isRight . merge . without) [0 .. size - 1] `shouldBe` []
+      filter (isRight . continue wanted . without) [0 .. size - 1] `shouldBe` [size - 1]
+      filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
+      -- A byte after the last end of line that begins no row.
+      filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
   it "lines left out, swapped and repeated are refused" $ do
     let wanted = wantedOf 4 2
         file = Bytes.lines (fileOf Checked wanted)
         count = length file
         is = [1 .. count - 1]
-        changed = [take i file ++ drop (i + 1) file | i <- is] ++ [take (i + 1) file ++ drop i file | i <- is]
-          ++ [take i file ++ [file !! (i + 1), file !! i] ++ drop (i + 2) file | i <- is, i + 1 < count]
+        changed =
+          [take i file ++ drop (i + 1) file | i <- is]
+            ++ [take (i + 1) file ++ drop i file | i <- is]
+            ++ [ take i file ++ [file !! (i + 1), file !! i] ++ drop (i + 2) file
+                 | i <- is,
+                   i + 1 < count
+               ]
     forM_ changed $ \ls -> merge (Bytes.unlines ls) `shouldSatisfy` (not . isRight)
     -- Without its last line a file is unfinished.
-    [i | (i, ls) <- zip [1 ..] changed, isRight (continue wanted (Bytes.unlines ls))] `shouldBe` [count - 1]
+    [i | (i, ls) <- zip [1 ..] changed, isRight (continue wanted (Bytes.unlines ls))]
+      `shouldBe` [count - 1]
   it "cut off anywhere a file is refused by merge, and continued" $ do
     let wanted = wantedOf 4 2
         file = fileOf Checked wanted
@@ -77,9 +97,13 @@ spec = do
   it "of a larger file, any byte changed at random is refused" $ do
     let wanted = wantedOf 3 3
         file = fileOf Checked wanted
-    property $ forAllShrink (choose (0, Octets.length file - 1)) shrink $ \i -> forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
-      let changed = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
-       in counterexample (show (Octets.take 60 (Octets.drop (i - 30) changed))) (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
+    property $
+      forAllShrink (choose (0, Octets.length file - 1)) shrink $ \i ->
+        forAll (arbitrary `suchThat` (/= Octets.index file i)) $ \b ->
+          let changed = Octets.take i file <> Octets.cons b (Octets.drop (i + 1) file)
+           in counterexample
+                (show (Octets.take 60 (Octets.drop (i - 30) changed)))
+                (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
   it "no row of a census contradicts itself, with distances that are known and that are not" $ do
     forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
       let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]
@@ -87,60 +111,95 @@ spec = do
       [fault | Left fault <- found] `shouldBe` []
     let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
-  it "in an old file, a verdict that contradicts itself or the rest is refused, by the definition of the columns" $
-    forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
-  it "in an old file of standard windows, a row with another entry's number or of another census is refused" $ do
-    let wanted = wantedOf 4 2
-        file = Bytes.lines (fileOf Unchecked wanted)
-        renumbered i line = let fields = Bytes.split ',' line in Bytes.intercalate "," (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
-        swapped = take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
-    merge (Bytes.unlines file) `shouldBe` Right file
-    merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
-    continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
- where
-  stated one =
-    let (s, f) = (rowSubject one, rowFindings one)
-     in ( (Bytes.unpack (rowCensus one), rowEntry one, rowEntries one)
-        , (subjectPolynomial s, subjectFolding s, subjectShape s, subjectWindow s)
-        , (foundProved f, foundByEnumeration f, Just (foundByRank f), Just (foundRank f), Just (foundNeeded f))
-        , (Just (foundDifferent f), foundDistance f) )
-  statedOf wanted entry =
-    let verdict = either (error . show) id (entryVerdict entry)
-     in ( (censusName (wantedScope wanted), entryNumber entry, wantedEntries wanted)
-        , (entryPolynomial entry, entryFolding entry, entryShape entry, entryWindow entry)
-        , (proved verdict, enumeration verdict, rankRoad verdict, rank verdict, needed verdict)
-        , (distinctWindows verdict, either bounds (\d -> (distance d, Nothing)) (entryDistance entry)) )
-  bounds e = case e of
-    DistanceBetween low high -> (low, Just high)
-    TooManyCodewords _ -> error "no bounds"
-  -- The paper's array with a window of 2 x 3.
-  subject = Subject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
-  told = Findings True (Just True) True 4 4 255 255 (2, Nothing)
-  wrong =
-    [ (subject {subjectModulus = [1, 1]}, told, ["q", "modulus"])
-    , (subject {subjectOrder = 6}, told, ["q", "modulus"])
-    , (subject {subjectPolynomial = [0, 2, 1, 0, 1]}, told, ["q", "polynomial"])
-    , (subject {subjectPolynomial = [4, 2, 1, 0, 1]}, told, ["q", "polynomial"])
-    , (subject {subjectPolynomial = [3, 2, 1, 1]}, told, ["q", "polynomial", "shape"])
-    , (subject {subjectShape = Shape 15 16}, told, ["q", "polynomial", "shape"])
-    , (subject {subjectPolynomial = [3, 1], subjectShape = Shape 0 3}, told, ["q", "polynomial", "shape"])
-    , (subject {subjectPolynomial = [2, 0, 0, 0, 0, 0, 1], subjectShape = Shape 15 273}, told, ["folding", "shape"])
-    , (subject {subjectWindow = Shape 16 2}, told, ["shape", "window"])
-    , (subject {subjectWindow = Shape 0 3}, told, ["shape", "window"])
-    , (subject, told {foundWindows = 254}, ["shape", "windows"])
-    , (subject, told {foundNeeded = 3}, ["polynomial", "needed"])
-    , (subject, told {foundRank = 5}, ["window", "rank", "needed"])
-    , (subject, told {foundRank = 0}, ["window", "rank", "needed"])
-    , (subject, told {foundRank = 3}, ["rank_road", "rank", "needed"])
-    , (subject, told {foundByRank = False}, ["rank_road", "rank", "needed"])
-    , (subject, told {foundProved = False}, ["proved", "rank_road"])
-    , (subject, told {foundByEnumeration = Just False}, ["proved", "enumeration"])
-    , (subject, told {foundDifferent = 256}, ["rank", "needed", "different"])
-    , (subject, told {foundDistance = (0, Nothing)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {foundDistance = (4, Nothing)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {foundDistance = (3, Just 2)}, ["proved", "window", "needed", "distance"])
-    , (subject, told {foundProved = False, foundByRank = False, foundByEnumeration = Nothing, foundRank = 3, foundDifferent = 64}, ["proved", "window", "needed", "distance"])
-    ]
+  it
+    "in an old file, a verdict that contradicts itself or the rest is refused, by the definition \
+    \of the columns"
+    $ forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
+  it
+    "in an old file of standard windows, a row with another entry's number or of another census \
+    \is refused"
+    $ do
+      let wanted = wantedOf 4 2
+          file = Bytes.lines (fileOf Unchecked wanted)
+          renumbered i line =
+            let fields =
+                  Bytes.split ',' line
+             in Bytes.intercalate
+                  ","
+                  (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
+          swapped =
+            take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
+      merge (Bytes.unlines file) `shouldBe` Right file
+      merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+      continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+  where
+    stated one =
+      let (s, f) = (rowSubject one, rowFindings one)
+       in ( (Bytes.unpack (rowCensus one), rowEntry one, rowEntries one),
+            (subjectPolynomial s, subjectFolding s, subjectShape s, subjectWindow s),
+            ( foundProved f,
+              foundByEnumeration f,
+              Just (foundByRank f),
+              Just (foundRank f),
+              Just (foundNeeded f)
+            ),
+            (Just (foundDifferent f), foundDistance f)
+          )
+    statedOf wanted entry =
+      let verdict = either (error . show) id (entryVerdict entry)
+       in ( (censusName (wantedScope wanted), entryNumber entry, wantedEntries wanted),
+            (entryPolynomial entry, entryFolding entry, entryShape entry, entryWindow entry),
+            (proved verdict, enumeration verdict, rankRoad verdict, rank verdict, needed verdict),
+            ( distinctWindows verdict,
+              either bounds (\d -> (distance d, Nothing)) (entryDistance entry)
+            )
+          )
+    bounds e = case e of
+      DistanceBetween low high -> (low, Just high)
+      TooManyCodewords _ -> error "no bounds"
+    -- The paper's array with a window of 2 x 3.
+    subject = Subject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
+    told = Findings True (Just True) True 4 4 255 255 (2, Nothing)
+    wrong =
+      [ (subject {subjectModulus = [1, 1]}, told, ["q", "modulus"]),
+        (subject {subjectOrder = 6}, told, ["q", "modulus"]),
+        (subject {subjectPolynomial = [0, 2, 1, 0, 1]}, told, ["q", "polynomial"]),
+        (subject {subjectPolynomial = [4, 2, 1, 0, 1]}, told, ["q", "polynomial"]),
+        (subject {subjectPolynomial = [3, 2, 1, 1]}, told, ["q", "polynomial", "shape"]),
+        (subject {subjectShape = Shape 15 16}, told, ["q", "polynomial", "shape"]),
+        ( subject {subjectPolynomial = [3, 1], subjectShape = Shape 0 3},
+          told,
+          ["q", "polynomial", "shape"]
+        ),
+        ( subject {subjectPolynomial = [2, 0, 0, 0, 0, 0, 1], subjectShape = Shape 15 273},
+          told,
+          ["folding", "shape"]
+        ),
+        (subject {subjectWindow = Shape 16 2}, told, ["shape", "window"]),
+        (subject {subjectWindow = Shape 0 3}, told, ["shape", "window"]),
+        (subject, told {foundWindows = 254}, ["shape", "windows"]),
+        (subject, told {foundNeeded = 3}, ["polynomial", "needed"]),
+        (subject, told {foundRank = 5}, ["window", "rank", "needed"]),
+        (subject, told {foundRank = 0}, ["window", "rank", "needed"]),
+        (subject, told {foundRank = 3}, ["rank_road", "rank", "needed"]),
+        (subject, told {foundByRank = False}, ["rank_road", "rank", "needed"]),
+        (subject, told {foundProved = False}, ["proved", "rank_road"]),
+        (subject, told {foundByEnumeration = Just False}, ["proved", "enumeration"]),
+        (subject, told {foundDifferent = 256}, ["rank", "needed", "different"]),
+        (subject, told {foundDistance = (0, Nothing)}, ["proved", "window", "needed", "distance"]),
+        (subject, told {foundDistance = (4, Nothing)}, ["proved", "window", "needed", "distance"]),
+        (subject, told {foundDistance = (3, Just 2)}, ["proved", "window", "needed", "distance"]),
+        ( subject,
+          told
+            { foundProved = False,
+              foundByRank = False,
+              foundByEnumeration = Nothing,
+              foundRank = 3,
+              foundDifferent = 64
+            },
+          ["proved", "window", "needed", "distance"]
+        )
+      ]
 
 -- | The whole census of q and n.
 wantedOf :: Natural -> Natural -> Wanted
@@ -152,7 +211,8 @@ wantedOf q n = either (error . show) id $ do
 
 -- | Its file, as it is written.
 fileOf :: Form -> Wanted -> ByteString
-fileOf form wanted = Lazy.toStrict (encodeCensus form [body | (_, Right body) <- wantedInOrder wanted])
+fileOf form wanted =
+  Lazy.toStrict (encodeCensus form [body | (_, Right body) <- wantedInOrder wanted])
 
 -- | The lines that merge makes of a file, as the command does.
 merge :: ByteString -> Either String [ByteString]
@@ -167,5 +227,5 @@ continue :: Wanted -> ByteString -> Either CensusFileError Int
 continue wanted bytes
   | beginsHeader bytes = Right 0
   | otherwise = do
-      contents <- contentsOf bytes
-      keptCount <$> keptInOrder wanted bytes contents
+    contents <- contentsOf bytes
+    keptCount <$> keptInOrder wanted bytes contents

@@ -1,4 +1,3 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | An object that has a key twice is found, wherever it stands in a JSON text.
@@ -25,18 +24,41 @@ spec = do
         (text, repeatedKey text) `shouldBe` (text, Nothing)
         either (const False) (const True) (readJson text) `shouldBe` True
     it "is nothing for whatever aeson writes" $
-      property $ forAllShrink document shrunk $ \d -> repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
+      property $
+        forAllShrink document shrunk $ \d ->
+          repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
     it "finds the key that was repeated in any one object of a document" $
-      property $ forAllShrink (document `suchThat` (not . null . repetitions)) shrunk $ \d -> conjoin
-        [ counterexample text (repeatedKey (Text.encodeUtf8 (Text.pack text)) === Just (Text.pack name)) | (text, name) <- repetitions d ]
- where
-  twice =
-    [ ("{\"a\":1,\"a\":1}", "a"), ("{\"a\":1,\"b\":{\"a\":1},\"a\" \n\t\r:2}", "a"), ("[{\"b\":[{\"a\":1,\"a\":2}]}]", "a")
-    , ("{\"a\":1,\"\\u0061\":2}", "a"), ("{\"\\\"\":1,\"\\u0022\":2}", "\""), ("{\"\":1,\"\":2}", "")
-    , ("{\"\\\\\":1,\"x\":\"\\\\\",\"\\u005C\":2}", "\\"), ("{\"a\":[1,{\"a\":3}],\"c\":\"}\",\"a\":1}", "a") ]
-  single =
-    [ "{}", "[]", "1", "\"a\"", "[\"a\",\"a\"]", "{\"a\":\"a\",\"b\":\"a\"}", "{\"a\":{\"a\":{\"a\":1}}}", "[{\"a\":1},{\"a\":1}]"
-    , "{\"a\":\"\\\"a\\\":\",\"b\":\"{\\\"b\\\":1}\"}", "{\"a\":1,\"A\":2}" ]
+      property $
+        forAllShrink (document `suchThat` (not . null . repetitions)) shrunk $ \d ->
+          conjoin
+            [ counterexample
+                text
+                (repeatedKey (Text.encodeUtf8 (Text.pack text)) === Just (Text.pack name))
+              | (text, name) <- repetitions d
+            ]
+  where
+    twice =
+      [ ("{\"a\":1,\"a\":1}", "a"),
+        ("{\"a\":1,\"b\":{\"a\":1},\"a\" \n\t\r:2}", "a"),
+        ("[{\"b\":[{\"a\":1,\"a\":2}]}]", "a"),
+        ("{\"a\":1,\"\\u0061\":2}", "a"),
+        ("{\"\\\"\":1,\"\\u0022\":2}", "\""),
+        ("{\"\":1,\"\":2}", ""),
+        ("{\"\\\\\":1,\"x\":\"\\\\\",\"\\u005C\":2}", "\\"),
+        ("{\"a\":[1,{\"a\":3}],\"c\":\"}\",\"a\":1}", "a")
+      ]
+    single =
+      [ "{}",
+        "[]",
+        "1",
+        "\"a\"",
+        "[\"a\",\"a\"]",
+        "{\"a\":\"a\",\"b\":\"a\"}",
+        "{\"a\":{\"a\":{\"a\":1}}}",
+        "[{\"a\":1},{\"a\":1}]",
+        "{\"a\":\"\\\"a\\\":\",\"b\":\"{\\\"b\\\":1}\"}",
+        "{\"a\":1,\"A\":2}"
+      ]
 
 -- | A JSON document whose objects keep their order.
 data Document = Text' String | List [Document] | Fields [(String, Document)]
@@ -44,22 +66,27 @@ data Document = Text' String | List [Document] | Fields [(String, Document)]
 
 document :: Gen Document
 document = sized go
- where
-  go size
-    | size <= 1 = Text' <$> word
-    | otherwise = oneof
-        [ Text' <$> word
-        , List <$> (choose (0, 3) >>= \n -> vectorOf n (go (size `div` 3)))
-        , Fields . distinct <$> (choose (0, 4) >>= \n -> vectorOf n ((,) <$> word <*> go (size `div` 3))) ]
-  word = choose (0, 3) >>= \n -> vectorOf n (elements "ab\"\\{}[]:,\n\233")
-  distinct fields = [(k, d) | (i, (k, d)) <- zip [0 :: Int ..] fields, k `notElem` map fst (take i fields)]
+  where
+    go size
+      | size <= 1 = Text' <$> word
+      | otherwise =
+        oneof
+          [ Text' <$> word,
+            List <$> (choose (0, 3) >>= \n -> vectorOf n (go (size `div` 3))),
+            Fields . distinct
+              <$> (choose (0, 4) >>= \n -> vectorOf n ((,) <$> word <*> go (size `div` 3)))
+          ]
+    word = choose (0, 3) >>= \n -> vectorOf n (elements "ab\"\\{}[]:,\n\233")
+    distinct fields =
+      [(k, d) | (i, (k, d)) <- zip [0 :: Int ..] fields, k `notElem` map fst (take i fields)]
 
 -- | Its parts, and itself with fewer or smaller ones.
 shrunk :: Document -> [Document]
 shrunk d = case d of
   Text' text -> map Text' (shrinkList (const []) text)
   List ds -> ds ++ map List (shrinkList shrunk ds)
-  Fields fields -> map snd fields ++ map Fields (shrinkList (\(k, v) -> map ((,) k) (shrunk v)) fields)
+  Fields fields ->
+    map snd fields ++ map Fields (shrinkList (\(k, v) -> map ((,) k) (shrunk v)) fields)
 
 valueOf :: Document -> Value
 valueOf d = case d of
@@ -71,13 +98,19 @@ valueOf d = case d of
 repetitions :: Document -> [(String, String)]
 repetitions d = case d of
   Text' _ -> []
-  List ds -> [("[" ++ intercalate "," (replacing i text (map written ds)) ++ "]", k) | (i, d') <- zip [0 ..] ds, (text, k) <- repetitions d']
+  List ds ->
+    [ ("[" ++ intercalate "," (replacing i text (map written ds)) ++ "]", k)
+      | (i, d') <- zip [0 ..] ds,
+        (text, k) <- repetitions d'
+    ]
   Fields fields ->
     [(braced (map pair fields ++ [pair (k, Text' "again")]), k) | (k, _) <- fields]
       ++ [ (braced (replacing i (quoted k ++ ":" ++ text) (map pair fields)), k')
-         | (i, (k, v)) <- zip [0 ..] fields, (text, k') <- repetitions v ]
- where
-  replacing i new items = [if i == j then new else item | (j, item) <- zip [0 :: Int ..] items]
+           | (i, (k, v)) <- zip [0 ..] fields,
+             (text, k') <- repetitions v
+         ]
+  where
+    replacing i new items = [if i == j then new else item | (j, item) <- zip [0 :: Int ..] items]
 
 written :: Document -> String
 written d = case d of

@@ -1,12 +1,12 @@
 -- | Census files and shards under hostile inputs.
 module Test.Hostile.Census
-  ( judgedCensus
-  , judgedShard
-  ) where
+  ( judgedCensus,
+    judgedShard,
+  )
+where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes8
-
 import Message.Census
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Merge
@@ -21,7 +21,7 @@ judgedCensus = mergedWith []
 
 -- | The even entries of a census, merged with its odd ones.
 judgedShard :: ByteString -> Judged
-judgedShard = mergedWith [ odds | Right odds <- map (shardOf "odd.csv") (drop 1 shards) ]
+judgedShard = mergedWith [odds | Right odds <- map (shardOf "odd.csv") (drop 1 shards)]
 
 shardOf :: FilePath -> ByteString -> Either CensusFileError Shard
 shardOf file bytes = do
@@ -34,11 +34,15 @@ mergedWith others bytes = case shardOf file bytes of
   Left why -> Refused (censusFileMessage file why)
   Right given -> case mergeShards (given : others) of
     Left why -> Refused (mergeMessage why)
-    Right (form, merged) -> Accepted
-      [ ("every row is an original one", form == Unchecked || all ((`elem` originals) . inForm Checked . rowText) merged)
-      , ("its entries are 0, 1, 2, ...", map rowEntry merged == zipWith const [0 ..] merged)
-      , ("all entries are there", all ((== length merged) . fromIntegral . rowEntries) merged) ]
-      (show merged)
+    Right (form, merged) ->
+      Accepted
+        [ ( "every row is an original one",
+            form == Unchecked || all ((`elem` originals) . inForm Checked . rowText) merged
+          ),
+          ("its entries are 0, 1, 2, ...", map rowEntry merged == zipWith const [0 ..] merged),
+          ("all entries are there", all ((== length merged) . fromIntegral . rowEntries) merged)
+        ]
+        (show merged)
   where
     file = "given.csv"
     originals = concatMap Bytes8.lines (censuses ++ shards)

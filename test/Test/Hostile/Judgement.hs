@@ -1,18 +1,18 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | What is asked of every answer to a hostile input: that there is one, soon, in little memory, in words of our own; and of
--- what was accepted, that the laws hold that hold for valid inputs.
+-- | What is asked of every answer to a hostile input: that there is one, soon, in little memory, in
+-- words of our own; and of what was accepted, that the laws hold that hold for valid inputs.
 module Test.Hostile.Judgement
-  ( Judged (..)
-  , judgedBy
-  , internals
-  , shareOf
-  ) where
+  ( Judged (..),
+    judgedBy,
+    internals,
+    shareOf,
+  )
+where
 
 import Control.Concurrent (forkIO, killThread, threadDelay)
 import Control.Exception
 import Control.Monad (forever)
-import Data.Int (Int64)
 import Data.IORef (modifyIORef', newIORef, readIORef)
+import Data.Int (Int64)
 import Data.List (isInfixOf)
 import GHC.Conc (disableAllocationLimit, enableAllocationLimit, setAllocationCounter)
 import GHC.Stats (gc, gcdetails_live_bytes, getRTSStats)
@@ -21,24 +21,30 @@ import System.Mem (performMajorGC)
 import System.Timeout (timeout)
 import Test.QuickCheck
 import Text.Read (readMaybe)
-
 import Visible
 
 -- | What became of an input.
 data Judged
-  = Refused String                       -- ^ for this reason
-  | Accepted [(String, Bool)] String     -- ^ with laws by name, and everything that may be printed of it
+  = -- | for this reason
+    Refused String
+  | -- | with laws by name, and everything that may be printed of it
+    Accepted [(String, Bool)] String
   deriving stock (Eq, Show)
 
--- | That the answer comes within two seconds and less than 300 MB of memory, whatever is looked at of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
+-- | That the answer comes within two seconds and less than 300 MB of memory, whatever is looked at
+-- of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
 judgedBy :: Judged -> Property
 judgedBy answer = ioProperty $ do
   outcome <- withinBounds (weight answer)
   pure $ case (outcome, answer) of
     (Left problem, _) -> counterexample problem False
     (Right _, Refused why) -> classify True "refused" (oneLine why)
-    (Right _, Accepted laws said) -> classify True "accepted" $ conjoin
-      (counterexample said (withoutInternals said) : [ counterexample ("not: " ++ law) holds | (law, holds) <- laws ])
+    (Right _, Accepted laws said) ->
+      classify True "accepted" $
+        conjoin
+          ( counterexample said (withoutInternals said) :
+              [counterexample ("not: " ++ law) holds | (law, holds) <- laws]
+          )
 
 -- | All characters that an answer has, so that nothing of it is left unevaluated.
 weight :: Judged -> Int
@@ -53,14 +59,20 @@ withinBounds value = (quickly `catch` \AllocationLimitExceeded -> watched) `catc
       setAllocationCounter most
       enableAllocationLimit
       ended <$> (timeout 2000000 (evaluate value) `finally` disableAllocationLimit)
-    -- So much was allocated, but perhaps freed again: go on, and look every now and then at what lives.
+    -- So much was allocated, but perhaps freed again: go on, and look every now and then at what
+    -- lives.
     watched = do
       before <- alive
       greatest <- newIORef before
-      watcher <- forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
+      watcher <-
+        forkIO (forever (alive >>= \now -> modifyIORef' greatest (max now) >> threadDelay 20000))
       found <- timeout 5000000 (evaluate value) `finally` killThread watcher
       used <- subtract before <$> readIORef greatest
-      pure (if used > most then Left ("memory of " ++ show used ++ " bytes was taken") else ended found)
+      pure
+        ( if used > most
+            then Left ("memory of " ++ show used ++ " bytes was taken")
+            else ended found
+        )
     alive = performMajorGC >> (fromIntegral . gcdetails_live_bytes . gc <$> getRTSStats)
     most = 300 * 1000 * 1000 :: Int64
     ended = maybe (Left "there was no answer in time") Right
@@ -70,32 +82,89 @@ withinBounds value = (quickly `catch` \AllocationLimitExceeded -> watched) `catc
       Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
 
 oneLine :: String -> Property
-oneLine why = counterexample (show why) $
-  conjoin
-    [ counterexample "it is empty" (not (null why))
-    , counterexample "it is more than a line" (length (lines (visibleLine why)) == 1)
-    , counterexample "it is too long" (length (visibleLine why) <= 2200)
-    , withoutInternals why ]
+oneLine why =
+  counterexample (show why) $
+    conjoin
+      [ counterexample "it is empty" (not (null why)),
+        counterexample "it is more than a line" (length (lines (visibleLine why)) == 1),
+        counterexample "it is too long" (length (visibleLine why) <= 2200),
+        withoutInternals why
+      ]
 
 withoutInternals :: String -> Property
-withoutInternals said = conjoin [ counterexample ("it says " ++ show word) False | word <- internals, word `isInfixOf` said ]
+withoutInternals said =
+  conjoin
+    [counterexample ("it says " ++ show word) False | word <- internals, word `isInfixOf` said]
 
--- | Words that GHC, its runtime system and the libraries used here say of their own failures, and that mean nothing to a user.
+-- | Words that GHC, its runtime system and the libraries used here say of their own failures, and
+-- that mean nothing to a user.
 internals :: [String]
 internals =
-  [ "openBinaryFile", "openFile:", "withBinaryFile", "withFile", "hClose", "hGetBuf", "hPutBuf", "hGetContents", "commitBuffer"
-  , "invalid byte sequence", "user error", "CallStack", "Prelude.", "fromJust", "Non-exhaustive", "Irrefutable", "no parse"
-  , "arithmetic overflow", "arithmetic underflow", "divide by zero", "stack overflow", "Heap exhausted", "heap overflow"
-  , "maximum heap size", "-rtsopts", "<<loop>>", "thread blocked", "bad argument", "index out of bounds", "index too large"
-  , "PersistMarshalError", "SqliteException", "Failed to parse Haskell type", "persistent", "keyOrFail", "Error in $"
-  , "parsing Natural", "parsing Double", "parse error", "encountered Object", "encountered Array", "encountered String"
-  , "expected Array", "but encountered", "endOfInput", "attoparsec", "not enough input", "Failed reading", "conversion error"
-  , "expected Double", "cannot unpack", "Cannot decode", "inconsistent dimensions", "Data.Text", "Data.Vector", "Data.Map"
-  , "Data.Aeson", "./Data/", "ExitFailure", "this should not have happened" ]
+  [ "openBinaryFile",
+    "openFile:",
+    "withBinaryFile",
+    "withFile",
+    "hClose",
+    "hGetBuf",
+    "hPutBuf",
+    "hGetContents",
+    "commitBuffer",
+    "invalid byte sequence",
+    "user error",
+    "CallStack",
+    "Prelude.",
+    "fromJust",
+    "Non-exhaustive",
+    "Irrefutable",
+    "no parse",
+    "arithmetic overflow",
+    "arithmetic underflow",
+    "divide by zero",
+    "stack overflow",
+    "Heap exhausted",
+    "heap overflow",
+    "maximum heap size",
+    "-rtsopts",
+    "<<loop>>",
+    "thread blocked",
+    "bad argument",
+    "index out of bounds",
+    "index too large",
+    "PersistMarshalError",
+    "SqliteException",
+    "Failed to parse Haskell type",
+    "persistent",
+    "keyOrFail",
+    "Error in $",
+    "parsing Natural",
+    "parsing Double",
+    "parse error",
+    "encountered Object",
+    "encountered Array",
+    "encountered String",
+    "expected Array",
+    "but encountered",
+    "endOfInput",
+    "attoparsec",
+    "not enough input",
+    "Failed reading",
+    "conversion error",
+    "expected Double",
+    "cannot unpack",
+    "Cannot decode",
+    "inconsistent dimensions",
+    "Data.Text",
+    "Data.Vector",
+    "Data.Map",
+    "Data.Aeson",
+    "./Data/",
+    "ExitFailure",
+    "this should not have happened"
+  ]
 
--- | A count in thousandths of all hostile inputs, of which there are 100 000 unless PRA_TACTILE_HOSTILE says how many.
+-- | A count in thousandths of all hostile inputs, of which there are 100 000 unless
+-- PRA_TACTILE_HOSTILE says how many.
 shareOf :: Int -> IO Int
 shareOf thousandths = do
   given <- lookupEnv "PRA_TACTILE_HOSTILE"
   pure (max 1 (maybe 100000 (max 1) (given >>= readMaybe) * thousandths `div` 1000))
-

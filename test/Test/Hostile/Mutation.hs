@@ -1,24 +1,26 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | Inputs that mean ill: a valid specimen with a few mutations, or none of it. What is drawn is the list of mutations, so that a
--- failure shrinks to the one that matters.
-module Test.Hostile.Mutation
-  ( Hostile (..)
-  , hostile
-  , lessHostile
-  , specimenOf
-  , Mutation (..)
-  , mutated
-    -- * What stands where a number should
-  , hostileNumbers
-  , hostileWords
-  , longest
-  ) where
 
+-- | Inputs that mean ill: a valid specimen with a few mutations, or none of it. What is drawn is
+-- the list of mutations, so that a failure shrinks to the one that matters.
+module Test.Hostile.Mutation
+  ( Hostile (..),
+    hostile,
+    lessHostile,
+    specimenOf,
+    Mutation (..),
+    mutated,
+
+    -- * What stands where a number should
+    hostileNumbers,
+    hostileWords,
+    longest,
+  )
+where
+
+import Data.Bits (xor)
+import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
-import Data.ByteString (ByteString)
-import Data.Bits (xor)
 import Data.Char (isAlphaNum, isDigit)
 import Data.Word (Word8)
 import Test.Hostile.Structure
@@ -27,48 +29,63 @@ import Test.QuickCheck
 -- | An input, by how it is made.
 data Hostile
   = Garbage ByteString
-  | Mutated Int [Mutation]   -- ^ of the specimen with this index, one after the other
+  | -- | of the specimen with this index, one after the other
+    Mutated Int [Mutation]
   deriving stock (Eq, Show)
 
 -- | A change of bytes. Places are taken modulo what there is.
 data Mutation
-  = Flip Int Word8                 -- ^ bits of the byte there
+  = -- | bits of the byte there
+    Flip Int Word8
   | Insert Int ByteString
-  | Delete Int Int                 -- ^ from there so many bytes
+  | -- | from there so many bytes
+    Delete Int Int
   | CutOff Int
-  | Repeat Int Int Int             -- ^ the bytes from there, so many, so often again
+  | -- | the bytes from there, so many, so often again
+    Repeat Int Int Int
   | SwapTokens Int Int
-  | ReplaceToken Int ByteString    -- ^ a run of letters and digits
-  | ReplaceNumber Int ByteString   -- ^ a run of digits
-  | LineEnds                       -- ^ LF becomes CR LF
-  | Structural Int Change          -- ^ of JSON
+  | -- | a run of letters and digits
+    ReplaceToken Int ByteString
+  | -- | a run of digits
+    ReplaceNumber Int ByteString
+  | -- | LF becomes CR LF
+    LineEnds
+  | -- | of JSON
+    Structural Int Change
   deriving stock (Eq, Show)
 
 -- | Mutations of so many specimens, mostly a few; one in ten is garbage.
 hostile :: Int -> Gen Hostile
-hostile specimens = frequency
-  [ (1, Garbage <$> garbage)
-  , (9, Mutated <$> choose (0, specimens - 1) <*> (several >>= \n -> vectorOf n mutation)) ]
-  where several = frequency [(1, pure 0), (6, pure 1), (6, choose (2, 4)), (1, choose (5, 12))]
+hostile specimens =
+  frequency
+    [ (1, Garbage <$> garbage),
+      (9, Mutated <$> choose (0, specimens - 1) <*> (several >>= \n -> vectorOf n mutation))
+    ]
+  where
+    several = frequency [(1, pure 0), (6, pure 1), (6, choose (2, 4)), (1, choose (5, 12))]
 
 garbage :: Gen ByteString
-garbage = oneof
-  [ Bytes.pack <$> listOf arbitrary
-  , Bytes8.pack <$> listOf (elements "0123456789.,:;/-+eE \n\r\t\"[]{}?AxP#\\\0")
-  , Bytes.concat <$> listOf (elements (hostileNumbers ++ hostileWords ++ [",", " ", "\n"])) ]
+garbage =
+  oneof
+    [ Bytes.pack <$> listOf arbitrary,
+      Bytes8.pack <$> listOf (elements "0123456789.,:;/-+eE \n\r\t\"[]{}?AxP#\\\0"),
+      Bytes.concat <$> listOf (elements (hostileNumbers ++ hostileWords ++ [",", " ", "\n"]))
+    ]
 
 mutation :: Gen Mutation
-mutation = frequency
-  [ (3, Flip <$> place <*> arbitrary)
-  , (3, Insert <$> place <*> elements hostileWords)
-  , (2, Delete <$> place <*> short)
-  , (1, CutOff <$> place)
-  , (1, Repeat <$> place <*> short <*> frequency [(8, choose (1, 3)), (1, choose (4, 2000))])
-  , (2, SwapTokens <$> place <*> place)
-  , (4, ReplaceToken <$> place <*> elements (hostileNumbers ++ hostileWords))
-  , (5, ReplaceNumber <$> place <*> elements hostileNumbers)
-  , (1, pure LineEnds)
-  , (6, Structural <$> place <*> change (hostileNumbers ++ hostileWords)) ]
+mutation =
+  frequency
+    [ (3, Flip <$> place <*> arbitrary),
+      (3, Insert <$> place <*> elements hostileWords),
+      (2, Delete <$> place <*> short),
+      (1, CutOff <$> place),
+      (1, Repeat <$> place <*> short <*> frequency [(8, choose (1, 3)), (1, choose (4, 2000))]),
+      (2, SwapTokens <$> place <*> place),
+      (4, ReplaceToken <$> place <*> elements (hostileNumbers ++ hostileWords)),
+      (5, ReplaceNumber <$> place <*> elements hostileNumbers),
+      (1, pure LineEnds),
+      (6, Structural <$> place <*> change (hostileNumbers ++ hostileWords))
+    ]
   where
     place = choose (0, 65535)
     short = frequency [(6, choose (1, 4)), (2, choose (5, 80)), (1, choose (81, 4000))]
@@ -81,8 +98,9 @@ lessHostile given = case given of
   where
     gentler m = case m of
       Repeat at count times ->
-        [ Repeat at count' times | count' <- shrink count ] ++ [ Repeat at count times' | times' <- shrink times ]
-      Delete at count -> [ Delete at count' | count' <- shrink count ]
+        [Repeat at count' times | count' <- shrink count]
+          ++ [Repeat at count times' | times' <- shrink times]
+      Delete at count -> [Delete at count' | count' <- shrink count]
       _ -> []
 
 -- | The bytes of an input that is made of these specimens.
@@ -103,11 +121,23 @@ mutated how bytes = Bytes.take longest $ case how of
   Delete i count -> replaced i count ""
   CutOff i -> before i
   Repeat i count times ->
-    replaced i 0 (Bytes.concat (replicate (min times (longest `div` max 1 count)) (Bytes.take count (after i))))
+    replaced
+      i
+      0
+      ( Bytes.concat
+          (replicate (min times (longest `div` max 1 count)) (Bytes.take count (after i)))
+      )
   SwapTokens i j -> swapped i j (Bytes8.groupBy together bytes)
-  ReplaceToken i given -> Bytes.concat (substituted i (isAlphaNum . firstOf) given (Bytes8.groupBy together bytes))
+  ReplaceToken i given ->
+    Bytes.concat (substituted i (isAlphaNum . firstOf) given (Bytes8.groupBy together bytes))
   ReplaceNumber i given ->
-    Bytes.concat (substituted i (isDigit . firstOf) given (Bytes8.groupBy (\a b -> isDigit a && isDigit b) bytes))
+    Bytes.concat
+      ( substituted
+          i
+          (isDigit . firstOf)
+          given
+          (Bytes8.groupBy (\a b -> isDigit a && isDigit b) bytes)
+      )
   LineEnds -> Bytes.intercalate "\r\n" (Bytes8.split '\n' bytes)
   Structural i how' -> restructured i how' bytes
   where
@@ -121,10 +151,11 @@ mutated how bytes = Bytes.take longest $ case how of
     swapped i j parts =
       let n = max 1 (length parts)
           pick k = Bytes.concat (take 1 (drop (k `mod` n) parts))
-          other k part | k == i `mod` n = pick j
-                       | k == j `mod` n = pick i
-                       | otherwise = part
-      in Bytes.concat (zipWith other [0 ..] parts)
+          other k part
+            | k == i `mod` n = pick j
+            | k == j `mod` n = pick i
+            | otherwise = part
+       in Bytes.concat (zipWith other [0 ..] parts)
 
 -- | The list with one of its items that are so replaced.
 substituted :: Int -> (a -> Bool) -> a -> [a] -> [a]
@@ -135,23 +166,131 @@ substituted i such given items = go (i `mod` max 1 (length (filter such items)))
       | such item = if k == 0 then given : others else item : go (k - 1) others
       | otherwise = item : go k others
 
--- | What is not the number wanted: at the edges of machine words, of any size, in forms of other languages, none at all.
+-- | What is not the number wanted: at the edges of machine words, of any size, in forms of other
+-- languages, none at all.
 hostileNumbers :: [ByteString]
 hostileNumbers =
-  [ "0", "-1", "1", "2", "3", "4", "9", "16", "64", "255", "256", "65535", "65536", "16777217"
-  , "2147483647", "2147483648", "4294967296", "9007199254740993", "9223372036854775807", "9223372036854775808", "-9223372036854775809", "18446744073709551616"
-  , "1" <> Bytes8.replicate 400 '0', Bytes8.replicate 20000 '9', "00000000000000000000000000000001"
-  , "0.1", "0.5", "1.0", "-0", "-0.0", "1e5", "1e308", "1e309", "1e400", "1e-400"
-  , "1e1000000000", "1e-1000000000", "1E99999999999999999999"
-  , "0.", ".5", "1e", "+1", " 1", "1 ", "1_000", "0x10", "0b1", "0o7", "1f", "(1)", "1,0", "\xd9\xa3", ""
-  , "NaN", "nan", "Infinity", "-inf" ]
+  [ "0",
+    "-1",
+    "1",
+    "2",
+    "3",
+    "4",
+    "9",
+    "16",
+    "64",
+    "255",
+    "256",
+    "65535",
+    "65536",
+    "16777217",
+    "2147483647",
+    "2147483648",
+    "4294967296",
+    "9007199254740993",
+    "9223372036854775807",
+    "9223372036854775808",
+    "-9223372036854775809",
+    "18446744073709551616",
+    "1" <> Bytes8.replicate 400 '0',
+    Bytes8.replicate 20000 '9',
+    "00000000000000000000000000000001",
+    "0.1",
+    "0.5",
+    "1.0",
+    "-0",
+    "-0.0",
+    "1e5",
+    "1e308",
+    "1e309",
+    "1e400",
+    "1e-400",
+    "1e1000000000",
+    "1e-1000000000",
+    "1E99999999999999999999",
+    "0.",
+    ".5",
+    "1e",
+    "+1",
+    " 1",
+    "1 ",
+    "1_000",
+    "0x10",
+    "0b1",
+    "0o7",
+    "1f",
+    "(1)",
+    "1,0",
+    "\xd9\xa3",
+    "",
+    "NaN",
+    "nan",
+    "Infinity",
+    "-inf"
+  ]
 
 -- | Words of other formats, brackets left open, and bytes that are no text.
 hostileWords :: [ByteString]
 hostileWords =
-  [ "A", "A^2", "A^-1", "A^99999999999999999999", "?", "null", "true", "\"", "\"\"", "\"1\"", "[", "]", "[]", "{", "}", "{}"
-  , "[[", ":", ";", ",", "/", "//", "#", "# comment\n", ".", "-", "\\", "\\u0000", "\\ud800", "x", "15x17", "2x2", "torus"
-  , "yes", "P2", "P5", "P6", "\n", "\r\n", "\r", "\n\n", "\t", " ", "\0", "\xef\xbb\xbf", "\xff\xfe", "\xff", "\xc0\x80"
-  , "\xed\xa0\x80", "\xe2\x80\xa8", "\x1b[31m", "=1+1", "%s%n", "$(id)", "--", "<?xml?>"
-  , Bytes8.replicate 3000 '[', Bytes8.replicate 3000 '{', Bytes8.replicate 5000 'x', Bytes8.replicate 2000 '/'
-  , Bytes.concat (replicate 1000 "{\"a\":") ]
+  [ "A",
+    "A^2",
+    "A^-1",
+    "A^99999999999999999999",
+    "?",
+    "null",
+    "true",
+    "\"",
+    "\"\"",
+    "\"1\"",
+    "[",
+    "]",
+    "[]",
+    "{",
+    "}",
+    "{}",
+    "[[",
+    ":",
+    ";",
+    ",",
+    "/",
+    "//",
+    "#",
+    "# comment\n",
+    ".",
+    "-",
+    "\\",
+    "\\u0000",
+    "\\ud800",
+    "x",
+    "15x17",
+    "2x2",
+    "torus",
+    "yes",
+    "P2",
+    "P5",
+    "P6",
+    "\n",
+    "\r\n",
+    "\r",
+    "\n\n",
+    "\t",
+    " ",
+    "\0",
+    "\xef\xbb\xbf",
+    "\xff\xfe",
+    "\xff",
+    "\xc0\x80",
+    "\xed\xa0\x80",
+    "\xe2\x80\xa8",
+    "\x1b[31m",
+    "=1+1",
+    "%s%n",
+    "$(id)",
+    "--",
+    "<?xml?>",
+    Bytes8.replicate 3000 '[',
+    Bytes8.replicate 3000 '{',
+    Bytes8.replicate 5000 'x',
+    Bytes8.replicate 2000 '/',
+    Bytes.concat (replicate 1000 "{\"a\":")
+  ]

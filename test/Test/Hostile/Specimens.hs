@@ -1,28 +1,29 @@
 {-# LANGUAGE OverloadedStrings #-}
+
 -- | Valid inputs of every kind, small, as the library writes them.
 module Test.Hostile.Specimens
-  ( pgms
-  , manifests
-  , patches
-  , certificates
-  , censuses
-  , shards
-  , profiles
-  , grids
-  , networks
-  , drawings
-  ) where
+  ( pgms,
+    manifests,
+    patches,
+    certificates,
+    censuses,
+    shards,
+    profiles,
+    grids,
+    networks,
+    drawings,
+  )
+where
 
 import Codec.Picture (Image (..))
+import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
-import Data.ByteString (ByteString)
 import Data.Either (rights)
 import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as Storable
 import Numeric.LinearAlgebra (reshape)
 import Numeric.Natural (Natural)
-
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
@@ -39,9 +40,13 @@ import PraTactile.Window (rectangle)
 
 -- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
 pgms :: [ByteString]
-pgms = ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
-  [ encodePgm format image
-  | (w, h) <- [(5, 3), (16, 16)], format <- [Plain, Binary], image <- rights [eight w h, sixteen w h] ]
+pgms =
+  ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
+    [ encodePgm format image
+      | (w, h) <- [(5, 3), (16, 16)],
+        format <- [Plain, Binary],
+        image <- rights [eight w h, sixteen w h]
+    ]
   where
     eight w h = pgm8 255 (Image w h (Storable.generate (w * h) (fromIntegral . (* 7))))
     sixteen w h = pgm16 65535 (Image w h (Storable.generate (w * h) (fromIntegral . (* 257))))
@@ -49,25 +54,44 @@ pgms = ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
 -- | Manifests of three frames.
 manifests :: [ByteString]
 manifests =
-  [ renderManifest [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5 | i <- [0 .. 2 :: Int] ]
-  , "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n" ]
+  [ renderManifest
+      [ Entry ("frame_00" ++ show i ++ ".pgm") (Pose (12.7 * fromIntegral i) (-3.25) 0) 1.5
+        | i <- [0 .. 2 :: Int]
+      ],
+    "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\"a, \
+    \b.pgm\",0,1e1,90,2\r\n\r\n\"c\"\".pgm\",-1.5,2,3,4\r\n"
+  ]
 
 -- | Patches as text and as JSON, alone and several, of symbols and of probabilities.
 patches :: [ByteString]
 patches =
-  [ "3 2 / 3 1", "A^2 A / A^2 1", "3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2", "3 2 / 3 1 ; 0,3: 1 1 / 1 1", "[[3, 2], [3, null]]"
-  , "[[[0,0,0.1,0.9], 2], [\"A^2\", \"?\"]]"
-  , "{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": [0, 3], \"cells\": [[1, 1], [1, 1]]}]}"
-  , "{\"patches\": [{\"cells\": [[[0,0,0.1,0.9], 2], [3, 1]]}, {\"at\": [-1, 3], \"cells\": [[1, 1]]}]}" ]
+  [ "3 2 / 3 1",
+    "A^2 A / A^2 1",
+    "3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2",
+    "3 2 / 3 1 ; 0,3: 1 1 / 1 1",
+    "[[3, 2], [3, null]]",
+    "[[[0,0,0.1,0.9], 2], [\"A^2\", \"?\"]]",
+    "{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": [0, 3], \"cells\": \
+    \[[1, 1], [1, 1]]}]}",
+    "{\"patches\": [{\"cells\": [[[0,0,0.1,0.9], 2], [3, 1]]}, {\"at\": [-1, 3], \"cells\": [[1, \
+    \1]]}]}"
+  ]
 
 -- | Certificates by rank and by enumeration, of a small array and of the paper's.
 certificates :: [ByteString]
 certificates =
   [ encodeCertificate found
-  | (road, Right given) <-
-      [(RankRoad, smallProfile), (EnumerationRoad, smallProfile), (RankRoad, Right canonicalProfile), (EnumerationRoad, Right onSheet)]
-  , Right mask <- [rectangle (profileWindow given)], Right found <- [certify road given mask] ]
-  where onSheet = canonicalProfile { profileSurface = Sheet }
+    | (road, Right given) <-
+        [ (RankRoad, smallProfile),
+          (EnumerationRoad, smallProfile),
+          (RankRoad, Right canonicalProfile),
+          (EnumerationRoad, Right onSheet)
+        ],
+      Right mask <- [rectangle (profileWindow given)],
+      Right found <- [certify road given mask]
+  ]
+  where
+    onSheet = canonicalProfile {profileSurface = Sheet}
 
 -- | Over GF(2), of 3 x 5 cells, with windows of 2 x 2.
 smallProfile :: Either ProfileError Profile
@@ -75,7 +99,7 @@ smallProfile = chooseProfile 2 Nothing [1, 1, 0, 0, 1] (Shape 3 5) Nothing Nothi
 
 -- | The censuses of the arrays of 7 cells over GF(2) and of 8 over GF(3).
 censuses :: [ByteString]
-censuses = concat [ censusOf q n (const True) | (q, n) <- [(2, 3), (3, 2)] ]
+censuses = concat [censusOf q n (const True) | (q, n) <- [(2, 3), (3, 2)]]
 
 -- | The first of these in two shards.
 shards :: [ByteString]
@@ -83,24 +107,36 @@ shards = concatMap (censusOf 2 3) [even, odd]
 
 censusOf :: Natural -> Natural -> (Natural -> Bool) -> [ByteString]
 censusOf q n wanted =
-  [ Bytes8.unlines (headerOf Checked : map (inForm Checked) (rights (map (rowBody scope entries) found)))
-  | Right scope <- [standardScope q n], Right entries <- [censusSize scope], Right found <- [census wanted scope] ]
+  [ Bytes8.unlines
+      (headerOf Checked : map (inForm Checked) (rights (map (rowBody scope entries) found)))
+    | Right scope <- [standardScope q n],
+      Right entries <- [censusSize scope],
+      Right found <- [census wanted scope]
+  ]
 
 -- | Profiles of the paper's array, of a small one, and of one that is laid row by row.
 profiles :: [ByteString]
-profiles = map encodeProfile (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
+profiles =
+  map
+    encodeProfile
+    (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
 
 -- | Arrays as CSV.
 grids :: [ByteString]
 grids =
-  [ "0,1,1\n1,0,1\n0,0,1\n", "0, 1 ,2,3\r\n3,2,1,0\r\n", "\xef\xbb\xbf\&7\n255\n\n"
-  , Bytes.concat (replicate 12 "0,1,2,3,0,2,1,3,1\n") ]
+  [ "0,1,1\n1,0,1\n0,0,1\n",
+    "0, 1 ,2,3\r\n3,2,1,0\r\n",
+    "\xef\xbb\xbf\&7\n255\n\n",
+    Bytes.concat (replicate 12 "0,1,2,3,0,2,1,3,1\n")
+  ]
 
 -- | A network of one hidden unit and two outputs.
 networks :: [ByteString]
-networks = [ encodeUtf8 (renderNetwork found) | Right found <- [network (weights 1 97) (weights 2 2)] ]
-  where weights units n = reshape n (Storable.generate (units * n) (\i -> fromIntegral i * 0.25 - 3))
+networks =
+  [encodeUtf8 (renderNetwork found) | Right found <- [network (weights 1 97) (weights 2 2)]]
+  where
+    weights units n = reshape n (Storable.generate (units * n) (\i -> fromIntegral i * 0.25 - 3))
 
 -- | The shipped shapes.
 drawings :: [ByteString]
-drawings = [ encodeUtf8 (renderAlphabet found) | Right found <- [paperAlphabet] ]
+drawings = [encodeUtf8 (renderAlphabet found) | Right found <- [paperAlphabet]]

@@ -1,12 +1,13 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
--- | Mutations of JSON as a tree: what is still JSON, but not what is expected. Keys may occur twice, and numbers may be written
--- as no library would write them.
+
+-- | Mutations of JSON as a tree: what is still JSON, but not what is expected. Keys may occur
+-- twice, and numbers may be written as no library would write them.
 module Test.Hostile.Structure
-  ( Change (..)
-  , change
-  , restructured
-  ) where
+  ( Change (..),
+    change,
+    restructured,
+  )
+where
 
 import Data.Aeson (Value (..), decodeStrict', encode)
 import qualified Data.Aeson.Key as Key
@@ -20,48 +21,74 @@ import Test.QuickCheck
 
 -- | What becomes of a node.
 data Change
-  = Become ByteString    -- ^ this text
-  | Without Int          -- ^ without one of its children
-  | Twice Int            -- ^ with one of its children twice, under the same key
-  | Twisted Int Int      -- ^ with two of its children exchanged
-  | Renamed Int ByteString   -- ^ with another key for one of its children
-  | Nested Int           -- ^ in so many lists
-  | Bare                 -- ^ its first child alone
+  = -- | this text
+    Become ByteString
+  | -- | without one of its children
+    Without Int
+  | -- | with one of its children twice, under the same key
+    Twice Int
+  | -- | with two of its children exchanged
+    Twisted Int Int
+  | -- | with another key for one of its children
+    Renamed Int ByteString
+  | -- | in so many lists
+    Nested Int
+  | -- | its first child alone
+    Bare
   deriving stock (Eq, Show)
 
 -- | A change in which these texts may be used.
 change :: [ByteString] -> Gen Change
-change texts = frequency
-  [ (4, Become <$> elements (texts ++ values))
-  , (3, Without <$> child)
-  , (2, Twice <$> child)
-  , (2, Twisted <$> child <*> child)
-  , (1, Renamed <$> child <*> elements ["", "q", "at", "Q", "schema", "\\u0000", "a.b[0]"])
-  , (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))])
-  , (1, pure Bare) ]
+change texts =
+  frequency
+    [ (4, Become <$> elements (texts ++ values)),
+      (3, Without <$> child),
+      (2, Twice <$> child),
+      (2, Twisted <$> child <*> child),
+      (1, Renamed <$> child <*> elements ["", "q", "at", "Q", "schema", "\\u0000", "a.b[0]"]),
+      (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
+      (1, pure Bare)
+    ]
   where
     child = choose (0, 63)
-    values = ["null", "true", "[]", "{}", "[0]", "{\"a\":0}", "\"\"", "\"0\"", "\"18446744073709551616\"", "-5", "2.5"]
+    values =
+      [ "null",
+        "true",
+        "[]",
+        "{}",
+        "[0]",
+        "{\"a\":0}",
+        "\"\"",
+        "\"0\"",
+        "\"18446744073709551616\"",
+        "-5",
+        "2.5"
+      ]
 
 -- | JSON without its meaning.
 data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
 
--- | The JSON with a change of one of its nodes, counted from the outermost; what is no JSON stays as it is.
+-- | The JSON with a change of one of its nodes, counted from the outermost; what is no JSON stays
+-- as it is.
 restructured :: Int -> Change -> ByteString -> ByteString
 restructured i how bytes = maybe bytes (spoilt . treeOf) (decodeStrict' bytes)
-  where spoilt tree = rendered (changedAt (i `mod` sizeOf tree) how tree)
+  where
+    spoilt tree = rendered (changedAt (i `mod` sizeOf tree) how tree)
 
 treeOf :: Value -> Tree
 treeOf value = case value of
   Array items -> Items (map treeOf (toList items))
-  Object fields -> Entries [ (Lazy.toStrict (encode (Key.toText key)), treeOf item) | (key, item) <- KeyMap.toList fields ]
+  Object fields ->
+    Entries
+      [(Lazy.toStrict (encode (Key.toText key)), treeOf item) | (key, item) <- KeyMap.toList fields]
   other -> Leaf (Lazy.toStrict (encode other))
 
 rendered :: Tree -> ByteString
 rendered tree = case tree of
   Leaf text -> text
   Items items -> "[" <> Bytes.intercalate "," (map rendered items) <> "]"
-  Entries fields -> "{" <> Bytes.intercalate "," [ key <> ":" <> rendered item | (key, item) <- fields ] <> "}"
+  Entries fields ->
+    "{" <> Bytes.intercalate "," [key <> ":" <> rendered item | (key, item) <- fields] <> "}"
 
 sizeOf :: Tree -> Int
 sizeOf tree = case tree of
@@ -78,18 +105,23 @@ changedAt i how = snd . go i
       | k == 0 = (-1, changed how tree)
       | k < 0 = (k, tree)
       | otherwise = case tree of
-          Leaf _ -> (k - 1, tree)
-          Items items -> Items <$> mapAccumL go (k - 1) items
-          Entries fields -> Entries <$> mapAccumL (\k' (key, item) -> (,) key <$> go k' item) (k - 1) fields
+        Leaf _ -> (k - 1, tree)
+        Items items -> Items <$> mapAccumL go (k - 1) items
+        Entries fields ->
+          Entries <$> mapAccumL (\k' (key, item) -> (,) key <$> go k' item) (k - 1) fields
 
 changed :: Change -> Tree -> Tree
 changed how tree = case (how, tree) of
   (Become text, _) -> Leaf text
-  (Nested depth, _) -> Leaf (Bytes.replicate depth 0x5B <> rendered tree <> Bytes.replicate depth 0x5D)
+  (Nested depth, _) ->
+    Leaf (Bytes.replicate depth 0x5B <> rendered tree <> Bytes.replicate depth 0x5D)
   (_, Leaf _) -> Leaf "{}"
   (_, Items items) -> maybe tree Items (onList items)
   (Renamed j key, Entries fields) ->
-    Entries [ (if k == j `mod` length fields then "\"" <> key <> "\"" else old, item) | (k, (old, item)) <- zip [0 ..] fields ]
+    Entries
+      [ (if k == j `mod` length fields then "\"" <> key <> "\"" else old, item)
+        | (k, (old, item)) <- zip [0 ..] fields
+      ]
   (Bare, Entries ((_, item) : _)) -> item
   (_, Entries fields) -> maybe tree Entries (onList fields)
   where
@@ -97,7 +129,9 @@ changed how tree = case (how, tree) of
       (_, 0) -> Nothing
       (Without j, n) -> Just (take (j `mod` n) items ++ drop (j `mod` n + 1) items)
       (Twice j, n) -> Just (items ++ take 1 (drop (j `mod` n) items))
-      (Twisted j k, n) -> Just (concat [ take 1 (drop (exchanged (j `mod` n) (k `mod` n) l) items) | l <- [0 .. n - 1] ])
+      (Twisted j k, n) ->
+        Just
+          (concat [take 1 (drop (exchanged (j `mod` n) (k `mod` n) l) items) | l <- [0 .. n - 1]])
       (Bare, _) -> Just (take 1 items)
       _ -> Nothing
     exchanged j k l

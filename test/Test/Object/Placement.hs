@@ -4,53 +4,89 @@ module Test.Object.Placement (spec) where
 
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
-import Test.Hspec
-import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
-
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
 import Test.Object.Support
+import Test.QuickCheck
 
 spec :: Spec
 spec = describe "placement" $ do
   describe "the canonical one" $ do
-    it "is laid as the profile's table says, each grid centred on its face" $ thePlacement $ \it_ ->
-      laidFaces it_ `shouldBe`
-        [ LaidFace (blockFace b) (Position (blockRow b) (blockColumn b)) (Shape (blockRows b) (blockColumns b))
-            (Spot (mm (blockWidth b)) (mm (blockHeight b)))
-            (Spot
-              (mm (blockWidth b) / 2 - fromIntegral (blockColumns b) * 12.7)
-              (mm (blockHeight b) / 2 - fromIntegral (blockRows b) * 15.875))
-        | b <- blocks ]
-    it "lays every face of both objects" $ thePlacement $ \it_ ->
-      Map.keysSet (Map.fromList [(laidFace laid, ()) | laid <- laidFaces it_]) `shouldBe`
-        Map.keysSet (Map.fromList [(Face (solidName o) face, ()) | o <- placementSolids it_, face <- solidFaces o])
+    it "is laid as the profile's table says, each grid centred on its face" $
+      thePlacement $ \it_ ->
+        laidFaces it_
+          `shouldBe` [ LaidFace
+                         (blockFace b)
+                         (Position (blockRow b) (blockColumn b))
+                         (Shape (blockRows b) (blockColumns b))
+                         (Spot (mm (blockWidth b)) (mm (blockHeight b)))
+                         ( Spot
+                             (mm (blockWidth b) / 2 - fromIntegral (blockColumns b) * 12.7)
+                             (mm (blockHeight b) / 2 - fromIntegral (blockRows b) * 15.875)
+                         )
+                       | b <- blocks
+                     ]
+    it "lays every face of both objects" $
+      thePlacement $ \it_ ->
+        Map.keysSet (Map.fromList [(laidFace laid, ()) | laid <- laidFaces it_])
+          `shouldBe` Map.keysSet
+            ( Map.fromList
+                [(Face (solidName o) face, ()) | o <- placementSolids it_, face <- solidFaces o]
+            )
     it "takes 228 of the 255 cells, none twice" $ do
       Map.size owners `shouldBe` 228
       filter ((/= 1) . length) (Map.elems owners) `shouldBe` []
-    it "puts the worked example's window, at (6, 5), at corner C2 of C1 C2 C3 C4 of the cube" $ thePlacement $ \it_ ->
-      whereabouts it_ canonicalWindow (Position 6 5) `shouldBe`
-        OnFace (Place (Face "cube" (readFaceName "C1 C2 C3 C4")) (Position 2 0) (Spot 25.4 95.25) ["C2"])
+    it "puts the worked example's window, at (6, 5), at corner C2 of C1 C2 C3 C4 of the cube" $
+      thePlacement $ \it_ ->
+        whereabouts it_ canonicalWindow (Position 6 5)
+          `shouldBe` OnFace
+            ( Place
+                (Face "cube" (readFaceName "C1 C2 C3 C4"))
+                (Position 2 0)
+                (Spot 25.4 95.25)
+                ["C2"]
+            )
 
   describe "from the array to the objects" $ do
-    it "all 255 windows of 2 x 2 are where the definition, cell by cell, says" $ thePlacement $ \it_ ->
-      for_ everyPosition $ \at -> whereabouts it_ canonicalWindow at `shouldBe` expectedWhereabouts canonicalWindow at
-    it "132 of them lie on a face, of which 28 have no single nearest corner" $ thePlacement $ \it_ -> do
-      let places = [place | at <- everyPosition, OnFace place <- [whereabouts it_ canonicalWindow at]]
-      length places `shouldBe` 132
-      length (filter ((== Nothing) . corner) places) `shouldBe` 28
-    it "so are windows of every shape up to 6 x 9, and some beyond the torus" $ thePlacement $ \it_ ->
-      for_ ([Shape r c | r <- [0 .. 6], c <- [0 .. 9]] ++ [Shape 1 17, Shape 15 1, Shape 15 17, Shape 16 18]) $ \window ->
+    it "all 255 windows of 2 x 2 are where the definition, cell by cell, says" $
+      thePlacement $ \it_ ->
         for_ everyPosition $ \at ->
-          (window, at, whereabouts it_ window at) `shouldBe` (window, at, expectedWhereabouts window at)
-    it "a cell at the array's edge is not beside the one at the opposite edge of a face that spans it" $ theCube $ \solid_ ->
-      right (placement (Shape 4 5) canonicalPitch [solid_] [Laying topFace (Position 0 0) (Shape 4 5)]) $ \it_ -> do
-        whereabouts it_ canonicalWindow (Position 0 4) `shouldBe` OnNoObject
-        whereabouts it_ canonicalWindow (Position 3 0) `shouldBe` OnNoObject
-        whereabouts it_ (Shape 4 5) (Position 0 0) `shouldSatisfy` isOnFace
+          whereabouts it_ canonicalWindow at `shouldBe` expectedWhereabouts canonicalWindow at
+    it "132 of them lie on a face, of which 28 have no single nearest corner" $
+      thePlacement $ \it_ -> do
+        let places =
+              [place | at <- everyPosition, OnFace place <- [whereabouts it_ canonicalWindow at]]
+        length places `shouldBe` 132
+        length (filter ((== Nothing) . corner) places) `shouldBe` 28
+    it "so are windows of every shape up to 6 x 9, and some beyond the torus" $
+      thePlacement $ \it_ ->
+        for_
+          ( [Shape r c | r <- [0 .. 6], c <- [0 .. 9]]
+              ++ [Shape 1 17, Shape 15 1, Shape 15 17, Shape 16 18]
+          )
+          $ \window ->
+            for_ everyPosition $ \at ->
+              (window, at, whereabouts it_ window at)
+                `shouldBe` (window, at, expectedWhereabouts window at)
+    it
+      "a cell at the array's edge is not beside the one at the opposite edge of a face that spans \
+      \it"
+      $ theCube $ \solid_ ->
+        right
+          ( placement
+              (Shape 4 5)
+              canonicalPitch
+              [solid_]
+              [Laying topFace (Position 0 0) (Shape 4 5)]
+          )
+          $ \it_ -> do
+            whereabouts it_ canonicalWindow (Position 0 4) `shouldBe` OnNoObject
+            whereabouts it_ canonicalWindow (Position 3 0) `shouldBe` OnNoObject
+            whereabouts it_ (Shape 4 5) (Position 0 0) `shouldSatisfy` isOnFace
     prop "whereabouts (r, c) = whereabouts (r + 15 i, c + 17 j), however large" $
       \(NonNegative r, NonNegative c) (NonNegative i, NonNegative j) -> case canonicalPlacement of
         Left fault -> counterexample (show fault) False
@@ -58,40 +94,54 @@ spec = describe "placement" $ do
           let near = Position (fromInteger r) (fromInteger c)
               far = Position (fromInteger (r + 15 * huge * i)) (fromInteger (c + 17 * huge * j))
               huge = 10 ^ (30 :: Int)
-          in whereabouts it_ canonicalWindow near === whereabouts it_ canonicalWindow far
-    it "a window of 10^30 x 10^30 cells is answered at once" $ thePlacement $ \it_ ->
-      let huge = 10 ^ (30 :: Int)
-      in whereabouts it_ (Shape huge huge) (Position 3 4) `shouldBe` Straddles (map blockFace blocks)
+           in whereabouts it_ canonicalWindow near === whereabouts it_ canonicalWindow far
+    it "a window of 10^30 x 10^30 cells is answered at once" $
+      thePlacement $ \it_ ->
+        let huge = 10 ^ (30 :: Int)
+         in whereabouts it_ (Shape huge huge) (Position 3 4)
+              `shouldBe` Straddles (map blockFace blocks)
 
   describe "from the objects to the array" $ do
-    it "every cell of every face: face -> position -> face" $ thePlacement $ \it_ ->
-      for_ blocks $ \block -> for_ (blockCells block) $ \(cell, local) -> do
-        arrayPosition it_ (blockFace block) local `shouldBe` Right cell
-        case whereabouts it_ (Shape 1 1) cell of
-          OnFace place -> (placeFace place, placeCell place) `shouldBe` (blockFace block, local)
-          other -> expectationFailure (show other)
-    it "every cell of the array: position -> face -> position, or no object" $ thePlacement $ \it_ ->
-      for_ everyPosition $ \at -> case whereabouts it_ (Shape 1 1) at of
-        OnFace place -> arrayPosition it_ (placeFace place) (placeCell place) `shouldBe` Right at
-        other -> (other, Map.member at owners) `shouldBe` (OnNoObject, False)
-    it "a window's centre is the mean of its symbols' centres" $ thePlacement $ \it_ ->
-      for_ (laidFaces it_) $ \laid -> do
-        let cells = [cellCentre it_ laid (Position r c) | r <- [1, 2], c <- [0, 1, 2]]
-            mean by = sum (map by cells) / 6
-        windowCentre it_ laid (Shape 2 3) (Position 1 0) `shouldBe` Spot (mean spotRight) (mean spotDown)
-    it "a face is found wherever its name starts" $ thePlacement $ \it_ ->
-      (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right topFace
-    it "refuses unknown objects and faces, clockwise names, and cells that the face has not got" $ thePlacement $ \it_ -> do
-      let alien = readFaceName "P1 P2 P3 P4"
-          clockwise = readFaceName "C4 C3 C2 C1"
-      fmap solidName (findObject it_ "sphere") `shouldBe` Left (UnknownObject "sphere")
-      findFace it_ "cube" alien `shouldBe` Left (UnknownFace (Face "cube" alien))
-      findFace it_ "cube" clockwise `shouldBe` Left (WrongVertexOrder (Face "cube" clockwise) (faceName topFace))
-      arrayPosition it_ topFace (Position 4 0) `shouldBe` Left (CellOffFace topFace (Position 4 0))
-      arrayPosition it_ topFace (Position 0 5) `shouldBe` Left (CellOffFace topFace (Position 0 5))
+    it "every cell of every face: face -> position -> face" $
+      thePlacement $ \it_ ->
+        for_ blocks $ \block -> for_ (blockCells block) $ \(cell, local) -> do
+          arrayPosition it_ (blockFace block) local `shouldBe` Right cell
+          case whereabouts it_ (Shape 1 1) cell of
+            OnFace place -> (placeFace place, placeCell place) `shouldBe` (blockFace block, local)
+            other -> expectationFailure (show other)
+    it "every cell of the array: position -> face -> position, or no object" $
+      thePlacement $ \it_ ->
+        for_ everyPosition $ \at -> case whereabouts it_ (Shape 1 1) at of
+          OnFace place -> arrayPosition it_ (placeFace place) (placeCell place) `shouldBe` Right at
+          other -> (other, Map.member at owners) `shouldBe` (OnNoObject, False)
+    it "a window's centre is the mean of its symbols' centres" $
+      thePlacement $ \it_ ->
+        for_ (laidFaces it_) $ \laid -> do
+          let cells = [cellCentre it_ laid (Position r c) | r <- [1, 2], c <- [0, 1, 2]]
+              mean by = sum (map by cells) / 6
+          windowCentre it_ laid (Shape 2 3) (Position 1 0)
+            `shouldBe` Spot (mean spotRight) (mean spotDown)
+    it "a face is found wherever its name starts" $
+      thePlacement $ \it_ ->
+        (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right topFace
+    it "refuses unknown objects and faces, clockwise names, and cells that the face has not got" $
+      thePlacement $ \it_ -> do
+        let alien = readFaceName "P1 P2 P3 P4"
+            clockwise = readFaceName "C4 C3 C2 C1"
+        fmap solidName (findObject it_ "sphere") `shouldBe` Left (UnknownObject "sphere")
+        findFace it_ "cube" alien `shouldBe` Left (UnknownFace (Face "cube" alien))
+        findFace it_ "cube" clockwise
+          `shouldBe` Left (WrongVertexOrder (Face "cube" clockwise) (faceName topFace))
+        arrayPosition it_ topFace (Position 4 0)
+          `shouldBe` Left (CellOffFace topFace (Position 4 0))
+        arrayPosition it_ topFace (Position 0 5)
+          `shouldBe` Left (CellOffFace topFace (Position 0 5))
 
-  describe "a placement is refused for" $ for_ mutations $ \(sentence, build, fault) ->
-    it sentence $ theCube $ \solid_ -> theParallelepiped $ \other -> build [solid_, other] `shouldBe` Left fault
+  describe "a placement is refused for" $
+    for_ mutations $ \(sentence, build, fault) ->
+      it sentence $
+        theCube $ \solid_ ->
+          theParallelepiped $ \other -> build [solid_, other] `shouldBe` Left fault
 
 mm :: Integer -> Rational
 mm micrometres = fromInteger micrometres / 1000
@@ -106,42 +156,53 @@ nearFace = Face "cube" (readFaceName "C2 C6 C7 C3")
 
 mutations :: [(String, [Solid] -> Either PlacementError Placement, PlacementError)]
 mutations =
-  [ ("an array without cells", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17))
-  , ("a pitch of nothing", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1))
-  , ("two objects of one name"
-    , \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) []
-    , RepeatedObject "cube")
-  , ("an unknown object"
-    , laying [lay (Face "sphere" (FaceName ["S1"])) (0, 0) (1, 1)]
-    , UnknownObject "sphere")
-  , ("a face of another object"
-    , laying [lay alien (0, 0) (1, 1)]
-    , UnknownFace alien)
-  , ("a face named clockwise"
-    , laying [lay clockwise (0, 0) (1, 1)]
-    , WrongVertexOrder clockwise (faceName topFace))
-  , ("a face named from another vertex than its upper left"
-    , laying [lay turned (0, 0) (1, 1)]
-    , WrongVertexOrder turned (faceName topFace))
-  , ("a face without cells"
-    , laying [lay topFace (0, 0) (0, 5)]
-    , EmptyGrid topFace (Shape 0 5))
-  , ("a grid larger than its face"
-    , laying [lay topFace (0, 0) (4, 6)]
-    , GridLargerThanFace topFace (Spot 152.4 127) (Spot 127 127))
-  , ("a face over the sheet's right edge"
-    , laying [lay topFace (0, 13) (4, 5)]
-    , OutsideArray topFace (Position 0 13) (Shape 4 5))
-  , ("a face over the sheet's lower edge"
-    , laying [lay topFace (12, 0) (4, 5)]
-    , OutsideArray topFace (Position 12 0) (Shape 4 5))
-  , ("a face laid twice"
-    , laying [lay topFace (0, 0) (4, 5), lay topFace (8, 0) (4, 5)]
-    , FaceLaidTwice topFace)
-  , ("two faces on the same cells"
-    , laying [lay topFace (0, 0) (4, 5), lay nearFace (2, 4) (4, 5)]
-    , FacesOverlap topFace nearFace [Position 2 4, Position 3 4])
-  , ("a face that is no rectangle", const slanted, NotRectangular slope)
+  [ ("an array without cells", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17)),
+    ("a pitch of nothing", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
+    ( "two objects of one name",
+      \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) [],
+      RepeatedObject "cube"
+    ),
+    ( "an unknown object",
+      laying [lay (Face "sphere" (FaceName ["S1"])) (0, 0) (1, 1)],
+      UnknownObject "sphere"
+    ),
+    ( "a face of another object",
+      laying [lay alien (0, 0) (1, 1)],
+      UnknownFace alien
+    ),
+    ( "a face named clockwise",
+      laying [lay clockwise (0, 0) (1, 1)],
+      WrongVertexOrder clockwise (faceName topFace)
+    ),
+    ( "a face named from another vertex than its upper left",
+      laying [lay turned (0, 0) (1, 1)],
+      WrongVertexOrder turned (faceName topFace)
+    ),
+    ( "a face without cells",
+      laying [lay topFace (0, 0) (0, 5)],
+      EmptyGrid topFace (Shape 0 5)
+    ),
+    ( "a grid larger than its face",
+      laying [lay topFace (0, 0) (4, 6)],
+      GridLargerThanFace topFace (Spot 152.4 127) (Spot 127 127)
+    ),
+    ( "a face over the sheet's right edge",
+      laying [lay topFace (0, 13) (4, 5)],
+      OutsideArray topFace (Position 0 13) (Shape 4 5)
+    ),
+    ( "a face over the sheet's lower edge",
+      laying [lay topFace (12, 0) (4, 5)],
+      OutsideArray topFace (Position 12 0) (Shape 4 5)
+    ),
+    ( "a face laid twice",
+      laying [lay topFace (0, 0) (4, 5), lay topFace (8, 0) (4, 5)],
+      FaceLaidTwice topFace
+    ),
+    ( "two faces on the same cells",
+      laying [lay topFace (0, 0) (4, 5), lay nearFace (2, 4) (4, 5)],
+      FacesOverlap topFace nearFace [Position 2 4, Position 3 4]
+    ),
+    ("a face that is no rectangle", const slanted, NotRectangular slope)
   ]
   where
     sheet = Shape 15 17
@@ -155,6 +216,8 @@ mutations =
     slanted = case solid wedge of
       Left fault -> Left (BrokenObject fault)
       Right it_ -> placement sheet canonicalPitch [it_] [lay slope (0, 0) (1, 1)]
-    wedge = Description "wedge"
-      [("A", Point 0 0 99), ("B", Point 0 0 0), ("C", Point 99 0 0), ("D", Point 0 99 0)]
-      (map FaceName [["A", "B", "C"], ["A", "C", "D"], ["A", "D", "B"], ["B", "D", "C"]])
+    wedge =
+      Description
+        "wedge"
+        [("A", Point 0 0 99), ("B", Point 0 0 0), ("C", Point 99 0 0), ("D", Point 0 99 0)]
+        (map FaceName [["A", "B", "C"], ["A", "C", "D"], ["A", "D", "B"], ["B", "D", "C"]])

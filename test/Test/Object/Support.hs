@@ -1,31 +1,32 @@
--- | What the tests of objects share: the canonical layout, written down a second time from its definition, in whole
--- micrometres and by cells, and nothing of the code under test but the names.
+-- | What the tests of objects share: the canonical layout, written down a second time from its
+-- definition, in whole micrometres and by cells, and nothing of the code under test but the names.
 module Test.Object.Support
   ( -- * Expectations
-    right
-  , theCube
-  , theParallelepiped
-  , thePlacement
+    right,
+    theCube,
+    theParallelepiped,
+    thePlacement,
+
     -- * The layout
-  , Block (..)
-  , blocks
-  , blockCells
-  , everyPosition
-  , owners
-  , expectedWhereabouts
-  ) where
+    Block (..),
+    blocks,
+    blockCells,
+    everyPosition,
+    owners,
+    expectedWhereabouts,
+  )
+where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
 import Data.Ratio ((%))
 import Numeric.Natural (Natural)
-import Test.Hspec
-
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
+import Test.Hspec
 
 -- | Expect an answer and go on with it.
 right :: Show e => Either e a -> (a -> Expectation) -> Expectation
@@ -38,38 +39,40 @@ theParallelepiped = right parallelepiped
 thePlacement :: (Placement -> Expectation) -> Expectation
 thePlacement = right canonicalPlacement
 
--- | A face's block of cells: the face, its upper left cell, its rows and columns, and the face's width and height in
--- micrometres.
+-- | A face's block of cells: the face, its upper left cell, its rows and columns, and the face's
+-- width and height in micrometres.
 data Block = Block
-  { blockFace :: Face
-  , blockRow, blockColumn, blockRows, blockColumns :: Natural
-  , blockWidth, blockHeight :: Integer
+  { blockFace :: Face,
+    blockRow, blockColumn, blockRows, blockColumns :: Natural,
+    blockWidth, blockHeight :: Integer
   }
 
 blocks :: [Block]
 blocks =
   [ Block (Face (ObjectName object) (readFaceName face)) r c high wide width height
-  | (object, face, (r, c), (high, wide), (width, height)) <-
-      [ ("cube", "C2 C6 C7 C3", (0, 0), (4, 5), (127000, 127000))
-      , ("cube", "C3 C7 C8 C4", (0, 5), (4, 5), (127000, 127000))
-      , ("cube", "C4 C8 C5 C1", (4, 0), (4, 5), (127000, 127000))
-      , ("cube", "C1 C2 C3 C4", (4, 5), (4, 5), (127000, 127000))
-      , ("cube", "C1 C5 C6 C2", (8, 0), (4, 5), (127000, 127000))
-      , ("cube", "C6 C5 C8 C7", (8, 5), (4, 5), (127000, 127000))
-      , ("parallelepiped", "P1 P2 P3 P4", (0, 10), (3, 7), (177800, 101600))
-      , ("parallelepiped", "P6 P5 P8 P7", (3, 10), (3, 7), (177800, 101600))
-      , ("parallelepiped", "P2 P6 P7 P3", (6, 10), (3, 7), (177800, 95250))
-      , ("parallelepiped", "P4 P8 P5 P1", (9, 10), (3, 7), (177800, 95250))
-      , ("parallelepiped", "P3 P7 P8 P4", (12, 0), (3, 4), (101600, 95250))
-      , ("parallelepiped", "P1 P5 P6 P2", (12, 4), (3, 4), (101600, 95250))
-      ]
+    | (object, face, (r, c), (high, wide), (width, height)) <-
+        [ ("cube", "C2 C6 C7 C3", (0, 0), (4, 5), (127000, 127000)),
+          ("cube", "C3 C7 C8 C4", (0, 5), (4, 5), (127000, 127000)),
+          ("cube", "C4 C8 C5 C1", (4, 0), (4, 5), (127000, 127000)),
+          ("cube", "C1 C2 C3 C4", (4, 5), (4, 5), (127000, 127000)),
+          ("cube", "C1 C5 C6 C2", (8, 0), (4, 5), (127000, 127000)),
+          ("cube", "C6 C5 C8 C7", (8, 5), (4, 5), (127000, 127000)),
+          ("parallelepiped", "P1 P2 P3 P4", (0, 10), (3, 7), (177800, 101600)),
+          ("parallelepiped", "P6 P5 P8 P7", (3, 10), (3, 7), (177800, 101600)),
+          ("parallelepiped", "P2 P6 P7 P3", (6, 10), (3, 7), (177800, 95250)),
+          ("parallelepiped", "P4 P8 P5 P1", (9, 10), (3, 7), (177800, 95250)),
+          ("parallelepiped", "P3 P7 P8 P4", (12, 0), (3, 4), (101600, 95250)),
+          ("parallelepiped", "P1 P5 P6 P2", (12, 4), (3, 4), (101600, 95250))
+        ]
   ]
 
 -- | The cells of a block: on the array, and within the block.
 blockCells :: Block -> [(Position, Position)]
 blockCells block =
   [ (Position (blockRow block + r) (blockColumn block + c), Position r c)
-  | r <- below (blockRows block), c <- below (blockColumns block) ]
+    | r <- below (blockRows block),
+      c <- below (blockColumns block)
+  ]
 
 everyPosition :: [Position]
 everyPosition = [Position r c | r <- below 15, c <- below 17]
@@ -79,31 +82,56 @@ below n = takeWhile (< n) [0 ..]
 
 -- | Which blocks, and which of their cells, claim each cell of the array.
 owners :: Map.Map Position [(Int, Position)]
-owners = Map.fromListWith (++)
-  [(cell, [(index, local)]) | (index, block) <- zip [0 ..] blocks, (cell, local) <- blockCells block]
+owners =
+  Map.fromListWith
+    (++)
+    [ (cell, [(index, local)])
+      | (index, block) <- zip [0 ..] blocks,
+        (cell, local) <- blockCells block
+    ]
 
 -- | The definition, cell by cell: all the window's cells are looked up one by one.
 expectedWhereabouts :: Shape -> Position -> Whereabouts
 expectedWhereabouts (Shape high wide) (Position r c) = case traverse cellOwner offsets of
   Just ((index, local) : others)
-    | and [other == (index, local `plus` offset) | (other, offset) <- zip ((index, local) : others) offsets] ->
-        OnFace (placed (blocks !! index) local)
-  _ | length touched > 1 -> Straddles (map (blockFace . (blocks !!)) touched)
+    | and
+        [ other == (index, local `plus` offset)
+          | (other, offset) <- zip ((index, local) : others) offsets
+        ] ->
+      OnFace (placed (blocks !! index) local)
+  _
+    | length touched > 1 -> Straddles (map (blockFace . (blocks !!)) touched)
     | otherwise -> OnNoObject
   where
     offsets = [Position i j | i <- below high, j <- below wide]
-    cellAt offset = let Position i j = Position r c `plus` offset in Position (i `mod` 15) (j `mod` 17)
+    cellAt offset =
+      let Position i j = Position r c `plus` offset in Position (i `mod` 15) (j `mod` 17)
     cellOwner offset = Map.lookup (cellAt offset) owners >>= onlyOne
     touched = Map.keys (Map.fromList [(index, ()) | (index, _) <- mapMaybe cellOwner offsets])
     plus (Position a b) (Position i j) = Position (a + i) (b + j)
-    onlyOne claims = case claims of { [one] -> Just one; _ -> Nothing }
+    onlyOne claims = case claims of [one] -> Just one; _ -> Nothing
     placed block local@(Position i j) =
       let -- twice the centre, in micrometres
-          x = blockWidth block - 25400 * toInteger (blockColumns block) + 25400 * (2 * toInteger j + toInteger wide)
-          y = blockHeight block - 31750 * toInteger (blockRows block) + 31750 * (2 * toInteger i + toInteger high)
-          vertices = zip (faceVertices (faceName (blockFace block)))
-            [(0, 0), (0, blockHeight block), (blockWidth block, blockHeight block), (blockWidth block, 0)]
+          x =
+            blockWidth block
+              - 25400 * toInteger (blockColumns block)
+              + 25400 * (2 * toInteger j + toInteger wide)
+          y =
+            blockHeight block
+              - 31750 * toInteger (blockRows block)
+              + 31750 * (2 * toInteger i + toInteger high)
+          vertices =
+            zip
+              (faceVertices (faceName (blockFace block)))
+              [ (0, 0),
+                (0, blockHeight block),
+                (blockWidth block, blockHeight block),
+                (blockWidth block, 0)
+              ]
           away (a, b) = (2 * a - x) ^ (2 :: Int) + (2 * b - y) ^ (2 :: Int)
           nearest = minimum (map (away . snd) vertices)
-      in Place (blockFace block) local (Spot (x % 2000) (y % 2000))
-           [vertex | (vertex, at) <- vertices, away at == nearest]
+       in Place
+            (blockFace block)
+            local
+            (Spot (x % 2000) (y % 2000))
+            [vertex | (vertex, at) <- vertices, away at == nearest]

@@ -4,114 +4,166 @@ module Test.Object.WingedEdge (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub, sort)
-import Test.Hspec
-import Test.Hspec.QuickCheck (prop)
-import Test.QuickCheck
-
 import PraTactile.Object.Solid
 import PraTactile.Object.WingedEdge
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
 import Test.Object.Support
+import Test.QuickCheck
 
 spec :: Spec
 spec = describe "winged-edge models" $ do
   describe "the cube" $ do
-    it "has the vertices of a box of 127 mm, C1 C2 C3 C4 on top, C1 far left, C2 near left" $ theCube $ \it_ ->
-      solidVertices it_ `shouldBe`
-        [ ("C1", Point 0 127 127), ("C2", Point 0 0 127), ("C3", Point 127 0 127), ("C4", Point 127 127 127)
-        , ("C5", Point 0 127 0), ("C6", Point 0 0 0), ("C7", Point 127 0 0), ("C8", Point 127 127 0) ]
-    it "has these twelve edges between these faces" $ theCube $ \it_ ->
-      sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
-        `shouldBe` sort (expectedEdges 'C')
+    it "has the vertices of a box of 127 mm, C1 C2 C3 C4 on top, C1 far left, C2 near left" $
+      theCube $ \it_ ->
+        solidVertices it_
+          `shouldBe` [ ("C1", Point 0 127 127),
+                       ("C2", Point 0 0 127),
+                       ("C3", Point 127 0 127),
+                       ("C4", Point 127 127 127),
+                       ("C5", Point 0 127 0),
+                       ("C6", Point 0 0 0),
+                       ("C7", Point 127 0 0),
+                       ("C8", Point 127 127 0)
+                     ]
+    it "has these twelve edges between these faces" $
+      theCube $ \it_ ->
+        sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
+          `shouldBe` sort (expectedEdges 'C')
     lawsOf theCube
 
   describe "the parallelepiped" $ do
-    it "is 177.8 mm along P2 P3, 101.6 mm along P1 P2, 95.25 mm tall" $ theParallelepiped $ \it_ ->
-      solidVertices it_ `shouldBe`
-        [ ("P1", Point 0 101.6 95.25), ("P2", Point 0 0 95.25)
-        , ("P3", Point 177.8 0 95.25), ("P4", Point 177.8 101.6 95.25)
-        , ("P5", Point 0 101.6 0), ("P6", Point 0 0 0), ("P7", Point 177.8 0 0), ("P8", Point 177.8 101.6 0) ]
-    it "has these twelve edges between these faces" $ theParallelepiped $ \it_ ->
-      sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
-        `shouldBe` sort (expectedEdges 'P')
+    it "is 177.8 mm along P2 P3, 101.6 mm along P1 P2, 95.25 mm tall" $
+      theParallelepiped $ \it_ ->
+        solidVertices it_
+          `shouldBe` [ ("P1", Point 0 101.6 95.25),
+                       ("P2", Point 0 0 95.25),
+                       ("P3", Point 177.8 0 95.25),
+                       ("P4", Point 177.8 101.6 95.25),
+                       ("P5", Point 0 101.6 0),
+                       ("P6", Point 0 0 0),
+                       ("P7", Point 177.8 0 0),
+                       ("P8", Point 177.8 101.6 0)
+                     ]
+    it "has these twelve edges between these faces" $
+      theParallelepiped $ \it_ ->
+        sort [(sort [edgeStart e, edgeEnd e], sort [edgeLeft e, edgeRight e]) | e <- solidEdges it_]
+          `shouldBe` sort (expectedEdges 'P')
     lawsOf theParallelepiped
 
   describe "names" $ do
     it "a face's name is read back as it is written" $
-      readFaceName (faceText (FaceName ["C1", "C2", "C3", "C4"])) `shouldBe` FaceName ["C1", "C2", "C3", "C4"]
+      readFaceName (faceText (FaceName ["C1", "C2", "C3", "C4"]))
+        `shouldBe` FaceName ["C1", "C2", "C3", "C4"]
     it "rotations name the same face, the reversal does not" $
-      [sameFace (readFaceName "C1 C2 C3 C4") (readFaceName other) | other <- ["C2 C3 C4 C1", "C4 C3 C2 C1", "C1 C2 C3"]]
+      [ sameFace (readFaceName "C1 C2 C3 C4") (readFaceName other)
+        | other <- ["C2 C3 C4 C1", "C4 C3 C2 C1", "C1 C2 C3"]
+      ]
         `shouldBe` [True, False, False]
 
-  describe "a description is refused for" $ for_ mutations $ \(sentence, broken, fault) ->
-    it sentence $ do
-      solid broken `shouldBe` Left fault
-      validate broken `shouldSatisfy` elem fault
+  describe "a description is refused for" $
+    for_ mutations $ \(sentence, broken, fault) ->
+      it sentence $ do
+        solid broken `shouldBe` Left fault
+        validate broken `shouldSatisfy` elem fault
 
   describe "validity" $ do
     it "any one face reversed is refused" $
-      for_ [0 .. 5] $ \k -> solid (reversing [k] cubeDescription) `shouldSatisfy` either isDisagreement (const False)
-    prop "does not depend on where a face's walk starts, on the order of the faces, on place or size" $
-      forAll (shuffle (describedFaces cubeDescription)) $ \shuffled (Positive size) (dx, dy, dz) turns ->
-        let turned = zipWith turn (getInfiniteList turns) shuffled
-            moved (Point a b c) = Point (a * size + dx) (b * size + dy) (c * size + dz)
-            other = cubeDescription
-              { describedFaces = turned, describedVertices = map (fmap moved) (describedVertices cubeDescription) }
-        in validate other === []
+      for_ [0 .. 5] $ \k ->
+        solid (reversing [k] cubeDescription) `shouldSatisfy` either isDisagreement (const False)
+    prop
+      "does not depend on where a face's walk starts, on the order of the faces, on place or size"
+      $ forAll (shuffle (describedFaces cubeDescription)) $
+        \shuffled
+         (Positive size)
+         (dx, dy, dz)
+         turns ->
+            let turned = zipWith turn (getInfiniteList turns) shuffled
+                moved (Point a b c) = Point (a * size + dx) (b * size + dy) (c * size + dz)
+                other =
+                  cubeDescription
+                    { describedFaces = turned,
+                      describedVertices = map (fmap moved) (describedVertices cubeDescription)
+                    }
+             in validate other === []
 
 -- What holds for every winged edge of every solid.
 lawsOf :: ((Solid -> Expectation) -> Expectation) -> Spec
 lawsOf given = do
-  it "is a solid, and rebuilding it from its description gives it again" $ given $ \it_ -> do
-    validate (description it_) `shouldBe` []
-    solid (description it_) `shouldBe` Right it_
-  it "V - E + F = 8 - 12 + 6 = 2" $ given $ \it_ ->
-    (length (solidVertices it_), length (solidEdges it_), length (solidFaces it_)) `shouldBe` (8, 12, 6)
-  it "every edge has two vertices and two faces, and both faces have both vertices" $ given $ \it_ ->
-    for_ (solidEdges it_) $ \edge -> do
-      edgeStart edge `shouldNotBe` edgeEnd edge
-      edgeLeft edge `shouldNotBe` edgeRight edge
-      for_ [edgeLeft edge, edgeRight edge] $ \face ->
-        filter (`elem` [edgeStart edge, edgeEnd edge]) (faceVertices face) `shouldSatisfy` ((== 2) . length)
-  it "next leaves where the edge arrives, previous arrives where it leaves, on the same face" $ given $ \it_ ->
-    for_ (solidEdges it_) $ \edge -> do
-      let wings = edgeWings edge
-          on face named = named `elem` map edgeName (edgesOf it_ face)
-      for_ [(edgeLeft edge, leftNext wings, edgeEnd edge), (edgeLeft edge, leftPrevious wings, edgeStart edge)
-           , (edgeRight edge, rightNext wings, edgeStart edge), (edgeRight edge, rightPrevious wings, edgeEnd edge)] $
-        \(face, wing@(EdgeName a b), vertex) -> do
-          wing `shouldSatisfy` on face
-          wing `shouldNotBe` edgeName edge
-          [a, b] `shouldSatisfy` elem vertex
-  it "previous undoes next, and next goes round a face in as many steps as it has vertices" $ given $ \it_ ->
-    for_ [(edge, face) | face <- solidFaces it_, edge <- edgesOf it_ face] $ \(edge, face) -> do
-      (follow it_ nextOn face edge >>= follow it_ previousOn face) `shouldBe` Just edge
-      let round_ = iterate (>>= follow it_ nextOn face) (Just edge)
-      take 1 (drop (length (faceVertices face)) round_) `shouldBe` [Just edge]
-      length (nub (map (fmap edgeName) (take (length (faceVertices face)) round_))) `shouldBe` length (faceVertices face)
-  it "every normal points away from the middle of the solid" $ given $ \it_ ->
-    for_ (solidFaces it_) $ \face -> do
-      let away = middle (cornerPoints it_ face) `less` middle (map snd (solidVertices it_))
-      outwardNormal it_ face `inner` away `shouldSatisfy` (> 0)
-  it "three faces meet at each vertex, each the neighbour of the one before" $ given $ \it_ ->
-    for_ (solidVertices it_) $ \(vertex, _) -> do
-      let ring = facesAt it_ vertex
-      sort ring `shouldBe` sort (filter (elem vertex . faceVertices) (solidFaces it_))
-      length ring `shouldBe` 3
-      for_ (zip ring (drop 1 (cycle ring))) $ \(face, next) -> neighbours it_ face `shouldSatisfy` elem next
-  it "the neighbours of a face are all others but the opposite one, which shares no vertex" $ given $ \it_ ->
-    for_ (solidFaces it_) $ \face ->
-      sort (neighbours it_ face) `shouldBe`
-        sort [other | other <- solidFaces it_, other /= face, any (`elem` faceVertices face) (faceVertices other)]
-  it "there is nothing to say of a face or a vertex that is not there" $ given $ \it_ -> do
-    edgesOf it_ (readFaceName "X Y Z") `shouldBe` []
-    neighbours it_ (readFaceName "X Y Z") `shouldBe` []
-    facesAt it_ "X" `shouldBe` []
+  it "is a solid, and rebuilding it from its description gives it again" $
+    given $ \it_ -> do
+      validate (description it_) `shouldBe` []
+      solid (description it_) `shouldBe` Right it_
+  it "V - E + F = 8 - 12 + 6 = 2" $
+    given $ \it_ ->
+      (length (solidVertices it_), length (solidEdges it_), length (solidFaces it_))
+        `shouldBe` (8, 12, 6)
+  it "every edge has two vertices and two faces, and both faces have both vertices" $
+    given $ \it_ ->
+      for_ (solidEdges it_) $ \edge -> do
+        edgeStart edge `shouldNotBe` edgeEnd edge
+        edgeLeft edge `shouldNotBe` edgeRight edge
+        for_ [edgeLeft edge, edgeRight edge] $ \face ->
+          filter (`elem` [edgeStart edge, edgeEnd edge]) (faceVertices face)
+            `shouldSatisfy` ((== 2) . length)
+  it "next leaves where the edge arrives, previous arrives where it leaves, on the same face" $
+    given $ \it_ ->
+      for_ (solidEdges it_) $ \edge -> do
+        let wings = edgeWings edge
+            on face named = named `elem` map edgeName (edgesOf it_ face)
+        for_
+          [ (edgeLeft edge, leftNext wings, edgeEnd edge),
+            (edgeLeft edge, leftPrevious wings, edgeStart edge),
+            (edgeRight edge, rightNext wings, edgeStart edge),
+            (edgeRight edge, rightPrevious wings, edgeEnd edge)
+          ]
+          $ \(face, wing@(EdgeName a b), vertex) -> do
+            wing `shouldSatisfy` on face
+            wing `shouldNotBe` edgeName edge
+            [a, b] `shouldSatisfy` elem vertex
+  it "previous undoes next, and next goes round a face in as many steps as it has vertices" $
+    given $ \it_ ->
+      for_ [(edge, face) | face <- solidFaces it_, edge <- edgesOf it_ face] $ \(edge, face) -> do
+        (follow it_ nextOn face edge >>= follow it_ previousOn face) `shouldBe` Just edge
+        let round_ = iterate (>>= follow it_ nextOn face) (Just edge)
+        take 1 (drop (length (faceVertices face)) round_) `shouldBe` [Just edge]
+        length (nub (map (fmap edgeName) (take (length (faceVertices face)) round_)))
+          `shouldBe` length (faceVertices face)
+  it "every normal points away from the middle of the solid" $
+    given $ \it_ ->
+      for_ (solidFaces it_) $ \face -> do
+        let away = middle (cornerPoints it_ face) `less` middle (map snd (solidVertices it_))
+        outwardNormal it_ face `inner` away `shouldSatisfy` (> 0)
+  it "three faces meet at each vertex, each the neighbour of the one before" $
+    given $ \it_ ->
+      for_ (solidVertices it_) $ \(vertex, _) -> do
+        let ring = facesAt it_ vertex
+        sort ring `shouldBe` sort (filter (elem vertex . faceVertices) (solidFaces it_))
+        length ring `shouldBe` 3
+        for_ (zip ring (drop 1 (cycle ring))) $ \(face, next) ->
+          neighbours it_ face `shouldSatisfy` elem next
+  it "the neighbours of a face are all others but the opposite one, which shares no vertex" $
+    given $ \it_ ->
+      for_ (solidFaces it_) $ \face ->
+        sort (neighbours it_ face)
+          `shouldBe` sort
+            [ other
+              | other <- solidFaces it_,
+                other /= face,
+                any (`elem` faceVertices face) (faceVertices other)
+            ]
+  it "there is nothing to say of a face or a vertex that is not there" $
+    given $ \it_ -> do
+      edgesOf it_ (readFaceName "X Y Z") `shouldBe` []
+      neighbours it_ (readFaceName "X Y Z") `shouldBe` []
+      facesAt it_ "X" `shouldBe` []
   where
     follow it_ step face edge = case [e | e <- solidEdges it_, edgeName e == step face edge] of
       [found] -> Just found
       _ -> Nothing
     nextOn face edge = (if edgeLeft edge == face then leftNext else rightNext) (edgeWings edge)
-    previousOn face edge = (if edgeLeft edge == face then leftPrevious else rightPrevious) (edgeWings edge)
+    previousOn face edge =
+      (if edgeLeft edge == face then leftPrevious else rightPrevious) (edgeWings edge)
     middle points = scaled (1 / fromIntegral (length points)) (foldr add (Point 0 0 0) points)
     scaled k (Point a b c) = Point (k * a) (k * b) (k * c)
     add (Point a b c) (Point d e f) = Point (a + d) (b + e) (c + f)
@@ -121,40 +173,71 @@ lawsOf given = do
 expectedEdges :: Char -> [([VertexName], [FaceName])]
 expectedEdges letter =
   [ (sort (named ends), sort [face a, face b])
-  | (ends, a, b) <-
-      [ ("1 2", left, top), ("2 3", near, top), ("3 4", right_, top), ("4 1", far, top)
-      , ("5 6", left, bottom), ("6 7", near, bottom), ("7 8", right_, bottom), ("8 5", far, bottom)
-      , ("1 5", far, left), ("2 6", left, near), ("3 7", near, right_), ("4 8", right_, far) ]
+    | (ends, a, b) <-
+        [ ("1 2", left, top),
+          ("2 3", near, top),
+          ("3 4", right_, top),
+          ("4 1", far, top),
+          ("5 6", left, bottom),
+          ("6 7", near, bottom),
+          ("7 8", right_, bottom),
+          ("8 5", far, bottom),
+          ("1 5", far, left),
+          ("2 6", left, near),
+          ("3 7", near, right_),
+          ("4 8", right_, far)
+        ]
   ]
   where
     named = map (VertexName . (letter :)) . words
     face = FaceName . named
-    (top, bottom, near, far, left, right_) = ("1 2 3 4", "6 5 8 7", "2 6 7 3", "4 8 5 1", "1 5 6 2", "3 7 8 4")
+    (top, bottom, near, far, left, right_) =
+      ("1 2 3 4", "6 5 8 7", "2 6 7 3", "4 8 5 1", "1 5 6 2", "3 7 8 4")
 
 cubeDescription :: Description
-cubeDescription = box "cube" 'C' (Point 127 127 127) ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
+cubeDescription =
+  box
+    "cube"
+    'C'
+    (Point 127 127 127)
+    ["2 6 7 3", "3 7 8 4", "4 8 5 1", "1 2 3 4", "1 5 6 2", "6 5 8 7"]
 
 tetrahedron :: [VertexName] -> Point -> Description
-tetrahedron names (Point x y z) = Description "tetrahedron"
-  (zip names [Point x y z, Point (x + 1) y z, Point x (y + 1) z, Point x y (z + 1)])
-  [FaceName [names !! i | i <- face] | face <- [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]]
+tetrahedron names (Point x y z) =
+  Description
+    "tetrahedron"
+    (zip names [Point x y z, Point (x + 1) y z, Point x (y + 1) z, Point x y (z + 1)])
+    [FaceName [names !! i | i <- face] | face <- [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]]
 
 together :: Description -> Description -> Description
-together a b = Description (describedName a)
-  (nub (describedVertices a ++ describedVertices b)) (describedFaces a ++ describedFaces b)
+together a b =
+  Description
+    (describedName a)
+    (nub (describedVertices a ++ describedVertices b))
+    (describedFaces a ++ describedFaces b)
 
--- Nine quadrilaterals on a torus of 3 x 3 vertices, nowhere flat: its only topological fault is its handle.
+-- Nine quadrilaterals on a torus of 3 x 3 vertices, nowhere flat: its only topological fault is its
+-- handle.
 handle :: Description
-handle = Description "handle"
-  [(named i j, Point (fromIntegral i) (fromIntegral j) (fromIntegral (i * j))) | i <- [0 .. 2], j <- [0 .. 2]]
-  [FaceName [named i j, named (i + 1) j, named (i + 1) (j + 1), named i (j + 1)] | i <- [0 .. 2], j <- [0 .. 2]]
+handle =
+  Description
+    "handle"
+    [ (named i j, Point (fromIntegral i) (fromIntegral j) (fromIntegral (i * j)))
+      | i <- [0 .. 2],
+        j <- [0 .. 2]
+    ]
+    [ FaceName [named i j, named (i + 1) j, named (i + 1) (j + 1), named i (j + 1)]
+      | i <- [0 .. 2],
+        j <- [0 .. 2]
+    ]
   where
     named :: Int -> Int -> VertexName
     named i j = VertexName (show (i `mod` 3) ++ show (j `mod` 3))
 
 reversing :: [Int] -> Description -> Description
-reversing which it_ = it_ { describedFaces = zipWith reversed [0 ..] (describedFaces it_) }
-  where reversed k face = if k `elem` which then FaceName (reverse (faceVertices face)) else face
+reversing which it_ = it_ {describedFaces = zipWith reversed [0 ..] (describedFaces it_)}
+  where
+    reversed k face = if k `elem` which then FaceName (reverse (faceVertices face)) else face
 
 turn :: Int -> FaceName -> FaceName
 turn by (FaceName walk) = FaceName (take (length walk) (drop (by `mod` length walk) (cycle walk)))
@@ -165,37 +248,70 @@ isDisagreement _ = False
 
 mutations :: [(String, Description, ObjectError)]
 mutations =
-  [ ("no faces", cubeDescription { describedFaces = [] }, NoFaces)
-  , ("a vertex's name used twice", withVertex ("C1", Point 1 2 3), RepeatedVertex "C1")
-  , ("two vertices at one point", withVertex ("C9", Point 0 127 127), CoincidentVertices "C1" "C9")
-  , ("a face of two vertices", withFace "C1 C2", TooFewVertices (readFaceName "C1 C2"))
-  , ("a face with a vertex there is not", withFace "C1 C2 C9", UnknownVertex (readFaceName "C1 C2 C9") "C9")
-  , ("a face that visits a vertex twice", withFace "C1 C2 C3 C2", VertexTwiceOnFace (readFaceName "C1 C2 C3 C2") "C2")
-  , ("a face given twice", withFace "C3 C4 C1 C2", RepeatedFace (readFaceName "C1 C2 C3 C4") (readFaceName "C3 C4 C1 C2"))
-  , ("a vertex on no face", withVertex ("C9", Point 1 2 3), UnusedVertex "C9")
-  , ("a face missing", cubeDescription { describedFaces = drop 1 (describedFaces cubeDescription) }
-    , EdgeWithoutTwoFaces "C2" "C3" [readFaceName "C1 C2 C3 C4"])
-  , ("three faces at an edge", withFace "C1 C2 C7 C8"
-    , EdgeWithoutTwoFaces "C1" "C2" (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"]))
-  , ("a face clockwise seen from outside", reversing [3] cubeDescription
-    , FacesDisagree "C1" "C4" (readFaceName "C4 C8 C5 C1") (readFaceName "C4 C3 C2 C1"))
-  , ("two solids that share a vertex"
-    , tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "A"] (Point 0 0 (-1))
-    , PinchedVertex "A")
-  , ("two solids apart"
-    , tetrahedron ["A", "B", "C", "D"] (Point 0 0 0) `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5)
-    , NotConnected (FaceName ["A", "C", "B"]) (FaceName ["E", "G", "F"]))
-  , ("a handle", handle, EulerFails 9 18 9)
-  , ("a face whose vertices lie on a line"
-    , flattened, NoArea (FaceName ["A", "C", "B"]))
-  , ("a face that is not flat", moved "C1" (Point 0 127 128), NotPlanar (readFaceName "C1 C2 C3 C4"))
-  , ("all faces clockwise", reversing [0 .. 5] cubeDescription, NotOutward)
+  [ ("no faces", cubeDescription {describedFaces = []}, NoFaces),
+    ("a vertex's name used twice", withVertex ("C1", Point 1 2 3), RepeatedVertex "C1"),
+    ("two vertices at one point", withVertex ("C9", Point 0 127 127), CoincidentVertices "C1" "C9"),
+    ("a face of two vertices", withFace "C1 C2", TooFewVertices (readFaceName "C1 C2")),
+    ( "a face with a vertex there is not",
+      withFace "C1 C2 C9",
+      UnknownVertex (readFaceName "C1 C2 C9") "C9"
+    ),
+    ( "a face that visits a vertex twice",
+      withFace "C1 C2 C3 C2",
+      VertexTwiceOnFace (readFaceName "C1 C2 C3 C2") "C2"
+    ),
+    ( "a face given twice",
+      withFace "C3 C4 C1 C2",
+      RepeatedFace (readFaceName "C1 C2 C3 C4") (readFaceName "C3 C4 C1 C2")
+    ),
+    ("a vertex on no face", withVertex ("C9", Point 1 2 3), UnusedVertex "C9"),
+    ( "a face missing",
+      cubeDescription {describedFaces = drop 1 (describedFaces cubeDescription)},
+      EdgeWithoutTwoFaces "C2" "C3" [readFaceName "C1 C2 C3 C4"]
+    ),
+    ( "three faces at an edge",
+      withFace "C1 C2 C7 C8",
+      EdgeWithoutTwoFaces "C1" "C2" (map readFaceName ["C1 C2 C3 C4", "C1 C5 C6 C2", "C1 C2 C7 C8"])
+    ),
+    ( "a face clockwise seen from outside",
+      reversing [3] cubeDescription,
+      FacesDisagree "C1" "C4" (readFaceName "C4 C8 C5 C1") (readFaceName "C4 C3 C2 C1")
+    ),
+    ( "two solids that share a vertex",
+      tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)
+        `together` tetrahedron ["E", "F", "G", "A"] (Point 0 0 (-1)),
+      PinchedVertex "A"
+    ),
+    ( "two solids apart",
+      tetrahedron ["A", "B", "C", "D"] (Point 0 0 0)
+        `together` tetrahedron ["E", "F", "G", "H"] (Point 5 5 5),
+      NotConnected (FaceName ["A", "C", "B"]) (FaceName ["E", "G", "F"])
+    ),
+    ("a handle", handle, EulerFails 9 18 9),
+    ( "a face whose vertices lie on a line",
+      flattened,
+      NoArea (FaceName ["A", "C", "B"])
+    ),
+    ( "a face that is not flat",
+      moved "C1" (Point 0 127 128),
+      NotPlanar (readFaceName "C1 C2 C3 C4")
+    ),
+    ("all faces clockwise", reversing [0 .. 5] cubeDescription, NotOutward)
   ]
   where
-    withVertex new = cubeDescription { describedVertices = describedVertices cubeDescription ++ [new] }
-    withFace new = cubeDescription { describedFaces = describedFaces cubeDescription ++ [readFaceName new] }
-    moved which to = cubeDescription
-      { describedVertices =
-          [(vertex, if vertex == which then to else at) | (vertex, at) <- describedVertices cubeDescription] }
-    flattened = (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))
-      { describedVertices = [("A", Point 0 0 0), ("B", Point 1 0 0), ("C", Point 2 0 0), ("D", Point 0 0 1)] }
+    withVertex new =
+      cubeDescription {describedVertices = describedVertices cubeDescription ++ [new]}
+    withFace new =
+      cubeDescription {describedFaces = describedFaces cubeDescription ++ [readFaceName new]}
+    moved which to =
+      cubeDescription
+        { describedVertices =
+            [ (vertex, if vertex == which then to else at)
+              | (vertex, at) <- describedVertices cubeDescription
+            ]
+        }
+    flattened =
+      (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))
+        { describedVertices =
+            [("A", Point 0 0 0), ("B", Point 1 0 0), ("C", Point 2 0 0), ("D", Point 0 0 1)]
+        }

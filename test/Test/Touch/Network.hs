@@ -8,35 +8,67 @@ import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (fromLists, toLists)
-import Test.Hspec
-import Test.QuickCheck hiding (classify, generate)
-
 import PraTactile.Classify.Evaluate
 import PraTactile.Classify.Network
 import PraTactile.Classify.Network.File
 import PraTactile.Classify.Specimens
-import PraTactile.Image (Raster, constant, generate, halfTurn, mirrorColumns, mirrorRows, rasterValues)
+import PraTactile.Image
+  ( Raster,
+    constant,
+    generate,
+    halfTurn,
+    mirrorColumns,
+    mirrorRows,
+    rasterValues,
+  )
 import PraTactile.Shape
+import Test.Hspec
+import Test.QuickCheck hiding (classify, generate)
 
 spec :: Spec
 spec = do
   describe "A network" $ do
     it "is h x 97 hidden and q x (h + 1) output units, and nothing else" $ do
       let units r c = fromLists (replicate r (replicate c 0.5))
-      [(r1, c1, r2, c2) | r1 <- [1, 2], c1 <- [96, 97, 98], r2 <- [1, 4], c2 <- [1 .. 4], isRight (network (units r1 c1) (units r2 c2))]
-        `shouldBe` [(1, 97, 1, 2), (1, 97, 4, 2), (2, 97, 1, 3), (2, 97, 4, 3)]
+      let found =
+            [ (r1, c1, r2, c2)
+              | r1 <- [1, 2],
+                c1 <- [96, 97, 98],
+                r2 <- [1, 4],
+                c2 <- [1 .. 4],
+                isRight (network (units r1 c1) (units r2 c2))
+            ]
+      found `shouldBe` [(1, 97, 1, 2), (1, 97, 4, 2), (2, 97, 1, 3), (2, 97, 4, 3)]
     it "has no weight that is not a finite number" $
-      [network (fromLists [replicate 96 0 ++ [w]]) (fromLists [[0, 0]]) | w <- [1 / 0, -1 / 0, 0 / 0]] `shouldBe` replicate 3 (Left NotFinite)
+      [ network (fromLists [replicate 96 0 ++ [w]]) (fromLists [[0, 0]])
+        | w <- [1 / 0, -1 / 0, 0 / 0]
+      ]
+        `shouldBe` replicate 3 (Left NotFinite)
     it "outputs = sigmoid (W2 (sigmoid (W1 x + b1)) + b2), unit by unit" $
-      property $ forAll ((,) <$> networkGen <*> imageGen) $ \(n, image) -> case outputs n image of
-        Left refusal -> counterexample (show refusal) False
-        Right values -> conjoin (zipWith (\a b -> abs (a - b) < 1e-12) values (byDefinition n (V.toList (rasterValues image)))) .&&. length values === outputCount n
+      property $
+        forAll ((,) <$> networkGen <*> imageGen) $ \(n, image) -> case outputs n image of
+          Left refusal -> counterexample (show refusal) False
+          Right values ->
+            conjoin
+              ( zipWith
+                  (\a b -> abs (a - b) < 1e-12)
+                  values
+                  (byDefinition n (V.toList (rasterValues image)))
+              )
+              .&&. length values === outputCount n
     it "refuses images that are not 8 x 12, or hold values that are not numbers" $
-      property $ forAll networkGen $ \n ->
-        map (outputs n) [constant 12 8 0, constant 8 11 0, constant 0 0 0, constant 8 12 (0 / 0)]
-          === [Left (WrongImageSize 12 8), Left (WrongImageSize 8 11), Left (WrongImageSize 0 0), Left NotFinite]
+      property $
+        forAll networkGen $ \n ->
+          map (outputs n) [constant 12 8 0, constant 8 11 0, constant 0 0 0, constant 8 12 (0 / 0)]
+            === [ Left (WrongImageSize 12 8),
+                  Left (WrongImageSize 8 11),
+                  Left (WrongImageSize 0 0),
+                  Left NotFinite
+                ]
     it "sigmoid x = 1 / (1 + e^-x)" $
-      property $ forAll (choose (-40, 40)) $ \x -> abs (sigmoid x - 1 / (1 + exp (-x))) <= 1e-15 * sigmoid x * 8
+      property $
+        forAll (choose (-40, 40)) $ \x ->
+          abs (sigmoid x - 1 / (1 + exp (-x))) <= 1e-15 * sigmoid x * 8
     it "sigmoid rises from about 0 to 1, however far from 0 its argument" $ do
       let ys = map sigmoid [-1 / 0, -1e308, -1000, -1, 0, 1, 1000, 1e308, 1 / 0]
       ys `shouldSatisfy` \_ -> and (zipWith (<=) ys (drop 1 ys)) && all (\y -> y >= 0 && y <= 1) ys
@@ -52,88 +84,146 @@ spec = do
             Recognised k best -> winners values == [k] && Just best == lookup k (zip [0 ..] values)
             NoSymbol best -> null (winners values) && best < 0.75 && best == maximum values
             Undecided (k, best) (j, next) ->
-              null (winners values) && best >= 0.75 && best - next < 0.5 && k /= j && best == maximum values && lookup j (zip [0 ..] values) == Just next
-        | values <- replicateM 3 [0, 0.25, 0.5, 0.75, 1]
+              null (winners values)
+                && best >= 0.75
+                && best - next < 0.5
+                && k /= j
+                && best == maximum values
+                && lookup j (zip [0 ..] values) == Just next
+          | values <- replicateM 3 [0, 0.25, 0.5, 0.75, 1]
         ]
     it "on no outputs at all is no symbol" $
       decide standardThresholds [] `shouldBe` NoSymbol 0
     it "on outputs that are not numbers is a refusal" $
-      [v | i <- [0 .. 2 :: Int], let v = decide standardThresholds [if i == j then 0 / 0 else 0.1 | j <- [0 .. 2]], Recognised _ _ <- [v]] `shouldBe` []
+      [ v
+        | i <- [0 .. 2 :: Int],
+          let v = decide standardThresholds [if i == j then 0 / 0 else 0.1 | j <- [0 .. 2]],
+          Recognised _ _ <- [v]
+      ]
+        `shouldBe` []
 
   describe "A network file" $ do
     it "read, is the network it was written from, to the bit" $
       property $ forAll networkGen $ \n -> parseNetwork (renderNetwork n) === Right n
     it "is refused where it goes astray, with the line" $ do
-      let good = "pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n" <> T.unwords (replicate 97 "0.5") <> "\n1.0 2.0\n"
+      let good =
+            "pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n"
+              <> T.unwords (replicate 97 "0.5")
+              <> "\n1.0 2.0\n"
       isRight (parseNetwork good) `shouldBe` True
       map
         (either Just (const Nothing) . parseNetwork)
-        [ ""
-        , "P5\n"
-        , "pra-tactile network 1\n"
-        , "pra-tactile network 1\ninputs 95 hidden 1 outputs 1\n"
-        , "pra-tactile network 1\ninputs 96 hidden 0 outputs 1\n"
-        , "pra-tactile network 1\ninputs 96 hidden 9999999 outputs 1\n"
-        , T.replace "0.5 0.5" "0.5" good
-        , T.replace "2.0" "NaN" good
-        , T.replace "2.0" "Infinity" good
-        , T.replace "2.0" "1-2" good
-        , T.replace "1.0 2.0\n" "" good
-        , good <> "1.0 2.0\n"
+        [ "",
+          "P5\n",
+          "pra-tactile network 1\n",
+          "pra-tactile network 1\ninputs 95 hidden 1 outputs 1\n",
+          "pra-tactile network 1\ninputs 96 hidden 0 outputs 1\n",
+          "pra-tactile network 1\ninputs 96 hidden 9999999 outputs 1\n",
+          T.replace "0.5 0.5" "0.5" good,
+          T.replace "2.0" "NaN" good,
+          T.replace "2.0" "Infinity" good,
+          T.replace "2.0" "1-2" good,
+          T.replace "1.0 2.0\n" "" good,
+          good <> "1.0 2.0\n"
         ]
         `shouldBe` map
           Just
-          [ NetworkFileEnds "pra-tactile network 1"
-          , UnexpectedNetworkLine 1 "pra-tactile network 1" "P5"
-          , NetworkFileEnds sizes
-          , UnexpectedNetworkLine 2 sizes "inputs 95 hidden 1 outputs 1"
-          , UnexpectedNetworkLine 2 sizes "inputs 96 hidden 0 outputs 1"
-          , UnexpectedNetworkLine 2 sizes "inputs 96 hidden 9999999 outputs 1"
-          , UnexpectedNetworkLine 3 "96 weights and a bias" (T.take 60 (T.unwords (replicate 49 "0.5")))
-          , UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 NaN"
-          , UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 Infinity"
-          , UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 1-2"
-          , NetworkFileEnds "1 weights and a bias"
-          , UnexpectedNetworkLine 5 "the end of the file" "1.0 2.0"
+          [ NetworkFileEnds "pra-tactile network 1",
+            UnexpectedNetworkLine 1 "pra-tactile network 1" "P5",
+            NetworkFileEnds sizes,
+            UnexpectedNetworkLine 2 sizes "inputs 95 hidden 1 outputs 1",
+            UnexpectedNetworkLine 2 sizes "inputs 96 hidden 0 outputs 1",
+            UnexpectedNetworkLine 2 sizes "inputs 96 hidden 9999999 outputs 1",
+            UnexpectedNetworkLine
+              3
+              "96 weights and a bias"
+              (T.take 60 (T.unwords (replicate 49 "0.5"))),
+            UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 NaN",
+            UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 Infinity",
+            UnexpectedNetworkLine 4 "1 weights and a bias" "1.0 1-2",
+            NetworkFileEnds "1 weights and a bias",
+            UnexpectedNetworkLine 5 "the end of the file" "1.0 2.0"
           ]
     it "does not hold numbers too large for a Double" $
-      fmap (const ()) (parseNetwork ("pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n" <> T.unwords (replicate 97 "0.5") <> "\n1.0 1e999\n")) `shouldBe` Left NotFinite
+      fmap
+        (const ())
+        ( parseNetwork
+            ( "pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n"
+                <> T.unwords (replicate 97 "0.5")
+                <> "\n1.0 1e999\n"
+            )
+        )
+        `shouldBe` Left NotFinite
 
   describe "The shipped network" $ do
-    it "is read without refusal, has 8 hidden and 4 output units, and its file is as it would be written" $ do
-      file <- T.readFile "data/network.txt"
-      fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) shippedNetwork `shouldBe` Right (8, 4, file)
+    it
+      "is read without refusal, has 8 hidden and 4 output units, and its file is as it would be \
+      \written"
+      $ do
+        file <- T.readFile "data/network.txt"
+        fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) shippedNetwork
+          `shouldBe` Right (8, 4, file)
     it "recognises each clean shape" $
       onShipped $ \n a ->
-        [classify standardThresholds n (toRaster b) | b <- shapes a] `shouldSatisfy` \vs -> [k | Right (Recognised k _) <- vs] == [0 .. 3]
+        [classify standardThresholds n (toRaster b) | b <- shapes a]
+          `shouldSatisfy` \vs -> [k | Right (Recognised k _) <- vs] == [0 .. 3]
     it "refuses each clean shape turned by 180 degrees or mirrored, the blank and the full window" $
       onShipped $ \n a ->
-        [classify standardThresholds n image | image <- constant 8 12 0 : constant 8 12 1 : [move (toRaster b) | b <- shapes a, move <- [halfTurn, mirrorColumns, mirrorRows]]]
+        [ classify standardThresholds n image
+          | image <-
+              constant 8 12 0 :
+              constant 8 12 1 :
+                [move (toRaster b) | b <- shapes a, move <- [halfTurn, mirrorColumns, mirrorRows]]
+        ]
           `shouldSatisfy` all (either (const False) refused)
-    it "the paper's figure: at every noise from 0 to 0.5 fewer than 0.6 % of 1100 aligned images of each class go to another; none is answered wrongly" $
-      onShipped $ \n a ->
-        [(deviation, t) | deviation <- [0, 0.05 .. 0.5], t <- tallies (errorRates standardThresholds n a Aligned deviation 1100 1)]
-          `shouldSatisfy` all (\(_, t) -> tallyImages t == 1100 && tallyWrong t == 0 && 1000 * tallyOutvoted t < 6 * 1100)
-    it "misplaced by up to 0.7 taxel, blurred and torn as by stitching, noise 0.1: none of 1100 images of each class wrong, fewer than 0.3 % refused" $
-      onShipped $ \n a ->
-        tallies (errorRates standardThresholds n a Misplaced 0.1 1100 2) `shouldSatisfy` all (\t -> tallyWrong t == 0 && 1000 * tallyRefused t < 3 * 1100)
+    it
+      "the paper's figure: at every noise from 0 to 0.5 fewer than 0.6 % of 1100 aligned images \
+      \of each class go to another; none is answered wrongly"
+      $ onShipped $ \n a ->
+        [ (deviation, t)
+          | deviation <- [0, 0.05 .. 0.5],
+            t <- tallies (errorRates standardThresholds n a Aligned deviation 1100 1)
+        ]
+          `shouldSatisfy` all
+            ( \(_, t) ->
+                tallyImages t == 1100 && tallyWrong t == 0 && 1000 * tallyOutvoted t < 6 * 1100
+            )
+    it
+      "misplaced by up to 0.7 taxel, blurred and torn as by stitching, noise 0.1: none of 1100 \
+      \images of each class wrong, fewer than 0.3 % refused"
+      $ onShipped $ \n a ->
+        tallies (errorRates standardThresholds n a Misplaced 0.1 1100 2)
+          `shouldSatisfy` all (\t -> tallyWrong t == 0 && 1000 * tallyRefused t < 3 * 1100)
     it "the same, not seen completely: none wrong, fewer than 6 % refused" $
       onShipped $ \n a ->
-        tallies (errorRates standardThresholds n a Incomplete 0.1 1100 3) `shouldSatisfy` all (\t -> tallyWrong t == 0 && 100 * tallyRefused t < 6 * 1100)
+        tallies (errorRates standardThresholds n a Incomplete 0.1 1100 3)
+          `shouldSatisfy` all (\t -> tallyWrong t == 0 && 100 * tallyRefused t < 6 * 1100)
     it "takes none of 1100 images of each class turned by 180 degrees for an upright symbol" $
       onShipped $ \n a ->
-        tallies (acceptanceRates standardThresholds n a UpsideDown 0.1 1100 4) `shouldSatisfy` all ((== 0) . tallyWrong)
+        tallies (acceptanceRates standardThresholds n a UpsideDown 0.1 1100 4)
+          `shouldSatisfy` all ((== 0) . tallyWrong)
     it "takes fewer than 0.2 % of any other impostors for a symbol" $
       onShipped $ \n a ->
-        [(kind, t) | kind <- impostors, t <- tallies (acceptanceRates standardThresholds n a kind 0.1 1100 5)] `shouldSatisfy` all (\(_, t) -> 500 * tallyWrong t < 1100)
+        [ (kind, t)
+          | kind <- impostors,
+            t <- tallies (acceptanceRates standardThresholds n a kind 0.1 1100 5)
+        ]
+          `shouldSatisfy` all (\(_, t) -> 500 * tallyWrong t < 1100)
 
   describe "Error rates" $ do
     it "count every image once" $
       onShipped $ \n a ->
-        [tallyImages t | placing <- [minBound .. maxBound], t <- tallies (errorRates standardThresholds n a placing 0.3 50 1)] `shouldBe` replicate 12 50
+        [ tallyImages t
+          | placing <- [minBound .. maxBound],
+            t <- tallies (errorRates standardThresholds n a placing 0.3 50 1)
+        ]
+          `shouldBe` replicate 12 50
     it "are refused for a network with another number of classes than the alphabet" $
       onShipped $ \_ a ->
-        (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]) >>= \n -> errorRates standardThresholds n a Aligned 0 1 1) `shouldBe` Left (WrongOutputCount 1 4)
+        ( network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
+            >>= \n -> errorRates standardThresholds n a Aligned 0 1 1
+        )
+          `shouldBe` Left (WrongOutputCount 1 4)
 
 sizes :: T.Text
 sizes = "inputs 96 hidden H outputs Q"
@@ -144,7 +234,12 @@ refused _ = True
 
 -- | The classes that satisfy both conditions, for thresholds 0.75 and 0.5.
 winners :: [Double] -> [Int]
-winners values = [k | (k, v) <- zip [0 ..] values, v >= 0.75, and [v - w >= 0.5 | (j, w) <- zip [0 ..] values, j /= k]]
+winners values =
+  [ k
+    | (k, v) <- zip [0 ..] values,
+      v >= 0.75,
+      and [v - w >= 0.5 | (j, w) <- zip [0 ..] values, j /= k]
+  ]
 
 tallies :: Either NetworkError [Tally] -> [Tally]
 tallies = either (const []) id
@@ -156,16 +251,21 @@ onShipped check = case (shippedNetwork, paperAlphabet) of
 
 byDefinition :: Network -> [Double] -> [Double]
 byDefinition n x = layerOf (outputUnits n) (layerOf (hiddenUnits n) x)
- where
-  layerOf units inputs = [1 / (1 + exp (negate (sum (zipWith (*) unit (inputs ++ [1]))))) | unit <- toLists units]
+  where
+    layerOf units inputs =
+      [1 / (1 + exp (negate (sum (zipWith (*) unit (inputs ++ [1]))))) | unit <- toLists units]
 
 networkGen :: Gen Network
 networkGen = do
   h <- choose (1, 9)
   q <- choose (1, 5)
-  let weight = frequency [(8, choose (-3, 3)), (1, elements [0, -0.0, 5.0e-324, 1.0e-300, 0.1, 1 / 3])]
+  let weight =
+        frequency [(8, choose (-3, 3)), (1, elements [0, -0.0, 5.0e-324, 1.0e-300, 0.1, 1 / 3])]
   suchThatMap
-    (network <$> (fromLists <$> vectorOf h (vectorOf 97 weight)) <*> (fromLists <$> vectorOf q (vectorOf (h + 1) weight)))
+    ( network
+        <$> (fromLists <$> vectorOf h (vectorOf 97 weight))
+        <*> (fromLists <$> vectorOf q (vectorOf (h + 1) weight))
+    )
     (either (const Nothing) Just)
 
 imageGen :: Gen Raster

@@ -12,11 +12,10 @@ import Data.Either (isLeft)
 import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
-import Test.Hspec
-import Test.QuickCheck hiding (generate)
-
 import PraTactile.Image (constant, generate, toRows)
 import PraTactile.Image.Pgm
+import Test.Hspec
+import Test.QuickCheck hiding (generate)
 import Test.Touch.Image (genRaster)
 
 spec :: Spec
@@ -46,10 +45,35 @@ manual = do
       Right pgm@(Pgm8 15 image) -> do
         (pgmWidth pgm, pgmHeight pgm) `shouldBe` (24, 7)
         V.toList (V.slice 24 24 (imageData image))
-          `shouldBe` [0, 3, 3, 3, 3, 0, 0, 7, 7, 7, 7, 0, 0, 11, 11, 11, 11, 0, 0, 15, 15, 15, 15, 0]
+          `shouldBe` [ 0,
+                       3,
+                       3,
+                       3,
+                       3,
+                       0,
+                       0,
+                       7,
+                       7,
+                       7,
+                       7,
+                       0,
+                       0,
+                       11,
+                       11,
+                       11,
+                       11,
+                       0,
+                       0,
+                       15,
+                       15,
+                       15,
+                       15,
+                       0
+                     ]
       other -> expectationFailure (show other)
   it "reads two bytes a sample, the more significant first, when the maximum value is above 255" $
-    samples <$> decodePgm (B.concat ["P5 2 1 256\n", B.pack [1, 0, 0, 255]]) `shouldBe` Right [256, 255]
+    samples <$> decodePgm (B.concat ["P5 2 1 256\n", B.pack [1, 0, 0, 255]])
+      `shouldBe` Right [256, 255]
   it "reads one byte a sample up to a maximum value of 255" $
     samples <$> decodePgm (B.concat ["P5 2 1 255\n", B.pack [255, 10]]) `shouldBe` Right [255, 10]
   it "takes a sample that is a white space's byte for a sample" $
@@ -73,21 +97,30 @@ genPgm = do
 roundTrips :: Spec
 roundTrips = do
   it "decodePgm (encodePgm format p) = p" $
-    forAll ((,) <$> elements [Plain, Binary] <*> genPgm) $ \(format, p) -> decodePgm (encodePgm format p) === Right p
+    forAll ((,) <$> elements [Plain, Binary] <*> genPgm) $ \(format, p) ->
+      decodePgm (encodePgm format p) === Right p
   it "no line of a plain file is longer than 70 characters" $
     forAll genPgm $ \p -> all ((<= 70) . B.length) (C.lines (encodePgm Plain p))
   it "every proper prefix of a raw file is refused" $
-    forAll genPgm $ \p -> let file = encodePgm Binary p in all (isLeft . decodePgm . (`B.take` file)) [0 .. B.length file - 1]
+    forAll genPgm $ \p ->
+      let file =
+            encodePgm Binary p
+       in all (isLeft . decodePgm . (`B.take` file)) [0 .. B.length file - 1]
   it "every prefix of a plain file that ends before the last sample is refused" $
     forAll genPgm $ \p ->
       let file = encodePgm Plain p
-          end = B.length (C.dropWhileEnd (`notElem` (" \n" :: String)) (C.dropWhileEnd (== '\n') file))
+          end =
+            B.length (C.dropWhileEnd (`notElem` (" \n" :: String)) (C.dropWhileEnd (== '\n') file))
        in all (isLeft . decodePgm . (`B.take` file)) [0 .. end]
   it "any bytes after a magic are answered, and what is accepted keeps its promises" $
-    forAll ((,) <$> elements ["P2", "P5", "P5 2 2 255 ", "P2 2 2 9\n", ""] <*> (B.pack <$> arbitrary)) $ \(magic, rest) ->
-      case decodePgm (magic <> rest) of
-        Left _ -> True
-        Right p -> pgmWidth p * pgmHeight p == length (samples p) && all ((<= pgmMaxval p) . fromIntegral) (samples p)
+    forAll
+      ((,) <$> elements ["P2", "P5", "P5 2 2 255 ", "P2 2 2 9\n", ""] <*> (B.pack <$> arbitrary))
+      $ \(magic, rest) ->
+        case decodePgm (magic <> rest) of
+          Left _ -> True
+          Right p ->
+            pgmWidth p * pgmHeight p == length (samples p)
+              && all ((<= pgmMaxval p) . fromIntegral) (samples p)
 
 headers :: Spec
 headers = do
@@ -95,24 +128,36 @@ headers = do
     forAll (vectorOf 3 gap) $ \gaps ->
       case gaps of
         [a, b, c] ->
-          (fmap samples (decodePgm (B.concat ["P5", a, "2", b, "1", c, "255\n", "ab"])) === Right [97, 98])
-            .&&. (fmap samples (decodePgm (B.concat ["P2", a, "2", b, "1", c, "255", a, "7", b, "8", c])) === Right [7, 8])
+          ( fmap samples (decodePgm (B.concat ["P5", a, "2", b, "1", c, "255\n", "ab"]))
+              === Right [97, 98]
+          )
+            .&&. ( fmap
+                     samples
+                     (decodePgm (B.concat ["P2", a, "2", b, "1", c, "255", a, "7", b, "8", c]))
+                     === Right [7, 8]
+                 )
         _ -> property False
   it "takes each single white space after a raw file's maximum value, and only one" $
-    [samples <$> decodePgm (B.concat ["P5 1 1 255", w, "a"]) | w <- [" ", "\t", "\n", "\r"]] `shouldBe` replicate 4 (Right [97])
-  it "takes a comment that follows the maximum value at once, with its line end, for that white space" $
-    samples <$> decodePgm "P5 1 1 255# a comment\na" `shouldBe` Right [97]
+    [samples <$> decodePgm (B.concat ["P5 1 1 255", w, "a"]) | w <- [" ", "\t", "\n", "\r"]]
+      `shouldBe` replicate 4 (Right [97])
+  it
+    "takes a comment that follows the maximum value at once, with its line end, for that white \
+    \space"
+    $ samples <$> decodePgm "P5 1 1 255# a comment\na" `shouldBe` Right [97]
   it "takes what follows a blank after the maximum value for the image, comment or not" $
     samples <$> decodePgm "P5 1 1 255 #" `shouldBe` Right [35]
   it "takes numbers with leading zeros" $
-    samples <$> decodePgm (B.concat ["P2 ", C.replicate 50 '0', "1 01 0009 00000000000000000000000000005"]) `shouldBe` Right [5]
+    samples
+      <$> decodePgm
+        (B.concat ["P2 ", C.replicate 50 '0', "1 01 0009 00000000000000000000000000005"])
+      `shouldBe` Right [5]
   it "allows white space after the image, and nothing else" $ do
     samples <$> decodePgm "P5 1 1 255\na \n\r\t" `shouldBe` Right [97]
     decodePgm "P5 1 1 255\nab" `shouldBe` Left (TrailingData 1)
     decodePgm "P2 1 1 255\n7 8" `shouldBe` Left (TrailingData 1)
- where
-  gap = B.concat <$> ((:) <$> piece <*> listOf piece)
-  piece = elements [" ", "\t", "\n", "\r", "\r\n", "# a comment 12 P5\n", "#\n", "# ## \r"]
+  where
+    gap = B.concat <$> ((:) <$> piece <*> listOf piece)
+    piece = elements [" ", "\t", "\n", "\r", "\r\n", "# a comment 12 P5\n", "#\n", "# ## \r"]
 
 refusals :: Spec
 refusals = do
@@ -138,14 +183,22 @@ refusals = do
   it "refuses an empty image" $ do
     decodePgm "P5 0 3 255\n" `shouldBe` Left (ZeroSize 0 3)
     decodePgm "P2 3 0 255\n" `shouldBe` Left (ZeroSize 3 0)
-  it "refuses a header of too many pixels before it takes any memory for them, however many digits it has" $ do
-    decodePgm "P5 1000000000 1000000000 255\n" `shouldBe` Left (TooManyPixels 1000000000 1000000000)
-    decodePgm "P2 4294967296 4294967296 255\n0" `shouldBe` Left (TooManyPixels 4294967296 4294967296)
-    decodePgm (B.concat ["P5 ", C.replicate 1000000 '7', " 1 255\n"]) `shouldSatisfy` isLeft
-    decodePgm (C.pack ("P5 " ++ show maxPixels ++ " 2 255\n")) `shouldBe` Left (TooManyPixels (fromIntegral maxPixels) 2)
+  it
+    "refuses a header of too many pixels before it takes any memory for them, however many digits \
+    \it has"
+    $ do
+      decodePgm "P5 1000000000 1000000000 255\n"
+        `shouldBe` Left (TooManyPixels 1000000000 1000000000)
+      decodePgm "P2 4294967296 4294967296 255\n0"
+        `shouldBe` Left (TooManyPixels 4294967296 4294967296)
+      decodePgm (B.concat ["P5 ", C.replicate 1000000 '7', " 1 255\n"]) `shouldSatisfy` isLeft
+      decodePgm (C.pack ("P5 " ++ show maxPixels ++ " 2 255\n"))
+        `shouldBe` Left (TooManyPixels (fromIntegral maxPixels) 2)
   it "believes a header within the bound only as far as the file goes" $ do
-    decodePgm (C.pack ("P5 " ++ show maxPixels ++ " 1 255\nabc")) `shouldBe` Left (Truncated maxPixels 3)
-    decodePgm (C.pack ("P2 " ++ show maxPixels ++ " 1 255\n1 2 3")) `shouldBe` Left (Truncated maxPixels 3)
+    decodePgm (C.pack ("P5 " ++ show maxPixels ++ " 1 255\nabc"))
+      `shouldBe` Left (Truncated maxPixels 3)
+    decodePgm (C.pack ("P2 " ++ show maxPixels ++ " 1 255\n1 2 3"))
+      `shouldBe` Left (Truncated maxPixels 3)
   it "counts the whole samples of a truncated file" $ do
     decodePgm "P5 2 1 256\n\0\1\0" `shouldBe` Left (Truncated 2 1)
     decodePgm "P2 3 1 9 1  2  " `shouldBe` Left (Truncated 3 2)
@@ -168,9 +221,21 @@ intensities = do
   it "pgmFromIntensity maxval (pgmIntensity p) = p" $
     forAll genPgm $ \p -> pgmFromIntensity (fromIntegral (pgmMaxval p)) (pgmIntensity p) === Right p
   it "all 65536 samples of the largest maximum value survive" $
-    fmap samples (pgmFromIntensity 65535 (generate 256 256 (\x y -> fromIntegral (256 * y + x) / 65535))) `shouldBe` Right [0 .. 65535]
+    fmap
+      samples
+      (pgmFromIntensity 65535 (generate 256 256 (\x y -> fromIntegral (256 * y + x) / 65535)))
+      `shouldBe` Right [0 .. 65535]
   it "clips to 0 and 1, rounds to the nearest sample, and takes what is not a number for 0" $
-    fmap samples (pgmFromIntensity 10 (generate 6 1 (\x _ -> case x of 0 -> -3; 1 -> 7; 2 -> 0.34; 3 -> 0.36; 4 -> 0 / 0; _ -> 1 / 0)))
+    fmap
+      samples
+      ( pgmFromIntensity
+          10
+          ( generate
+              6
+              1
+              (\x _ -> case x of 0 -> -3; 1 -> 7; 2 -> 0.34; 3 -> 0.36; 4 -> 0 / 0; _ -> 1 / 0)
+          )
+      )
       `shouldBe` Right [0, 10, 3, 4, 0, 10]
   it "refuses an empty raster and a maximum value of 0" $ do
     pgmFromIntensity 255 (constant 0 4 1) `shouldBe` Left (ZeroSize 0 4)
@@ -179,5 +244,6 @@ intensities = do
     fmap (toRows . pgmIntensity) (decodePgm "P2 3 1 200 0 50 200") `shouldBe` Right [[0, 0.25, 1]]
   it "rasterPng is a PNG whose pixels are the samples of 8 bits" $
     forAll genRaster $ \r -> case (decodePng (L.toStrict (rasterPng r)), pgmFromIntensity 255 r) of
-      (Right (ImageY8 image), Right pgm) -> map fromIntegral (V.toList (imageData image)) === samples pgm
+      (Right (ImageY8 image), Right pgm) ->
+        map fromIntegral (V.toList (imageData image)) === samples pgm
       other -> counterexample (either show (const "not grey") (fst other)) False

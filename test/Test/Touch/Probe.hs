@@ -5,11 +5,10 @@ module Test.Touch.Probe (spec) where
 
 import qualified Data.ByteString as B
 import Data.Either (isLeft)
-import Test.Hspec
-import Test.QuickCheck
-
 import PraTactile.Probe
 import PraTactile.Probe.Manifest
+import Test.Hspec
+import Test.QuickCheck
 
 spec :: Spec
 spec = do
@@ -18,16 +17,23 @@ spec = do
   describe "Manifests" manifests
 
 genMotion :: Gen Motion
-genMotion = Motion <$> oneof [elements [0, 90, 180, 270], choose (0, 359.9)] <*> choose (-99, 99) <*> choose (-99, 99)
+genMotion =
+  Motion
+    <$> oneof [elements [0, 90, 180, 270], choose (0, 359.9)]
+    <*> choose (-99, 99)
+    <*> choose (-99, 99)
 
 genPose :: Gen Pose
 genPose = Pose <$> choose (-99, 99) <*> choose (-99, 99) <*> choose (0, 359.9)
 
 -- | Equal up to rounding, angles around the full turn too.
 same :: Pose -> Pose -> Property
-same a@(Pose x y r) b@(Pose x' y' r') = counterexample (show (a, b)) (abs (x - x') < 1e-9 && abs (y - y') < 1e-9 && (turn < 1e-9 || 360 - turn < 1e-9))
- where
-  turn = abs (r - r')
+same a@(Pose x y r) b@(Pose x' y' r') =
+  counterexample
+    (show (a, b))
+    (abs (x - x') < 1e-9 && abs (y - y') < 1e-9 && (turn < 1e-9 || 360 - turn < 1e-9))
+  where
+    turn = abs (r - r')
 
 motions :: Spec
 motions = do
@@ -37,7 +43,8 @@ motions = do
   it "move (inverse (inverse m)) p = move m p" $
     forAll ((,) <$> genMotion <*> genPose) $ \(m, p) -> move (inverse (inverse m)) p `same` move m p
   it "move (m `andThen` n) p = move n (move m p)" $
-    forAll ((,,) <$> genMotion <*> genMotion <*> genPose) $ \(m, n, p) -> move (m `andThen` n) p `same` move n (move m p)
+    forAll ((,,) <$> genMotion <*> genMotion <*> genPose) $ \(m, n, p) ->
+      move (m `andThen` n) p `same` move n (move m p)
   it "distances stay" $
     forAll ((,,) <$> genMotion <*> genPose <*> genPose) $ \(m, p, q) ->
       let distance (x, y) (x', y') = sqrt ((x - x') * (x - x') + (y - y') * (y - y'))
@@ -49,33 +56,50 @@ motions = do
     movePoint (Motion (-270) 0 0) (1, 0) `shouldBe` (0, 1)
     movePoint (Motion 180 5 7) (1, 2) `shouldBe` (4, 5)
   it "rotations stay in [0, 360)" $
-    forAll ((,) <$> genMotion <*> genPose) $ \(m, p) -> let r = poseRotation (move m p) in r >= 0 && r < 360
+    forAll ((,) <$> genMotion <*> genPose) $ \(m, p) ->
+      let r =
+            poseRotation (move m p)
+       in r >= 0 && r < 360
 
 plans :: Spec
 plans = do
   it "the region of the evaluation takes columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $
     planScan 8 (0, 0) (40, 52)
-      `shouldBe` Right [Pose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0 | y <- [0, 8, 16, 24, 32, 36], x <- [0, 8, 16, 24]]
+      `shouldBe` Right
+        [ Pose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0
+          | y <- [0, 8, 16, 24, 32, 36],
+            x <- [0, 8, 16, 24]
+        ]
   it "the frames cover the region and nothing else, neighbours no further apart than the spacing" $
     forAll ((,,) <$> choose (1, 16) <*> choose (16, 70) <*> choose (16, 70)) $ \(spacing, w, h) ->
       forAll ((,) <$> choose (-50, 50) <*> choose (-50, 50)) $ \(left, top) ->
         case planScan spacing (left, top) (w, h) of
           Left e -> counterexample (show e) False
           Right poses ->
-            let offsets edge coordinate = unique [round ((coordinate p - edge) / taxelPitch - 8) | p <- poses]
-                good size os = take 1 os == [0] && last os == size - 16 && and (zipWith (\a b -> b - a <= spacing) os (drop 1 os))
+            let offsets edge coordinate =
+                  unique [round ((coordinate p - edge) / taxelPitch - 8) | p <- poses]
+                good size os =
+                  take 1 os == [0]
+                    && last os == size - 16
+                    && and (zipWith (\a b -> b - a <= spacing) os (drop 1 os))
                 xs = offsets left poseX
                 ys = offsets top poseY
-             in counterexample (show (xs, ys)) (good w xs && good h ys && length poses == length xs * length ys && all ((== 0) . poseRotation) poses)
+             in counterexample
+                  (show (xs, ys))
+                  ( good w xs
+                      && good h ys
+                      && length poses == length xs * length ys
+                      && all ((== 0) . poseRotation) poses
+                  )
   it "refuses a spacing below one taxel, a region smaller than the sensor, and one without end" $ do
     planScan 0 (0, 0) (40, 40) `shouldBe` Left (SpacingTooSmall 0)
     planScan 8 (0, 0) (15, 40) `shouldBe` Left (RegionTooSmall 15 40)
     planScan 8 (0, 0) (40, -1) `shouldBe` Left (RegionTooSmall 40 (-1))
     planScan 1 (0, 0) (maxBound, maxBound) `shouldBe` Left (RegionTooLarge maxBound maxBound)
- where
-  unique :: [Int] -> [Int]
-  unique = foldr (\a seen -> if a `elem` seen then seen else insertInOrder a seen) []
-  insertInOrder a seen = takeWhile (< a) seen ++ [a] ++ dropWhile (< a) seen
+  where
+    unique :: [Int] -> [Int]
+    unique = foldr (\a seen -> if a `elem` seen then seen else insertInOrder a seen) []
+    insertInOrder a seen = takeWhile (< a) seen ++ [a] ++ dropWhile (< a) seen
 
 manifests :: Spec
 manifests = do
@@ -88,12 +112,15 @@ manifests = do
     parseManifest "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\r\na b.pgm,1,2,0,3\r\n\n"
       `shouldBe` Right [Entry "a b.pgm" (Pose 1 2 0) 3]
   it "takes a quoted name with commas and quotes" $
-    parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3") `shouldBe` Right [Entry "a,\"b\".pgm" (Pose 1 2 0) 3]
+    parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3")
+      `shouldBe` Right [Entry "a,\"b\".pgm" (Pose 1 2 0) 3]
   it "names the line, counting blank ones, and the field that is no finite number" $ do
-    parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n") `shouldBe` Left (BadNumber 4 "y_mm" "two")
+    parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n")
+      `shouldBe` Left (BadNumber 4 "y_mm" "two")
     parseManifest (header <> "a,1,2,NaN,3\n") `shouldBe` Left (BadNumber 2 "rotation_deg" "NaN")
     parseManifest (header <> "a,Infinity,2,0,3\n") `shouldBe` Left (BadNumber 2 "x_mm" "Infinity")
-    parseManifest (header <> "a,1,2,0,1e999999999\n") `shouldBe` Left (BadNumber 2 "force_n" "1e999999999")
+    parseManifest (header <> "a,1,2,0,1e999999999\n")
+      `shouldBe` Left (BadNumber 2 "force_n" "1e999999999")
     parseManifest (header <> "a,1,2,0,\n") `shouldBe` Left (BadNumber 2 "force_n" "")
     parseManifest (header <> "a,1 2,2,0,1\n") `shouldBe` Left (BadNumber 2 "x_mm" "1 2")
   it "names the line with the wrong number of fields" $ do
@@ -103,7 +130,8 @@ manifests = do
     parseManifest (header <> ",1,2,0,3\n") `shouldBe` Left (BadFileName 2)
     parseManifest (header <> "\xff,1,2,0,3\n") `shouldBe` Left (BadFileName 2)
   it "refuses another header, an empty file and one without frames" $ do
-    parseManifest "file,x_mm,y_mm,rotation,force_n\n" `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm", "rotation", "force_n"])
+    parseManifest "file,x_mm,y_mm,rotation,force_n\n"
+      `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm", "rotation", "force_n"])
     parseManifest "" `shouldBe` Left EmptyManifest
     parseManifest " \n" `shouldSatisfy` isLeft
     parseManifest header `shouldBe` Left NoEntries
@@ -112,11 +140,12 @@ manifests = do
     parseManifest (header <> "a,1,2,0,\"\n") `shouldBe` Left (NotCsv 2)
     parseManifest "\"" `shouldBe` Left (NotCsv 1)
   it "answers any bytes, quotes and commas above all" $
-    withMaxSuccess 2000 $ forAll ((,) <$> elements ["", header] <*> genBytes) $ \(start, rest) ->
-      either (const True) (not . null) (parseManifest (start <> rest))
- where
-  header = "file,x_mm,y_mm,rotation_deg,force_n\n"
-  genBytes = B.pack <$> listOf (frequency [(2, arbitrary), (1, elements (B.unpack "\",\n\r1a "))])
-  genEntry = Entry <$> genName <*> (Pose <$> finite <*> finite <*> finite) <*> finite
-  finite = arbitrary :: Gen Double
-  genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])
+    withMaxSuccess 2000 $
+      forAll ((,) <$> elements ["", header] <*> genBytes) $ \(start, rest) ->
+        either (const True) (not . null) (parseManifest (start <> rest))
+  where
+    header = "file,x_mm,y_mm,rotation_deg,force_n\n"
+    genBytes = B.pack <$> listOf (frequency [(2, arbitrary), (1, elements (B.unpack "\",\n\r1a "))])
+    genEntry = Entry <$> genName <*> (Pose <$> finite <*> finite <*> finite) <*> finite
+    finite = arbitrary :: Gen Double
+    genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])

@@ -1,14 +1,9 @@
-{-# LANGUAGE ScopedTypeVariables #-}
 -- | Segmentation, and the arrangement of symbols on their lattice.
 module Test.Touch.Segment (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import System.Random (mkStdGen)
-import Test.Hspec
-import Test.QuickCheck hiding (generate, sample)
-
 import PraTactile.Image
 import PraTactile.Image.Correlate (overlapAt, referenceOf, zncc)
 import PraTactile.Probe
@@ -17,6 +12,9 @@ import PraTactile.Random (normals)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice
 import PraTactile.Stitch
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Sensor (embossing, faceOf)
 
 spec :: Spec
@@ -29,26 +27,33 @@ spec = do
 
 -- | A composite of that size, its pixels clipped after noise of that standard deviation was added.
 noisy :: Int -> Double -> Raster -> Composite
-noisy seed sd image = compositeOf (generate w h (\x y -> max 0 (min 1 (value x y + sd * fromMaybe 0 (noise V.!? (y * w + x))))))
- where
-  w = rasterWidth image
-  h = rasterHeight image
-  value x y = fromMaybe 0 (index image x y)
-  (noise, _) = normals (w * h) (mkStdGen seed)
+noisy seed sd image =
+  compositeOf
+    (generate w h (\x y -> max 0 (min 1 (value x y + sd * fromMaybe 0 (noise V.!? (y * w + x))))))
+  where
+    w = rasterWidth image
+    h = rasterHeight image
+    value x y = fromMaybe 0 (index image x y)
+    (noise, _) = normals (w * h) (mkStdGen seed)
 
--- | An image of that size with a bitmap embossed at a real place (of its upper left pixel's centre): each
--- pixel the mean over its square.
+-- | An image of that size with a bitmap embossed at a real place (of its upper left pixel's
+-- centre): each pixel the mean over its square.
 embossedAt :: Int -> Int -> [((Double, Double), Raster)] -> Raster
-embossedAt w h bitmaps = generate w h (\x y -> sum [share b (fromIntegral x - px) (fromIntegral y - py) | ((px, py), b) <- bitmaps])
- where
-  -- The mean over a unit square of what is constant on unit squares: bilinear between them, 0 outside.
-  share b x y =
-    sum
-      [ wx * wy * fromMaybe 0 (index b (floor x + i) (floor y + j))
-      | (i, wx) <- [(0, 1 - part x), (1, part x)]
-      , (j, wy) <- [(0, 1 - part y), (1, part y)]
-      ]
-  part t = t - fromIntegral (floor t :: Int)
+embossedAt w h bitmaps =
+  generate
+    w
+    h
+    (\x y -> sum [share b (fromIntegral x - px) (fromIntegral y - py) | ((px, py), b) <- bitmaps])
+  where
+    -- The mean over a unit square of what is constant on unit squares: bilinear between them, 0
+    -- outside.
+    share b x y =
+      sum
+        [ wx * wy * fromMaybe 0 (index b (floor x + i) (floor y + j))
+          | (i, wx) <- [(0, 1 - part x), (1, part x)],
+            (j, wy) <- [(0, 1 - part y), (1, part y)]
+        ]
+    part t = t - fromIntegral (floor t :: Int)
 
 likeness :: Raster -> Raster -> Double
 likeness a b = fromMaybe 0 (zncc (overlapAt (referenceOf a) b 0 0))
@@ -56,53 +61,76 @@ likeness a b = fromMaybe 0 (zncc (overlapAt (referenceOf a) b 0 0))
 blanks :: Spec
 blanks = do
   it "hold no symbol, whatever their level" $
-    [segmentedSymbols (segment (compositeOf (constant 40 52 v))) | v <- [0, 0.3, 1]] `shouldBe` [[], [], []]
+    [segmentedSymbols (segment (compositeOf (constant 40 52 v))) | v <- [0, 0.3, 1]]
+      `shouldBe` [[], [], []]
   it "hold no symbol and nothing embossed when they are noise alone" $
-    forAll ((,,) <$> choose (1, 100000) <*> choose (0.01, 0.3) <*> elements [0, 0.3, 0.5]) $ \(seed, sd, level) ->
-      segment (noisy seed sd (constant 40 52 level)) === Segmentation [] [] 0 0
+    forAll
+      ((,,) <$> choose (1, 100000) <*> choose (0.01, 0.3) <*> elements [0, 0.3, 0.5])
+      $ \(seed, sd, level) ->
+        segment (noisy seed sd (constant 40 52 level)) === Segmentation [] [] 0 0
   it "hold no symbol when there is nothing to them" $
-    map (segment . compositeOf) [constant 0 0 1, constant 1 1 1, constant 0 5 0] `shouldBe` replicate 3 (Segmentation [] [] 0 0)
+    map (segment . compositeOf) [constant 0 0 1, constant 1 1 1, constant 0 5 0]
+      `shouldBe` replicate 3 (Segmentation [] [] 0 0)
 
 one :: Spec
 one = do
   it "is found to a third of a taxel wherever it lies, and shows what is embossed" $
     conjoin
-      [ forAll ((,,) <$> choose (1, 100000) <*> choose (6, 26) <*> choose (6, 34)) $ \(seed, x, y) ->
-          alone (noisy seed 0.05 (embossedAt 40 52 [((x, y), bitmap)])) $ \symbol ->
-            let (cx, cy) = symbolCentre symbol
-             in counterexample (show ((x + 3.5, y + 5.5), symbol)) $
-                  abs (cx - x - 3.5) < 1 / 3 && abs (cy - y - 5.5) < 1 / 3 && likeness (symbolPixels symbol) bitmap > 0.85
-      | bitmap <- embossing ++ map halfTurn embossing
+      [ forAll
+          ((,,) <$> choose (1, 100000) <*> choose (6, 26) <*> choose (6, 34))
+          $ \(seed, x, y) ->
+            alone (noisy seed 0.05 (embossedAt 40 52 [((x, y), bitmap)])) $ \symbol ->
+              let (cx, cy) = symbolCentre symbol
+               in counterexample (show ((x + 3.5, y + 5.5), symbol)) $
+                    abs (cx - x - 3.5) < 1 / 3
+                      && abs (cy - y - 5.5) < 1 / 3
+                      && likeness (symbolPixels symbol) bitmap > 0.85
+        | bitmap <- embossing ++ map halfTurn embossing
       ]
   it "comes as 8 x 12 pixels with the background at 0 and the embossing at 1, upright" $
     conjoin
-      [ alone (compositeOf (mapRaster (\v -> 0.2 + 0.5 * v) (embossedAt 30 30 [((10, 9), bitmap)]))) $ \symbol ->
-          closeTo (symbolPixels symbol) bitmap
-            .&&. symbolAxis symbol === 0
-            .&&. near (symbolSize symbol) (8, 12)
-            .&&. near (symbolCentre symbol) (13.5, 14.5)
-      | bitmap <- embossing
+      [ alone
+          (compositeOf (mapRaster (\v -> 0.2 + 0.5 * v) (embossedAt 30 30 [((10, 9), bitmap)])))
+          $ \symbol ->
+            closeTo (symbolPixels symbol) bitmap
+              .&&. symbolAxis symbol === 0
+              .&&. near (symbolSize symbol) (8, 12)
+              .&&. near (symbolCentre symbol) (13.5, 14.5)
+        | bitmap <- embossing
       ]
   it "is the same at any gain and offset" $
-    forAll ((,,) <$> choose (1, 100000) <*> choose (0.3, 0.7) <*> choose (0, 0.3)) $ \(seed, gain, offset) ->
-      let plain = mapRaster (\v -> 0.1 + 0.8 * v) (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
-       in alone (compositeOf plain) $ \a ->
-            alone (compositeOf (mapRaster (\v -> gain * v + offset) plain)) $ \b ->
-              near (symbolCentre a) (symbolCentre b) .&&. property (likeness (symbolPixels a) (symbolPixels b) > 0.9999)
+    forAll
+      ((,,) <$> choose (1, 100000) <*> choose (0.3, 0.7) <*> choose (0, 0.3))
+      $ \(seed, gain, offset) ->
+        let plain =
+              mapRaster (\v -> 0.1 + 0.8 * v) (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
+         in alone (compositeOf plain) $ \a ->
+              alone (compositeOf (mapRaster (\v -> gain * v + offset) plain)) $ \b ->
+                near (symbolCentre a) (symbolCentre b)
+                  .&&. property (likeness (symbolPixels a) (symbolPixels b) > 0.9999)
   it "in the half-turned composite is half-turned" $
     forAll (choose (1, 100000)) $ \seed ->
       let composite = noisy seed 0.05 (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
           turned = compositeOf (halfTurn (compositeImage composite))
        in alone composite $ \a -> alone turned $ \b ->
             let (x, y) = symbolCentre a
-             in near (29 - x, 39 - y) (symbolCentre b) .&&. property (likeness (symbolPixels a) (halfTurn (symbolPixels b)) > 0.999)
- where
-  near (x, y) (x', y') = counterexample (show ((x, y), (x', y'))) (abs (x - x') < 0.02 && abs (y - y') < 0.02)
-  -- The levels are known to a 512th of the composite's range.
-  closeTo a b = counterexample (show (toRows a)) (either (const False) (maybe True (< 0.01) . maximumValue) (zipRaster (\p q -> abs (p - q)) a b))
-  bitmapOf seed = case drop (seed `mod` 4) embossing of
-    bitmap : _ -> bitmap
-    [] -> constant 8 12 1
+             in near (29 - x, 39 - y) (symbolCentre b)
+                  .&&. property (likeness (symbolPixels a) (halfTurn (symbolPixels b)) > 0.999)
+  where
+    near (x, y) (x', y') =
+      counterexample (show ((x, y), (x', y'))) (abs (x - x') < 0.02 && abs (y - y') < 0.02)
+    -- The levels are known to a 512th of the composite's range.
+    closeTo a b =
+      counterexample
+        (show (toRows a))
+        ( either
+            (const False)
+            (maybe True (< 0.01) . maximumValue)
+            (zipRaster (\p q -> abs (p - q)) a b)
+        )
+    bitmapOf seed = case drop (seed `mod` 4) embossing of
+      bitmap : _ -> bitmap
+      [] -> constant 8 12 1
 
 -- | The one symbol of a composite, if it holds one and nothing else.
 alone :: Testable t => Composite -> (SymbolImage -> t) -> Property
@@ -112,14 +140,16 @@ alone composite check = case segment composite of
 
 rejected :: Spec
 rejected = do
-  it "a symbol that the edge cuts off by three taxels or more is called cut off, in all the pieces that are left of it" $
-    conjoin
+  it
+    "a symbol that the edge cuts off by three taxels or more is called cut off, in all the pieces \
+    \that are left of it"
+    $ conjoin
       [ forAll (choose (3, 6)) $ \cut ->
           conjoin
             [ nothingBut CutOff (segment (compositeOf (embossedAt 40 52 [(place, bitmap)])))
-            | place <- [(-cut, 20), (32 + cut, 20), (15, -cut), (15, 40 + cut)]
+              | place <- [(-cut, 20), (32 + cut, 20), (15, -cut), (15, 40 + cut)]
             ]
-      | bitmap <- solid : embossing
+        | bitmap <- solid : embossing
       ]
   it "a symbol that the edge cuts off by less than a taxel is found where it is" $
     conjoin
@@ -127,84 +157,137 @@ rejected = do
           conjoin
             [ alone (compositeOf (embossedAt 40 52 [(place, bitmap)])) $ \symbol ->
                 let (cx, cy) = symbolCentre symbol
-                 in counterexample (show (place, symbol)) (abs (cx - x - 3.5) < 0.5 && abs (cy - y - 5.5) < 0.5 && likeness (symbolPixels symbol) bitmap > 0.7)
-            | place@(x, y) <- [(-cut, 20), (32 + cut, 20), (15, -cut), (15, 40 + cut)]
+                 in counterexample
+                      (show (place, symbol))
+                      ( abs (cx - x - 3.5) < 0.5
+                          && abs (cy - y - 5.5) < 0.5
+                          && likeness (symbolPixels symbol) bitmap > 0.7
+                      )
+              | place@(x, y) <- [(-cut, 20), (32 + cut, 20), (15, -cut), (15, 40 + cut)]
             ]
-      | bitmap <- embossing
+        | bitmap <- embossing
       ]
   it "a symbol at the edge of what was touched within a larger composite is cut off" $
     forAll (choose (3, 6)) $ \cut ->
       let whole = compositeOf (embossedAt 40 52 [((15, 20), solid)])
-          seen = whole {compositeCoverage = generate 40 52 (\x _ -> if fromIntegral x < 15 + cut - (0.5 :: Double) then 0 else 1)}
+          seen =
+            whole
+              { compositeCoverage =
+                  generate
+                    40
+                    52
+                    (\x _ -> if fromIntegral x < 15 + cut - (0.5 :: Double) then 0 else 1)
+              }
        in causes (segment seen) === ([], [CutOff])
   it "what is not of a symbol's size is called so" $
     [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), constant w h 1)])))
-    | (w, h) <- [(4, 4), (8, 8), (12, 12), (8, 16), (12, 8), (8, 10), (6, 12)]
+      | (w, h) <- [(4, 4), (8, 8), (12, 12), (8, 16), (12, 8), (8, 10), (6, 12)]
     ]
       `shouldBe` replicate 7 ([], [WrongSize])
   it "a few bright pixels are nothing" $
-    causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), constant 1 2 1)]))) `shouldBe` ([(17.5, 25.5)], [])
- where
-  nothingBut cause s = counterexample (show s) (null (segmentedSymbols s) && not (null (segmentedRejects s)) && and [c == cause | Reject _ c <- segmentedRejects s])
-  causes s = (map symbolCentre (segmentedSymbols s), [cause | Reject _ cause <- segmentedRejects s])
-  solid = constant 8 12 1
+    causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), constant 1 2 1)])))
+      `shouldBe` ([(17.5, 25.5)], [])
+  where
+    nothingBut cause s =
+      counterexample
+        (show s)
+        ( null (segmentedSymbols s)
+            && not (null (segmentedRejects s))
+            && and [c == cause | Reject _ c <- segmentedRejects s]
+        )
+    causes s =
+      (map symbolCentre (segmentedSymbols s), [cause | Reject _ cause <- segmentedRejects s])
+    solid = constant 8 12 1
 
 presses :: Spec
 presses =
-  -- Fixed seeds: one press in a thousand or so is refused, and a test must not be red by chance. Symbols on both sides of a gap in
-  -- which nothing overlaps are tied by the robot's positions alone, hence the three taxels.
-  it "with noise of 0.1 and position errors of one taxel, all the symbols well within a scan are found within 3 taxels of their places to each other" $
-    conjoin $ flip map [(seed, fromIntegral (seed * 7 `mod` 160) / 8, fromIntegral (seed * 11 `mod` 160) / 8) | seed <- [1 .. 24 :: Int]] $ \(seed, x, y :: Double) ->
-      let cells = [[0, 1, 2, 3], [3, 2, 0, 1], [1, 0, 3, 2], [2, 3, 1, 0]]
-          poses = either (const []) id (planScan 8 (taxelPitch * x, taxelPitch * y) (40, 52))
-          frames = fst (scan standardSensor (faceOf cells) stay poses (mkStdGen seed))
-          inside =
-            [ ((row, column), (cx - x, cy - y))
-            | row <- [0 .. 3 :: Int]
-            , column <- [0 .. 3 :: Int]
-            , let cx = 16 * fromIntegral column + 8
-            , let cy = 20 * fromIntegral row + 10
-            , cx - x > 7
-            , cx - x < 33
-            , cy - y > 9
-            , cy - y < 43
-            ]
-       in case stitch standardRegistration frames of
-            Left e -> counterexample (show e) False
-            Right composite ->
-              let places =
-                    [ ((px - taxelPitch * x) / taxelPitch + 0.5, (py - taxelPitch * y) / taxelPitch + 0.5)
-                    | symbol <- segmentedSymbols (segment composite)
-                    , let (px, py) = compositePosition composite (symbolCentre symbol)
-                    ]
-                  offsets = [minimumBy' [(a - cx, b - cy) | (a, b) <- places] | (_, (cx, cy)) <- inside]
-               in counterexample (show (inside, places)) (not (null inside) && and [distance p q < 3 | p <- offsets, q <- offsets])
- where
-  distance (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
-  minimumBy' = foldr (\p q -> if distance p (0, 0) < distance q (0, 0) then p else q) (99, 99)
+  -- Fixed seeds: one press in a thousand or so is refused, and a test must not be red by chance.
+  -- Symbols on both sides of a gap in which nothing overlaps are tied by the robot's positions
+  -- alone, hence the three taxels.
+  it
+    "with noise of 0.1 and position errors of one taxel, all the symbols well within a scan are \
+    \found within 3 taxels of their places to each other"
+    $ conjoin $
+      flip
+        map
+        [ (seed, fromIntegral (seed * 7 `mod` 160) / 8, fromIntegral (seed * 11 `mod` 160) / 8)
+          | seed <- [1 .. 24 :: Int]
+        ]
+        $ \(seed, x, y :: Double) ->
+          let cells = [[0, 1, 2, 3], [3, 2, 0, 1], [1, 0, 3, 2], [2, 3, 1, 0]]
+              poses = either (const []) id (planScan 8 (taxelPitch * x, taxelPitch * y) (40, 52))
+              frames = fst (scan standardSensor (faceOf cells) stay poses (mkStdGen seed))
+              inside =
+                [ ((row, column), (cx - x, cy - y))
+                  | row <- [0 .. 3 :: Int],
+                    column <- [0 .. 3 :: Int],
+                    let cx = 16 * fromIntegral column + 8,
+                    let cy = 20 * fromIntegral row + 10,
+                    cx - x > 7,
+                    cx - x < 33,
+                    cy - y > 9,
+                    cy - y < 43
+                ]
+           in case stitch standardRegistration frames of
+                Left e -> counterexample (show e) False
+                Right composite ->
+                  let places =
+                        [ ( (px - taxelPitch * x) / taxelPitch + 0.5,
+                            (py - taxelPitch * y) / taxelPitch + 0.5
+                          )
+                          | symbol <- segmentedSymbols (segment composite),
+                            let (px, py) = compositePosition composite (symbolCentre symbol)
+                        ]
+                      offsets =
+                        [minimumBy' [(a - cx, b - cy) | (a, b) <- places] | (_, (cx, cy)) <- inside]
+                   in counterexample
+                        (show (inside, places))
+                        (not (null inside) && and [distance p q < 3 | p <- offsets, q <- offsets])
+  where
+    distance (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
+    minimumBy' = foldr (\p q -> if distance p (0, 0) < distance q (0, 0) then p else q) (99, 99)
 
 lattice :: Spec
 lattice = do
   it "symbols at pitch 16 x 20, each up to two taxels off, are arranged as they lie" $
     forAll (vectorOf 12 ((,) <$> choose (-2, 2) <*> choose (-2, 2))) $ \jitter ->
-      forAll (shuffle (zip [(row, column) | row <- [0 .. 3], column <- [0 .. 2]] jitter)) $ \placed ->
-        let symbols = [(cell, at (100 + 16 * fromIntegral column + dx, 50 + 20 * fromIntegral row + dy)) | (cell@(row, column), (dx, dy)) <- placed]
-         in arrange id (map snd symbols) === [Cluster (Map.fromList symbols)]
-  it "the cells count from the uppermost row and the leftmost column, though no symbol need lie there" $
+      forAll
+        (shuffle (zip [(row, column) | row <- [0 .. 3], column <- [0 .. 2]] jitter))
+        $ \placed ->
+          let symbols =
+                [ (cell, at (100 + 16 * fromIntegral column + dx, 50 + 20 * fromIntegral row + dy))
+                  | (cell@(row, column), (dx, dy)) <- placed
+                ]
+           in arrange id (map snd symbols) === [Cluster (Map.fromList symbols)]
+  it
+    "the cells count from the uppermost row and the leftmost column, though no symbol need lie \
+    \there"
+    $
     -- An L upside down and mirrored: the upper left cell is empty.
-    arrange id [at (16, 0), at (16, 20), at (0, 20)] `shouldBe` [Cluster (Map.fromList [((0, 1), at (16, 0)), ((1, 1), at (16, 20)), ((1, 0), at (0, 20))])]
+    arrange id [at (16, 0), at (16, 20), at (0, 20)]
+      `shouldBe` [ Cluster
+                     ( Map.fromList
+                         [((0, 1), at (16, 0)), ((1, 1), at (16, 20)), ((1, 0), at (0, 20))]
+                     )
+                 ]
   it "symbols that no neighbours connect stay in clusters of their own" $
     arrange id [at (0, 0), at (16, 0), at (48, 0), at (0, 60)]
-      `shouldBe` [Cluster (Map.fromList [((0, 0), at (0, 0)), ((0, 1), at (16, 0))]), Cluster (Map.fromList [((0, 0), at (48, 0))]), Cluster (Map.fromList [((0, 0), at (0, 60))])]
+      `shouldBe` [ Cluster (Map.fromList [((0, 0), at (0, 0)), ((0, 1), at (16, 0))]),
+                   Cluster (Map.fromList [((0, 0), at (48, 0))]),
+                   Cluster (Map.fromList [((0, 0), at (0, 60))])
+                 ]
   it "diagonal neighbours alone do not connect" $
     length (arrange id [at (0, 0), at (16, 20)]) `shouldBe` 2
   it "two symbols in one place are a contradiction" $
     case arrange id [at (0, 0), at (16, -1), at (16, 3)] of
-      [Contradiction (SharedCell _ a b) members] -> (map symbolCentre [a, b], length members) `shouldBe` ([(16, -1), (16, 3)], 3)
+      [Contradiction (SharedCell _ a b) members] ->
+        (map symbolCentre [a, b], length members) `shouldBe` ([(16, -1), (16, 3)], 3)
       other -> expectationFailure (show other)
   it "two roads that lead to different cells are a contradiction" $
     -- From (0, 0) to (60, 0) in five short steps and in three long ones.
-    case arrange id (map at [(0, 0), (12, 4), (24, 8), (36, 8), (48, 4), (60, 0), (20, -4), (40, -4)]) of
+    case arrange
+      id
+      (map at [(0, 0), (12, 4), (24, 8), (36, 8), (48, 4), (60, 0), (20, -4), (40, -4)]) of
       [Contradiction (TwoCells _ a b) members] -> (a /= b, length members) `shouldBe` (True, 8)
       other -> expectationFailure (show other)
   it "distances are measured along the symbols' axes" $
@@ -212,7 +295,12 @@ lattice = do
     let turned (x, y) = (at (x, y)) {symbolAxis = 30}
         (c, s) = (cos (pi / 6), sin (pi / 6))
      in do
-          arrange id [turned (0, 0), turned (16 * c, 16 * s)] `shouldBe` [Cluster (Map.fromList [((0, 0), turned (0, 0)), ((0, 1), turned (16 * c, 16 * s))])]
+          arrange id [turned (0, 0), turned (16 * c, 16 * s)]
+            `shouldBe` [ Cluster
+                           ( Map.fromList
+                               [((0, 0), turned (0, 0)), ((0, 1), turned (16 * c, 16 * s))]
+                           )
+                       ]
           length (arrange id [turned (0, 0), turned (16, 0)]) `shouldBe` 2
   it "no symbols make no cluster" $ arrange id [] `shouldBe` []
   it "halfTurned (halfTurned cells) = cells, when the first row and column are taken" $
@@ -220,5 +308,5 @@ lattice = do
      in do
           halfTurned cells `shouldBe` Map.fromList [((1, 1), 'a'), ((0, 2), 'b'), ((0, 0), 'c')]
           halfTurned (halfTurned cells) `shouldBe` cells
- where
-  at place = SymbolImage place (constant 8 12 0) 0 (8, 12)
+  where
+    at place = SymbolImage place (constant 8 12 0) 0 (8, 12)

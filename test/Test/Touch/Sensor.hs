@@ -1,46 +1,48 @@
 -- | The sensor's forward model, and scenes of touched faces for other specifications.
 module Test.Touch.Sensor
-  ( spec
-  , texture
-  , faceOf
-  , embossing
-  ) where
+  ( spec,
+    texture,
+    faceOf,
+    embossing,
+  )
+where
 
 import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import System.Random (mkStdGen)
-import Test.Hspec
-import Test.QuickCheck hiding (generate, sample)
-
 import PraTactile.Image
 import PraTactile.Probe
 import PraTactile.Probe.Sensor
 import PraTactile.Random (uniform)
 import PraTactile.Shape (paperAlphabet, shapes, toRaster)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image (genRasterOf)
 
--- | A relief of that many taxels whose every taxel's height is drawn from 0 to full scale: telling everywhere.
+-- | A relief of that many taxels whose every taxel's height is drawn from 0 to full scale: telling
+-- everywhere.
 texture :: Int -> Int -> Int -> HeightMap
-texture seed w h = HeightMap taxelPitch (generate w h (\x y -> full * fromMaybe 0 (heights V.!? (y * w + x))))
- where
-  heights = V.unfoldrN (w * h) (Just . uniform) (mkStdGen seed)
-  full = sensorFullScale standardSensor
+texture seed w h =
+  HeightMap taxelPitch (generate w h (\x y -> full * fromMaybe 0 (heights V.!? (y * w + x))))
+  where
+    heights = V.unfoldrN (w * h) (Just . uniform) (mkStdGen seed)
+    full = sensorFullScale standardSensor
 
--- | A face with the paper's symbols: the classes of its cells, row by row, each symbol in the middle of a
--- cell of 16 x 20 taxels.
+-- | A face with the paper's symbols: the classes of its cells, row by row, each symbol in the
+-- middle of a cell of 16 x 20 taxels.
 faceOf :: [[Int]] -> HeightMap
 faceOf cells = HeightMap taxelPitch (generate (16 * columns) (20 * length cells) height)
- where
-  columns = maximum (0 : map length cells)
-  height x y = fromMaybe 0 $ do
-    row <- at (y `quot` 20) cells
-    kind <- at (x `quot` 16) row
-    embossed <- at kind embossing
-    (1.5875 *) <$> index embossed (x `rem` 16 - 4) (y `rem` 20 - 4)
-  at i list = case drop i list of
-    found : _ | i >= 0 -> Just found
-    _ -> Nothing
+  where
+    columns = maximum (0 : map length cells)
+    height x y = fromMaybe 0 $ do
+      row <- at (y `quot` 20) cells
+      kind <- at (x `quot` 16) row
+      embossed <- at kind embossing
+      (1.5875 *) <$> index embossed (x `rem` 16 - 4) (y `rem` 20 - 4)
+    at i list = case drop i list of
+      found : _ | i >= 0 -> Just found
+      _ -> Nothing
 
 -- | The paper's four symbols, 1 where they are embossed.
 embossing :: [Raster]
@@ -51,61 +53,90 @@ spec = do
   describe "Forward model" forward
   describe "Noise and position errors" errors
 
--- | The mean height under an element, as a share of full scale, from points of a fine grid: the definition,
--- up to the grid's fineness.
+-- | The mean height under an element, as a share of full scale, from points of a fine grid: the
+-- definition, up to the grid's fineness.
 sampled :: HeightMap -> Pose -> Int -> Int -> Double
 sampled (HeightMap cell heights) (Pose px py r) i j = sum hs / genericLength hs
- where
-  fine = 40 :: Int
-  hs =
-    [ fromMaybe 0 (index heights (floor (x / cell)) (floor (y / cell))) / sensorFullScale idealSensor
-    | a <- [0 .. fine - 1]
-    , b <- [0 .. fine - 1]
-    , let (x, y) = movePoint (Motion r px py) (at i a, at j b)
-    ]
-  at k a = taxelPitch * (fromIntegral k - 8 + (fromIntegral a + 0.5) / fromIntegral fine)
+  where
+    fine = 40 :: Int
+    hs =
+      [ fromMaybe 0 (index heights (floor (x / cell)) (floor (y / cell)))
+          / sensorFullScale idealSensor
+        | a <- [0 .. fine - 1],
+          b <- [0 .. fine - 1],
+          let (x, y) = movePoint (Motion r px py) (at i a, at j b)
+      ]
+    at k a = taxelPitch * (fromIntegral k - 8 + (fromIntegral a + 0.5) / fromIntegral fine)
 
 forward :: Spec
 forward = do
   it "with the sensor's grid on the map's, the image is the map" $
     forAll (genRasterOf 16 16) $ \heights ->
-      let seen = forwardImage idealSensor {sensorFullScale = 1} (HeightMap taxelPitch heights) (Pose (8 * taxelPitch) (8 * taxelPitch) 0)
+      let seen =
+            forwardImage
+              idealSensor {sensorFullScale = 1}
+              (HeightMap taxelPitch heights)
+              (Pose (8 * taxelPitch) (8 * taxelPitch) 0)
        in closeTo 1e-9 seen heights
-  it "the image is the mean height under each element, at any place and angle and on maps of any fineness" $
-    forAll ((,,) <$> genRasterOf 9 9 <*> choose (0.8, 4) <*> genNearPose) $ \(heights, cell, pose) ->
-      forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
-        let sensor = idealSensor {sensorFullScale = 1}
-            relief = HeightMap cell heights
-            full = sensorFullScale idealSensor
-            exact = index (forwardImage sensor relief pose) i j
-            fine = full * sampled relief pose i j
-         in counterexample (show (exact, fine)) (maybe False (\v -> abs (v - fine) < fineness pose) exact)
+  it
+    "the image is the mean height under each element, at any place and angle and on maps of any \
+    \fineness"
+    $ forAll
+      ((,,) <$> genRasterOf 9 9 <*> choose (0.8, 4) <*> genNearPose)
+      $ \(heights, cell, pose) ->
+        forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
+          let sensor = idealSensor {sensorFullScale = 1}
+              relief = HeightMap cell heights
+              full = sensorFullScale idealSensor
+              exact = index (forwardImage sensor relief pose) i j
+              fine = full * sampled relief pose i j
+           in counterexample
+                (show (exact, fine))
+                (maybe False (\v -> abs (v - fine) < fineness pose) exact)
   it "upright, what the elements see adds up to the relief's volume" $
     forAll ((,,) <$> genRasterOf 5 5 <*> choose (-7, 12) <*> choose (-7, 12)) $ \(heights, x, y) ->
       let cell = 1.1
           sensor = idealSensor {sensorFullScale = 1}
           volume = cell * cell * V.sum (rasterValues heights)
-          seen = taxelPitch * taxelPitch * V.sum (rasterValues (forwardImage sensor (HeightMap cell heights) (Pose x y 0)))
+          seen =
+            taxelPitch
+              * taxelPitch
+              * V.sum (rasterValues (forwardImage sensor (HeightMap cell heights) (Pose x y 0)))
        in counterexample (show (volume, seen)) (abs (volume - seen) < 1e-9)
-  it "a half-turned sensor sees the half-turned image, a quarter-turned one what lies to its right at its top" $
-    forAll (genRasterOf 16 16) $ \heights ->
+  it
+    "a half-turned sensor sees the half-turned image, a quarter-turned one what lies to its right \
+    \at its top"
+    $ forAll (genRasterOf 16 16) $ \heights ->
       let sensor = idealSensor {sensorFullScale = 1}
-          seen r = forwardImage sensor (HeightMap taxelPitch heights) (Pose (8 * taxelPitch) (8 * taxelPitch) r)
+          seen r =
+            forwardImage
+              sensor
+              (HeightMap taxelPitch heights)
+              (Pose (8 * taxelPitch) (8 * taxelPitch) r)
        in conjoin
-            [ closeTo 1e-9 (seen 180) (halfTurn heights)
-            , closeTo 1e-9 (seen (-180)) (halfTurn heights)
-            , closeTo 1e-9 (quarterTurn (seen 90)) heights
-            , closeTo 1e-9 (seen 270) (quarterTurn heights)
+            [ closeTo 1e-9 (seen 180) (halfTurn heights),
+              closeTo 1e-9 (seen (-180)) (halfTurn heights),
+              closeTo 1e-9 (quarterTurn (seen 90)) heights,
+              closeTo 1e-9 (seen 270) (quarterTurn heights)
             ]
   it "heights above full scale and below 0 are clipped" $
-    forwardImage idealSensor (HeightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1))) (Pose 12.7 12.7 0)
+    forwardImage
+      idealSensor
+      (HeightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1)))
+      (Pose 12.7 12.7 0)
       `shouldBe` generate 16 16 (\x _ -> if x < 8 then 1 else 0)
   it "off the map there is nothing to touch" $
-    forwardImage idealSensor (HeightMap 1 (constant 4 4 1)) (Pose (-99) 0 0) `shouldBe` constant 16 16 0
- where
-  -- What the points of the two grids can miss at the borders of cells whose heights differ by up to 1.
-  fineness pose = if poseRotation pose `elem` [0, 90, 180, 270] then 0.06 else 0.2
-  genNearPose = Pose <$> choose (0, 20) <*> choose (0, 20) <*> oneof [elements [0, 90, 180, 270], choose (0, 360)]
+    forwardImage idealSensor (HeightMap 1 (constant 4 4 1)) (Pose (-99) 0 0)
+      `shouldBe` constant 16 16 0
+  where
+    -- What the points of the two grids can miss at the borders of cells whose heights differ by
+    -- up to 1.
+    fineness pose = if poseRotation pose `elem` [0, 90, 180, 270] then 0.06 else 0.2
+    genNearPose =
+      Pose
+        <$> choose (0, 20)
+        <*> choose (0, 20)
+        <*> oneof [elements [0, 90, 180, 270], choose (0, 360)]
 
 closeTo :: Double -> Raster -> Raster -> Property
 closeTo most a b =
@@ -114,27 +145,45 @@ closeTo most a b =
 
 errors :: Spec
 errors = do
-  it "noise of standard deviation s has mean 0 and standard deviation s, within five standard errors" $ do
-    let sensor = idealSensor {sensorNoise = 0.05}
-        flat = HeightMap 1 (constant 60 60 (0.5 * sensorFullScale sensor))
-        images = fst (scan sensor flat stay (replicate 100 (Pose 30 30 0)) (mkStdGen 5))
-        deviations = V.concat [V.map (subtract 0.5) (rasterValues (frameImage f)) | f <- images]
-        n = fromIntegral (V.length deviations)
-        variance = V.sum (V.map (\d -> d * d) deviations) / n
-    abs (V.sum deviations / n) `shouldSatisfy` (< 5 * 0.05 / sqrt n)
-    abs (variance - 0.0025) `shouldSatisfy` (< 5 * 0.0025 * sqrt (2 / n))
+  it
+    "noise of standard deviation s has mean 0 and standard deviation s, within five standard errors"
+    $ do
+      let sensor = idealSensor {sensorNoise = 0.05}
+          flat = HeightMap 1 (constant 60 60 (0.5 * sensorFullScale sensor))
+          images = fst (scan sensor flat stay (replicate 100 (Pose 30 30 0)) (mkStdGen 5))
+          deviations = V.concat [V.map (subtract 0.5) (rasterValues (frameImage f)) | f <- images]
+          n = fromIntegral (V.length deviations)
+          variance = V.sum (V.map (\d -> d * d) deviations) / n
+      abs (V.sum deviations / n) `shouldSatisfy` (< 5 * 0.05 / sqrt n)
+      abs (variance - 0.0025) `shouldSatisfy` (< 5 * 0.0025 * sqrt (2 / n))
   it "values with noise are clipped to 0..1" $
     forAll arbitrary $ \seed ->
-      let (seen, _) = press standardSensor {sensorNoise = 2} (texture 1 20 20) (Pose 12 12 0) (mkStdGen seed)
+      let (seen, _) =
+            press standardSensor {sensorNoise = 2} (texture 1 20 20) (Pose 12 12 0) (mkStdGen seed)
        in V.all (\v -> v >= 0 && v <= 1) (rasterValues seen)
-  it "position errors have mean 0 and the stated standard deviation along x and y, within five standard errors" $ do
-    -- On ramps rising by 1 mm of 100 a millimetre the mean of an image tells where the sensor really was.
-    let sensor = idealSensor {sensorFullScale = 100, sensorPositionError = 1}
-        ramp along = HeightMap 0.5 (generate 200 200 (\x y -> (fromIntegral (if along then x else y) + 0.5) * 0.5))
-        places along = [100 * fromMaybe 0 (mean (frameImage f)) - 50 | f <- fst (scan sensor (ramp along) stay (replicate 400 (Pose 50 50 0)) (mkStdGen 11))]
-        spread xs = sqrt (sum [x * x | x <- xs] / genericLength xs)
-    [abs (sum xs / 400) < 5 * taxelPitch / 20 && abs (spread xs - taxelPitch) < 5 * taxelPitch / sqrt 800 | xs <- [places True, places False]]
-      `shouldBe` [True, True]
+  it
+    "position errors have mean 0 and the stated standard deviation along x and y, within five \
+    \standard errors"
+    $ do
+      -- On ramps rising by 1 mm of 100 a millimetre the mean of an image tells where the sensor
+      -- really was.
+      let sensor = idealSensor {sensorFullScale = 100, sensorPositionError = 1}
+          ramp along =
+            HeightMap
+              0.5
+              (generate 200 200 (\x y -> (fromIntegral (if along then x else y) + 0.5) * 0.5))
+          places along =
+            [ 100 * fromMaybe 0 (mean (frameImage f)) - 50
+              | f <-
+                  fst (scan sensor (ramp along) stay (replicate 400 (Pose 50 50 0)) (mkStdGen 11))
+            ]
+          spread xs = sqrt (sum [x * x | x <- xs] / genericLength xs)
+      let found =
+            [ abs (sum xs / 400) < 5 * taxelPitch / 20
+                && abs (spread xs - taxelPitch) < 5 * taxelPitch / sqrt 800
+              | xs <- [places True, places False]
+            ]
+      found `shouldBe` [True, True]
   it "a frame states the nominal pose, in the robot's coordinates, and the sensor's force" $ do
     let nominal = Pose 3 4 180
         (frame, _) = probe standardSensor (texture 2 40 40) (Motion 180 60 60) nominal (mkStdGen 1)
@@ -152,4 +201,5 @@ errors = do
           one = scan standardSensor relief stay poses (mkStdGen seed)
           (a, g) = probe standardSensor relief stay (Pose 15 15 0) (mkStdGen seed)
           (b, _) = probe standardSensor relief stay (Pose 20 15 0) g
-       in fst one === [a, b] .&&. fst one === fst (scan standardSensor relief stay poses (mkStdGen seed))
+       in fst one === [a, b]
+            .&&. fst one === fst (scan standardSensor relief stay poses (mkStdGen seed))

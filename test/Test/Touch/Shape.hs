@@ -6,14 +6,13 @@ import Data.List (nub, tails, transpose)
 import qualified Data.Set as Set
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
-import Test.Hspec
-import Test.QuickCheck
-
 import PraTactile.Image (toRows)
 import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Distance
 import PraTactile.Shape.Report
+import Test.Hspec
+import Test.QuickCheck
 
 spec :: Spec
 spec = do
@@ -23,59 +22,119 @@ spec = do
     it "refuses any other number of rows" $
       fmap area (bitmap (replicate 11 (replicate 8 True))) `shouldBe` Left (WrongRowCount 11)
     it "refuses a row of any other width, and says which" $
-      fmap area (bitmap (replicate 5 (replicate 8 True) ++ [replicate 9 True] ++ replicate 6 (replicate 8 False)))
+      fmap
+        area
+        ( bitmap
+            ( replicate 5 (replicate 8 True)
+                ++ [replicate 9 True]
+                ++ replicate 6 (replicate 8 False)
+            )
+        )
         `shouldBe` Left (WrongRowWidth 5 9)
     it "embosses nothing outside its box" $
-      property $ forAll shapeGen $ \b -> and [not (embossedAt b x y) | x <- [-2 .. 9], y <- [-2 .. 13], x < 0 || x > 7 || y < 0 || y > 11]
+      property $
+        forAll shapeGen $ \b ->
+          and
+            [ not (embossedAt b x y)
+              | x <- [-2 .. 9],
+                y <- [-2 .. 13],
+                x < 0 || x > 7 || y < 0 || y > 11
+            ]
     it "has as its area the number of embossed taxels" $
       property $ forAll shapeGen $ \b -> area b === length (filter id (concat (bitmapRows b)))
     it "is an image of ones and zeros" $
-      property $ forAll shapeGen $ \b -> toRows (toRaster b) === map (map (\e -> if e then 1 else 0)) (bitmapRows b)
+      property $
+        forAll shapeGen $ \b ->
+          toRows (toRaster b) === map (map (\e -> if e then 1 else 0)) (bitmapRows b)
 
   describe "Symmetries" $ do
     it "turn clockwise: the first row of a quarter turn is the first column from below" $
-      property $ forAll shapeGen $ \b -> take 1 (transformedRows QuarterTurn b) === [reverse (map (head' False) (bitmapRows b))]
+      property $
+        forAll shapeGen $ \b ->
+          take 1 (transformedRows QuarterTurn b) === [reverse (map (head' False) (bitmapRows b))]
     it "have as many embossed taxels as the shape" $
-      property $ forAll shapeGen $ \b -> [length (filter id (concat (transformedRows s b))) | s <- symmetries] === (area b <$ symmetries)
+      property $
+        forAll shapeGen $ \b ->
+          [length (filter id (concat (transformedRows s b))) | s <- symmetries]
+            === (area b <$ symmetries)
     it "are eight different ones" $
       length (nub [transformedRows s corner | s <- symmetries]) `shouldBe` 8
     it "half turn = both mirrors, and each is its own inverse" $
-      property $ forAll shapeGen $ \b ->
-        (halfTurned b, map (\f -> f (f b)) [halfTurned, mirroredColumns, mirroredRows]) === (mirroredRows (mirroredColumns b), [b, b, b])
+      property $
+        forAll shapeGen $ \b ->
+          (halfTurned b, map (\f -> f (f b)) [halfTurned, mirroredColumns, mirroredRows])
+            === (mirroredRows (mirroredColumns b), [b, b, b])
 
   describe "Alphabet" $ do
     it "its drawing, read, is itself" $
       property $ forAll alphabetGen $ \a -> parseAlphabet (renderAlphabet a) === Right a
-    it "refuses no shapes, a blank one, a repeated name, a repeated shape, a name with a line break" $
-      map (either Just (const Nothing) . alphabet) [[], [("a", blank)], [("a", corner), ("a", halfTurned corner)], [("a", corner), ("b", corner)], [("a\nb", corner)]]
-        `shouldBe` map Just [EmptyAlphabet, BlankShape "a", RepeatedName "a", RepeatedShape "a" "b", BadName "a\nb"]
+    it
+      "refuses no shapes, a blank one, a repeated name, a repeated shape, a name with a line break"
+      $ map
+        (either Just (const Nothing) . alphabet)
+        [ [],
+          [("a", blank)],
+          [("a", corner), ("a", halfTurned corner)],
+          [("a", corner), ("b", corner)],
+          [("a\nb", corner)]
+        ]
+        `shouldBe` map
+          Just
+          [EmptyAlphabet, BlankShape "a", RepeatedName "a", RepeatedShape "a" "b", BadName "a\nb"]
     it "has a shape for each class and no other" $
-      property $ forAll alphabetGen $ \a ->
-        map (shapeOf a) [-1 .. alphabetSize a] === [Left (UnknownClass (-1) n) | n <- [alphabetSize a]] ++ map Right (shapes a) ++ [Left (UnknownClass n n) | n <- [alphabetSize a]]
+      property $
+        forAll alphabetGen $ \a ->
+          map (shapeOf a) [-1 .. alphabetSize a]
+            === [Left (UnknownClass (-1) n) | n <- [alphabetSize a]]
+              ++ map Right (shapes a)
+              ++ [Left (UnknownClass n n) | n <- [alphabetSize a]]
     it "a drawing may have comments, empty lines and spaces at the ends of lines" $
-      parseAlphabet ("; a comment\n\nsymbol x  \n" <> T.replace "\n" " \r\n" (drawBitmap corner)) `shouldBe` alphabet [("x", corner)]
+      parseAlphabet ("; a comment\n\nsymbol x  \n" <> T.replace "\n" " \r\n" (drawBitmap corner))
+        `shouldBe` alphabet [("x", corner)]
     it "a drawing that goes astray is refused with its line" $
       map
         (either Just (const Nothing) . parseAlphabet)
-        ["", "########\n", "symbol x\n#.x\n", "symbol x\n##\n", "symbol a\n" <> drawBitmap corner <> "symbol b\n" <> T.replicate 12 ".......\n"]
-        `shouldBe` map Just [EmptyAlphabet, RowWithoutSymbol 1, UnreadableLine 2 "#.x", BadDrawing 1 (WrongRowCount 1), BadDrawing 14 (WrongRowWidth 0 7)]
+        [ "",
+          "########\n",
+          "symbol x\n#.x\n",
+          "symbol x\n##\n",
+          "symbol a\n" <> drawBitmap corner <> "symbol b\n" <> T.replicate 12 ".......\n"
+        ]
+        `shouldBe` map
+          Just
+          [ EmptyAlphabet,
+            RowWithoutSymbol 1,
+            UnreadableLine 2 "#.x",
+            BadDrawing 1 (WrongRowCount 1),
+            BadDrawing 14 (WrongRowWidth 0 7)
+          ]
 
   describe "Distance" $ do
     it "equals its definition: taxels counted one by one over all nine shifts" $
-      property $ withMaxSuccess 30 $ forAll ((,,) <$> elements symmetries <*> shapeGen <*> shapeGen) $ \(s, a, b) -> distance s a b === countedDistance s a b
+      property $
+        withMaxSuccess 30 $
+          forAll ((,,) <$> elements symmetries <*> shapeGen <*> shapeGen) $ \(s, a, b) ->
+            distance s a b === countedDistance s a b
     it "is symmetric for the symmetries that are their own inverses" $
-      property $ forAll ((,) <$> shapeGen <*> shapeGen) $ \(a, b) ->
-        [distance s a b | s <- selfInverse] === [distance s b a | s <- selfInverse]
+      property $
+        forAll ((,) <$> shapeGen <*> shapeGen) $ \(a, b) ->
+          [distance s a b | s <- selfInverse] === [distance s b a | s <- selfInverse]
     it "is 0 between a shape and itself" $
       property $ forAll shapeGen $ \b -> distance Identity b b === 0
     it "is 0 between a shape and its copy shifted by a taxel" $
-      property $ forAll shapeGen $ \b ->
-        let inner = bitmapWhere (\x y -> x > 0 && embossedAt b x y)
-            shifted = bitmapWhere (\x y -> x < 7 && embossedAt b (x + 1) y)
-         in distance Identity inner shifted === 0
+      property $
+        forAll shapeGen $ \b ->
+          let inner = bitmapWhere (\x y -> x > 0 && embossedAt b x y)
+              shifted = bitmapWhere (\x y -> x < 7 && embossedAt b (x + 1) y)
+           in distance Identity inner shifted === 0
     it "farApart d holds just when every distance is at least d" $
-      property $ withMaxSuccess 50 $ forAll ((,) <$> shapeGen <*> shapeGen) $ \(a, b) ->
-        let d = minimum [distance s a b | s <- symmetries] in (farApart d (prepared a) (prepared b), farApart (d + 1) (prepared a) (prepared b)) === (True, False)
+      property $
+        withMaxSuccess 50 $
+          forAll ((,) <$> shapeGen <*> shapeGen) $ \(a, b) ->
+            let d =
+                  minimum [distance s a b | s <- symmetries]
+             in (farApart d (prepared a) (prepared b), farApart (d + 1) (prepared a) (prepared b))
+                  === (True, False)
 
   describe "The shipped alphabet" $ do
     it "is read without refusal: four shapes named 0, 1, A, A^2" $
@@ -83,17 +142,36 @@ spec = do
     it "is what the design gives from its seed, to the bit" $ do
       shipped <- T.readFile "data/shapes.txt"
       fmap (renderAlphabet . fst) designed `shouldBe` Right shipped
-    it "condition 1, orientation shows: each shape differs from itself, turned or mirrored in any way, in at least 44 of 96 taxels" $
-      onShipped $ \these -> minimum [countedDistance s b b | b <- these, s <- drop 1 symmetries] `shouldBe` 44
-    it "condition 2, robust to position: any two, turned, mirrored and shifted by a taxel in any way, differ in at least 44 taxels" $
-      onShipped $ \these -> minimum [countedDistance s a b | a : others <- tails these, b <- others, s <- symmetries] `shouldBe` 44
-    it "condition 3, unlike ordinary features: no normalised cross-correlation with one exceeds 0.58" $
-      onShipped $ \these -> maximum [abs (correlation (map bit (concat (bitmapRows b))) (window f)) | b <- these, f <- ordinaryFeatures] `shouldSatisfy` (<= 0.58)
+    it
+      "condition 1, orientation shows: each shape differs from itself, turned or mirrored in any \
+      \way, in at least 44 of 96 taxels"
+      $ onShipped $ \these ->
+        minimum [countedDistance s b b | b <- these, s <- drop 1 symmetries] `shouldBe` 44
+    it
+      "condition 2, robust to position: any two, turned, mirrored and shifted by a taxel in any \
+      \way, differ in at least 44 taxels"
+      $ onShipped $ \these ->
+        minimum [countedDistance s a b | a : others <- tails these, b <- others, s <- symmetries]
+          `shouldBe` 44
+    it
+      "condition 3, unlike ordinary features: no normalised cross-correlation with one exceeds 0.58"
+      $ onShipped $ \these ->
+        maximum
+          [ abs (correlation (map bit (concat (bitmapRows b))) (window f))
+            | b <- these,
+              f <- ordinaryFeatures
+          ]
+          `shouldSatisfy` (<= 0.58)
     it "symbol 0 is a real embossing, and all have 12 to 14 of 24 blocks: 48 to 56 taxels" $
-      onShipped $ \these -> map area these `shouldSatisfy` all (\n -> n >= 48 && n <= 56 && n `mod` 4 == 0)
+      onShipped $ \these ->
+        map area these `shouldSatisfy` all (\n -> n >= 48 && n <= 56 && n `mod` 4 == 0)
     it "every shape touches each side of its box along at least 4 taxels" $
       onShipped $ \these ->
-        [length (filter id side) | b <- these, let r = bitmapRows b, side <- take 1 r ++ drop 11 r ++ take 1 (transpose r) ++ drop 7 (transpose r)]
+        [ length (filter id side)
+          | b <- these,
+            let r = bitmapRows b,
+            side <- take 1 r ++ drop 11 r ++ take 1 (transpose r) ++ drop 7 (transpose r)
+        ]
           `shouldSatisfy` all (>= 4)
     it "every shape hangs together by sides, and so does what is flat around it" $
       onShipped $ \these -> do
@@ -103,10 +181,13 @@ spec = do
       fmap separation paperAlphabet `shouldBe` Right 44
 
   describe "Design" $ do
-    -- The four numbers were counted by a separate program, which visited all 2^24 drawings and all sets of four; it found 2560 alphabets, ten
-    -- times 4^4, at a separation of 44 and none at 46, and differences between shapes of whole blocks of four taxels are even.
-    it "visits all 43608 admissible shapes of 10948 families; no separation exceeds 44, and 10 alphabets have it" $
-      fmap snd designed `shouldBe` Right (Report paperSeed 43608 10948 44 10)
+    -- The four numbers were counted by a separate program, which visited all 2^24 drawings and all
+    -- sets of four; it found 2560 alphabets, ten times 4^4, at a separation of 44 and none at 46,
+    -- and differences between shapes of whole blocks of four taxels are even.
+    it
+      "visits all 43608 admissible shapes of 10948 families; no separation exceeds 44, and 10 \
+      \alphabets have it"
+      $ fmap snd designed `shouldBe` Right (Report paperSeed 43608 10948 44 10)
     it "another seed only turns, mirrors and exchanges the shapes" $ do
       let familiesOf = fmap (Set.fromList . map family . shapes)
       familiesOf (fst <$> design 1 paperParameters) `shouldBe` familiesOf paperAlphabet
@@ -114,55 +195,79 @@ spec = do
       let every = Set.fromList (admissible paperParameters)
       Set.unions (map family (Set.toList every)) `shouldBe` every
     it "refuses constraints that nothing meets" $
-      fmap fst (design 1 paperParameters {leastBlocks = 3, mostBlocks = 5}) `shouldBe` Left NoAlphabet
+      fmap fst (design 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
+        `shouldBe` Left NoAlphabet
     it "cliques are all sets of pairwise related items" $
-      property $ forAll (choose (0, 4)) $ \size -> forAll (listOf (choose (1, 30 :: Int))) $ \list ->
-        let items = take 9 list
-            related a b = odd (a + b) || a == b
-         in cliques size related items === [c | c <- sublists items, length c == size, and [related a b | a : others <- tails c, b <- others]]
+      property $
+        forAll (choose (0, 4)) $ \size -> forAll (listOf (choose (1, 30 :: Int))) $ \list ->
+          let items = take 9 list
+              related a b = odd (a + b) || a == b
+           in cliques size related items
+                === [ c
+                      | c <- sublists items,
+                        length c == size,
+                        and [related a b | a : others <- tails c, b <- others]
+                    ]
     it "the drawing shows as many taxels as the shapes have" $
-      onShipped $ \these -> fmap (T.count "#" . drawAlphabet) paperAlphabet `shouldBe` Right (sum (map area these))
+      onShipped $ \these ->
+        fmap (T.count "#" . drawAlphabet) paperAlphabet `shouldBe` Right (sum (map area these))
     it "the SVG picture has a square for every taxel, and a frame for every shape" $
-      onShipped $ \these -> fmap (T.count "<rect" . alphabetSvg) paperAlphabet `shouldBe` Right (sum (map area these) + length these)
+      onShipped $ \these ->
+        fmap (T.count "<rect" . alphabetSvg) paperAlphabet
+          `shouldBe` Right (sum (map area these) + length these)
 
   describe "Ordinary features" $ do
     it "are perfectly like themselves" $
-      [likeness b f | f <- ordinaryFeatures, let b = bitmapWhere (raises f), area b > 0, area b < 96] `shouldSatisfy` all (\l -> abs (l - 1) < 1e-12)
+      [ likeness b f
+        | f <- ordinaryFeatures,
+          let b = bitmapWhere (raises f),
+          area b > 0,
+          area b < 96
+      ]
+        `shouldSatisfy` all (\l -> abs (l - 1) < 1e-12)
     it "likeness is Pearson's correlation of the taxels" $
-      property $ forAll ((,) <$> shapeGen <*> elements ordinaryFeatures) $ \(b, f) ->
-        abs (likeness b f - correlation (map bit (concat (bitmapRows b))) (window f)) < 1e-9
+      property $
+        forAll ((,) <$> shapeGen <*> elements ordinaryFeatures) $ \(b, f) ->
+          abs (likeness b f - correlation (map bit (concat (bitmapRows b))) (window f)) < 1e-9
     it "the set of them is closed under the half turn and the mirrors of the window" $ do
       let images = Set.fromList [bitmapWhere (raises f) | f <- ordinaryFeatures]
       Set.unions (map family (Set.toList images)) `shouldBe` images
 
--- | The distance by its definition: transformed rows placed by their middle, every taxel of a wide surround compared.
+-- | The distance by its definition: transformed rows placed by their middle, every taxel of a wide
+-- surround compared.
 countedDistance :: Symmetry -> Bitmap -> Bitmap -> Int
 countedDistance symmetry a b =
   minimum
-    [ length [() | x <- [-4 .. 11], y <- [-2 .. 13], at (bitmapRows a) x y /= at (transformedRows symmetry b) (x - dx) (y - dy)]
-    | dx <- [-1, 0, 1]
-    , dy <- [-1, 0, 1]
+    [ length
+        [ ()
+          | x <- [-4 .. 11],
+            y <- [-2 .. 13],
+            at (bitmapRows a) x y /= at (transformedRows symmetry b) (x - dx) (y - dy)
+        ]
+      | dx <- [-1, 0, 1],
+        dy <- [-1, 0, 1]
     ]
- where
-  -- Columns and rows counted from the upper left of the upright box; a lying box of 12 x 8 starts 2 to the left and 2 down.
-  at :: [[Bool]] -> Int -> Int -> Bool
-  at rows x y = case drop' (y - (12 - length rows) `div` 2) rows of
-    row : _ -> case drop' (x - (8 - length row) `div` 2) row of
-      e : _ -> e
+  where
+    -- Columns and rows counted from the upper left of the upright box; a lying box of 12 x 8 starts
+    -- 2 to the left and 2 down.
+    at :: [[Bool]] -> Int -> Int -> Bool
+    at rows x y = case drop' (y - (12 - length rows) `div` 2) rows of
+      row : _ -> case drop' (x - (8 - length row) `div` 2) row of
+        e : _ -> e
+        [] -> False
       [] -> False
-    [] -> False
-  drop' n list = if n < 0 then [] else drop n list
+    drop' n list = if n < 0 then [] else drop n list
 
 -- | Pearson's correlation by its definition; 0 where either is constant.
 correlation :: [Double] -> [Double] -> Double
 correlation xs ys
   | spread <= 0 = 0
   | otherwise = sum (zipWith (*) dx dy) / sqrt spread
- where
-  dx = fromMean xs
-  dy = fromMean ys
-  fromMean zs = map (subtract (sum zs / fromIntegral (length zs))) zs
-  spread = sum (map (^ (2 :: Int)) dx) * sum (map (^ (2 :: Int)) dy)
+  where
+    dx = fromMean xs
+    dy = fromMean ys
+    fromMean zs = map (subtract (sum zs / fromIntegral (length zs))) zs
+    spread = sum (map (^ (2 :: Int)) dx) * sum (map (^ (2 :: Int)) dy)
 
 bit :: Bool -> Double
 bit e = if e then 1 else 0
@@ -185,10 +290,19 @@ pieces :: Set.Set (Int, Int) -> Int
 pieces set = case Set.minView set of
   Nothing -> 0
   Just (start, _) -> 1 + pieces (set `Set.difference` grown (Set.singleton start))
- where
-  grown reached =
-    let next = Set.intersection set (Set.unions (reached : [Set.map (\(x, y) -> (x + dx, y + dy)) reached | (dx, dy) <- [(1, 0), (-1, 0), (0, 1), (0, -1)]]))
-     in if next == reached then reached else grown next
+  where
+    grown reached =
+      let next =
+            Set.intersection
+              set
+              ( Set.unions
+                  ( reached :
+                      [ Set.map (\(x, y) -> (x + dx, y + dy)) reached
+                        | (dx, dy) <- [(1, 0), (-1, 0), (0, 1), (0, -1)]
+                      ]
+                  )
+              )
+       in if next == reached then reached else grown next
 
 selfInverse :: [Symmetry]
 selfInverse = [s | s <- symmetries, s /= QuarterTurn, s /= ThreeQuarterTurn]
@@ -216,4 +330,7 @@ shapeGen = do
   pure (bitmapWhere (\x y -> or [e | row <- take 1 (drop y rows), e <- take 1 (drop x row)]))
 
 alphabetGen :: Gen Alphabet
-alphabetGen = suchThatMap (listOf1 ((,) <$> elements ["0", "1", "A", "A^2", "some name", "symbol", "#"] <*> shapeGen)) (either (const Nothing) Just . alphabet)
+alphabetGen =
+  suchThatMap
+    (listOf1 ((,) <$> elements ["0", "1", "A", "A^2", "some name", "symbol", "#"] <*> shapeGen))
+    (either (const Nothing) Just . alphabet)

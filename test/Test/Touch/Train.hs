@@ -1,106 +1,194 @@
 module Test.Touch.Train (spec) where
 
 import qualified Data.Vector.Storable as V
-import Numeric.LinearAlgebra (Matrix, accum, fromLists, scale, atIndex)
-import System.Random (mkStdGen)
-import Test.Hspec
-import Test.QuickCheck hiding (classify, generate, label, output, scale)
-
+import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists, scale)
 import PraTactile.Classify.Network
 import PraTactile.Classify.Regimen
 import PraTactile.Classify.Samples
 import PraTactile.Classify.Train
 import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows)
 import PraTactile.Shape
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (classify, generate, label, output, scale)
 
 spec :: Spec
 spec = do
   describe "A batch" $
     it "refuses no images, images that are not 8 x 12, and classes that are not" $
-      [either Just (const Nothing) (batch 2 images) | images <- [[], [(constant 8 11 0, Nothing)], [(constant 8 12 0, Just 2)], [(constant 8 12 0, Just (-1))], [(constant 8 12 0, Just 1)]]]
-        `shouldBe` [Just EmptyBatch, Just (WrongImageSize 8 11), Just (NoSuchClass 2 2), Just (NoSuchClass 2 (-1)), Nothing]
+      [ either Just (const Nothing) (batch 2 images)
+        | images <-
+            [ [],
+              [(constant 8 11 0, Nothing)],
+              [(constant 8 12 0, Just 2)],
+              [(constant 8 12 0, Just (-1))],
+              [(constant 8 12 0, Just 1)]
+            ]
+      ]
+        `shouldBe` [ Just EmptyBatch,
+                     Just (WrongImageSize 8 11),
+                     Just (NoSuchClass 2 2),
+                     Just (NoSuchClass 2 (-1)),
+                     Nothing
+                   ]
 
   describe "Backpropagation" $ do
     it "squaredError = the sum over images and outputs of (output - target)^2" $
-      property $ forAll problemGen $ \(n, images) ->
-        let expected = [(y - target) ^ (2 :: Int) | (image, label) <- images, Right ys <- [outputs n image], (k, y) <- zip [0 ..] ys, let target = if label == Just k then 1 else 0]
-         in (batch (outputCount n) images >>= squaredError n) `nearly` sum expected
-    it "gradient = the finite difference of squaredError, for every output weight and hidden bias and a sample of hidden weights" $
-      property $ withMaxSuccess 20 $ forAll problemGen $ \(n, images) -> forAll (vectorOf 12 (choose (0, 96))) $ \columns ->
-        let b = batch (outputCount n) images
-            difference move = (/ 2e-5) <$> ((-) <$> (b >>= \b' -> move 1e-5 >>= (`squaredError` b')) <*> (b >>= \b' -> move (-1e-5) >>= (`squaredError` b')))
-            slopes = b >>= gradient n
-            hidden = [(i, j) | i <- [0 .. hiddenCount n - 1], j <- 96 : columns]
-            output = [(i, j) | i <- [0 .. outputCount n - 1], j <- [0 .. hiddenCount n]]
-         in conjoin $
-              [fmap ((`atIndex` p) . fst) slopes `close` difference (\e -> network (nudged p e (hiddenUnits n)) (outputUnits n)) | p <- hidden]
-                ++ [fmap ((`atIndex` p) . snd) slopes `close` difference (\e -> network (hiddenUnits n) (nudged p e (outputUnits n))) | p <- output]
+      property $
+        forAll problemGen $ \(n, images) ->
+          let expected =
+                [ (y - target) ^ (2 :: Int)
+                  | (image, label) <- images,
+                    Right ys <- [outputs n image],
+                    (k, y) <- zip [0 ..] ys,
+                    let target = if label == Just k then 1 else 0
+                ]
+           in (batch (outputCount n) images >>= squaredError n) `nearly` sum expected
+    it
+      "gradient = the finite difference of squaredError, for every output weight and hidden bias \
+      \and a sample of hidden weights"
+      $ property $
+        withMaxSuccess 20 $
+          forAll problemGen $ \(n, images) -> forAll (vectorOf 12 (choose (0, 96))) $ \columns ->
+            let b = batch (outputCount n) images
+                difference move =
+                  (/ 2e-5)
+                    <$> ( (-)
+                            <$> (b >>= \b' -> move 1e-5 >>= (`squaredError` b'))
+                            <*> (b >>= \b' -> move (-1e-5) >>= (`squaredError` b'))
+                        )
+                slopes = b >>= gradient n
+                hidden = [(i, j) | i <- [0 .. hiddenCount n - 1], j <- 96 : columns]
+                output = [(i, j) | i <- [0 .. outputCount n - 1], j <- [0 .. hiddenCount n]]
+             in conjoin $
+                  [ fmap ((`atIndex` p) . fst) slopes
+                      `close` difference
+                        (\e -> network (nudged p e (hiddenUnits n)) (outputUnits n))
+                    | p <- hidden
+                  ]
+                    ++ [ fmap ((`atIndex` p) . snd) slopes
+                           `close` difference
+                             (\e -> network (hiddenUnits n) (nudged p e (outputUnits n)))
+                         | p <- output
+                       ]
     it "refuses a batch for another number of classes" $
-      (do (n, _) <- initialNetwork 2 3 (mkStdGen 1); b <- batch 2 [(constant 8 12 0, Nothing)]; squaredError n b) `shouldBe` Left (WrongOutputCount 3 2)
+      ( do
+          (n, _) <-
+            initialNetwork 2 3 (mkStdGen 1)
+          b <- batch 2 [(constant 8 12 0, Nothing)]
+          squaredError n b
+      )
+        `shouldBe` Left (WrongOutputCount 3 2)
 
   describe "Descent" $ do
     it "its first step is -(1 - momentum) rate times the gradient" $
-      property $ withMaxSuccess 20 $ forAll problemGen $ \(n, images) ->
-        let stepped = do
-              b <- batch (outputCount n) images
-              (n', progress) <- train paperDescent {initialRate = 1e-4, epochs = 1} b n
-              (g1, g2) <- gradient n b
-              expected <- network (hiddenUnits n - scale (0.05 * 1e-4) g1) (outputUnits n - scale (0.05 * 1e-4) g2)
-              pure (greatestDifference n' expected, finalRate progress)
-         in case stepped of
-              Right (Just d, rate) -> (d < 1e-15, abs (rate - 1.05e-4) < 1e-15) === (True, True)
-              other -> counterexample (show other) False
+      property $
+        withMaxSuccess 20 $
+          forAll problemGen $ \(n, images) ->
+            let stepped = do
+                  b <- batch (outputCount n) images
+                  (n', progress) <- train paperDescent {initialRate = 1e-4, epochs = 1} b n
+                  (g1, g2) <- gradient n b
+                  expected <-
+                    network
+                      (hiddenUnits n - scale (0.05 * 1e-4) g1)
+                      (outputUnits n - scale (0.05 * 1e-4) g2)
+                  pure (greatestDifference n' expected, finalRate progress)
+             in case stepped of
+                  Right (Just d, rate) -> (d < 1e-15, abs (rate - 1.05e-4) < 1e-15) === (True, True)
+                  other -> counterexample (show other) False
     it "undoes an epoch in which the error grew by more than 4 %, and slows down" $ do
-      -- The output starts at a half for all six images, error 6/4; a step of that size along the slope saturates it at 1, error 2.
+      -- The output starts at a half for all six images, error 6/4; a step of that size along the
+      -- slope saturates it at 1, error 2.
       let tried = do
             n <- network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
-            b <- batch 1 ((toRaster <$> replicate 6 shape) `zip` (replicate 4 (Just 0) ++ replicate 2 Nothing))
+            b <-
+              batch
+                1
+                ( (toRaster <$> replicate 6 shape)
+                    `zip` (replicate 4 (Just 0) ++ replicate 2 Nothing)
+                )
             (n', progress) <- train paperDescent {initialRate = 1e6, epochs = 1} b n
             pure (n' == n, finalRate progress, errorAfter progress == errorBefore progress)
           shape = head' (either (const []) shapes paperAlphabet)
       tried `shouldBe` Right (True, 0.7e6, True)
     it "lessens the error within 50 epochs" $
-      property $ withMaxSuccess 10 $ forAll problemGen $ \(n, images) ->
-        case batch (outputCount n) images >>= \b -> train paperDescent {epochs = 50} b n of
-          Right (_, progress) -> counterexample (show progress) (errorAfter progress < errorBefore progress)
-          Left refusal -> counterexample (show refusal) False
+      property $
+        withMaxSuccess 10 $
+          forAll problemGen $ \(n, images) ->
+            case batch (outputCount n) images >>= \b -> train paperDescent {epochs = 50} b n of
+              Right (_, progress) ->
+                counterexample (show progress) (errorAfter progress < errorBefore progress)
+              Left refusal -> counterexample (show refusal) False
 
   describe "A training" $ do
     it "from the same seed gives the same network to the bit; from another, another" $ do
-      let trained seed = paperAlphabet' >>= \a -> either (Left . show) (Right . fst) (trainWith small a seed)
+      let trained seed =
+            paperAlphabet' >>= \a -> either (Left . show) (Right . fst) (trainWith small a seed)
       trained 5 `shouldBe` trained 5
       (trained 5 == trained 6) `shouldBe` False
-    it "of 400 epochs on a fifth of the images already tells every clean shape, and from its half turn" $ do
-      let verdicts = do
-            a <- paperAlphabet'
-            (n, _) <- either (Left . show) Right (trainWith small a 5)
-            either (Left . show) Right (mapM (fmap (greatest 0.5) . outputs n) (concat [[toRaster b, toRaster (halfTurned b)] | b <- shapes a]))
-      verdicts `shouldBe` Right [Just 0, Nothing, Just 1, Nothing, Just 2, Nothing, Just 3, Nothing]
-    it "the shipped regimen is the paper's: 8 hidden units, momentum 0.95, 5000 epochs, noise 0, 0.1, 0.15, 0.2, 0" $ do
-      hiddenLayerSize shippedRegimen `shouldBe` 8
-      sum [stageRounds s * epochs (roundDescent s) | s <- stages shippedRegimen] `shouldBe` 5000
-      [momentum (roundDescent s) | s <- stages shippedRegimen] `shouldBe` replicate 5 0.95
-      map (maximum . stageNoise) (stages shippedRegimen) `shouldBe` [0, 0.1, 0.15, 0.2, 0]
+    it
+      "of 400 epochs on a fifth of the images already tells every clean shape, and from its half \
+      \turn"
+      $ do
+        let verdicts = do
+              a <- paperAlphabet'
+              (n, _) <- either (Left . show) Right (trainWith small a 5)
+              either
+                (Left . show)
+                Right
+                ( mapM
+                    (fmap (greatest 0.5) . outputs n)
+                    (concat [[toRaster b, toRaster (halfTurned b)] | b <- shapes a])
+                )
+        verdicts
+          `shouldBe` Right [Just 0, Nothing, Just 1, Nothing, Just 2, Nothing, Just 3, Nothing]
+    it
+      "the shipped regimen is the paper's: 8 hidden units, momentum 0.95, 5000 epochs, noise 0, \
+      \0.1, 0.15, 0.2, 0"
+      $ do
+        hiddenLayerSize shippedRegimen `shouldBe` 8
+        sum [stageRounds s * epochs (roundDescent s) | s <- stages shippedRegimen] `shouldBe` 5000
+        [momentum (roundDescent s) | s <- stages shippedRegimen] `shouldBe` replicate 5 0.95
+        map (maximum . stageNoise) (stages shippedRegimen) `shouldBe` [0, 0.1, 0.15, 0.2, 0]
 
   describe "Synthetic images" $ do
     it "exactly seen, a symbol is its bitmap" $
       onShapes $ \b -> see exactView (symbolScene b) `shouldBe` toRaster b
     it "shifted by whole taxels, it is its bitmap shifted" $
-      onShapes $ \b -> see exactView {viewShift = (2, -1)} (symbolScene b) `shouldBe` generate 8 12 (\x y -> bit (embossedAt b (x - 2) (y + 1)))
+      onShapes $ \b ->
+        see exactView {viewShift = (2, -1)} (symbolScene b)
+          `shouldBe` generate 8 12 (\x y -> bit (embossedAt b (x - 2) (y + 1)))
     it "shifted by half a taxel, each taxel is the mean of the two it lies across" $
-      onShapes $ \b -> see exactView {viewShift = (0.5, 0)} (symbolScene b) `shouldBe` generate 8 12 (\x y -> (bit (embossedAt b x y) + bit (embossedAt b (x - 1) y)) / 2)
+      onShapes $ \b ->
+        see exactView {viewShift = (0.5, 0)} (symbolScene b)
+          `shouldBe` generate
+            8
+            12
+            (\x y -> (bit (embossedAt b x y) + bit (embossedAt b (x - 1) y)) / 2)
     it "blurred by 0.4 along the rows, each taxel is 0.2, 0.6 and 0.2 of three" $
       onShapes $ \b ->
         toRows (see exactView {viewBlur = (0.4, 0)} (symbolScene b))
-          `shouldSatisfy` \seen -> and [abs (v - (0.6 * at b x y + 0.2 * at b (x - 1) y + 0.2 * at b (x + 1) y)) < 1e-12 | (y, row) <- zip [0 ..] seen, (x, v) <- zip [0 ..] row]
+          `shouldSatisfy` \seen ->
+            and
+              [ abs (v - (0.6 * at b x y + 0.2 * at b (x - 1) y + 0.2 * at b (x + 1) y)) < 1e-12
+                | (y, row) <- zip [0 ..] seen,
+                  (x, v) <- zip [0 ..] row
+              ]
     it "gain and base are the values of embossed and flat taxels" $
-      onShapes $ \b -> toRows (see exactView {viewGain = 0.75, viewBase = 0.25} (symbolScene b)) `shouldBe` [[if e then 0.75 else 0.25 | e <- row] | row <- bitmapRows b]
+      onShapes $ \b ->
+        toRows (see exactView {viewGain = 0.75, viewBase = 0.25} (symbolScene b))
+          `shouldBe` [[if e then 0.75 else 0.25 | e <- row] | row <- bitmapRows b]
     it "two halves of one shape are that shape" $
-      onShapes $ \b -> map (see exactView) [besideScene b b, overScene b b] `shouldBe` [toRaster b, toRaster b]
+      onShapes $ \b ->
+        map (see exactView) [besideScene b b, overScene b b] `shouldBe` [toRaster b, toRaster b]
     it "a symbol on its side is a quarter turn clockwise, seen through the window" $
       onShapes $ \b ->
         let lying = transformedRows QuarterTurn b
-            expected = replicate 2 (replicate 8 False) ++ map (take 8 . drop 2) lying ++ replicate 2 (replicate 8 False)
+            expected =
+              replicate 2 (replicate 8 False)
+                ++ map (take 8 . drop 2) lying
+                ++ replicate 2 (replicate 8 False)
          in toRows (see exactView (sidewaysScene b)) `shouldBe` map (map bit) expected
     it "with noise lie from 0 to 1 in steps of 1/255; without, they are the nearest such" $
       property $ \seed -> forAll (choose (0, 0.5)) $ \deviation ->
@@ -108,25 +196,38 @@ spec = do
             (noisy, _) = withNoise deviation image (mkStdGen seed)
             (plain, _) = withNoise 0 image (mkStdGen seed)
             steps = map (* 255) (V.toList (rasterValues noisy))
-         in conjoin (map (\s -> counterexample (show s) (s >= 0 && s <= 255 && abs (s - fromIntegral (round s :: Int)) < 1e-9)) steps) .&&. plain === constant 8 12 (128 / 255)
+         in conjoin
+              ( map
+                  ( \s ->
+                      counterexample
+                        (show s)
+                        (s >= 0 && s <= 255 && abs (s - fromIntegral (round s :: Int)) < 1e-9)
+                  )
+                  steps
+              )
+              .&&. plain === constant 8 12 (128 / 255)
     it "the noise has the standard deviation asked for" $ do
       let (noisy, _) = withNoise 0.1 (constant 100 100 0.5) (mkStdGen 1)
           deviations = map (subtract 0.5) (V.toList (rasterValues noisy))
-      -- The standard error of a standard deviation from 10^4 draws is 0.7 %; four of them, and the rounding.
+      -- The standard error of a standard deviation from 10^4 draws is 0.7 %; four of them, and the
+      -- rounding.
       sqrt (sum (map (^ (2 :: Int)) deviations) / 10000) `shouldSatisfy` \s -> abs (s - 0.1) < 0.003
     it "a corner or a margin not seen is flat, or goes on as was seen last, and the rest stays" $ do
       let image = generate 8 12 (\x y -> fromIntegral (100 * x + y + 1))
           cell unseen x y = index (withUnseen unseen image) x y
-      [cell (CornerUnseen True False 2 3) x y | (x, y) <- [(6, 2), (7, 0), (5, 2), (6, 3), (0, 0)]] `shouldBe` map Just [0, 0, 503, 604, 1]
-      [cell (ColumnsUnseen False 2) x 4 | x <- [0, 1, 2, 3]] `shouldBe` map Just [205, 205, 205, 305]
+      [cell (CornerUnseen True False 2 3) x y | (x, y) <- [(6, 2), (7, 0), (5, 2), (6, 3), (0, 0)]]
+        `shouldBe` map Just [0, 0, 503, 604, 1]
+      [cell (ColumnsUnseen False 2) x 4 | x <- [0, 1, 2, 3]]
+        `shouldBe` map Just [205, 205, 205, 305]
       [cell (RowsUnseen True 1) 0 y | y <- [9, 10, 11]] `shouldBe` map Just [10, 11, 11]
 
 -- | Two rounds of 200 epochs, on a fifth of the images.
 small :: Regimen
 small =
   shippedRegimen
-    { composition = [(kind, count `div` 5) | (kind, count) <- composition shippedRegimen]
-    , stages = [Stage 1 paperDescent {epochs = 200} [0], Stage 1 paperDescent {epochs = 200} [0, 0.1]]
+    { composition = [(kind, count `div` 5) | (kind, count) <- composition shippedRegimen],
+      stages =
+        [Stage 1 paperDescent {epochs = 200} [0], Stage 1 paperDescent {epochs = 200} [0, 0.1]]
     }
 
 paperAlphabet' :: Either String Alphabet

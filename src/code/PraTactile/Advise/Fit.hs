@@ -1,17 +1,12 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- |
--- Whether a window tells the position in arrays of a layout and shape: for every primitive polynomial of the
--- degree, or for one of them at least.
+-- | Whether a window tells the position in arrays of a layout and shape: for every primitive
+-- polynomial of the degree, or for one of them at least.
 module PraTactile.Advise.Fit
-  ( Fit (..)
-  , candidates
-  , fits
-  , within
-  ) where
+  ( Fit (..),
+    candidates,
+    fits,
+    within,
+  )
+where
 
 import Data.List (find)
 import Data.Proxy (Proxy)
@@ -27,35 +22,43 @@ import PraTactile.Window.Rank (windowRank)
 
 -- | A window that tells the position, shown by rank.
 data Fit = Fit
-  { fitWindow :: Shape
-  -- ^ the window, which may be larger than needed
-  , fitEvery :: Bool
-  -- ^ whether every primitive polynomial of the degree will do
-  , fitPolynomial :: [Natural]
-  -- ^ the first that does, as codes, constant term first
+  { -- | the window, which may be larger than needed
+    fitWindow :: Shape,
+    -- | whether every primitive polynomial of the degree will do
+    fitEvery :: Bool,
+    -- | the first that does, as codes, constant term first
+    fitPolynomial :: [Natural]
   }
   deriving stock (Eq, Show)
 
--- | The first primitive polynomials of a degree, as many as are tried: 32, or 4 where each takes longer to find.
+-- | The first primitive polynomials of a degree, as many as are tried: 32, or 4 where each takes
+-- longer to find.
 candidates :: forall k. KnownField k => Proxy k -> Natural -> [Primitive k]
-candidates k n = either (const []) (take (if q ^ n <= 2 ^ (32 :: Int) then 32 else 4)) (primitivePolynomials n)
- where
-  q = fromIntegral (fieldOrder k) :: Natural
+candidates k n =
+  either (const []) (take (if q ^ n <= 2 ^ (32 :: Int) then 32 else 4)) (primitivePolynomials n)
+  where
+    q = fromIntegral (fieldOrder k) :: Natural
 
--- | Whether the windows are distinct in arrays of a layout and shape with one of the candidates, which are of
--- degree n; otherwise how many were tried.
+-- | Whether the windows are distinct in arrays of a layout and shape with one of the candidates,
+-- which are of degree n; otherwise how many were tried.
 fits :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> Shape -> Either Int Fit
 fits n polynomials layout shape window = case find works tried of
   Just h -> Right (Fit window sure (codesOf h))
   Nothing -> Left (length tried)
- where
-  codesOf = map (fromIntegral . toCode) . coefficients . primitivePolynomial
-  tried = if sure then take 1 polynomials else polynomials
-  sure = or [w `within` window | h <- take 1 polynomials, w <- sureWindows (fromIntegral (fieldOrder h)) n layout shape]
-  works h = either (const False) ((== n) . rankWith h) (rectangle window)
-  rankWith h mask = case layout of
-    Single folding -> either (const 0) (`windowRank` mask) (fold folding shape h (canonicalState h))
-    Joint _ -> either (const 0) (`codeRank` mask) (foldCode shape h (canonicalState h))
+  where
+    codesOf = map (fromIntegral . toCode) . coefficients . primitivePolynomial
+    tried = if sure then take 1 polynomials else polynomials
+    sure =
+      or
+        [ w `within` window
+          | h <- take 1 polynomials,
+            w <- sureWindows (fromIntegral (fieldOrder h)) n layout shape
+        ]
+    works h = either (const False) ((== n) . rankWith h) (rectangle window)
+    rankWith h mask = case layout of
+      Single folding ->
+        either (const 0) (`windowRank` mask) (fold folding shape h (canonicalState h))
+      Joint _ -> either (const 0) (`codeRank` mask) (foldCode shape h (canonicalState h))
 
 -- | Whether a window is no larger than another, or than an array.
 within :: Shape -> Shape -> Bool

@@ -1,17 +1,15 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- |
--- The ways to lay the q^n - 1 terms of a sequence into rectangles, and the windows that are sure to work in
--- them whatever the polynomial.
+-- | The ways to lay the q^n - 1 terms of a sequence into rectangles, and the windows that are sure
+-- to work in them whatever the polynomial.
 module PraTactile.Advise.Layout
-  ( Layout (..)
-  , layoutSurface
-  , sureWindows
-  , degreeOfOrder
+  ( Layout (..),
+    layoutSurface,
+    sureWindows,
+    degreeOfOrder,
 
     -- * Divisors
-  , divisors
-  ) where
+    divisors,
+  )
+where
 
 import Data.List (find, nub, sort)
 import Data.Maybe (fromMaybe)
@@ -23,8 +21,8 @@ import PraTactile.Array.Remainder
 data Layout
   = -- | Into one array: along the diagonal of the torus, or row by row on the twisted torus.
     Single Folding
-  | -- | Into so many arrays, each along the diagonal of a torus, which share the window property: see
-    -- "PraTactile.ArrayCode".
+  | -- | Into so many arrays, each along the diagonal of a torus, which share the window property:
+    -- see "PraTactile.ArrayCode".
     Joint Natural
   deriving stock (Eq, Ord, Show)
 
@@ -41,16 +39,17 @@ layoutWeights layout (Shape n1 n2) = case layout of
   Single Diagonal -> diagonalWeights n1 n2
   Joint g -> let (u, v) = diagonalWeights n1 n2 in (g * u, g * v)
 
-{- Note [Windows that are sure]
-   Let the cell (r, c) hold s(r u + c v), and let d1 and d2 be the degrees over GF(q) of alpha^u and alpha^v. If
-   the two generate GF(q^n), that is lcm(d1, d2) = n, then alpha^v has degree n/d1 over the field
-   GF(q^d1) that alpha^u generates. So the alpha^(u i), i < d1, are a basis of GF(q^d1) over GF(q), the alpha^(v j),
-   j < n/d1, one of GF(q^n) over GF(q^d1), and their products, the cells of a d1 x n/d1 window, one of GF(q^n) over
-   GF(q): the rank is n. Likewise for n/d2 x d2. The degrees depend on the orders of alpha^u and alpha^v only,
+{- Note [Windows that are sure] Let the cell (r, c) hold s(r u + c v), and let d1 and d2 be the
+   degrees over GF(q) of alpha^u and alpha^v. If the two generate GF(q^n), that is lcm(d1, d2) = n,
+   then alpha^v has degree n/d1 over the field GF(q^d1) that alpha^u generates. So the alpha^(u i),
+   i < d1, are a basis of GF(q^d1) over GF(q), the alpha^(v j), j < n/d1, one of GF(q^n) over
+   GF(q^d1), and their products, the cells of a d1 x n/d1 window, one of GF(q^n) over GF(q): the
+   rank is n. Likewise for n/d2 x d2. The degrees depend on the orders of alpha^u and alpha^v only,
    not on the polynomial. With n1 = q^k1 - 1, d1 is k1: the windows of MacWilliams and Sloane. -}
 
--- | The windows of n cells that are distinct for every primitive polynomial of degree n, given q, n and
--- the shape of each array, which the layout must fill: none, one or two. See Note [Windows that are sure].
+-- | The windows of n cells that are distinct for every primitive polynomial of degree n, given q, n
+-- and the shape of each array, which the layout must fill: none, one or two. See Note [Windows that
+-- are sure].
 --
 -- >>> sureWindows 4 6 (Joint 3) (Shape 15 91)
 -- [Shape {rows = 2, columns = 3},Shape {rows = 1, columns = 6}]
@@ -58,17 +57,18 @@ sureWindows :: Natural -> Natural -> Layout -> Shape -> [Shape]
 sureWindows q n layout shape
   | n == 0 || q < 2 || lcm d1 d2 /= n = []
   | otherwise = nub [Shape d1 (n `div` d1), Shape (n `div` d2) d2]
- where
-  terms = q ^ n - 1
-  (u, v) = layoutWeights layout shape
-  d1 = degreeOfPower u
-  d2 = degreeOfPower v
-  degreeOfPower e = degreeOfOrder q n (terms `div` gcd terms e)
+  where
+    terms = q ^ n - 1
+    (u, v) = layoutWeights layout shape
+    d1 = degreeOfPower u
+    d2 = degreeOfPower v
+    degreeOfPower e = degreeOfOrder q n (terms `div` gcd terms e)
 
--- | @degreeOfOrder q n m@ is the degree over GF(q) of an element of GF(q^n) of multiplicative order m, which
--- divides q^n - 1: the least d with m dividing q^d - 1.
+-- | @degreeOfOrder q n m@ is the degree over GF(q) of an element of GF(q^n) of multiplicative order
+-- m, which divides q^n - 1: the least d with m dividing q^d - 1.
 degreeOfOrder :: Natural -> Natural -> Natural -> Natural
-degreeOfOrder q n m = fromMaybe n (find (\d -> n `mod` d == 0 && (q ^ d - 1) `mod` max 1 m == 0) [1 .. n])
+degreeOfOrder q n m =
+  fromMaybe n (find (\d -> n `mod` d == 0 && (q ^ d - 1) `mod` max 1 m == 0) [1 .. n])
 
 -- | The divisors of a number that is given by its prime factors with their exponents, ascending.
 divisors :: [(Natural, Natural)] -> [Natural]

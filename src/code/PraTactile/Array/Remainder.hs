@@ -1,19 +1,19 @@
--- |
--- Which term of the sequence a cell holds: the Chinese remainder theorem. Internal; arrays, array codes
--- and the adviser stand on it.
+-- | Which term of the sequence a cell holds: the Chinese remainder theorem. Internal; arrays, array
+-- codes and the adviser stand on it.
 module PraTactile.Array.Remainder
-  ( Weights
-  , diagonalWeights
-  , weightedIndex
-  ) where
+  ( Weights,
+    diagonalWeights,
+    weightedIndex,
+  )
+where
 
 import Numeric.Natural (Natural)
 
 -- | (u, v): the cell in row r and column c holds the term of index r u + c v.
 type Weights = (Natural, Natural)
 
--- | The weights of the diagonal of n1 x n2 cells, for coprime n1 and n2: the index i with i = r modulo n1
--- and i = c modulo n2 is r u + c v modulo n1 n2.
+-- | The weights of the diagonal of n1 x n2 cells, for coprime n1 and n2: the index i with i = r
+-- modulo n1 and i = c modulo n2 is r u + c v modulo n1 n2.
 --
 -- >>> diagonalWeights 3 5
 -- (10,6)
@@ -26,9 +26,10 @@ weightedIndex terms (u, v) r c = (r * u + c * v) `mod` max 1 terms
 
 -- | @inverseModulo m a@ is the inverse of a modulo m, when they are coprime; 0 modulo 1.
 inverseModulo :: Natural -> Natural -> Natural
-inverseModulo m a = fromInteger (go (toInteger m, 0) (toInteger a `mod` toInteger m, 1) `mod` toInteger m)
- where
-  -- Each pair (r, t) keeps t a = r modulo m.
-  go :: (Integer, Integer) -> (Integer, Integer) -> Integer
-  go (_, t) (0, _) = t
-  go (r, t) (r', t') = go (r', t') (r - (r `div` r') * r', t - (r `div` r') * t')
+inverseModulo m a =
+  fromInteger (go (toInteger m, 0) (toInteger a `mod` toInteger m, 1) `mod` toInteger m)
+  where
+    -- Each pair (r, t) keeps t a = r modulo m.
+    go :: (Integer, Integer) -> (Integer, Integer) -> Integer
+    go (_, t) (0, _) = t
+    go (r, t) (r', t') = go (r', t') (r - (r `div` r') * r', t - (r `div` r') * t')

@@ -1,20 +1,17 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
 
--- |
--- The window property of an array code: no content occurs twice in all its arrays together. By visiting
--- every window of every array, and by the rank of the mask; where both roads are open they are compared.
+-- | The window property of an array code: no content occurs twice in all its arrays together. By
+-- visiting every window of every array, and by the rank of the mask; where both roads are open they
+-- are compared.
 module PraTactile.ArrayCode.Proof
-  ( proveCode
-  , ProvedCode
-  , provedCode
-  , provedCodeMask
-  , CodeVerdict (..)
-  , CodeProofError (..)
-  ) where
+  ( proveCode,
+    ProvedCode,
+    provedCode,
+    provedCodeMask,
+    CodeVerdict (..),
+    CodeProofError (..),
+  )
+where
 
 import Control.Applicative ((<|>))
 import Control.Monad.ST (runST)
@@ -31,14 +28,14 @@ import PraTactile.Window.Visit
 
 -- | What is known of the windows of all arrays together, each on its torus.
 data CodeVerdict = CodeVerdict
-  { codeProved :: Bool
-  -- ^ whether all windows are distinct
-  , codeVisited :: Maybe Natural
-  -- ^ how many different contents there are among them; 'Nothing' if they were not visited
-  , codeMaskRank :: Natural
-  -- ^ the rank of the mask over GF(q): the windows are distinct iff it is n
-  , codeCollision :: Maybe (Place, Place)
-  -- ^ two places with the same content, if every window was visited and there are any
+  { -- | whether all windows are distinct
+    codeProved :: Bool,
+    -- | how many different contents there are among them; 'Nothing' if they were not visited
+    codeVisited :: Maybe Natural,
+    -- | the rank of the mask over GF(q): the windows are distinct iff it is n
+    codeMaskRank :: Natural,
+    -- | two places with the same content, if every window was visited and there are any
+    codeCollision :: Maybe (Place, Place)
   }
   deriving stock (Eq, Show)
 
@@ -50,57 +47,65 @@ newtype CodeProofError
 
 -- | A code with a mask whose windows have been shown to be distinct. Only 'proveCode' makes one.
 data ProvedCode (k :: Field) = ProvedCode
-  { provedCode :: ArrayCode k
-  -- ^ The code.
-  , provedCodeMask :: Mask
-  -- ^ The windows' shape.
+  { -- | The code.
+    provedCode :: ArrayCode k,
+    -- | The windows' shape.
+    provedCodeMask :: Mask
   }
 
 type role ProvedCode nominal
 
--- | Decide whether the windows of all arrays together are distinct: by the rank, and by visiting them all
--- if there are not more than 2^30 possible contents and the arrays fit into memory one by one. Refuses
--- when the two disagree.
-proveCode :: KnownField k => ArrayCode k -> Mask -> Either CodeProofError (CodeVerdict, Maybe (ProvedCode k))
+-- | Decide whether the windows of all arrays together are distinct: by the rank, and by visiting
+-- them all if there are not more than 2^30 possible contents and the arrays fit into memory one by
+-- one. Refuses when the two disagree.
+proveCode ::
+  KnownField k =>
+  ArrayCode k ->
+  Mask ->
+  Either CodeProofError (CodeVerdict, Maybe (ProvedCode k))
 proveCode code mask = case visits of
   Just seen | allDistinct seen /= byRank -> Left (CodeRoadsDisagree verdict)
   _ -> Right (verdict, if byRank then Just (ProvedCode code mask) else Nothing)
- where
-  r = codeRank code mask
-  byRank = r == fromIntegral (primitiveDegree (codePrimitive code))
-  visits = jointly code mask
-  allDistinct (different, _) = different == period (codePrimitive code)
-  verdict =
-    CodeVerdict
-      { codeProved = byRank
-      , codeVisited = fst <$> visits
-      , codeMaskRank = r
-      , codeCollision = visits >>= snd
-      }
+  where
+    r = codeRank code mask
+    byRank = r == fromIntegral (primitiveDegree (codePrimitive code))
+    visits = jointly code mask
+    allDistinct (different, _) = different == period (codePrimitive code)
+    verdict =
+      CodeVerdict
+        { codeProved = byRank,
+          codeVisited = fst <$> visits,
+          codeMaskRank = r,
+          codeCollision = visits >>= snd
+        }
 
--- | The number of different contents, and the first place whose content was seen before, preceded by
--- where it was first seen.
+-- | The number of different contents, and the first place whose content was seen before, preceded
+-- by where it was first seen.
 jointly :: KnownField k => ArrayCode k -> Mask -> Maybe (Natural, Maybe (Place, Place))
 jointly code mask
   | spanned > largestSpan = Nothing
   | otherwise = do
-      windows <- traverse (\j -> either (const Nothing) Just (codeGrid code j) >>= windowsOf) numbers
-      let (different, repeated) = visitAll windows
-          placeIn j (r, c) = Place j (visitPosition r c)
-          collision = do
-            (j, r, c) <- repeated
-            later <- lookup j (zip numbers windows)
-            first <-
-              listToMaybe
-                [placeIn j0 at | (j0, w) <- zip numbers windows, at <- everywhere w, keyAt w at == visitKey later r c]
-            pure (first, placeIn j (r, c))
-      pure (different, collision)
- where
-  spanned = fromIntegral (fieldOrder code) ^ maskSize mask
-  numbers = naturalsBelow (codeArrays code)
-  windowsOf grid = visit MostSignificantFirst Torus grid mask
-  keyAt w = uncurry (visitKey w)
-  everywhere w = [(r, c) | r <- [0 .. visitRows w - 1], c <- [0 .. visitColumns w - 1]]
+    windows <- traverse (\j -> either (const Nothing) Just (codeGrid code j) >>= windowsOf) numbers
+    let (different, repeated) = visitAll windows
+        placeIn j (r, c) = Place j (visitPosition r c)
+        collision = do
+          (j, r, c) <- repeated
+          later <- lookup j (zip numbers windows)
+          first <-
+            listToMaybe
+              [ placeIn j0 at
+                | (j0, w) <- zip numbers windows,
+                  at <- everywhere w,
+                  keyAt w at == visitKey later r c
+              ]
+          pure (first, placeIn j (r, c))
+    pure (different, collision)
+  where
+    spanned = fromIntegral (fieldOrder code) ^ maskSize mask
+    numbers = naturalsBelow (codeArrays code)
+    windowsOf grid = visit MostSignificantFirst Torus grid mask
+    keyAt w = uncurry (visitKey w)
+    everywhere w = [(r, c) | r <- [0 .. visitRows w - 1], c <- [0 .. visitColumns w - 1]]
 
 -- | One bit a content, for all arrays.
 visitAll :: [Visit] -> (Natural, Maybe (Natural, Int, Int))
@@ -108,11 +113,11 @@ visitAll windows = runST $ do
   seen <- nothingSeen (maximum (0 : map visitSpan windows))
   let each !_ !different !repeated [] = pure (fromIntegral different, repeated)
       each !j !different !repeated (w : more) = go 0 0 different repeated
-       where
-        go !r !c !n !again
-          | r == visitRows w = each (j + 1) n again more
-          | c == visitColumns w = go (r + 1) 0 n again
-          | otherwise = do
+        where
+          go !r !c !n !again
+            | r == visitRows w = each (j + 1) n again more
+            | c == visitColumns w = go (r + 1) 0 n again
+            | otherwise = do
               new <- insert seen (visitKey w r c)
               if new then go r (c + 1) (n + 1) again else go r (c + 1) n (again <|> Just (j, r, c))
   each 0 (0 :: Int) Nothing windows

@@ -1,17 +1,12 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- |
--- Checking a certificate, step by step, from what it says and the definitions alone: nothing is
--- searched for, and the arithmetic modulo h is not that by which the certificate was made. Only the windows
--- of a certificate by enumeration are visited as the library always does.
+-- | Checking a certificate, step by step, from what it says and the definitions alone: nothing is
+-- searched for, and the arithmetic modulo h is not that by which the certificate was made. Only the
+-- windows of a certificate by enumeration are visited as the library always does.
 module PraTactile.Certificate.Check
-  ( checkCertificate
-  , Fault (..)
-  , isShownPrime
-  ) where
+  ( checkCertificate,
+    Fault (..),
+    isShownPrime,
+  )
+where
 
 import Control.Monad (forM_, unless, when)
 import Data.Bifunctor (first)
@@ -85,11 +80,11 @@ checkCertificate certificate = do
   when (m <= 0 || p ^ m /= q) (Left (OrderNotOfModulus q))
   inField <- first FieldFault (withField p (profileModulus profile) (\k -> checkOver k certificate))
   inField
- where
-  profile = certificateProfile certificate
-  q = profileOrder profile
-  m = length (take 10 (profileModulus profile)) - 1
-  p = if q < 2 || q > 256 then 0 else sum (take 1 [d | d <- [2 .. q], q `mod` d == 0])
+  where
+    profile = certificateProfile certificate
+    q = profileOrder profile
+    m = length (take 10 (profileModulus profile)) - 1
+    p = if q < 2 || q > 256 then 0 else sum (take 1 [d | d <- [2 .. q], q `mod` d == 0])
 
 checkOver :: forall k. KnownField k => Proxy k -> Certificate -> Either Fault ()
 checkOver k certificate = do
@@ -102,12 +97,14 @@ checkOver k certificate = do
   mask <- checkMask certificate
   case certificateEvidence certificate of
     ByRank evidence -> do
-      unless (profileSurface profile `elem` [naturalSurface (profileFolding profile), Sheet]) (Left (SurfaceFault (profileSurface profile)))
+      unless
+        (profileSurface profile `elem` [naturalSurface (profileFolding profile), Sheet])
+        (Left (SurfaceFault (profileSurface profile)))
       checkRank h profile mask evidence
     ByEnumeration told -> checkDigest profile mask told
- where
-  profile = certificateProfile certificate
-  period' = certificatePeriod certificate
+  where
+    profile = certificateProfile certificate
+    period' = certificatePeriod certificate
 
 -- | The characteristic polynomial of a profile.
 characteristic :: KnownField k => Proxy k -> Profile -> Either Fault (Modulus k)
@@ -124,30 +121,36 @@ checkOrder h certificate = do
     let before = map shownPrime (take i primes)
     unless (isShownPrime before proof) (Left (PrimeFault (shownPrime proof)))
   forM_ factors $ \factor ->
-    unless (knownPrime (map shownPrime primes) (orderPrime factor)) (Left (PrimeFault (orderPrime factor)))
+    unless
+      (knownPrime (map shownPrime primes) (orderPrime factor))
+      (Left (PrimeFault (orderPrime factor)))
   -- The product is built up so that absurd exponents take no time.
-  unless (boundedProduct terms [(orderPrime f, orderExponent f) | f <- factors] == Just terms) (Left (FactorsFault terms))
+  unless
+    (boundedProduct terms [(orderPrime f, orderExponent f) | f <- factors] == Just terms)
+    (Left (FactorsFault terms))
   when (rootPower h terms /= rootPower h 0) (Left OrderFault)
   forM_ factors $ \(OrderFactor l _ told) -> do
     let residue = rootPower h (terms `div` l)
     when (map (fromIntegral . toCode) residue /= told) (Left (ResidueFault l))
     when (residue == rootPower h 0) (Left (RootOrderFault l))
- where
-  terms = certificatePeriod certificate
-  factors = certificateFactors certificate
-  primes = certificatePrimes certificate
+  where
+    terms = certificatePeriod certificate
+    factors = certificateFactors certificate
+    primes = certificatePrimes certificate
 
 -- | That the sequence fills the shape.
 checkShape :: Int -> Certificate -> Either Fault ()
 checkShape n certificate = do
-  when (length state /= n || all (== 0) state || any (>= profileOrder profile) state) (Left (StateFault state))
+  when
+    (length state /= n || all (== 0) state || any (>= profileOrder profile) state)
+    (Left (StateFault state))
   when (area shape /= certificatePeriod certificate) (Left (AreaFault shape))
   when (profileFolding profile == Diagonal && g /= 1) (Left (CommonDivisorFault g))
- where
-  profile = certificateProfile certificate
-  state = profileState profile
-  shape = profileShape profile
-  g = gcd (rows shape) (columns shape)
+  where
+    profile = certificateProfile certificate
+    state = profileState profile
+    shape = profileShape profile
+    g = gcd (rows shape) (columns shape)
 
 -- | The mask, and that the surface has as many of its windows as is told, and any.
 checkMask :: Certificate -> Either Fault Mask
@@ -155,46 +158,72 @@ checkMask certificate = do
   mask <- first MaskFault (maskFrom (certificateMask certificate))
   let there = area (visitedShape (profileSurface profile) (profileShape profile) mask)
   when (maskExtent mask /= profileWindow profile) (Left (ExtentFault (maskExtent mask)))
-  when (there /= certificateWindows certificate || there == 0) (Left (WindowsFault (certificateWindows certificate) there))
+  when
+    (there /= certificateWindows certificate || there == 0)
+    (Left (WindowsFault (certificateWindows certificate) there))
   pure mask
- where
-  profile = certificateProfile certificate
+  where
+    profile = certificateProfile certificate
 
 -- | That the alpha^e(i, j) are as told, and that n of them have the inverse told.
-checkRank :: forall k. KnownField k => Modulus k -> Profile -> Mask -> RankEvidence -> Either Fault ()
+checkRank ::
+  forall k.
+  KnownField k =>
+  Modulus k ->
+  Profile ->
+  Mask ->
+  RankEvidence ->
+  Either Fault ()
 checkRank h profile mask (RankEvidence told cells inverted) = do
-  when (length told /= maskSize mask) (Left (VectorFault (fromIntegral (min (length told) (maskSize mask)))))
+  when
+    (length told /= maskSize mask)
+    (Left (VectorFault (fromIntegral (min (length told) (maskSize mask)))))
   forM_ (zip3 [0 ..] (powersAt h exponents) told) $ \(i, computed, codes) ->
     when (map (fromIntegral . toCode) computed /= codes) (Left (VectorFault i))
-  unless (length cells == n && and (zipWith (<) cells (drop 1 cells)) && all (< fromIntegral (maskSize mask)) cells) (Left (CellsFault cells))
-  chosen <- first FieldFault (traverse elementsFromCodes [x | (i, x) <- zip [0 ..] told, i `elem` cells])
+  unless
+    ( length cells == n
+        && and (zipWith (<) cells (drop 1 cells))
+        && all (< fromIntegral (maskSize mask)) cells
+    )
+    (Left (CellsFault cells))
+  chosen <-
+    first FieldFault (traverse elementsFromCodes [x | (i, x) <- zip [0 ..] told, i `elem` cells])
   inverse' <- first FieldFault (traverse elementsFromCodes inverted) :: Either Fault [[GF k]]
-  unless (map length inverse' == replicate n n && product' inverse' chosen == unit) (Left InverseFault)
- where
-  n = degree h
-  Shape n1 n2 = profileShape profile
-  exponents = map (cellExponent (profileFolding profile)) (maskOffsets mask)
-  -- e(i, j) is i modulo n1 and j modulo n2: with u n2 = 1 modulo n1, it is j + n2 (u (i - j)).
-  cellExponent RowMajor (Position i j) = i * n2 + j
-  cellExponent Diagonal (Position i j) =
-    fromInteger (toInteger j + toInteger n2 * ((inverseOf n2 n1 * (toInteger i - toInteger j)) `mod` toInteger n1))
-  product' a b = [[sum (zipWith (*) x y) | y <- transpose b] | x <- a]
-  unit = [[if i == j then one else zero | j <- [1 .. n]] | i <- [1 .. n]]
+  unless
+    (map length inverse' == replicate n n && product' inverse' chosen == unit)
+    (Left InverseFault)
+  where
+    n = degree h
+    Shape n1 n2 = profileShape profile
+    exponents = map (cellExponent (profileFolding profile)) (maskOffsets mask)
+    -- e(i, j) is i modulo n1 and j modulo n2: with u n2 = 1 modulo n1, it is j + n2 (u (i - j)).
+    cellExponent RowMajor (Position i j) = i * n2 + j
+    cellExponent Diagonal (Position i j) =
+      fromInteger
+        ( toInteger j
+            + toInteger n2 * ((inverseOf n2 n1 * (toInteger i - toInteger j)) `mod` toInteger n1)
+        )
+    product' a b = [[sum (zipWith (*) x y) | y <- transpose b] | x <- a]
+    unit = [[if i == j then one else zero | j <- [1 .. n]] | i <- [1 .. n]]
 
 -- | The inverse of a modulo m, which are coprime; 0 modulo 1.
 inverseOf :: Natural -> Natural -> Integer
 inverseOf a m = go (toInteger m) 0 (toInteger a `mod` toInteger m) 1 `mod` toInteger m
- where
-  -- t a = r and t' a = r' modulo m.
-  go :: Integer -> Integer -> Integer -> Integer -> Integer
-  go _ t 0 _ = t
-  go r t r' t' = go r' t' (r `mod` r') (t - (r `div` r') * t')
+  where
+    -- t a = r and t' a = r' modulo m.
+    go :: Integer -> Integer -> Integer -> Integer -> Integer
+    go _ t 0 _ = t
+    go r t r' t' = go r' t' (r `mod` r') (t - (r `div` r') * t')
 
 -- | That the windows are distinct, and in the order that the digest tells.
 checkDigest :: Profile -> Mask -> String -> Either Fault ()
 checkDigest profile mask told = do
   grid <- first ArrayFault (withProfile profile (\array _ -> toGrid array)) >>= first SizeFault
-  computed <- maybe (Left RepeatedFault) Right (digestOfWindows (profilePacking profile) (profileSurface profile) grid mask)
+  computed <-
+    maybe
+      (Left RepeatedFault)
+      Right
+      (digestOfWindows (profilePacking profile) (profileSurface profile) grid mask)
   when (computed /= told) (Left (DigestFault told computed))
 
 -- | Whether a number is known to be prime: among those shown, or below 'millerRabinDomain' by the
@@ -205,29 +234,37 @@ knownPrime shown n = n `elem` shown || n < millerRabinDomain && isPrime n == Rig
 -- | Whether a proof shows its number to be prime, given those shown before (Pocklington's theorem).
 isShownPrime :: [Natural] -> PrimeProof -> Bool
 isShownPrime before (PrimeProof prime witnesses) =
-  prime > 3 && maybe False (\f -> f * f > prime && (prime - 1) `mod` f == 0) factored && all shows' witnesses
- where
-  factored = boundedProduct prime [(l, e) | PrimeWitness l e _ <- witnesses]
-  shows' (PrimeWitness l e a) =
-    e > 0
-      && knownPrime before l
-      && powerModulo a (prime - 1) == 1
-      && gcd prime (powerModulo a ((prime - 1) `div` l) + prime - 1) == 1
-  -- Not the factorisation's: what checks stands apart from what it checks.
-  powerModulo a e
-    | e == 0 = 1
-    | odd e = a * powerModulo a (e - 1) `mod` prime
-    | otherwise = let b = powerModulo a (e `div` 2) in b * b `mod` prime
+  prime > 3
+    && maybe False (\f -> f * f > prime && (prime - 1) `mod` f == 0) factored
+    && all shows' witnesses
+  where
+    factored = boundedProduct prime [(l, e) | PrimeWitness l e _ <- witnesses]
+    shows' (PrimeWitness l e a) =
+      e > 0
+        && knownPrime before l
+        && powerModulo a (prime - 1) == 1
+        && gcd prime (powerModulo a ((prime - 1) `div` l) + prime - 1) == 1
+    -- Not the factorisation's: what checks stands apart from what it checks.
+    powerModulo a e
+      | e == 0 = 1
+      | odd e = a * powerModulo a (e - 1) `mod` prime
+      | otherwise = let b = powerModulo a (e `div` 2) in b * b `mod` prime
 
--- | The product of powers, all greater than 1 and at most the bound; 'Nothing' if it exceeds the bound or a
--- factor repeats.
+-- | The product of powers, all greater than 1 and at most the bound; 'Nothing' if it exceeds the
+-- bound or a factor repeats.
 boundedProduct :: Natural -> [(Natural, Natural)] -> Maybe Natural
 boundedProduct bound powers
-  | and (zipWith (<) (map fst powers) (drop 1 (map fst powers))) && all (\(l, e) -> l > 1 && e > 0) powers =
-      foldl' (\acc (l, e) -> acc >>= times l e) (Just 1) powers
+  | and
+      ( zipWith
+          (<)
+          (map fst powers)
+          (drop 1 (map fst powers))
+      )
+      && all (\(l, e) -> l > 1 && e > 0) powers =
+    foldl' (\acc (l, e) -> acc >>= times l e) (Just 1) powers
   | otherwise = Nothing
- where
-  times _ 0 acc = Just acc
-  times l e acc
-    | acc * l > bound = Nothing
-    | otherwise = times l (e - 1) (acc * l)
+  where
+    times _ 0 acc = Just acc
+    times l e acc
+      | acc * l > bound = Nothing
+      | otherwise = times l (e - 1) (acc * l)

@@ -3,12 +3,13 @@
 -- is taken of.
 module PraTactile.Certificate.Digest
   ( -- * SHA-256
-    sha256
-  , sha256OfText
+    sha256,
+    sha256OfText,
 
     -- * Of the windows of an array
-  , digestOfWindows
-  ) where
+    digestOfWindows,
+  )
+where
 
 import qualified Crypto.Hash.SHA256 as SHA256
 import Data.ByteString (ByteString)
@@ -40,53 +41,54 @@ sha256OfText = sha256 . Char8.pack
 hexadecimal :: ByteString -> String
 hexadecimal = Lazy.unpack . Builder.toLazyByteString . Builder.byteStringHex
 
--- | The SHA-256 of the positions of all windows on the surface, sorted by their packed contents: each is
--- the number row * columns + column, of the grid, as 8 bytes, the most significant first. 'Nothing'
--- when two windows are the same, when there is none, or when there are more than 2^26 possible
--- contents and more than 2^20 positions.
+-- | The SHA-256 of the positions of all windows on the surface, sorted by their packed contents:
+-- each is the number row * columns + column, of the grid, as 8 bytes, the most significant first.
+-- 'Nothing' when two windows are the same, when there is none, or when there are more than 2^26
+-- possible contents and more than 2^20 positions.
 digestOfWindows :: Packing -> Surface -> Grid -> Mask -> Maybe String
 digestOfWindows packing surface grid mask = do
   ordered <- positionsByContent packing surface grid mask
   if Primitive.null ordered then Nothing else Just (hexadecimal (SHA256.hashlazy (bytesOf ordered)))
- where
-  -- Made chunk by chunk as they are digested: the bytes are never in memory together.
-  bytesOf ordered = Builder.toLazyByteString (Prim.primUnfoldrFixed Prim.int64BE next 0)
-   where
-    next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i
+  where
+    -- Made chunk by chunk as they are digested: the bytes are never in memory together.
+    bytesOf ordered = Builder.toLazyByteString (Prim.primUnfoldrFixed Prim.int64BE next 0)
+      where
+        next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i
 
--- | The positions of all windows by increasing packed content, if they are distinct and not too many.
+-- | The positions of all windows by increasing packed content, if they are distinct and not too
+-- many.
 positionsByContent :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 positionsByContent packing surface grid mask
   | spanned <= 2 ^ (26 :: Int) = visit packing surface grid mask >>= byTable (gridWidth grid)
   | area visited <= 2 ^ (20 :: Int) = bySorting packing surface grid mask
   | otherwise = Nothing
- where
-  spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
-  visited = visitedShape surface (gridShape grid) mask
+  where
+    spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
+    visited = visitedShape surface (gridShape grid) mask
 
--- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most 2^28
--- cells.
+-- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most
+-- 2^28 cells.
 byTable :: Int -> Visit -> Maybe (Vector Int)
 byTable width windows
   | Primitive.length ordered == visitRows windows * visitColumns windows = Just ordered
   | otherwise = Nothing
- where
-  ordered = Primitive.map fromIntegral (Primitive.filter (>= 0) table)
-  table = Primitive.create $ do
-    entries <- Mutable.replicate (visitSpan windows) (-1 :: Int32)
-    forWindows windows $ \r c key -> Mutable.write entries key (fromIntegral (r * width + c))
-    pure entries
+  where
+    ordered = Primitive.map fromIntegral (Primitive.filter (>= 0) table)
+    table = Primitive.create $ do
+      entries <- Mutable.replicate (visitSpan windows) (-1 :: Int32)
+      forWindows windows $ \r c key -> Mutable.write entries key (fromIntegral (r * width + c))
+      pure entries
 
 -- | By sorting the windows.
 bySorting :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 bySorting packing surface grid mask
   | and (zipWith (<) found (drop 1 found)) = Just (Primitive.fromList (map snd ordered))
   | otherwise = Nothing
- where
-  ordered =
-    sort
-      [ (content, fromIntegral (r * width + c))
-      | (Position r c, content) <- packedWindows packing surface grid mask
-      ]
-  found = map fst ordered
-  width = columns (gridShape grid)
+  where
+    ordered =
+      sort
+        [ (content, fromIntegral (r * width + c))
+          | (Position r c, content) <- packedWindows packing surface grid mask
+        ]
+    found = map fst ordered
+    width = columns (gridShape grid)

@@ -1,18 +1,15 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
 -- |
 -- Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the
 -- arithmetic that it helps to check. Internal.
 module PraTactile.Certificate.Residue
-  ( Modulus
-  , modulusFrom
-  , reversed
-  , degree
-  , rootPower
-  , powersAt
-  ) where
+  ( Modulus,
+    modulusFrom,
+    reversed,
+    degree,
+    rootPower,
+    powersAt,
+  )
+where
 
 import Data.List (foldl')
 import qualified Data.Vector.Primitive as Primitive
@@ -20,8 +17,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Window.Elimination
 
--- | A monic polynomial of degree n >= 1 with a constant term: its n lower coefficients, the constant term
--- first.
+-- | A monic polynomial of degree n >= 1 with a constant term: its n lower coefficients, the
+-- constant term first.
 newtype Modulus (k :: Field) = Modulus (Row k)
 
 type role Modulus nominal
@@ -29,13 +26,19 @@ type role Modulus nominal
 -- | The polynomial with these coefficients, constant term first, if it is such a one.
 modulusFrom :: [GF k] -> Maybe (Modulus k)
 modulusFrom told = case (told, reverse told) of
-  (constantTerm : _ : _, leading : _) | leading == one && constantTerm /= zero -> Just (Modulus (rowFromList (take (length told - 1) told)))
+  (constantTerm : _ : _, leading : _)
+    | leading == one && constantTerm /= zero ->
+      Just (Modulus (rowFromList (take (length told - 1) told)))
   _ -> Nothing
 
 -- | x^n h(1/x) / h(0).
 reversed :: KnownField k => Modulus k -> Maybe (Modulus k)
 reversed (Modulus lower) = case rowToList lower of
-  constantTerm : rest -> either (const Nothing) (\a -> modulusFrom (map (a *) (one : reverse rest) ++ [one])) (inverse constantTerm)
+  constantTerm : rest ->
+    either
+      (const Nothing)
+      (\a -> modulusFrom (map (a *) (one : reverse rest) ++ [one]))
+      (inverse constantTerm)
   [] -> Nothing
 
 -- | n.
@@ -49,21 +52,23 @@ rootPower h e = concat (powersAt h [e])
 -- | Many such powers, the squares being computed once.
 powersAt :: KnownField k => Modulus k -> [Natural] -> [[GF k]]
 powersAt h = map (rowToList . foldl' (product' h) (unit h) . factors)
- where
-  factors e = [square | (square, True) <- zip squares (binary e)]
-  -- x, x^2, x^4, ...
-  squares = iterate (\a -> product' h a a) (timesRoot h (unit h))
-  binary e = map odd (takeWhile (> 0) (iterate (`div` 2) e))
+  where
+    factors e = [square | (square, True) <- zip squares (binary e)]
+    -- x, x^2, x^4, ...
+    squares = iterate (\a -> product' h a a) (timesRoot h (unit h))
+    binary e = map odd (takeWhile (> 0) (iterate (`div` 2) e))
 
 unit :: Modulus k -> Row k
 unit h = rowFromList (take (degree h) (one : repeat zero))
 
 -- | By Horner's rule: b(x) a from the highest coefficient of b down.
 product' :: KnownField k => Modulus k -> Row k -> Row k -> Row k
-product' h a = Primitive.foldr (\c acc -> addScaled c a (timesRoot h acc)) (Primitive.map (const zero) a)
+product' h a =
+  Primitive.foldr (\c acc -> addScaled c a (timesRoot h acc)) (Primitive.map (const zero) a)
 
 -- | x a(x): the coefficients move up, and x^n is replaced by what it is modulo h.
 timesRoot :: KnownField k => Modulus k -> Row k -> Row k
-timesRoot h@(Modulus lower) a = addScaled (negate top) lower (Primitive.cons zero (Primitive.take (degree h - 1) a))
- where
-  top = Primitive.foldl' (\_ x -> x) zero a
+timesRoot h@(Modulus lower) a =
+  addScaled (negate top) lower (Primitive.cons zero (Primitive.take (degree h - 1) a))
+  where
+    top = Primitive.foldl' (\_ x -> x) zero a

@@ -1,17 +1,16 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- Which numbers are primes, with proof: the strong test where a theorem says that it
 -- decides, Pocklington's theorem beyond. Imports base only.
 module PraTactile.Factorisation.Prime
   ( -- * Primality
-    isPrime
-  , millerRabinDomain
-  , pocklington
+    isPrime,
+    millerRabinDomain,
+    pocklington,
 
     -- * Errors
-  , FactorError (..)
-  ) where
+    FactorError (..),
+  )
+where
 
 import Data.List (find, inits, nub)
 import Numeric.Natural (Natural)
@@ -62,9 +61,9 @@ strongProbablePrime :: Natural -> Natural -> Bool
 strongProbablePrime n a
   | even n = False
   | otherwise = start == 1 || (n - 1) `elem` take twos (iterate (\x -> x * x `mod` n) start)
- where
-  twos = length (takeWhile even (iterate (`div` 2) (n - 1)))
-  start = powerModulo n a ((n - 1) `div` 2 ^ twos)
+  where
+    twos = length (takeWhile even (iterate (`div` 2) (n - 1)))
+    start = powerModulo n a ((n - 1) `div` 2 ^ twos)
 
 {- Note [Proofs from n - 1]
    Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n
@@ -74,24 +73,25 @@ strongProbablePrime n a
    and such a and b exist iff c1^2 - 4 c2 is a square (Crandall and Pomerance, Prime Numbers,
    theorem 4.1.5). -}
 
--- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof; 'False'
--- says nothing. See Note [Proofs from n - 1].
+-- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof;
+-- 'False' says nothing. See Note [Proofs from n - 1].
 pocklington :: Natural -> Bool
 pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors rest)))
- where
-  (small, rest) = trialDivision (n - 1)
-  enough primes = product primes ^ (3 :: Int) >= n
-  suffices primes = all witnessed (nub primes) && noTwoFactors (product primes)
-  witnessed l = any (witness l) millerRabinBases
-  witness l a = powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
-  noTwoFactors f = f * f > n || not (isSquare (toInteger c1 * toInteger c1 - 4 * toInteger c2))
-   where
-    (c2, c1) = (n `div` f) `divMod` f
+  where
+    (small, rest) = trialDivision (n - 1)
+    enough primes = product primes ^ (3 :: Int) >= n
+    suffices primes = all witnessed (nub primes) && noTwoFactors (product primes)
+    witnessed l = any (witness l) millerRabinBases
+    witness l a =
+      powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
+    noTwoFactors f = f * f > n || not (isSquare (toInteger c1 * toInteger c1 - 4 * toInteger c2))
+      where
+        (c2, c1) = (n `div` f) `divMod` f
 
 isSquare :: Integer -> Bool
 isSquare a = a >= 0 && root * root == fromInteger a
- where
-  root = squareRoot (fromInteger a)
+  where
+    root = squareRoot (fromInteger a)
 
 -- | Such prime factors as are found and proved, each as often as it divides, found as they are
 -- asked for.
@@ -105,6 +105,6 @@ provedFactors m = case isPrime m of
 -- | @powerModulo n a e@ is a^e modulo n, by squaring.
 powerModulo :: Natural -> Natural -> Natural -> Natural
 powerModulo n = go 1
- where
-  go acc _ 0 = acc `mod` n
-  go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)
+  where
+    go acc _ 0 = acc `mod` n
+    go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)

@@ -1,5 +1,3 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- The definition of GF(p^m): polynomials over the integers modulo p, modulo a
 -- monic polynomial f of degree m. It works on lists, imports nothing but base,
@@ -7,26 +5,27 @@
 -- the test suite compares every sum and every product of the two.
 module PraTactile.Field.Definition
   ( -- * The ring Z_p[x] / f
-    Ring (..)
-  , ringOrder
+    Ring (..),
+    ringOrder,
 
     -- * Elements
-  , Element
-  , fromCode
-  , toCode
-  , add
-  , multiply
-  ) where
+    Element,
+    fromCode,
+    toCode,
+    add,
+    multiply,
+  )
+where
 
 import Numeric.Natural (Natural)
 
 -- | Z_p[x] modulo f. It is the field GF(p^m) when p is prime and f irreducible
 -- modulo p; nothing here depends on that.
 data Ring = Ring
-  { ringPrime :: Natural
-  -- ^ p
-  , ringModulus :: [Natural]
-  -- ^ f, constant term first, monic: its last coefficient is 1
+  { -- | p
+    ringPrime :: Natural,
+    -- | f, constant term first, monic: its last coefficient is 1
+    ringModulus :: [Natural]
   }
   deriving stock (Eq, Show)
 
@@ -51,9 +50,9 @@ type Element = [Natural]
 -- [2,1]
 fromCode :: Ring -> Natural -> Element
 fromCode ring code = take (ringDegree ring) (digits code)
- where
-  p = ringPrime ring
-  digits c = c `mod` p : digits (c `div` p)
+  where
+    p = ringPrime ring
+    digits c = c `mod` p : digits (c `div` p)
 
 -- | The code of an element: its coefficients as base-p digits.
 --
@@ -77,21 +76,21 @@ multiply ring a b = remainder ring (convolve a b)
 convolve :: [Natural] -> [Natural] -> [Natural]
 convolve a b =
   [ sum [x * y | (i, x) <- zip [0 :: Int ..] a, (j, y) <- zip [0 ..] b, i + j == k]
-  | k <- [0 .. length a + length b - 2]
+    | k <- [0 .. length a + length b - 2]
   ]
 
 -- | The remainder by f: while the degree is m or more, take away a multiple of f
 -- that cancels the leading coefficient.
 remainder :: Ring -> [Natural] -> Element
 remainder ring = go . map (`mod` p)
- where
-  p = ringPrime ring
-  m = ringDegree ring
-  go a
-    | length a > m = go (cancel a)
-    | otherwise = a ++ replicate (m - length a) 0
-  cancel a =
-    let leading = sum (drop (length a - 1) a)
-        shifted = replicate (length a - 1 - m) 0 ++ ringModulus ring
-        minus x y = (x + (p - leading) * y) `mod` p
-     in take (length a - 1) (zipWith minus a shifted)
+  where
+    p = ringPrime ring
+    m = ringDegree ring
+    go a
+      | length a > m = go (cancel a)
+      | otherwise = a ++ replicate (m - length a) 0
+    cancel a =
+      let leading = sum (drop (length a - 1) a)
+          shifted = replicate (length a - 1 - m) 0 ++ ringModulus ring
+          minus x y = (x + (p - leading) * y) `mod` p
+       in take (length a - 1) (zipWith minus a shifted)

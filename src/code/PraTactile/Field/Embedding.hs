@@ -1,24 +1,20 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- One field in another: the isomorphisms between GF(p^m) with one modulus and with another, by
 -- which implementations that chose different moduli translate their codes, and the embeddings of
 -- GF(p^d) into GF(p^m).
 module PraTactile.Field.Embedding
   ( -- * Making
-    Embedding
-  , isomorphism
-  , embedding
-  , embeddings
+    Embedding,
+    isomorphism,
+    embedding,
+    embeddings,
 
     -- * Using
-  , embed
-  , retract
-  , inverseEmbedding
-  ) where
+    embed,
+    retract,
+    inverseEmbedding,
+  )
+where
 
 import Data.List (find, unfoldr)
 import Data.Proxy (Proxy (..))
@@ -34,26 +30,27 @@ newtype Embedding (j :: Field) (k :: Field) = Embedding (Primitive.Vector (GF k)
 
 type role Embedding nominal nominal
 
--- | All embeddings of j into k, none where j is not contained in k, else as many as j has degree over
--- GF(p): A, a root of j's modulus f, goes to a root of f in k, and then Z_p[x]/f goes the only way
--- that is left. They are listed by increasing code of the root.
+-- | All embeddings of j into k, none where j is not contained in k, else as many as j has degree
+-- over GF(p): A, a root of j's modulus f, goes to a root of f in k, and then Z_p[x]/f goes the only
+-- way that is left. They are listed by increasing code of the root.
 embeddings :: forall j k. (KnownField j, KnownField k) => [Embedding j k]
 embeddings
   | fieldCharacteristic j /= fieldCharacteristic (Proxy :: Proxy k) = []
   | otherwise = map sendingTo (filter isRoot elements)
- where
-  j = Proxy :: Proxy j
-  p = fieldCharacteristic j
-  isRoot a = valueAt (fromIntegers (map toInteger (fieldModulus j))) a == zero
-  sendingTo root = Embedding (Primitive.generate (fieldOrder j) (image root))
-  image root code = valueAt (fromIntegers (digits code)) root
-  digits = unfoldr (\c -> if c == 0 then Nothing else Just (toInteger (c `mod` p), c `div` p))
+  where
+    j = Proxy :: Proxy j
+    p = fieldCharacteristic j
+    isRoot a = valueAt (fromIntegers (map toInteger (fieldModulus j))) a == zero
+    sendingTo root = Embedding (Primitive.generate (fieldOrder j) (image root))
+    image root code = valueAt (fromIntegers (digits code)) root
+    digits = unfoldr (\c -> if c == 0 then Nothing else Just (toInteger (c `mod` p), c `div` p))
 
 -- | Integers as the coefficients of a polynomial, constant term first.
 fromIntegers :: KnownField k => [Integer] -> Polynomial k
 fromIntegers = polynomial . map fromInteger
 
--- | The first of the 'embeddings'. Refuses, with 'NotContained', fields that are not one in the other.
+-- | The first of the 'embeddings'. Refuses, with 'NotContained', fields that are not one in the
+-- other.
 embedding :: forall j k. (KnownField j, KnownField k) => Either StructureError (Embedding j k)
 embedding = case embeddings of
   first : _ -> Right first
@@ -65,9 +62,9 @@ isomorphism :: forall j k. (KnownField j, KnownField k) => Either StructureError
 isomorphism
   | primeAndDegree j == primeAndDegree k = embedding
   | otherwise = Left (NotIsomorphic (primeAndDegree j) (primeAndDegree k))
- where
-  j = Proxy :: Proxy j
-  k = Proxy :: Proxy k
+  where
+    j = Proxy :: Proxy j
+    k = Proxy :: Proxy k
 
 primeAndDegree :: KnownField k => Proxy k -> (Natural, Natural)
 primeAndDegree k = (fromIntegral (fieldCharacteristic k), fromIntegral (fieldDegree k))
@@ -88,8 +85,9 @@ retract :: KnownField j => Embedding j k -> GF k -> Maybe (GF j)
 retract e b = find ((== b) . embed e) elements
 
 -- | The inverse of an isomorphism. Refuses, with 'NotIsomorphic', an embedding into a larger field.
-inverseEmbedding
-  :: forall j k. (KnownField j, KnownField k) => Embedding j k -> Either StructureError (Embedding k j)
+inverseEmbedding ::
+  forall j k. (KnownField j, KnownField k) => Embedding j k -> Either StructureError (Embedding k j)
 inverseEmbedding e = case traverse (retract e) elements of
   Just preimages -> Right (Embedding (Primitive.fromList preimages))
-  Nothing -> Left (NotIsomorphic (primeAndDegree (Proxy :: Proxy j)) (primeAndDegree (Proxy :: Proxy k)))
+  Nothing ->
+    Left (NotIsomorphic (primeAndDegree (Proxy :: Proxy j)) (primeAndDegree (Proxy :: Proxy k)))

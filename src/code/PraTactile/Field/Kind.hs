@@ -1,8 +1,5 @@
 {-# LANGUAGE AllowAmbiguousTypes #-}
-{-# LANGUAGE DataKinds #-}
 {-# LANGUAGE FlexibleInstances #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE TypeOperators #-}
 
@@ -10,10 +7,11 @@
 -- The kind of field indices, and how an index written in a type is read as a value.
 -- Internal; "PraTactile.Field" exports what a user needs.
 module PraTactile.Field.Kind
-  ( Field (..)
-  , KnownIndex
-  , fieldIndex
-  ) where
+  ( Field (..),
+    KnownIndex,
+    fieldIndex,
+  )
+where
 
 import Data.Kind (Type)
 import Data.Proxy (Proxy (..))

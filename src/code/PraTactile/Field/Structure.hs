@@ -1,40 +1,35 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- What a field is made of: orders of elements, the Frobenius automorphism, subfields, and
 -- trace, norm and minimal polynomial over them (Lidl and Niederreiter, Finite Fields, chapter 2).
 module PraTactile.Field.Structure
   ( -- * The multiplicative group
-    exponential
-  , elementOrder
-  , isPrimitiveElement
+    exponential,
+    elementOrder,
+    isPrimitiveElement,
 
     -- * The Frobenius automorphism
-  , frobeniusPower
+    frobeniusPower,
 
     -- * Subfields
-  , Subfield
-  , subfield
-  , subfields
-  , primeSubfield
-  , subfieldDegree
-  , subfieldOrder
-  , inSubfield
-  , subfieldElements
+    Subfield,
+    subfield,
+    subfields,
+    primeSubfield,
+    subfieldDegree,
+    subfieldOrder,
+    inSubfield,
+    subfieldElements,
 
     -- * Down to a subfield
-  , conjugates
-  , trace
-  , norm
-  , minimalPolynomial
+    conjugates,
+    trace,
+    norm,
+    minimalPolynomial,
 
     -- * Errors
-  , StructureError (..)
-  ) where
+    StructureError (..),
+  )
+where
 
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
@@ -45,10 +40,11 @@ import PraTactile.Polynomial
 data StructureError
   = -- | No power of zero is 1.
     ZeroHasNoOrder
-  | -- | There is no subfield of degree d, the first number, over GF(p), for it does not divide m, the
-    -- second.
+  | -- | There is no subfield of degree d, the first number, over GF(p), for it does not divide m,
+    -- the second.
     NoSubfield Natural Natural
-  | -- | GF(p^d), the first pair, is not in GF(r^m), the second: p and r differ, or d does not divide m.
+  | -- | GF(p^d), the first pair, is not in GF(r^m), the second: p and r differ, or d does not
+    -- divide m.
     NotContained (Natural, Natural) (Natural, Natural)
   | -- | GF(p^d), the first pair, is not the same field as GF(r^m), the second.
     NotIsomorphic (Natural, Natural) (Natural, Natural)
@@ -60,25 +56,28 @@ data StructureError
 -- >>> map exponential [-1, 0, 1, 2, 3] :: [GF GF4]
 -- [A^2,1,A,A^2,1]
 exponential :: forall k. KnownField k => Integer -> GF k
-exponential e = power primitive (fromInteger (e `mod` (toInteger (fieldOrder (Proxy :: Proxy k)) - 1)))
+exponential e =
+  power primitive (fromInteger (e `mod` (toInteger (fieldOrder (Proxy :: Proxy k)) - 1)))
 
 -- | The least n >= 1 with a^n = 1. Refuses zero.
 elementOrder :: forall k. KnownField k => GF k -> Either StructureError Natural
 elementOrder a = case logarithm a of
   Nothing -> Left ZeroHasNoOrder
   Just l -> Right (fromIntegral (units `div` gcd units l))
- where
-  units = fieldOrder (Proxy :: Proxy k) - 1
+  where
+    units = fieldOrder (Proxy :: Proxy k) - 1
 
 -- | Whether the powers of an element are all elements but zero.
 isPrimitiveElement :: forall k. KnownField k => GF k -> Bool
 isPrimitiveElement a = elementOrder a == Right (fromIntegral (fieldOrder (Proxy :: Proxy k)) - 1)
 
--- | @frobeniusPower i a@ is a^(p^i). For i = 0, ..., m - 1 these are all the automorphisms of GF(p^m).
+-- | @frobeniusPower i a@ is a^(p^i). For i = 0, ..., m - 1 these are all the automorphisms of
+-- GF(p^m).
 frobeniusPower :: forall k. KnownField k => Natural -> GF k -> GF k
-frobeniusPower i a = power a (fromIntegral (fieldCharacteristic k) ^ (i `mod` fromIntegral (fieldDegree k)))
- where
-  k = Proxy :: Proxy k
+frobeniusPower i a =
+  power a (fromIntegral (fieldCharacteristic k) ^ (i `mod` fromIntegral (fieldDegree k)))
+  where
+    k = Proxy :: Proxy k
 
 -- | A subfield GF(p^d) of the field k = GF(p^m), d a divisor of m: the roots of x^(p^d) = x. Only
 -- 'subfield' and its like make one.
@@ -92,14 +91,14 @@ subfield :: forall k. KnownField k => Natural -> Either StructureError (Subfield
 subfield d
   | d > 0 && m `mod` d == 0 = Right (Subfield d)
   | otherwise = Left (NoSubfield d m)
- where
-  m = fromIntegral (fieldDegree (Proxy :: Proxy k))
+  where
+    m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
 -- | All subfields, from GF(p) to the field itself.
 subfields :: forall k. KnownField k => [Subfield k]
 subfields = [Subfield d | d <- [1 .. m], m `mod` d == 0]
- where
-  m = fromIntegral (fieldDegree (Proxy :: Proxy k))
+  where
+    m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
 -- | GF(p).
 primeSubfield :: Subfield k
@@ -138,8 +137,8 @@ norm s = product . images s
 -- | The m/d images of an element under the automorphisms over the subfield, equal ones too.
 images :: forall k. KnownField k => Subfield k -> GF k -> [GF k]
 images (Subfield d) a = [frobeniusPower i a | i <- [0, d .. m - 1]]
- where
-  m = fromIntegral (fieldDegree (Proxy :: Proxy k))
+  where
+    m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
 -- | The monic polynomial of least degree over the subfield of which the element is a root: its
 -- coefficients lie in the subfield, and it is irreducible over it.

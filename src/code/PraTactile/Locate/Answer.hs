@@ -1,29 +1,29 @@
 {-# LANGUAGE DeriveTraversable #-}
-{-# LANGUAGE DerivingStrategies #-}
 
 -- |
 -- The one answer to the one question: where a patch is, and what that rests on. Every decoder
 -- answers in these terms, whatever was asked.
 module PraTactile.Locate.Answer
   ( -- * Where
-    Outcome (..)
-  , Candidate (..)
-  , Reason (..)
-  , reasonName
-  , reasons
+    Outcome (..),
+    Candidate (..),
+    Reason (..),
+    reasonName,
+    reasons,
 
     -- * What it rests on
-  , Answer (..)
-  , Distances (..)
-  , Posterior (..)
-  , PatchVerdict (..)
-  , Known (..)
-  , atLeast
+    Answer (..),
+    Distances (..),
+    Posterior (..),
+    PatchVerdict (..),
+    Known (..),
+    atLeast,
 
     -- * Decoders
-  , DecoderName (..)
-  , decoderText
-  ) where
+    DecoderName (..),
+    decoderText,
+  )
+where
 
 import Numeric.Natural (Natural)
 import PraTactile.Locate.Chance (Chance)
@@ -39,8 +39,8 @@ data Outcome place
   | -- | All places, two or more, that agree; and the offsets as above.
     Ambiguous [place] [Position]
   | -- | This many places agree, too many to list. If the second is a number, they are the powers of
-    -- alpha in a coset of a space over GF(q) of that dimension. On the sheet those of the torus that
-    -- it is cut from are counted; two of them at least lie on it.
+    -- alpha in a coset of a space over GF(q) of that dimension. On the sheet those of the torus
+    -- that it is cut from are counted; two of them at least lie on it.
     AmbiguousMany Natural (Maybe Natural)
   | -- | No place, and why.
     Refused Reason
@@ -48,10 +48,10 @@ data Outcome place
 
 -- | Where a patch may be, and how it is then seen.
 data Candidate = Candidate
-  { candidateSymmetry :: Symmetry
-  -- ^ How the upright patch is seen.
-  , candidatePosition :: Position
-  -- ^ The position of the upper left cell of the upright patch.
+  { -- | How the upright patch is seen.
+    candidateSymmetry :: Symmetry,
+    -- | The position of the upper left cell of the upright patch.
+    candidatePosition :: Position
   }
   deriving stock (Eq, Ord, Show)
 
@@ -95,38 +95,39 @@ reasons = [minBound .. maxBound]
 -- | Where a patch is, and what that rests on. Cells are offsets in the patch as it is seen; of
 -- several patches, in the rectangle around all.
 data Answer = Answer
-  { answerOutcome :: Outcome Candidate
-  -- ^ Candidates are in the order of the symmetries asked for, and of their positions.
-  , answerDecoder :: DecoderName
-  -- ^ Which decoder answered.
-  , answerDistances :: Maybe Distances
-  -- ^ In how many cells candidates differ; if symbols were observed.
-  , answerPosterior :: Maybe (Posterior Candidate)
-  -- ^ How likely candidates are; if probabilities were observed.
-  , answerChance :: Maybe Chance
-  -- ^ Of all contents of the observed cells, the share that would be located.
-  , answerPatches :: [PatchVerdict]
-  -- ^ What is said of each patch, in the order given.
-  , answerDisputed :: [Position]
-  -- ^ The cells that patches saw differently, which count as not observed; of probabilities those
-  -- whose product is zero for every symbol.
+  { -- | Candidates are in the order of the symmetries asked for, and of their positions.
+    answerOutcome :: Outcome Candidate,
+    -- | Which decoder answered.
+    answerDecoder :: DecoderName,
+    -- | In how many cells candidates differ; if symbols were observed.
+    answerDistances :: Maybe Distances,
+    -- | How likely candidates are; if probabilities were observed.
+    answerPosterior :: Maybe (Posterior Candidate),
+    -- | Of all contents of the observed cells, the share that would be located.
+    answerChance :: Maybe Chance,
+    -- | What is said of each patch, in the order given.
+    answerPatches :: [PatchVerdict],
+    -- | The cells that patches saw differently, which count as not observed; of probabilities those
+    -- whose product is zero for every symbol.
+    answerDisputed :: [Position]
   }
   deriving stock (Eq, Show)
 
 -- | In how many of the observed cells candidates differ.
 data Distances = Distances
-  { corrected :: [Position]
-  -- ^ The observed cells that are wrong if the patch is where it was located.
-  , nearestDistance :: Maybe Known
-  -- ^ In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the
-  -- patch fits nowhere on the sheet, and of a decoder that corrects nothing if no candidate agrees.
-  , runnerUpDistance :: Maybe Known
-  -- ^ In how many the next one differs; 'Nothing' if there is one candidate only, or if nothing is
-  -- known of it.
-  , codeDistance :: Known
-  -- ^ In how many observed cells any two candidates differ; 0 where two do not.
-  , correctionRadius :: Natural
-  -- ^ How many cells may be wrong.
+  { -- | The observed cells that are wrong if the patch is where it was located.
+    corrected :: [Position],
+    -- | In how many cells the nearest candidate differs, within the radius or not; 'Nothing' if the
+    -- patch fits nowhere on the sheet, and of a decoder that corrects nothing if no candidate
+    -- agrees.
+    nearestDistance :: Maybe Known,
+    -- | In how many the next one differs; 'Nothing' if there is one candidate only, or if nothing
+    -- is known of it.
+    runnerUpDistance :: Maybe Known,
+    -- | In how many observed cells any two candidates differ; 0 where two do not.
+    codeDistance :: Known,
+    -- | How many cells may be wrong.
+    correctionRadius :: Natural
   }
   deriving stock (Eq, Show)
 
@@ -142,49 +143,51 @@ atLeast known = case known of
 
 -- | How likely places are. Where not all of them are listed, every number is a bound.
 data Posterior place = Posterior
-  { posteriorBest :: Maybe place
-  -- ^ The likeliest listed place, the first of them if several are; 'Nothing' if none is possible.
-  , posteriorDoubt :: Double
-  -- ^ The probability that it is another one: exactly this without the rounding of 1 less the
-  -- best's; at most this where places are unlisted.
-  , posteriorEqual :: [place]
-  -- ^ The places that are exactly as likely as the best, itself among them; none where they are too
-  -- many to list.
-  , posteriorMany :: Maybe (Natural, Maybe Natural)
-  -- ^ Where they are too many: how many, and the dimension of the coset that they are, if they are
-  -- one.
-  , posteriorEqualDoubt :: Double
-  -- ^ The probability that it is none of those: at most this; 1 where unlisted places may be as
-  -- likely.
-  , posteriorMargin :: Maybe Double
-  -- ^ The logarithm of how many times as likely the best is as any other place: at least this, and
-  -- negative where an unlisted one may be likelier; infinite if no other one is possible, 'Nothing' if
-  -- there is no other one.
-  , posteriorRanking :: [(place, Double)]
-  -- ^ The listed places, the likeliest first, each with its probability, or where places are
-  -- unlisted with one that is at least this; made when asked for.
-  , posteriorUnlisted :: Maybe Double
-  -- ^ The probability of all unlisted places together, at most this: 0 only where all possible ones
-  -- are listed. 'Nothing' if all places were compared.
-  , posteriorWords :: Int
-  -- ^ How many words a list was made of; 0 if all places were compared.
+  { -- | The likeliest listed place, the first of them if several are; 'Nothing' if none is
+    -- possible.
+    posteriorBest :: Maybe place,
+    -- | The probability that it is another one: exactly this without the rounding of 1 less the
+    -- best's; at most this where places are unlisted.
+    posteriorDoubt :: Double,
+    -- | The places that are exactly as likely as the best, itself among them; none where they are
+    -- too many to list.
+    posteriorEqual :: [place],
+    -- | Where they are too many: how many, and the dimension of the coset that they are, if they
+    -- are one.
+    posteriorMany :: Maybe (Natural, Maybe Natural),
+    -- | The probability that it is none of those: at most this; 1 where unlisted places may be as
+    -- likely.
+    posteriorEqualDoubt :: Double,
+    -- | The logarithm of how many times as likely the best is as any other place: at least this,
+    -- and negative where an unlisted one may be likelier; infinite if no other one is possible,
+    -- 'Nothing' if there is no other one.
+    posteriorMargin :: Maybe Double,
+    -- | The listed places, the likeliest first, each with its probability, or where places are
+    -- unlisted with one that is at least this; made when asked for.
+    posteriorRanking :: [(place, Double)],
+    -- | The probability of all unlisted places together, at most this: 0 only where all possible
+    -- ones are listed. 'Nothing' if all places were compared.
+    posteriorUnlisted :: Maybe Double,
+    -- | How many words a list was made of; 0 if all places were compared.
+    posteriorWords :: Int
   }
   deriving stock (Eq, Show, Functor)
 
 -- | What is said of one of several patches.
 data PatchVerdict = PatchVerdict
-  { patchOffset :: Position
-  -- ^ Where its upper left cell is.
-  , patchWrong :: Maybe Int
-  -- ^ How many of its cells are wrong where all were located, disputed ones left out; of
-  -- probabilities those whose likeliest symbol is. 'Nothing' if they were not located.
-  , patchInconsistent :: Bool
-  -- ^ Whether it does not belong where all are located. It does not if more of its cells are wrong
-  -- there, disputed ones among them, than it could have wrong for certain if it were alone; and of
-  -- probabilities if they make the place impossible, or alone tell another with a doubt that is
-  -- tolerated. If all together are not located, the place is that to which most patches belong, of all
-  -- places of single patches and of all patches but one; if those are several, as with two patches,
-  -- it cannot be told which is right, and whatever does not belong to all of them is named.
+  { -- | Where its upper left cell is.
+    patchOffset :: Position,
+    -- | How many of its cells are wrong where all were located, disputed ones left out; of
+    -- probabilities those whose likeliest symbol is. 'Nothing' if they were not located.
+    patchWrong :: Maybe Int,
+    -- | Whether it does not belong where all are located. It does not if more of its cells are
+    -- wrong there, disputed ones among them, than it could have wrong for certain if it were alone;
+    -- and of probabilities if they make the place impossible, or alone tell another with a doubt
+    -- that is tolerated. If all together are not located, the place is that to which most patches
+    -- belong, of all places of single patches and of all patches but one; if those are several, as
+    -- with two patches, it cannot be told which is right, and whatever does not belong to all of
+    -- them is named.
+    patchInconsistent :: Bool
   }
   deriving stock (Eq, Show)
 

@@ -1,29 +1,28 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- |
--- What a located answer is worth: of all contents that the observed cells could have, the share that would be
--- located. A decoder that corrects up to r wrong cells answers to whatever lies in the Hamming sphere of radius r
--- about the word of a position, which holds
+-- | What a located answer is worth: of all contents that the observed cells could have, the share
+-- that would be located. A decoder that corrects up to r wrong cells answers to whatever lies in
+-- the Hamming sphere of radius r about the word of a position, which holds
 --
 --   V(r) = sum over i up to r of (m over i) (q - 1)^i
 --
--- of the q^m words of m cells. With N positions that is N V(r) / q^m of all: exactly, while 2 r is less than the
--- minimum distance, when no two spheres meet; and never more (R. W. Hamming 1950; F. J. MacWilliams and N. J. A.
--- Sloane 1977, chapter 1, theorem 6). So many random symbols are taken for cells of the array.
+-- of the q^m words of m cells. With N positions that is N V(r) / q^m of all: exactly, while 2 r is
+-- less than the minimum distance, when no two spheres meet; and never more (R. W. Hamming 1950; F.
+-- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). So many random symbols are taken
+-- for cells of the array.
 module PraTactile.Locate.Chance
   ( -- * The share
-    Chance (..)
-  , chance
-  , atMost
+    Chance (..),
+    chance,
+    atMost,
 
     -- * Spheres
-  , Spheres (..)
-  , spheres
-  , correcting
-  , correctingNothing
-  , amongCells
-  , sphereVolume
-  ) where
+    Spheres (..),
+    spheres,
+    correcting,
+    correctingNothing,
+    amongCells,
+    sphereVolume,
+  )
+where
 
 import Data.Bits (shiftR)
 import Data.List (genericTake, nub, scanl')
@@ -36,10 +35,10 @@ import PraTactile.Symmetry
 
 -- | A share of all contents of the observed cells.
 data Chance = Chance
-  { chanceShare :: !Double
-  -- ^ From 0 to 1.
-  , chanceExact :: !Bool
-  -- ^ Whether it is exactly this; else it is at most this.
+  { -- | From 0 to 1.
+    chanceShare :: !Double,
+    -- | Whether it is exactly this; else it is at most this.
+    chanceExact :: !Bool
   }
   deriving stock (Eq, Show)
 
@@ -47,41 +46,56 @@ data Chance = Chance
 atMost :: Chance -> Chance
 atMost found = found {chanceExact = False}
 
--- | Spheres of one radius about the words of all candidates, which are positions in the orientations in question.
+-- | Spheres of one radius about the words of all candidates, which are positions in the
+-- orientations in question.
 data Spheres = Spheres
-  { sphereAlphabet :: !Natural
-  -- ^ q.
-  , sphereCells :: !Natural
-  -- ^ m, the length of a word.
-  , sphereCentres :: !Natural
-  -- ^ N, how many candidates there are.
-  , sphereRadius :: !Natural
-  -- ^ r, in cells.
-  , sphereDistance :: !Natural
-  -- ^ In how many cells any two candidates differ at least; 0 where that is not promised.
+  { -- | q.
+    sphereAlphabet :: !Natural,
+    -- | m, the length of a word.
+    sphereCells :: !Natural,
+    -- | N, how many candidates there are.
+    sphereCentres :: !Natural,
+    -- | r, in cells.
+    sphereRadius :: !Natural,
+    -- | In how many cells any two candidates differ at least; 0 where that is not promised.
+    sphereDistance :: !Natural
   }
   deriving stock (Eq, Show)
 
--- | The spheres of radius 0 of the candidates on a surface, no distance promised; by the orientations in question,
--- the shape of the patch as it is seen, and the offsets in it of the observed cells. On the sheet candidates are those
--- with which the patch's upper left and all observed cells lie on it. 'Nothing' where no cell was observed.
-spheres :: KnownField k => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Maybe Spheres
+-- | The spheres of radius 0 of the candidates on a surface, no distance promised; by the
+-- orientations in question, the shape of the patch as it is seen, and the offsets in it of the
+-- observed cells. On the sheet candidates are those with which the patch's upper left and all
+-- observed cells lie on it. 'Nothing' where no cell was observed.
+spheres ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  [Symmetry] ->
+  Shape ->
+  [Position] ->
+  Maybe Spheres
 spheres surface array possible shape offsets
   | null offsets = Nothing
   | otherwise =
-      Just
-        Spheres
-          { sphereAlphabet = fromIntegral (fieldOrder array)
-          , sphereCells = fromIntegral (length offsets)
-          , sphereCentres = sum (map places (nub possible))
-          , sphereRadius = 0
-          , sphereDistance = 0
-          }
- where
-  places orientation = area (comparedShape surface (arrayShape array) (extentOf (map (onPosition (invert orientation) shape) offsets)))
+    Just
+      Spheres
+        { sphereAlphabet = fromIntegral (fieldOrder array),
+          sphereCells = fromIntegral (length offsets),
+          sphereCentres = sum (map places (nub possible)),
+          sphereRadius = 0,
+          sphereDistance = 0
+        }
+  where
+    places orientation =
+      area
+        ( comparedShape
+            surface
+            (arrayShape array)
+            (extentOf (map (onPosition (invert orientation) shape) offsets))
+        )
 
--- | @correcting d r@: for a decoder that corrects up to r wrong cells, the minimum distance of the candidates being d
--- at least.
+-- | @correcting d r@: for a decoder that corrects up to r wrong cells, the minimum distance of the
+-- candidates being d at least.
 correcting :: Natural -> Natural -> Spheres -> Spheres
 correcting d r around = around {sphereDistance = d, sphereRadius = r}
 
@@ -89,13 +103,13 @@ correcting d r around = around {sphereDistance = d, sphereRadius = r}
 correctingNothing :: Bool -> Spheres -> Spheres
 correctingNothing differ = correcting (if differ then 1 else 0) 0
 
--- | For a decoder that holds only so many of the cells to what the array has, whatever the others are worth to it: it
--- may refuse for the others' sake, so that no distance is promised.
+-- | For a decoder that holds only so many of the cells to what the array has, whatever the others
+-- are worth to it: it may refuse for the others' sake, so that no distance is promised.
 amongCells :: Natural -> Spheres -> Spheres
 amongCells m around = around {sphereCells = m, sphereDistance = 0}
 
--- | The share of all contents that lies in the spheres. To the precision of 'Double' up to 'mostExactCells' cells,
--- and beyond, where it is 0 or 1 but for few radii, by logarithms.
+-- | The share of all contents that lies in the spheres. To the precision of 'Double' up to
+-- 'mostExactCells' cells, and beyond, where it is 0 or 1 but for few radii, by logarithms.
 --
 -- The paper's array, 2 x 2 cells, and 3 x 3 of which one is corrected:
 --
@@ -105,26 +119,34 @@ amongCells m around = around {sphereCells = m, sphereDistance = 0}
 -- True
 chance :: Spheres -> Chance
 chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
- where
-  share
-    | m <= mostExactCells = fromRational (toInteger (n * sphereVolume q m r) % toInteger (q ^ m))
-    | n == 0 = 0
-    | otherwise = exp (logarithm n + logVolume - fromIntegral m * logarithm q)
-  -- The logarithms of the terms of the volume, and of their sum, relative to the largest.
-  terms = scanl' (+) 0 [logarithm (m - i) - logarithm (i + 1) + logarithm (q - 1) | i <- genericTake (min r m) [0 ..]]
-  largest = maximum terms
-  logVolume = largest + log (sum (map (\x -> exp (x - largest)) terms))
+  where
+    share
+      | m <= mostExactCells = fromRational (toInteger (n * sphereVolume q m r) % toInteger (q ^ m))
+      | n == 0 = 0
+      | otherwise = exp (logarithm n + logVolume - fromIntegral m * logarithm q)
+    -- The logarithms of the terms of the volume, and of their sum, relative to the largest.
+    terms =
+      scanl'
+        (+)
+        0
+        [ logarithm (m - i) - logarithm (i + 1) + logarithm (q - 1)
+          | i <- genericTake (min r m) [0 ..]
+        ]
+    largest = maximum terms
+    logVolume = largest + log (sum (map (\x -> exp (x - largest)) terms))
 
 -- | 4096: up to so many cells shares are computed in whole numbers.
 mostExactCells :: Natural
 mostExactCells = 4096
 
--- | @sphereVolume q m r@: how many words of m symbols out of q differ from a given one in at most r.
+-- | @sphereVolume q m r@: how many words of m symbols out of q differ from a given one in at most
+-- r.
 --
 -- >>> [sphereVolume 2 7 1, sphereVolume 4 9 1, sphereVolume 4 3 9]
 -- [8,28,64]
 sphereVolume :: Natural -> Natural -> Natural -> Natural
-sphereVolume q m r = sum (scanl' (\term i -> term * (m - i) * (q - 1) `div` (i + 1)) 1 (genericTake (min r m) [0 ..]))
+sphereVolume q m r =
+  sum (scanl' (\term i -> term * (m - i) * (q - 1) `div` (i + 1)) 1 (genericTake (min r m) [0 ..]))
 
 -- | Of a number above 0 of any size.
 logarithm :: Natural -> Double

@@ -1,14 +1,13 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- |
 -- What a decoder of symbols finds, and how the findings in several symmetries become one: the one
 -- result that all these decoders have in common.
 module PraTactile.Locate.Decision
-  ( Decision (..)
-  , exactDecision
-  , nowhereDecision
-  , overSymmetries
-  ) where
+  ( Decision (..),
+    exactDecision,
+    nowhereDecision,
+    overSymmetries,
+  )
+where
 
 import Data.List (sort, sortOn)
 import Data.Maybe (catMaybes, mapMaybe)
@@ -19,18 +18,18 @@ import PraTactile.Symmetry
 
 -- | Where symbols are, and in how many cells places differ.
 data Decision place = Decision
-  { decisionOutcome :: Outcome place
-  , decisionDistances :: Distances
+  { decisionOutcome :: Outcome place,
+    decisionDistances :: Distances
   }
   deriving stock (Eq, Show)
 
 -- | Of a decoder that corrects nothing, given the minimum distance as far as it is known.
 exactDecision :: Known -> Outcome place -> Decision place
 exactDecision d outcome = Decision outcome (Distances [] agreeing Nothing d 0)
- where
-  agreeing = case outcome of
-    Refused _ -> Nothing
-    _ -> Just (Exactly 0)
+  where
+    agreeing = case outcome of
+      Refused _ -> Nothing
+      _ -> Just (Exactly 0)
 
 -- | Of no observed cells, with this radius.
 nowhereDecision :: Natural -> Decision place
@@ -38,39 +37,39 @@ nowhereDecision = Decision (Refused TooFewCells) . Distances [] Nothing Nothing 
 
 -- | What upright patches come to in the symmetries in which they may be seen, each with the upright
 -- patch's shape; the minimum distance and the radius are those of all together. The candidates are
--- the nearest of all symmetries: others may be within the radius, too. Where no symmetry has one, the
--- reason is that of the symmetry that came farthest: off the sheet, contradiction, no such window, no
--- complete window, beyond the radius, zeros.
+-- the nearest of all symmetries: others may be within the radius, too. Where no symmetry has one,
+-- the reason is that of the symmetry that came farthest: off the sheet, contradiction, no such
+-- window, no complete window, beyond the radius, zeros.
 overSymmetries :: Known -> Natural -> [(Symmetry, Shape, Decision Position)] -> Decision Candidate
 overSymmetries d radius found = Decision outcome (Distances wrong least next d radius)
- where
-  distancesOf (_, _, decision) = decisionDistances decision
-  nearestOf = nearestDistance . distancesOf
-  ordered = sortOn bound (concatMap (bothOf . distancesOf) found)
-  bothOf distances = catMaybes [nearestDistance distances, runnerUpDistance distances]
-  least = case ordered of
-    e : _ -> Just e
-    [] -> Nothing
-  -- The second least of lower bounds is a lower bound of the second least.
-  next = case drop 1 ordered of
-    e : _
-      | all exact ordered -> Just e
-      | otherwise -> Just (AtLeast (atLeast e))
-    [] -> Nothing
-  -- Where both are told, the exact one is meant: it was found.
-  bound known = (atLeast known, not (exact known))
-  exact known = case known of
-    Exactly _ -> True
-    AtLeast _ -> False
-  nearestOnes = filter ((== least) . nearestOf) found
-  outcome = together (if any answered nearestOnes then nearestOnes else found)
-  wrong = case (outcome, filter answered nearestOnes) of
-    (Unique _ _, [(o, shape, decision)]) ->
-      sort (map (onPosition o shape) (corrected (decisionDistances decision)))
-    _ -> []
-  answered (_, _, decision) = case decisionOutcome decision of
-    Refused _ -> False
-    _ -> True
+  where
+    distancesOf (_, _, decision) = decisionDistances decision
+    nearestOf = nearestDistance . distancesOf
+    ordered = sortOn bound (concatMap (bothOf . distancesOf) found)
+    bothOf distances = catMaybes [nearestDistance distances, runnerUpDistance distances]
+    least = case ordered of
+      e : _ -> Just e
+      [] -> Nothing
+    -- The second least of lower bounds is a lower bound of the second least.
+    next = case drop 1 ordered of
+      e : _
+        | all exact ordered -> Just e
+        | otherwise -> Just (AtLeast (atLeast e))
+      [] -> Nothing
+    -- Where both are told, the exact one is meant: it was found.
+    bound known = (atLeast known, not (exact known))
+    exact known = case known of
+      Exactly _ -> True
+      AtLeast _ -> False
+    nearestOnes = filter ((== least) . nearestOf) found
+    outcome = together (if any answered nearestOnes then nearestOnes else found)
+    wrong = case (outcome, filter answered nearestOnes) of
+      (Unique _ _, [(o, shape, decision)]) ->
+        sort (map (onPosition o shape) (corrected (decisionDistances decision)))
+      _ -> []
+    answered (_, _, decision) = case decisionOutcome decision of
+      Refused _ -> False
+      _ -> True
 
 -- | The outcomes in several symmetries as one.
 together :: [(Symmetry, Shape, Decision Position)] -> Outcome Candidate
@@ -82,17 +81,17 @@ together found = case (concatMap listed outcomes, mapMaybe unlisted outcomes) of
     _ -> Ambiguous (map fst several) []
   ([], [(count, dimension)]) -> AmbiguousMany count dimension
   (several, more) -> AmbiguousMany (fromIntegral (length several) + sum (map fst more)) Nothing
- where
-  outcomes = [(o, shape, decisionOutcome decision) | (o, shape, decision) <- found]
-  seen o shape = sort . map (onPosition o shape)
-  listed (o, shape, outcome) = case outcome of
-    Unique place support -> [(Candidate o place, seen o shape support)]
-    Ambiguous places _ -> [(Candidate o place, []) | place <- places]
-    _ -> []
-  unlisted (_, _, outcome) = case outcome of
-    AmbiguousMany count dimension -> Just (count, dimension)
-    _ -> Nothing
-  farthest given = case filter (`elem` given) order of
-    reason : _ -> reason
-    [] -> TooFewCells
-  order = [OffSheet, Contradiction, NotInArray, NoCompleteWindow, BeyondRadius, ZeroWindow]
+  where
+    outcomes = [(o, shape, decisionOutcome decision) | (o, shape, decision) <- found]
+    seen o shape = sort . map (onPosition o shape)
+    listed (o, shape, outcome) = case outcome of
+      Unique place support -> [(Candidate o place, seen o shape support)]
+      Ambiguous places _ -> [(Candidate o place, []) | place <- places]
+      _ -> []
+    unlisted (_, _, outcome) = case outcome of
+      AmbiguousMany count dimension -> Just (count, dimension)
+      _ -> Nothing
+    farthest given = case filter (`elem` given) order of
+      reason : _ -> reason
+      [] -> TooFewCells
+    order = [OffSheet, Contradiction, NotInArray, NoCompleteWindow, BeyondRadius, ZeroWindow]

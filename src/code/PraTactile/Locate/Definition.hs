@@ -1,21 +1,21 @@
--- |
--- What locating means, too slow to use on large arrays and too simple to be wrong: every symmetry with
--- every position is a candidate, and what was observed is compared with what the array has there. The
--- nearest candidate differs in the fewest cells; how likely one is, is Bayes' theorem. The decoders are
--- tested against it.
+-- | What locating means, too slow to use on large arrays and too simple to be wrong: every symmetry
+-- with every position is a candidate, and what was observed is compared with what the array has
+-- there. The nearest candidate differs in the fewest cells; how likely one is, is Bayes' theorem.
+-- The decoders are tested against it.
 module PraTactile.Locate.Definition
   ( -- * All candidates
-    everyCandidate
-  , differencesByDefinition
-  , posteriorByDefinition
-  , looksByDefinition
+    everyCandidate,
+    differencesByDefinition,
+    posteriorByDefinition,
+    looksByDefinition,
 
     -- * Agreeing in every cell
-  , searchPatch
-  , largestSearchedArray
-  , agreeing
-  , nowhere
-  ) where
+    searchPatch,
+    largestSearchedArray,
+    agreeing,
+    nowhere,
+  )
+where
 
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Primitive as Primitive
@@ -29,132 +29,168 @@ import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 import PraTactile.Window
 
--- | Every candidate, by symmetries in the order given and positions row by row, with what the array has
--- in the cells with these offsets of a patch with this shape as it is seen; on the sheet those with which
--- all of the cells and the upper left one of the upright patch lie on it.
-everyCandidate
-  :: KnownField k
-  => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> [(Candidate, [GF k])]
+-- | Every candidate, by symmetries in the order given and positions row by row, with what the array
+-- has in the cells with these offsets of a patch with this shape as it is seen; on the sheet those
+-- with which all of the cells and the upper left one of the upright patch lie on it.
+everyCandidate ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  [Symmetry] ->
+  Shape ->
+  [Position] ->
+  [(Candidate, [GF k])]
 everyCandidate surface array possible shape offsets =
   [ (Candidate o (Position r c), content)
-  | o <- possible
-  , r <- [0 .. rows (arrayShape array) - 1]
-  , c <- [0 .. columns (arrayShape array) - 1]
-  , let stands (Position i j) = cellAt array <$> shifted surface (arrayShape array) (toInteger r, toInteger c) (Position i j)
-  , Just content <- [traverse (stands . onPosition (invert o) shape) offsets]
+    | o <- possible,
+      r <- [0 .. rows (arrayShape array) - 1],
+      c <- [0 .. columns (arrayShape array) - 1],
+      let stands (Position i j) =
+            cellAt array
+              <$> shifted surface (arrayShape array) (toInteger r, toInteger c) (Position i j),
+      Just content <- [traverse (stands . onPosition (invert o) shape) offsets]
   ]
 
 -- | Every candidate with the observed cells that differ there.
-differencesByDefinition
-  :: KnownField k
-  => Surface -> PseudorandomArray k -> [Symmetry] -> Patch (GF k) -> [(Candidate, [Position])]
+differencesByDefinition ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  [Symmetry] ->
+  Patch (GF k) ->
+  [(Candidate, [Position])]
 differencesByDefinition surface array possible observed =
   [ (candidate, [offset | ((offset, a), b) <- zip cells content, a /= b])
-  | (candidate, content) <- everyCandidate surface array possible (patchShape observed) (map fst cells)
+    | (candidate, content) <-
+        everyCandidate surface array possible (patchShape observed) (map fst cells)
   ]
- where
-  cells = observedCells observed
+  where
+    cells = observedCells observed
 
--- | Every candidate with its probability, all of them being equally likely beforehand: the product of
--- the probabilities of the symbols there, over the sum of these; in exact fractions. The cells may be
--- several looks at one cell each. None if no candidate is possible.
-posteriorByDefinition
-  :: KnownField k
-  => Surface -> PseudorandomArray k -> [Symmetry] -> Shape -> [(Position, Belief k)] -> [(Candidate, Rational)]
+-- | Every candidate with its probability, all of them being equally likely beforehand: the product
+-- of the probabilities of the symbols there, over the sum of these; in exact fractions. The cells
+-- may be several looks at one cell each. None if no candidate is possible.
+posteriorByDefinition ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  [Symmetry] ->
+  Shape ->
+  [(Position, Belief k)] ->
+  [(Candidate, Rational)]
 posteriorByDefinition surface array possible shape cells
   | total == 0 = []
   | otherwise = [(candidate, p / total) | (candidate, p) <- likelihood]
- where
-  likelihood =
-    [ (candidate, product (zipWith probability (map snd cells) content))
-    | (candidate, content) <- everyCandidate surface array possible shape (map fst cells)
-    ]
-  probability b a = toRational (Primitive.toList (probabilities b) !! toCode a)
-  total = sum (map snd likelihood)
+  where
+    likelihood =
+      [ (candidate, product (zipWith probability (map snd cells) content))
+        | (candidate, content) <- everyCandidate surface array possible shape (map fst cells)
+      ]
+    probability b a = toRational (Primitive.toList (probabilities b) !! toCode a)
+    total = sum (map snd likelihood)
 
 -- | The rectangle around displaced patches, and for each observed cell in it all looks at it.
 looksByDefinition :: [((Integer, Integer), Patch a)] -> (Shape, [(Position, [a])])
 looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscList seen)
- where
-  top = minimum [r | ((r, _), _) <- given]
-  left = minimum [c | ((_, c), _) <- given]
-  bottom = maximum [r + toInteger (rows (patchShape p)) | ((r, _), p) <- given]
-  right = maximum [c + toInteger (columns (patchShape p)) | ((_, c), p) <- given]
-  side to from = fromInteger (to - from)
-  seen =
-    Map.fromListWith
-      (flip (++))
-      [ (Position (i + fromInteger (r - top)) (j + fromInteger (c - left)), [a])
-      | ((r, c), p) <- given
-      , (Position i j, a) <- observedCells p
-      ]
+  where
+    top = minimum [r | ((r, _), _) <- given]
+    left = minimum [c | ((_, c), _) <- given]
+    bottom = maximum [r + toInteger (rows (patchShape p)) | ((r, _), p) <- given]
+    right = maximum [c + toInteger (columns (patchShape p)) | ((_, c), p) <- given]
+    side to from = fromInteger (to - from)
+    seen =
+      Map.fromListWith
+        (flip (++))
+        [ (Position (i + fromInteger (r - top)) (j + fromInteger (c - left)), [a])
+          | ((r, c), p) <- given,
+            (Position i j, a) <- observedCells p
+        ]
 
 -- | The place of a patch, by comparing every observed cell at every position. The mask is the
 -- array's window: it takes no part in the comparison, but the windows of the patch are named as the
--- support of an answer, and they tell the reason of a refusal, as in "PraTactile.Locate". Unlike the
--- table, the search also uses patches in which no window is complete; 'TooFewCells' is the answer
--- to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
-searchPatch
-  :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Patch (GF k) -> Either LocateError (Outcome Position)
+-- support of an answer, and they tell the reason of a refusal, as in "PraTactile.Locate". Unlike
+-- the table, the search also uses patches in which no window is complete; 'TooFewCells' is the
+-- answer to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
+searchPatch ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  Mask ->
+  Patch (GF k) ->
+  Either LocateError (Outcome Position)
 searchPatch surface array mask observed
   | cells > largestSearchedArray = Left (TooManyPlaces cells largestSearchedArray)
   | otherwise = Right $ case agreeing surface array (observedCells observed) of
-      _ | null (observedCells observed) -> Refused TooFewCells
-      [place] -> Unique place support
-      [] -> Refused (nowhere surface array mask (agreeing surface array) observed)
-      places -> Ambiguous places support
- where
-  cells = area (arrayShape array)
-  support = map fst (completeWindows mask observed)
+    _ | null (observedCells observed) -> Refused TooFewCells
+    [place] -> Unique place support
+    [] -> Refused (nowhere surface array mask (agreeing surface array) observed)
+    places -> Ambiguous places support
+  where
+    cells = area (arrayShape array)
+    support = map fst (completeWindows mask observed)
 
 -- | 2^20: the most cells of an array that is searched.
 largestSearchedArray :: Natural
 largestSearchedArray = 2 ^ (20 :: Int)
 
--- | The positions, ascending, at which these cells, by their offsets, are those of the array. On the
--- sheet all of them must lie on it.
+-- | The positions, ascending, at which these cells, by their offsets, are those of the array. On
+-- the sheet all of them must lie on it.
 agreeing :: KnownField k => Surface -> PseudorandomArray k -> [(Position, GF k)] -> [Position]
 agreeing surface array cells =
   [ Position r c
-  | r <- below (rows shape)
-  , c <- below (columns shape)
-  , and [found == Just a | (offset, a) <- cells, let found = cellAt array <$> from (toInteger r, toInteger c) offset]
+    | r <- below (rows shape),
+      c <- below (columns shape),
+      and
+        [ found == Just a
+          | (offset, a) <- cells,
+            let found = cellAt array <$> from (toInteger r, toInteger c) offset
+        ]
   ]
- where
-  shape = arrayShape array
-  from = shifted surface shape
-  below n = takeWhile (< n) [0 ..]
+  where
+    shape = arrayShape array
+    from = shifted surface shape
+    below n = takeWhile (< n) [0 ..]
 
 -- | The cell at an offset from a row and a column.
 shifted :: Surface -> Shape -> (Integer, Integer) -> Position -> Maybe Position
 shifted surface shape (r, c) (Position i j) =
   canonicalPosition surface shape (r + toInteger i) (c + toInteger j)
 
--- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows. The function tells
--- where cells, by their offsets, agree, as 'agreeing' does.
-nowhere
-  :: KnownField k
-  => Surface -> PseudorandomArray k -> Mask -> ([(Position, GF k)] -> [Position]) -> Patch (GF k) -> Reason
+-- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows. The
+-- function tells where cells, by their offsets, agree, as 'agreeing' does.
+nowhere ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  Mask ->
+  ([(Position, GF k)] -> [Position]) ->
+  Patch (GF k) ->
+  Reason
 nowhere surface array mask agreeingAt observed
   | null windows = if all ((== zero) . snd) cells then ZeroWindow else Contradiction
   | null occurring = if all (all (== zero) . snd) windows then ZeroWindow else NotInArray
   | surface == Sheet && any sticksOut places = OffSheet
   | otherwise = Contradiction
- where
-  cells = observedCells observed
-  windows = completeWindows mask observed
-  -- The offset of a window that occurs, with where.
-  occurring =
-    [ (offset, positions)
-    | (offset, content) <- windows
-    , positions@(_ : _) <- [agreeingAt (zip (maskOffsets mask) content)]
-    ]
-  -- Where the patch's upper left is, perhaps beyond the edge, when its first window that occurs is at one of
-  -- its positions.
-  places = [(toInteger r - toInteger i, toInteger c - toInteger j) | (Position i j, positions) <- take 1 occurring, Position r c <- positions]
-  sticksOut place =
-    and [cellAt array p == a | (offset, a) <- cells, Just p <- [at place offset]]
-      && and [standsAt place offset | (offset, _) <- occurring]
-  standsAt (r, c) (Position i j) = and [onSheet (r + toInteger i, c + toInteger j) o | o <- maskOffsets mask]
-  at = shifted Sheet (arrayShape array)
-  onSheet place offset = at place offset /= Nothing
+  where
+    cells = observedCells observed
+    windows = completeWindows mask observed
+    -- The offset of a window that occurs, with where.
+    occurring =
+      [ (offset, positions)
+        | (offset, content) <- windows,
+          positions@(_ : _) <- [agreeingAt (zip (maskOffsets mask) content)]
+      ]
+    -- Where the patch's upper left is, perhaps beyond the edge, when its first window that occurs
+    -- is at one of its positions.
+    places =
+      [ (toInteger r - toInteger i, toInteger c - toInteger j)
+        | (Position i j, positions) <- take 1 occurring,
+          Position r c <- positions
+      ]
+    sticksOut place =
+      and [cellAt array p == a | (offset, a) <- cells, Just p <- [at place offset]]
+        && and [standsAt place offset | (offset, _) <- occurring]
+    standsAt (r, c) (Position i j) =
+      and [onSheet (r + toInteger i, c + toInteger j) o | o <- maskOffsets mask]
+    at = shifted Sheet (arrayShape array)
+    onSheet place offset = at place offset /= Nothing

@@ -1,23 +1,23 @@
 {-# LANGUAGE DeriveTraversable #-}
-{-# LANGUAGE DerivingStrategies #-}
 
 -- |
 -- Patches: what was observed in the cells of a rectangle, and which of them were not observed.
 module PraTactile.Locate.Patch
   ( -- * Patches
-    Patch
-  , patch
-  , patchShape
-  , observedCells
-  , patchRows
-  , patchOf
-  , uprightAs
-  , completeWindows
-  , windowsWithout
+    Patch,
+    patch,
+    patchShape,
+    observedCells,
+    patchRows,
+    patchOf,
+    uprightAs,
+    completeWindows,
+    windowsWithout,
 
     -- * Errors
-  , LocateError (..)
-  ) where
+    LocateError (..),
+  )
+where
 
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
@@ -37,8 +37,8 @@ data LocateError
     PatchEmpty
   | -- | The row with this index, from 0, has this many cells instead of that many.
     PatchRagged Int Int Int
-  | -- | The array has this many cells, more than the second number: too many to compare a patch with
-    -- each of them.
+  | -- | The array has this many cells, more than the second number: too many to compare a patch
+    -- with each of them.
     TooManyPlaces Natural Natural
   | -- | The rectangle around patches has this many cells, more than the second number.
     PatchTooLarge Natural Natural
@@ -48,10 +48,10 @@ data LocateError
 
 -- | A rectangle of cells, some of them observed.
 data Patch a = Patch
-  { patchShape :: !Shape
-  -- ^ Its rows and columns; at least one each.
-  , observedCells :: [(Position, a)]
-  -- ^ The observed cells by their offsets, row by row.
+  { -- | Its rows and columns; at least one each.
+    patchShape :: !Shape,
+    -- | The observed cells by their offsets, row by row.
+    observedCells :: [(Position, a)]
   }
   deriving stock (Eq, Show, Functor, Foldable, Traversable)
 
@@ -62,12 +62,13 @@ patch cells
   | width == 0 = Left PatchEmpty
   | (i, r) : _ <- ragged = Left (PatchRagged i (length r) width)
   | otherwise = Right (Patch (Shape (fromIntegral (length cells)) (fromIntegral width)) known)
- where
-  ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
-  width = sum (map length (take 1 cells))
-  known = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
+  where
+    ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
+    width = sum (map length (take 1 cells))
+    known = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
 
--- | The patch of this shape, at least one cell, with these observed cells, row by row, all within it.
+-- | The patch of this shape, at least one cell, with these observed cells, row by row, all within
+-- it.
 patchOf :: Shape -> [(Position, a)] -> Patch a
 patchOf = Patch
 
@@ -75,39 +76,43 @@ patchOf = Patch
 patchRows :: Patch a -> [[Maybe a]]
 patchRows (Patch (Shape h w) cells) =
   [[Map.lookup (Position i j) known | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
- where
-  known = Map.fromDistinctAscList cells
+  where
+    known = Map.fromDistinctAscList cells
 
 -- | The patch upright again that is seen in this symmetry, row by row.
 uprightAs :: Symmetry -> Patch a -> Patch a
 uprightAs symmetry seen@(Patch shape cells)
   | symmetry == identity = seen
-  | otherwise = Patch (onShape back shape) (sortOn fst [(onPosition back shape offset, a) | (offset, a) <- cells])
- where
-  back = invert symmetry
+  | otherwise =
+    Patch
+      (onShape back shape)
+      (sortOn fst [(onPosition back shape offset, a) | (offset, a) <- cells])
+  where
+    back = invert symmetry
 
 -- | The offsets at which every cell of the mask is observed, row by row, with those cells' content.
 completeWindows :: Mask -> Patch a -> [(Position, [a])]
 completeWindows mask (Patch _ cells) =
   [ (Position i j, content)
-  | Position i0 j0 <- take 1 offsets
-  , -- The window is where its first cell is observed.
-  (Position r0 c0, _) <- cells
-  , r0 >= i0 && c0 >= j0
-  , let i = r0 - i0
-        j = c0 - j0
-  , Just content <- [traverse (\(Position r c) -> Map.lookup (Position (i + r) (j + c)) known) offsets]
+    | Position i0 j0 <- take 1 offsets,
+      -- The window is where its first cell is observed.
+      (Position r0 c0, _) <- cells,
+      r0 >= i0 && c0 >= j0,
+      let i = r0 - i0
+          j = c0 - j0,
+      Just content <-
+        [traverse (\(Position r c) -> Map.lookup (Position (i + r) (j + c)) known) offsets]
   ]
- where
-  offsets = maskOffsets mask
-  known = Map.fromDistinctAscList cells
+  where
+    offsets = maskOffsets mask
+    known = Map.fromDistinctAscList cells
 
 -- | The offsets of the complete windows without any of these cells, row by row.
 windowsWithout :: [Position] -> Mask -> Patch a -> [Position]
 windowsWithout wrong mask observed =
   [ offset
-  | (offset@(Position i j), _) <- completeWindows mask observed
-  , and [Position (i + i') (j + j') `Set.notMember` excluded | Position i' j' <- maskOffsets mask]
+    | (offset@(Position i j), _) <- completeWindows mask observed,
+      and [Position (i + i') (j + j') `Set.notMember` excluded | Position i' j' <- maskOffsets mask]
   ]
- where
-  excluded = Set.fromList wrong
+  where
+    excluded = Set.fromList wrong

@@ -1,20 +1,15 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
--- |
--- The one question: cells that were observed, in one patch or in several at known displacements, seen
--- in one of the symmetries that are possible, on a surface; and how much of them may be wrong.
+-- | The one question: cells that were observed, in one patch or in several at known displacements,
+-- seen in one of the symmetries that are possible, on a surface; and how much of them may be wrong.
 module PraTactile.Locate.Query
-  ( Query (..)
-  , onePatch
-  , Cell (..)
-  , cellBelief
-  , Radius (..)
-  , radiusFor
-  , guaranteedRadius
-  ) where
+  ( Query (..),
+    onePatch,
+    Cell (..),
+    cellBelief,
+    Radius (..),
+    radiusFor,
+    guaranteedRadius,
+  )
+where
 
 import Numeric.Natural (Natural)
 import PraTactile.Field
@@ -63,17 +58,18 @@ radiusFor stated d = case stated of
 
 -- | Where are these patches?
 data Query (k :: Field) = Query
-  { queryPatches :: [((Integer, Integer), Patch (Cell k))]
-  -- ^ As they are seen, all in the same symmetry, each with the displacement of its upper left cell,
-  -- rows down and columns to the right, from a common point.
-  , querySymmetries :: [Symmetry]
-  -- ^ In which symmetries they may be seen; the identity alone if they are upright.
-  , querySurface :: Surface
-  -- ^ What lies beyond the edges of the array.
-  , queryRadius :: Radius
-  -- ^ How many symbols may be wrong.
-  , queryDoubt :: Double
-  -- ^ The probability of a wrong answer that is tolerated, below 1; if any cell has probabilities.
+  { -- | As they are seen, all in the same symmetry, each with the displacement of its upper left
+    -- cell, rows down and columns to the right, from a common point.
+    queryPatches :: [((Integer, Integer), Patch (Cell k))],
+    -- | In which symmetries they may be seen; the identity alone if they are upright.
+    querySymmetries :: [Symmetry],
+    -- | What lies beyond the edges of the array.
+    querySurface :: Surface,
+    -- | How many symbols may be wrong.
+    queryRadius :: Radius,
+    -- | The probability of a wrong answer that is tolerated, below 1; if any cell has
+    -- probabilities.
+    queryDoubt :: Double
   }
   deriving stock (Show)
 

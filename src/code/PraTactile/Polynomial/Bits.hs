@@ -6,17 +6,18 @@
 -- in bit i mod 64 of word i div 64, its degree below that of h.
 module PraTactile.Polynomial.Bits
   ( -- * Packing
-    Bits
-  , packBits
-  , unpackBits
+    Bits,
+    packBits,
+    unpackBits,
 
     -- * Arithmetic modulo h
-  , BitModulus
-  , bitModulus
-  , multiplyBits
-  , squareBits
-  , powerOfXBits
-  ) where
+    BitModulus,
+    bitModulus,
+    multiplyBits,
+    squareBits,
+    powerOfXBits,
+  )
+where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
@@ -36,10 +37,10 @@ type Buffer s = MVector s Word64
 -- | Bytes that are 0 or 1, as bits: 64 a word, the first the least significant.
 packBits :: Vector Word8 -> Bits
 packBits bytes = Primitive.generate ((n + 63) `div` 64) word
- where
-  n = Primitive.length bytes
-  word w = Primitive.ifoldl' withBit 0 (Primitive.slice (64 * w) (min 64 (n - 64 * w)) bytes)
-  withBit acc i b = acc .|. (fromIntegral b `unsafeShiftL` i)
+  where
+    n = Primitive.length bytes
+    word w = Primitive.ifoldl' withBit 0 (Primitive.slice (64 * w) (min 64 (n - 64 * w)) bytes)
+    withBit acc i b = acc .|. (fromIntegral b `unsafeShiftL` i)
 
 -- | The first n bits, a byte each.
 unpackBits :: Int -> Bits -> Vector Word8
@@ -50,31 +51,31 @@ bitAt bits i = testBit (bits Primitive.! (i `div` 64)) (i `mod` 64)
 
 -- | A polynomial h of degree n >= 1 with what is computed from it once.
 data BitModulus = BitModulus
-  { degree :: !Int
-  -- ^ n
-  , limbs :: !Int
-  -- ^ words in a residue
-  , reduced :: !Bits
-  -- ^ x^n modulo h
-  , squares :: Bits
-  -- ^ n residues one after the other: x^0, x^2, ..., x^(2n-2) modulo h
+  { -- | n
+    degree :: !Int,
+    -- | words in a residue
+    limbs :: !Int,
+    -- | x^n modulo h
+    reduced :: !Bits,
+    -- | n residues one after the other: x^0, x^2, ..., x^(2n-2) modulo h
+    squares :: Bits
   }
 
 -- | Expects the n >= 1 coefficients of h below the leading one.
 bitModulus :: Vector Word8 -> BitModulus
 bitModulus lower = modulus
- where
-  modulus = BitModulus n (Primitive.length h) h table
-  n = Primitive.length lower
-  h = packBits lower
-  table = Primitive.create $ do
-    rows <- Mutable.replicate (n * limbs modulus) 0
-    ofX <- oneBuffer modulus
-    forM_ [0 .. n - 1] $ \i -> do
-      Mutable.unsafeCopy (Mutable.unsafeSlice (i * limbs modulus) (limbs modulus) rows) ofX
-      timesX modulus ofX
-      timesX modulus ofX
-    pure rows
+  where
+    modulus = BitModulus n (Primitive.length h) h table
+    n = Primitive.length lower
+    h = packBits lower
+    table = Primitive.create $ do
+      rows <- Mutable.replicate (n * limbs modulus) 0
+      ofX <- oneBuffer modulus
+      forM_ [0 .. n - 1] $ \i -> do
+        Mutable.unsafeCopy (Mutable.unsafeSlice (i * limbs modulus) (limbs modulus) rows) ofX
+        timesX modulus ofX
+        timesX modulus ofX
+      pure rows
 
 oneBuffer :: BitModulus -> ST s (Buffer s)
 oneBuffer modulus = do
@@ -92,39 +93,43 @@ timesX modulus buffer = do
     high <- Mutable.unsafeRead buffer lastWord
     Mutable.unsafeWrite buffer lastWord (high .&. mask)
     addFrom (limbs modulus) (reduced modulus) 0 buffer
- where
-  lastWord = limbs modulus - 1
-  lastBit = (degree modulus - 1) `mod` 64
-  mask = (2 `shiftL` lastBit) - 1
-  shiftUp 0 = Mutable.unsafeRead buffer 0 >>= Mutable.unsafeWrite buffer 0 . (`unsafeShiftL` 1)
-  shiftUp i = do
-    low <- Mutable.unsafeRead buffer (i - 1)
-    high <- Mutable.unsafeRead buffer i
-    Mutable.unsafeWrite buffer i ((high `unsafeShiftL` 1) .|. (low `unsafeShiftR` 63))
-    shiftUp (i - 1)
+  where
+    lastWord = limbs modulus - 1
+    lastBit = (degree modulus - 1) `mod` 64
+    mask = (2 `shiftL` lastBit) - 1
+    shiftUp 0 = Mutable.unsafeRead buffer 0 >>= Mutable.unsafeWrite buffer 0 . (`unsafeShiftL` 1)
+    shiftUp i = do
+      low <- Mutable.unsafeRead buffer (i - 1)
+      high <- Mutable.unsafeRead buffer i
+      Mutable.unsafeWrite buffer i ((high `unsafeShiftL` 1) .|. (low `unsafeShiftR` 63))
+      shiftUp (i - 1)
 
 -- | Add so many words of the vector, from an index on, to the buffer.
 addFrom :: Int -> Bits -> Int -> Buffer s -> ST s ()
 addFrom count vector from buffer = go 0
- where
-  go !j = when (j < count) $ do
-    old <- Mutable.unsafeRead buffer j
-    Mutable.unsafeWrite buffer j (old `xor` unsafeIndex vector (from + j))
-    go (j + 1)
+  where
+    go !j = when (j < count) $ do
+      old <- Mutable.unsafeRead buffer j
+      Mutable.unsafeWrite buffer j (old `xor` unsafeIndex vector (from + j))
+      go (j + 1)
 {-# INLINE addFrom #-}
 
 -- | The square of the first buffer, in the second: squaring is linear, so that the squares of the
 -- powers of x that occur are added.
 squareInto :: BitModulus -> Buffer s -> Buffer s -> ST s ()
 squareInto modulus source target = Mutable.set target 0 >> eachWord 0
- where
-  eachWord !w = when (w < limbs modulus) $ do
-    Mutable.unsafeRead source w >>= eachBit (64 * w)
-    eachWord (w + 1)
-  eachBit !_ 0 = pure ()
-  eachBit base word = do
-    addFrom (limbs modulus) (squares modulus) ((base + countTrailingZeros word) * limbs modulus) target
-    eachBit base (word .&. (word - 1))
+  where
+    eachWord !w = when (w < limbs modulus) $ do
+      Mutable.unsafeRead source w >>= eachBit (64 * w)
+      eachWord (w + 1)
+    eachBit !_ 0 = pure ()
+    eachBit base word = do
+      addFrom
+        (limbs modulus)
+        (squares modulus)
+        ((base + countTrailingZeros word) * limbs modulus)
+        target
+      eachBit base (word .&. (word - 1))
 
 -- | The square modulo h.
 squareBits :: BitModulus -> Bits -> Bits
@@ -150,11 +155,11 @@ powerOfXBits modulus e = Primitive.create $ do
   start <- oneBuffer modulus
   spare <- Mutable.new (limbs modulus)
   go (bitLength e - 1) start spare
- where
-  go :: Int -> Buffer s -> Buffer s -> ST s (Buffer s)
-  go !i current spare
-    | i < 0 = pure current
-    | otherwise = do
+  where
+    go :: Int -> Buffer s -> Buffer s -> ST s (Buffer s)
+    go !i current spare
+      | i < 0 = pure current
+      | otherwise = do
         squareInto modulus current spare
         when (testBit e i) (timesX modulus spare)
         go (i - 1) spare current
@@ -164,5 +169,5 @@ bitLength :: Natural -> Int
 bitLength n
   | high == 0 = 64 - countLeadingZeros (fromIntegral n :: Word64)
   | otherwise = 64 + bitLength high
- where
-  high = n `shiftR` 64
+  where
+    high = n `shiftR` 64

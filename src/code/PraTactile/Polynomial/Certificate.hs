@@ -1,27 +1,22 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- That a polynomial is primitive, or irreducible, as data that a stranger can check: nothing has
 -- to be searched or factored again, and every number in a certificate is one that the checker
 -- computes too.
 module PraTactile.Polynomial.Certificate
   ( -- * Primitive polynomials
-    PrimitiveCertificate (..)
-  , certifyPrimitive
-  , verifyPrimitive
+    PrimitiveCertificate (..),
+    certifyPrimitive,
+    verifyPrimitive,
 
     -- * Irreducible polynomials
-  , IrreducibleCertificate (..)
-  , certifyIrreducible
-  , verifyIrreducible
+    IrreducibleCertificate (..),
+    certifyIrreducible,
+    verifyIrreducible,
 
     -- * What can be wrong
-  , CertificateFault (..)
-  ) where
+    CertificateFault (..),
+  )
+where
 
 import Control.Monad (forM_, unless, when)
 import Data.Bifunctor (first)
@@ -57,12 +52,12 @@ data CertificateFault
 -- | That h is primitive: the root has order N = q^n - 1, because its N-th power is 1 and for no
 -- prime r that divides N its (N/r)-th power is.
 data PrimitiveCertificate (k :: Field) = PrimitiveCertificate
-  { certifiedPrimitive :: Polynomial k
-  -- ^ h
-  , certifiedFactors :: [(Natural, Natural)]
-  -- ^ the primes that divide q^n - 1, each with its exponent
-  , certifiedResidues :: [(Natural, Polynomial k)]
-  -- ^ for each of those primes r, x^((q^n - 1)/r) modulo h
+  { -- | h
+    certifiedPrimitive :: Polynomial k,
+    -- | the primes that divide q^n - 1, each with its exponent
+    certifiedFactors :: [(Natural, Natural)],
+    -- | for each of those primes r, x^((q^n - 1)/r) modulo h
+    certifiedResidues :: [(Natural, Polynomial k)]
   }
   deriving stock (Eq, Show)
 
@@ -72,20 +67,26 @@ type role PrimitiveCertificate nominal
 --
 -- >>> import PraTactile.Field.Named (GF2)
 -- >>> import PraTactile.Polynomial (firstPrimitive)
--- >>> fmap (certifiedResidues . certifyPrimitive) (firstPrimitive 4 :: Either PolynomialError (Primitive GF2))
+-- >>> let h = firstPrimitive 4 :: Either PolynomialError (Primitive GF2)
+-- >>> fmap (certifiedResidues . certifyPrimitive) h
 -- Right [(3,polynomial [0,1,1]),(5,polynomial [0,0,0,1])]
 certifyPrimitive :: KnownField k => Primitive k -> PrimitiveCertificate k
 certifyPrimitive h =
   PrimitiveCertificate
-    { certifiedPrimitive = primitivePolynomial h
-    , certifiedFactors = periodFactors h
-    , certifiedResidues = [(r, fromResidue (powerOfX modulus (period h `div` r))) | (r, _) <- periodFactors h]
+    { certifiedPrimitive = primitivePolynomial h,
+      certifiedFactors = periodFactors h,
+      certifiedResidues =
+        [(r, fromResidue (powerOfX modulus (period h `div` r))) | (r, _) <- periodFactors h]
     }
- where
-  modulus = primitiveModulus h
+  where
+    modulus = primitiveModulus h
 
 -- | Check a certificate, and give what it shows. That the factors are prime is decided anew.
-verifyPrimitive :: forall k. KnownField k => PrimitiveCertificate k -> Either CertificateFault (Primitive k)
+verifyPrimitive ::
+  forall k.
+  KnownField k =>
+  PrimitiveCertificate k ->
+  Either CertificateFault (Primitive k)
 verifyPrimitive (PrimitiveCertificate h factors residues) = do
   modulus <- fitModulus h
   let full = fromIntegral (fieldOrder (Proxy :: Proxy k)) ^ modulusDegree modulus - 1
@@ -105,10 +106,10 @@ verifyPrimitive (PrimitiveCertificate h factors residues) = do
 -- | That h is irreducible, by Rabin's test: x^(q^n) = x modulo h, and h is coprime to
 -- a = x^(q^(n/l)) - x modulo h for each prime l that divides n, because u h + v a = 1.
 data IrreducibleCertificate (k :: Field) = IrreducibleCertificate
-  { certifiedIrreducible :: Polynomial k
-  -- ^ h
-  , certifiedWitnesses :: [(Natural, (Polynomial k, Polynomial k))]
-  -- ^ for each of those primes l, the polynomials u and v
+  { -- | h
+    certifiedIrreducible :: Polynomial k,
+    -- | for each of those primes l, the polynomials u and v
+    certifiedWitnesses :: [(Natural, (Polynomial k, Polynomial k))]
   }
   deriving stock (Eq, Show)
 
@@ -119,12 +120,12 @@ certifyIrreducible :: KnownField k => Polynomial k -> Maybe (IrreducibleCertific
 certifyIrreducible h
   | isIrreducible h = IrreducibleCertificate h . witnesses <$> modulusOf h
   | otherwise = Nothing
- where
-  witnesses modulus =
-    [ (fromIntegral l, (u, v))
-    | l <- primeDivisors (modulusDegree modulus)
-    , let (_, u, v) = bezout h (powerMinusX modulus (modulusDegree modulus `div` l))
-    ]
+  where
+    witnesses modulus =
+      [ (fromIntegral l, (u, v))
+        | l <- primeDivisors (modulusDegree modulus),
+          let (_, u, v) = bezout h (powerMinusX modulus (modulusDegree modulus `div` l))
+      ]
 
 -- | Check a certificate.
 verifyIrreducible :: KnownField k => IrreducibleCertificate k -> Either CertificateFault ()

@@ -1,16 +1,15 @@
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
 -- "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Irreducible
-  ( isIrreducible
-  , countIrreducible
+  ( isIrreducible,
+    countIrreducible,
 
     -- * What the test is made of
-  , powerMinusX
-  , primeDivisors
-  ) where
+    powerMinusX,
+    primeDivisors,
+  )
+where
 
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
@@ -19,7 +18,8 @@ import PraTactile.Polynomial.Modulus
 import PraTactile.Polynomial.Ring
 
 -- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin, SIAM J. Comput. 9,
--- 1980): x^(q^n) = x modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides n.
+-- 1980): x^(q^n) = x modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides
+-- n.
 isIrreducible :: KnownField k => Polynomial k -> Bool
 isIrreducible h = case modulusOf h of
   Nothing -> False
@@ -34,11 +34,11 @@ isIrreducible h = case modulusOf h of
 -- | x^(q^d) - x modulo h.
 powerMinusX :: forall k. KnownField k => Modulus k -> Int -> Polynomial k
 powerMinusX modulus d = fromResidue (go d x) - fromResidue x
- where
-  x = residueFrom modulus [zero, one]
-  go :: Int -> Coefficients k -> Coefficients k
-  go 0 a = a
-  go i a = go (i - 1) $! frobenius modulus a
+  where
+    x = residueFrom modulus [zero, one]
+    go :: Int -> Coefficients k -> Coefficients k
+    go 0 a = a
+    go i a = go (i - 1) $! frobenius modulus a
 
 -- | The primes that divide a degree, ascending.
 --
@@ -53,9 +53,9 @@ countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
 countIrreducible k n
   | n == 0 = 0
   | otherwise = fromInteger (sum (map term subsets) `div` toInteger n)
- where
-  term primes = moebius primes * q ^ (n `div` fromIntegral (product primes))
-  q = toInteger (fieldOrder k)
-  -- mu(d) is not 0 exactly for products d of different primes.
-  subsets = foldr (\l rest -> rest ++ map (l :) rest) [[]] (primeDivisors (fromIntegral n))
-  moebius primes = if even (length primes) then 1 else -1
+  where
+    term primes = moebius primes * q ^ (n `div` fromIntegral (product primes))
+    q = toInteger (fieldOrder k)
+    -- mu(d) is not 0 exactly for products d of different primes.
+    subsets = foldr (\l rest -> rest ++ map (l :) rest) [[]] (primeDivisors (fromIntegral n))
+    moebius primes = if even (length primes) then 1 else -1

@@ -1,8 +1,4 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with
@@ -10,22 +6,23 @@
 -- GF(q^n). Internal. Powers go by Horner's rule on the base-q digits of the exponent,
 -- because raising to the q-th power is linear: a matrix that is made once for each h.
 module PraTactile.Polynomial.Modulus
-  ( Modulus
-  , modulusFrom
-  , modulusDegree
+  ( Modulus,
+    modulusFrom,
+    modulusDegree,
 
     -- * Residues
-  , Coefficients
-  , residueFrom
-  , residueOne
+    Coefficients,
+    residueFrom,
+    residueOne,
 
     -- * Arithmetic
-  , timesRoot
-  , multiplyResidues
-  , frobenius
-  , powerOfX
-  , powerOf
-  ) where
+    timesRoot,
+    multiplyResidues,
+    frobenius,
+    powerOfX,
+    powerOf,
+  )
+where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
@@ -47,14 +44,14 @@ type Buffer s k = MVector s (GF k)
 
 -- | A polynomial h of degree n >= 1 with what is computed from it once.
 data Modulus (k :: Field) = Modulus
-  { modulusDegree :: !Int
-  -- ^ n
-  , reduced :: !(Coefficients k)
-  -- ^ x^n modulo h
-  , powersOfPowers :: Vector (GF k)
-  -- ^ n residues one after the other: x^0, x^q, ..., x^(q (n-1)) modulo h
-  , binary :: Maybe BitModulus
-  -- ^ the same for GF(2), 64 coefficients in a word
+  { -- | n
+    modulusDegree :: !Int,
+    -- | x^n modulo h
+    reduced :: !(Coefficients k),
+    -- | n residues one after the other: x^0, x^q, ..., x^(q (n-1)) modulo h
+    powersOfPowers :: Vector (GF k),
+    -- | the same for GF(2), 64 coefficients in a word
+    binary :: Maybe BitModulus
   }
 
 type role Modulus nominal
@@ -62,25 +59,26 @@ type role Modulus nominal
 -- | The modulus x^n - (c0 + ... + c(n-1) x^(n-1)), n >= 1, from c0, ..., c(n-1).
 modulusFrom :: forall k. KnownField k => [GF k] -> Modulus k
 modulusFrom lower = modulus
- where
-  modulus = Modulus n h table (if q == 2 then Just (bitModulus (bytes h)) else Nothing)
-  h = Primitive.fromList lower
-  n = Primitive.length h
-  q = fieldOrder (Proxy :: Proxy k)
-  table = Primitive.create $ do
-    rows <- Mutable.new (n * n)
-    ofX <- Primitive.thaw (residueOne modulus)
-    forM_ [0 .. n - 1] $ \i -> do
-      Mutable.unsafeCopy (Mutable.unsafeSlice (i * n) n rows) ofX
-      forM_ [1 .. q] (const (timesX modulus ofX))
-    pure rows
+  where
+    modulus = Modulus n h table (if q == 2 then Just (bitModulus (bytes h)) else Nothing)
+    h = Primitive.fromList lower
+    n = Primitive.length h
+    q = fieldOrder (Proxy :: Proxy k)
+    table = Primitive.create $ do
+      rows <- Mutable.new (n * n)
+      ofX <- Primitive.thaw (residueOne modulus)
+      forM_ [0 .. n - 1] $ \i -> do
+        Mutable.unsafeCopy (Mutable.unsafeSlice (i * n) n rows) ofX
+        forM_ [1 .. q] (const (timesX modulus ofX))
+      pure rows
 
 bytes :: Vector (GF k) -> Vector Word8
 bytes = Primitive.map (fromIntegral . toCode)
 
 -- | Bits as the elements 0 and 1.
 fromBits :: Modulus k -> Bits -> Coefficients k
-fromBits modulus = Primitive.map (\b -> if b == 0 then zero else one) . unpackBits (modulusDegree modulus)
+fromBits modulus =
+  Primitive.map (\b -> if b == 0 then zero else one) . unpackBits (modulusDegree modulus)
 
 -- | The class of 1.
 residueOne :: Modulus k -> Coefficients k
@@ -91,11 +89,12 @@ residueFrom :: KnownField k => Modulus k -> [GF k] -> Coefficients k
 residueFrom modulus coefficients
   | null beyond = padded
   | otherwise = foldl' step (Primitive.replicate n zero) (reverse coefficients)
- where
-  n = modulusDegree modulus
-  beyond = drop n coefficients
-  padded = Primitive.fromListN n (coefficients ++ repeat zero)
-  step acc c = let shifted = timesRoot modulus acc in shifted Primitive.// [(0, shifted Primitive.! 0 + c)]
+  where
+    n = modulusDegree modulus
+    beyond = drop n coefficients
+    padded = Primitive.fromListN n (coefficients ++ repeat zero)
+    step acc c =
+      let shifted = timesRoot modulus acc in shifted Primitive.// [(0, shifted Primitive.! 0 + c)]
 
 -- | The product with the class of x.
 timesRoot :: KnownField k => Modulus k -> Coefficients k -> Coefficients k
@@ -112,22 +111,22 @@ timesX modulus buffer = do
   let go i
         | i == 0 = Mutable.unsafeWrite buffer 0 (top * unsafeIndex h 0)
         | otherwise = do
-            below <- Mutable.unsafeRead buffer (i - 1)
-            Mutable.unsafeWrite buffer i (below + top * unsafeIndex h i)
-            go (i - 1)
+          below <- Mutable.unsafeRead buffer (i - 1)
+          Mutable.unsafeWrite buffer i (below + top * unsafeIndex h i)
+          go (i - 1)
   go (n - 1)
- where
-  n = modulusDegree modulus
-  h = reduced modulus
+  where
+    n = modulusDegree modulus
+    h = reduced modulus
 
 -- | Add a multiple of n entries of a vector, from an index on, to n entries of the buffer.
 addMultiple :: KnownField k => Int -> GF k -> Vector (GF k) -> Int -> Buffer s k -> Int -> ST s ()
 addMultiple n c vector from buffer at = when (c /= zero) (go 0)
- where
-  go !j = when (j < n) $ do
-    old <- Mutable.unsafeRead buffer (at + j)
-    Mutable.unsafeWrite buffer (at + j) (old + c * unsafeIndex vector (from + j))
-    go (j + 1)
+  where
+    go !j = when (j < n) $ do
+      old <- Mutable.unsafeRead buffer (at + j)
+      Mutable.unsafeWrite buffer (at + j) (old + c * unsafeIndex vector (from + j))
+      go (j + 1)
 
 -- | The product: the coefficients of the product of the polynomials, then the upper ones replaced
 -- from the top.
@@ -141,8 +140,8 @@ multiplyResidues modulus a b = case binary modulus of
       c <- Mutable.unsafeRead buffer i
       addMultiple n c (reduced modulus) 0 buffer (i - n)
     pure (Mutable.slice 0 n buffer)
- where
-  n = modulusDegree modulus
+  where
+    n = modulusDegree modulus
 
 -- | The q-th power: coefficient c of x^i contributes c x^(q i), for c^q = c.
 frobenius :: KnownField k => Modulus k -> Coefficients k -> Coefficients k
@@ -156,9 +155,10 @@ frobenius modulus a = case binary modulus of
 frobeniusInto :: KnownField k => Modulus k -> Coefficients k -> Buffer s k -> ST s ()
 frobeniusInto modulus a buffer = do
   Mutable.set buffer zero
-  forM_ [0 .. n - 1] $ \i -> addMultiple n (unsafeIndex a i) (powersOfPowers modulus) (i * n) buffer 0
- where
-  n = modulusDegree modulus
+  forM_ [0 .. n - 1] $ \i ->
+    addMultiple n (unsafeIndex a i) (powersOfPowers modulus) (i * n) buffer 0
+  where
+    n = modulusDegree modulus
 
 -- | x^e, for an exponent of any size: a q-th power for each of its base-q digits, from the highest
 -- down, and as many shifts as the digit says.
@@ -168,14 +168,14 @@ powerOfX modulus e = case binary modulus of
   Nothing -> case digits of
     [] -> residueOne modulus
     first : rest -> foldl' step (shifted first (residueOne modulus)) rest
- where
-  digits = digitsOf (fromIntegral (fieldOrder (Proxy :: Proxy k))) e
-  step acc digit = shifted digit (frobenius modulus acc)
-  shifted 0 a = a
-  shifted times a = Primitive.create $ do
-    buffer <- Primitive.thaw a
-    forM_ [1 .. times] (const (timesX modulus buffer))
-    pure buffer
+  where
+    digits = digitsOf (fromIntegral (fieldOrder (Proxy :: Proxy k))) e
+    step acc digit = shifted digit (frobenius modulus acc)
+    shifted 0 a = a
+    shifted times a = Primitive.create $ do
+      buffer <- Primitive.thaw a
+      forM_ [1 .. times] (const (timesX modulus buffer))
+      pure buffer
 
 -- | A power of any residue: a q-th power for each base-q digit of the exponent, from the highest
 -- down, and a product where the digit is not 0.
@@ -183,23 +183,23 @@ powerOf :: forall k. KnownField k => Modulus k -> Coefficients k -> Natural -> C
 powerOf modulus a e = case digitsOf q e of
   [] -> residueOne modulus
   first : rest -> foldl' step (bySquaring first) rest
- where
-  q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural
-  step acc digit = multiplyBy digit (frobenius modulus acc)
-  multiplyBy digit acc
-    | digit == 0 = acc
-    | otherwise = multiplyResidues modulus acc (bySquaring digit)
-  -- a^digit, for a digit from 1 to q - 1.
-  bySquaring :: Int -> Coefficients k
-  bySquaring d
-    | d == 1 = a
-    | even d = square (bySquaring (d `div` 2))
-    | otherwise = multiplyResidues modulus a (square (bySquaring (d `div` 2)))
-  square b = multiplyResidues modulus b b
+  where
+    q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Natural
+    step acc digit = multiplyBy digit (frobenius modulus acc)
+    multiplyBy digit acc
+      | digit == 0 = acc
+      | otherwise = multiplyResidues modulus acc (bySquaring digit)
+    -- a^digit, for a digit from 1 to q - 1.
+    bySquaring :: Int -> Coefficients k
+    bySquaring d
+      | d == 1 = a
+      | even d = square (bySquaring (d `div` 2))
+      | otherwise = multiplyResidues modulus a (square (bySquaring (d `div` 2)))
+    square b = multiplyResidues modulus b b
 
 -- | The digits of a number to a base of at least 2, the most significant first; none for 0.
 digitsOf :: Natural -> Natural -> [Int]
 digitsOf base = go []
- where
-  go digits 0 = digits
-  go digits m = let (rest, digit) = m `quotRem` base in go (fromIntegral digit : digits) rest
+  where
+    go digits 0 = digits
+    go digits m = let (rest, digit) = m `quotRem` base in go (fromIntegral digit : digits) rest

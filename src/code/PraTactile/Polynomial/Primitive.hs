@@ -1,27 +1,22 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
 -- |
 -- Primitive polynomials over GF(q), and the check that makes one. Internal; "PraTactile.Polynomial"
 -- exports all but the constructor and the modulus.
 module PraTactile.Polynomial.Primitive
-  ( Primitive (Primitive)
-  , primitivePolynomial
-  , primitiveDegree
-  , primitiveModulus
-  , period
-  , periodFactors
-  , reciprocal
+  ( Primitive (Primitive),
+    primitivePolynomial,
+    primitiveDegree,
+    primitiveModulus,
+    period,
+    periodFactors,
+    reciprocal,
 
     -- * Checking
-  , checkPrimitive
-  , primitiveAmong
-  , countPrimitive
-  , PolynomialError (..)
-  ) where
+    checkPrimitive,
+    primitiveAmong,
+    countPrimitive,
+    PolynomialError (..),
+  )
+where
 
 import Control.Monad (unless)
 import Data.Bifunctor (first)
@@ -55,14 +50,15 @@ data PolynomialError
   deriving stock (Eq, Show)
 
 -- | A monic polynomial of degree n >= 1 that has been shown to be primitive: irreducible, and with
--- a root of order q^n - 1. Only 'checkPrimitive', the search and the check of a certificate make one.
+-- a root of order q^n - 1. Only 'checkPrimitive', the search and the check of a certificate make
+-- one.
 data Primitive (k :: Field) = Primitive
-  { primitivePolynomial :: Polynomial k
-  -- ^ The polynomial that was shown to be primitive.
-  , periodFactors :: [(Natural, Natural)]
-  -- ^ The primes that divide q^n - 1, ascending, each with its exponent.
-  , primitiveModulus :: Modulus k
-  -- ^ Arithmetic modulo the polynomial.
+  { -- | The polynomial that was shown to be primitive.
+    primitivePolynomial :: Polynomial k,
+    -- | The primes that divide q^n - 1, ascending, each with its exponent.
+    periodFactors :: [(Natural, Natural)],
+    -- | Arithmetic modulo the polynomial.
+    primitiveModulus :: Modulus k
   }
 
 type role Primitive nominal
@@ -88,42 +84,50 @@ period h = fullPeriod (primitiveModulus h)
 -- the same order.
 reciprocal :: KnownField k => Primitive k -> Primitive k
 reciprocal h = maybe h (Primitive reversed (periodFactors h)) (modulusOf reversed)
- where
-  -- h(0) is not zero, so that the degree stays.
-  reversed = constant (normalising upsideDown) * upsideDown
-  upsideDown = polynomial (reverse (coefficients (primitivePolynomial h)))
+  where
+    -- h(0) is not zero, so that the degree stays.
+    reversed = constant (normalising upsideDown) * upsideDown
+    upsideDown = polynomial (reverse (coefficients (primitivePolynomial h)))
 
 -- | Check that a polynomial is primitive. Refuses, each with its own 'PolynomialError', polynomials
 -- of degree 0, not monic, divisible by x, reducible, or with a root of lower order; and those of a
--- degree so large that q^n - 1 is not factored, at once and whatever else they are if q^n is beyond 'largestPower'.
+-- degree so large that q^n - 1 is not factored, at once and whatever else they are if q^n is beyond
+-- 'largestPower'.
 checkPrimitive :: forall k. KnownField k => Polynomial k -> Either PolynomialError (Primitive k)
 checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
   (Just modulus, Just leading)
     | leading /= one -> Left (PolynomialNotMonic (fromIntegral (toCode leading)))
     | valueAt h zero == zero -> Left ConstantTermZero
     | otherwise -> do
-        first OrderNotFactored (uncurry checkPower (characteristicPower k (fromIntegral (modulusDegree modulus))))
-        unless (isIrreducible h) (Left PolynomialReducible)
-        factors <- orderFactors k (fromIntegral (modulusDegree modulus))
-        if rootGenerates factors modulus
-          then Right (Primitive h factors modulus)
-          else Left (PolynomialNotPrimitive (rootOrder factors modulus))
+      first
+        OrderNotFactored
+        (uncurry checkPower (characteristicPower k (fromIntegral (modulusDegree modulus))))
+      unless (isIrreducible h) (Left PolynomialReducible)
+      factors <- orderFactors k (fromIntegral (modulusDegree modulus))
+      if rootGenerates factors modulus
+        then Right (Primitive h factors modulus)
+        else Left (PolynomialNotPrimitive (rootOrder factors modulus))
   _ -> Left PolynomialConstant
- where
-  k = Proxy :: Proxy k
+  where
+    k = Proxy :: Proxy k
 
--- | Those of the candidates that are monic, of degree n >= 1 and primitive, in their order, found as
--- they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored.
-primitiveAmong :: forall k. KnownField k => Natural -> [Polynomial k] -> Either PolynomialError [Primitive k]
+-- | Those of the candidates that are monic, of degree n >= 1 and primitive, in their order, found
+-- as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored.
+primitiveAmong ::
+  forall k.
+  KnownField k =>
+  Natural ->
+  [Polynomial k] ->
+  Either PolynomialError [Primitive k]
 primitiveAmong n candidates
   | n == 0 = Left PolynomialConstant
   | otherwise = (`mapMaybe` candidates) . witness <$> orderFactors (Proxy :: Proxy k) n
- where
-  witness factors h
-    | fmap fromIntegral (polynomialDegree h) == Just n && isMonic h && mayBePrimitive h = do
+  where
+    witness factors h
+      | fmap fromIntegral (polynomialDegree h) == Just n && isMonic h && mayBePrimitive h = do
         modulus <- modulusOf h
         if rootGenerates factors modulus then Just (Primitive h factors modulus) else Nothing
-    | otherwise = Nothing
+      | otherwise = Nothing
 
 -- | Two quick conditions, see Note [Cheap refusals]; few polynomials of high degree fulfil them.
 mayBePrimitive :: KnownField k => Polynomial k -> Bool
@@ -132,35 +136,34 @@ mayBePrimitive h = case polynomialDegree h of
     hasFullOrder (power (-1) (fromIntegral n) * valueAt h zero)
       && (n == 1 || all ((/= zero) . valueAt h) elements)
   Nothing -> False
- where
-  hasFullOrder a = maybe False ((== 1) . gcd (fieldOrder h - 1)) (logarithm a)
+  where
+    hasFullOrder a = maybe False ((== 1) . gcd (fieldOrder h - 1)) (logarithm a)
 
 {- Note [Cheap refusals]
    The norm of the root alpha of an irreducible h, alpha^((q^n - 1)/(q - 1)), is (-1)^n h(0); if
    alpha has order q^n - 1, its norm has order q - 1. And an irreducible h of degree 2 or more
    has no root in GF(q). -}
 
-{- Note [Primitive without irreducible]
-   If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1 distinct units: all non-zero
-   residues. So the ring is a field and h irreducible, without a test of its own; irreducibility is
-   tested only to tell why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n - 1,
-   and x^(N/l) /= 1 for each prime l that divides N. -}
+{- Note [Primitive without irreducible] If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1
+   distinct units: all non-zero residues. So the ring is a field and h irreducible, without a test
+   of its own; irreducibility is tested only to tell why a polynomial fails. That x has this order
+   is shown by x^N = 1, N = q^n - 1, and x^(N/l) /= 1 for each prime l that divides N. -}
 
 -- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See
 -- Note [Primitive without irreducible].
 rootGenerates :: KnownField k => [(Natural, Natural)] -> Modulus k -> Bool
 rootGenerates factors modulus =
   rootPowerIsOne modulus full && not (any (rootPowerIsOne modulus . (full `div`) . fst) factors)
- where
-  full = fullPeriod modulus
+  where
+    full = fullPeriod modulus
 
 -- | The order of x modulo an irreducible h: it divides q^n - 1.
 rootOrder :: KnownField k => [(Natural, Natural)] -> Modulus k -> Natural
 rootOrder factors modulus = foldl' withoutPrime (fullPeriod modulus) (map fst factors)
- where
-  withoutPrime e l
-    | e `mod` l == 0 && rootPowerIsOne modulus (e `div` l) = withoutPrime (e `div` l) l
-    | otherwise = e
+  where
+    withoutPrime e l
+      | e `mod` l == 0 && rootPowerIsOne modulus (e `div` l) = withoutPrime (e `div` l) l
+      | otherwise = e
 
 rootPowerIsOne :: KnownField k => Modulus k -> Natural -> Bool
 rootPowerIsOne modulus e = powerOfX modulus e == residueOne modulus

@@ -1,29 +1,25 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
 -- |
 -- The ring of polynomials over GF(q). Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Ring
-  ( Polynomial
-  , polynomial
-  , polynomialFromCodes
-  , coefficients
-  , constant
-  , variable
-  , polynomialDegree
-  , leadingCoefficient
-  , isMonic
-  , valueAt
-  , quotientRemainder
-  , greatestCommonDivisor
-  , bezout
-  , normalising
-  , powerModulo
-  , modulusOf
-  , fromResidue
-  ) where
+  ( Polynomial,
+    polynomial,
+    polynomialFromCodes,
+    coefficients,
+    constant,
+    variable,
+    polynomialDegree,
+    leadingCoefficient,
+    isMonic,
+    valueAt,
+    quotientRemainder,
+    greatestCommonDivisor,
+    bezout,
+    normalising,
+    powerModulo,
+    modulusOf,
+    fromResidue,
+  )
+where
 
 import Data.List (dropWhileEnd)
 import Data.Maybe (listToMaybe)
@@ -46,12 +42,13 @@ instance Ord (Polynomial k) where
 instance KnownField k => Show (Polynomial k) where
   showsPrec d (Polynomial cs) = showParen (d > 10) (showString "polynomial " . shows cs)
 
--- | 'fromInteger' gives the constants that come from Z; 'abs' is the identity and 'signum' is 1 except
--- at 0.
+-- | 'fromInteger' gives the constants that come from Z; 'abs' is the identity and 'signum' is 1
+-- except at 0.
 instance KnownField k => Num (Polynomial k) where
   Polynomial a + Polynomial b = polynomial (zipLong (+) a b)
   Polynomial a - Polynomial b = polynomial (zipLong (-) a b)
-  Polynomial a * Polynomial b = polynomial (foldr (\x rest -> zipLong (+) (map (x *) b) (zero : rest)) [] a)
+  Polynomial a * Polynomial b =
+    polynomial (foldr (\x rest -> zipLong (+) (map (x *) b) (zero : rest)) [] a)
   negate (Polynomial a) = Polynomial (map negate a)
   abs = id
   signum (Polynomial a) = if null a then Polynomial [] else constant one
@@ -67,7 +64,8 @@ zipLong f as [] = map (`f` zero) as
 polynomial :: [GF k] -> Polynomial k
 polynomial = Polynomial . dropWhileEnd (== zero)
 
--- | The polynomial whose coefficients have these codes, constant term first. Refuses codes not below q.
+-- | The polynomial whose coefficients have these codes, constant term first. Refuses codes not
+-- below q.
 polynomialFromCodes :: KnownField k => [Natural] -> Either FieldError (Polynomial k)
 polynomialFromCodes = fmap polynomial . elementsFromCodes
 
@@ -97,7 +95,11 @@ isMonic a = leadingCoefficient a == Just one
 
 -- | Division with remainder, the remainder of lower degree than the divisor. 'Nothing' exactly when
 -- the divisor is zero.
-quotientRemainder :: KnownField k => Polynomial k -> Polynomial k -> Maybe (Polynomial k, Polynomial k)
+quotientRemainder ::
+  KnownField k =>
+  Polynomial k ->
+  Polynomial k ->
+  Maybe (Polynomial k, Polynomial k)
 quotientRemainder (Polynomial a) (Polynomial b) = case reverse b of
   [] -> Nothing
   leading : lower -> do
@@ -110,9 +112,11 @@ quotientRemainder (Polynomial a) (Polynomial b) = case reverse b of
 -- highest degree first.
 longDivision :: KnownField k => Int -> [GF k] -> [GF k] -> ([GF k], [GF k])
 longDivision steps lower a = case a of
-  top : rest | steps > 0 ->
-    let (quotient, remainder) = longDivision (steps - 1) lower (zipLong (-) rest (map (top *) lower))
-     in (top : quotient, remainder)
+  top : rest
+    | steps > 0 ->
+      let (quotient, remainder) =
+            longDivision (steps - 1) lower (zipLong (-) rest (map (top *) lower))
+       in (top : quotient, remainder)
   _ -> ([], a)
 
 -- | The monic greatest common divisor, by Euclid; zero when both are zero. It ends, because every
@@ -142,8 +146,8 @@ powerModulo :: KnownField k => Polynomial k -> Polynomial k -> Natural -> Maybe 
 powerModulo h a e
   | null (coefficients h) = Nothing
   | otherwise = Just (maybe 0 power' (modulusOf h))
- where
-  power' modulus = fromResidue (powerOf modulus (residueFrom modulus (coefficients a)) e)
+  where
+    power' modulus = fromResidue (powerOf modulus (residueFrom modulus (coefficients a)) e)
 
 -- | The arithmetic modulo a polynomial; 'Nothing' for degree 0, where all residues are 0, and for
 -- the zero polynomial.

@@ -1,23 +1,21 @@
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- |
--- Orders in which to look for polynomials: ascending, by the number of terms, and at random. Internal;
--- "PraTactile.Polynomial" exports it.
+-- | Orders in which to look for polynomials: ascending, by the number of terms, and at random.
+-- Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Search
   ( -- * Candidates
-    monicPolynomials
-  , monicByTerms
-  , randomMonics
-  , ascendingCandidates
-  , fewestTermsCandidates
+    monicPolynomials,
+    monicByTerms,
+    randomMonics,
+    ascendingCandidates,
+    fewestTermsCandidates,
 
     -- * Irreducible and primitive ones
-  , irreduciblePolynomials
-  , primitivePolynomials
-  , firstPrimitive
-  , fewestTermsPrimitive
-  , randomPrimitive
-  ) where
+    irreduciblePolynomials,
+    primitivePolynomials,
+    firstPrimitive,
+    fewestTermsPrimitive,
+    randomPrimitive,
+  )
+where
 
 import Data.Bits (shiftR, xor)
 import Data.List (genericSplitAt, genericTake, unfoldr)
@@ -35,21 +33,22 @@ import PraTactile.Polynomial.Ring
 monicPolynomials :: KnownField k => Natural -> [Polynomial k]
 monicPolynomials = monicFrom 0
 
--- | 'monicPolynomials' without those at the beginning that are known not to be irreducible ('barrenRun').
+-- | 'monicPolynomials' without those at the beginning that are known not to be irreducible
+-- ('barrenRun').
 ascendingCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
 ascendingCandidates n = monicFrom (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
 
 -- | The monic polynomials of a degree, ascending, from x^n + x^i on; all of them for i = 0.
 monicFrom :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
 monicFrom i n = map monicOf [if i == 0 then 0 else q ^ i .. q ^ n - 1]
- where
-  q = toInteger (fieldOrder (Proxy :: Proxy k))
-  monicOf index = polynomial (genericTake n (unfoldr digit index ++ repeat zero) ++ [one])
-  digit 0 = Nothing
-  digit j = Just (either (const zero) id (fromCode (fromInteger (j `mod` q))), j `div` q)
+  where
+    q = toInteger (fieldOrder (Proxy :: Proxy k))
+    monicOf index = polynomial (genericTake n (unfoldr digit index ++ repeat zero) ++ [one])
+    digit 0 = Nothing
+    digit j = Just (either (const zero) id (fromCode (fromInteger (j `mod` q))), j `div` q)
 
--- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first, and
--- those of equally many ascending. For degree 1, x comes before them.
+-- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first,
+-- and those of equally many ascending. For degree 1, x comes before them.
 monicByTerms :: KnownField k => Natural -> [Polynomial k]
 monicByTerms = byTerms 0
 
@@ -57,46 +56,49 @@ monicByTerms = byTerms 0
 fewestTermsCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
 fewestTermsCandidates n = byTerms (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
 
--- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them for i = 0.
+-- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them
+-- for i = 0.
 byTerms :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
 byTerms i n
   | n == 0 = []
   | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. fromIntegral n]
- where
-  withTerms terms = [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
-  -- So many coefficients, highest first, of which so many, the last among them, are not 0; and whether those before
-  -- them are 0.
-  choose :: Bool -> Int -> Int -> [[GF k]]
-  choose alone size terms
-    | terms == 0 || terms > size = []
-    | alone && size <= i = []
-    | size == 1 = map (: []) units
-    | otherwise =
+  where
+    withTerms terms =
+      [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
+    -- So many coefficients, highest first, of which so many, the last among them, are not 0; and
+    -- whether those before them are 0.
+    choose :: Bool -> Int -> Int -> [[GF k]]
+    choose alone size terms
+      | terms == 0 || terms > size = []
+      | alone && size <= i = []
+      | size == 1 = map (: []) units
+      | otherwise =
         map (zero :) (choose alone (size - 1) terms)
           ++ [c : rest | c <- units, rest <- choose False (size - 1) (terms - 1)]
-  units = drop 1 elements
+    units = drop 1 elements
 
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
--- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper 32
--- bits of each by the remainder modulo q, constant term first; of the 2^32 values, those at the end
--- that would favour small codes are passed over.
+-- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper
+-- 32 bits of each by the remainder modulo q, constant term first; of the 2^32 values, those at the
+-- end that would favour small codes are passed over.
 randomMonics :: forall k. KnownField k => Word64 -> Natural -> [Polynomial k]
 randomMonics seed n = go coefficientsDrawn
- where
-  go drawn = let (lower, rest) = genericSplitAt n drawn in polynomial (lower ++ [one]) : go rest
-  coefficientsDrawn = map (element . (`mod` q)) (filter (< limit) (map (`shiftR` 32) (splitMix seed)))
-  element = either (const zero) id . fromCode . fromIntegral
-  q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Word64
-  limit = 2 ^ (32 :: Int) `div` q * q
+  where
+    go drawn = let (lower, rest) = genericSplitAt n drawn in polynomial (lower ++ [one]) : go rest
+    coefficientsDrawn =
+      map (element . (`mod` q)) (filter (< limit) (map (`shiftR` 32) (splitMix seed)))
+    element = either (const zero) id . fromCode . fromIntegral
+    q = fromIntegral (fieldOrder (Proxy :: Proxy k)) :: Word64
+    limit = 2 ^ (32 :: Int) `div` q * q
 
 -- | The outputs of SplitMix64 from a seed.
 splitMix :: Word64 -> [Word64]
 splitMix seed = map mix (drop 1 (iterate (+ 0x9e3779b97f4a7c15) seed))
- where
-  mix z0 =
-    let z1 = (z0 `xor` (z0 `shiftR` 30)) * 0xbf58476d1ce4e5b9
-        z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
-     in z2 `xor` (z2 `shiftR` 31)
+  where
+    mix z0 =
+      let z1 = (z0 `xor` (z0 `shiftR` 30)) * 0xbf58476d1ce4e5b9
+          z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
+       in z2 `xor` (z2 `shiftR` 31)
 
 -- | The monic irreducible polynomials of a degree, ascending, made as they are asked for.
 irreduciblePolynomials :: KnownField k => Natural -> [Polynomial k]
@@ -107,12 +109,13 @@ irreduciblePolynomials = filter isIrreducible . ascendingCandidates
 primitivePolynomials :: KnownField k => Natural -> Either PolynomialError [Primitive k]
 primitivePolynomials n = primitiveAmong n (ascendingCandidates n)
 
--- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x + A^2.
+-- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x +
+-- A^2.
 firstPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 firstPrimitive n = firstOf n ascendingCandidates
 
--- | Of the primitive polynomials with the fewest terms, the first: the shift register with the fewest
--- taps.
+-- | Of the primitive polynomials with the fewest terms, the first: the shift register with the
+-- fewest taps.
 fewestTermsPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 fewestTermsPrimitive n = firstOf n fewestTermsCandidates
 
@@ -120,7 +123,12 @@ fewestTermsPrimitive n = firstOf n fewestTermsCandidates
 randomPrimitive :: KnownField k => Word64 -> Natural -> Either PolynomialError (Primitive k)
 randomPrimitive seed n = firstOf n (randomMonics seed)
 
-firstOf :: KnownField k => Natural -> (Natural -> [Polynomial k]) -> Either PolynomialError (Primitive k)
-firstOf n candidates = primitiveAmong n (candidates n) >>= \found -> case found of
-  h : _ -> Right h
-  [] -> Left (NoPrimitivePolynomial n)
+firstOf ::
+  KnownField k =>
+  Natural ->
+  (Natural -> [Polynomial k]) ->
+  Either PolynomialError (Primitive k)
+firstOf n candidates =
+  primitiveAmong n (candidates n) >>= \found -> case found of
+    h : _ -> Right h
+    [] -> Left (NoPrimitivePolynomial n)

@@ -1,29 +1,24 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
--- |
--- The Galois form of the shift register: its content is a residue modulo h, and a step multiplies it by
--- x. Where the register of "PraTactile.Sequence" (the Fibonacci form) adds up its stages into one, this
--- one adds what it puts out into its stages. Both give the same sequences; 'toGalois' and 'toFibonacci'
--- map the states (Golomb, Shift Register Sequences, 1967).
+-- | The Galois form of the shift register: its content is a residue modulo h, and a step multiplies
+-- it by x. Where the register of "PraTactile.Sequence" (the Fibonacci form) adds up its stages into
+-- one, this one adds what it puts out into its stages. Both give the same sequences; 'toGalois' and
+-- 'toFibonacci' map the states (Golomb, Shift Register Sequences, 1967).
 module PraTactile.Sequence.Galois
   ( -- * States
-    GaloisState
-  , galoisState
-  , galoisElements
+    GaloisState,
+    galoisState,
+    galoisElements,
 
     -- * The register
-  , galoisNext
-  , galoisPrevious
-  , galoisOutput
-  , galoisSequence
+    galoisNext,
+    galoisPrevious,
+    galoisOutput,
+    galoisSequence,
 
     -- * The same sequence in both forms
-  , toGalois
-  , toFibonacci
-  ) where
+    toGalois,
+    toFibonacci,
+  )
+where
 
 import Data.List (foldl')
 import PraTactile.Field
@@ -48,8 +43,8 @@ galoisState h g = GaloisState . stateElements <$> initialState h g
 galoisElements :: GaloisState k -> [GF k]
 galoisElements (GaloisState g) = g
 
--- | One step: the product by x, modulo h = x^n + c(n-1) x^(n-1) + ... + c0. The stage of x^(n-1) is put
--- out, and c(j) times it is taken from each stage j as the stages move up.
+-- | One step: the product by x, modulo h = x^n + c(n-1) x^(n-1) + ... + c0. The stage of x^(n-1) is
+-- put out, and c(j) times it is taken from each stage j as the stages move up.
 galoisNext :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
 galoisNext h state@(GaloisState g) =
   GaloisState (zipWith (\c below -> below - c * galoisOutput state) (lower h) (zero : g))
@@ -58,16 +53,16 @@ galoisNext h state@(GaloisState g) =
 galoisPrevious :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
 galoisPrevious h (GaloisState g) =
   GaloisState (zipWith (\c above -> above + c * out) (drop 1 (lower h)) (drop 1 g) ++ [out])
- where
-  -- g0 = - c0 out; c0 is not zero, and a^(q - 2) is the inverse of such an a.
-  out = negate (sum (take 1 g) * power (sum (take 1 (lower h))) (fromIntegral (fieldOrder h - 2)))
+  where
+    -- g0 = - c0 out; c0 is not zero, and a^(q - 2) is the inverse of such an a.
+    out = negate (sum (take 1 g) * power (sum (take 1 (lower h))) (fromIntegral (fieldOrder h - 2)))
 
 -- | What the register puts out at its next step: the coefficient of x^(n-1).
 galoisOutput :: GaloisState k -> GF k
 galoisOutput (GaloisState g) = foldl' (\_ a -> a) zero g
 
--- | What the register puts out from this state on, endlessly: a linear function of x^i g modulo h, and so
--- a sequence that obeys the recurrence of h.
+-- | What the register puts out from this state on, endlessly: a linear function of x^i g modulo h,
+-- and so a sequence that obeys the recurrence of h.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let terms h = take 9 (galoisSequence h (toGalois h (canonicalState h)))
@@ -76,16 +71,17 @@ galoisOutput (GaloisState g) = foldl' (\_ a -> a) zero g
 galoisSequence :: KnownField k => Primitive k -> GaloisState k -> [GF k]
 galoisSequence h = map galoisOutput . iterate (galoisNext h)
 
--- | The Galois state that puts out what the Fibonacci register does from its state s(0), ..., s(n-1):
--- g(n-1-j) = s(j) + c(n-1) s(j-1) + ... + c(n-j) s(0).
+-- | The Galois state that puts out what the Fibonacci register does from its state s(0), ...,
+-- s(n-1): g(n-1-j) = s(j) + c(n-1) s(j-1) + ... + c(n-j) s(0).
 toGalois :: KnownField k => Primitive k -> State k -> GaloisState k
 toGalois h s = GaloisState (map stage [primitiveDegree h, primitiveDegree h - 1 .. 1])
- where
-  -- 1, c(n-1), c(n-2), ...
-  downwards = reverse (coefficients (primitivePolynomial h))
-  stage j = sum (zipWith (*) downwards (reverse (take j (stateElements s))))
+  where
+    -- 1, c(n-1), c(n-2), ...
+    downwards = reverse (coefficients (primitivePolynomial h))
+    stage j = sum (zipWith (*) downwards (reverse (take j (stateElements s))))
 
--- | The state s(0), ..., s(n-1) of the Fibonacci register that puts out what the Galois register does.
+-- | The state s(0), ..., s(n-1) of the Fibonacci register that puts out what the Galois register
+-- does.
 toFibonacci :: KnownField k => Primitive k -> GaloisState k -> Either SequenceError (State k)
 toFibonacci h = initialState h . take (primitiveDegree h) . galoisSequence h
 

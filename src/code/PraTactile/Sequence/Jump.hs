@@ -1,14 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
 -- |
 -- Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is made
 -- once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
 module PraTactile.Sequence.Jump
-  ( jump
-  , generalJump
-  ) where
+  ( jump,
+    generalJump,
+  )
+where
 
 import Data.Bits (popCount, setBit, shiftL, testBit, unsafeShiftR, xor, (.&.))
 import Data.List (foldl', unfoldr)
@@ -20,16 +19,15 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial
 
-{- Note [Powers by Horner's rule]
-   Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm. Raising to the power Q is
-   linear over GF(q) in the coefficients g0, ..., g(n-1) of a residue, so
-   alpha^(t Q + d) = sum of g(j) alpha^(Q j + d), where alpha^t = sum of g(j) alpha^j: one sum of n rows of
-   a table of alpha^e, e < Q n, for each digit of t to base Q, and no multiplication modulo h at all.
-   And s(t) = g0 s(0) + ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
+{- Note [Powers by Horner's rule] Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm.
+   Raising to the power Q is linear over GF(q) in the coefficients g0, ..., g(n-1) of a residue, so
+   alpha^(t Q + d) = sum of g(j) alpha^(Q j + d), where alpha^t = sum of g(j) alpha^j: one sum of n
+   rows of a table of alpha^e, e < Q n, for each digit of t to base Q, and no multiplication modulo
+   h at all. And s(t) = g0 s(0) + ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
 
 -- | @jump h s@ takes t to s(t), given s(0), ..., s(n-1). Apply it to h and s once, and to t often:
--- the table of Note [Powers by Horner's rule], a MiB at most or q n^2 bytes, is made when first used. A
--- term takes time n^2 log t, less for GF(2).
+-- the table of Note [Powers by Horner's rule], a MiB at most or q n^2 bytes, is made when first
+-- used. A term takes time n^2 log t, less for GF(2).
 jump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 jump h s
   | fieldOrder (Proxy :: Proxy k) == 2 && primitiveDegree h <= 64 = packedJump h s
@@ -38,42 +36,48 @@ jump h s
 -- | As 'jump', for every field.
 generalJump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
 generalJump h s = \t -> sum (zipWith (*) (Primitive.toList (rootPower (t `mod` period h))) s)
- where
-  n = primitiveDegree h
-  q = fieldOrder (Proxy :: Proxy k)
-  base = baseFor q (min n (2 ^ (20 :: Int) `div` (n * n)))
-  -- Row e holds the coefficients of alpha^e.
-  !table = Primitive.fromListN (base * n * n) (concat (take (base * n) rows)) :: Vector (GF k)
-  rows = iterate timesRoot (one : replicate (n - 1) zero)
-  timesRoot g = case splitAt (n - 1) g of
-    (lower, top) -> zipWith (\c a -> a - sum top * c) (coefficients (primitivePolynomial h)) (zero : lower)
-  rootPower t = foldl' step (row 0) (digitsTo base t)
-  row e = Primitive.slice (e * n) n table
-  -- Rows Q j + d, for j < n and d < Q, are within the table.
-  step g d = Primitive.generate n (\i -> total g (d * n + i) 0 zero)
-  total :: Vector (GF k) -> Int -> Int -> GF k -> GF k
-  total !g !at !j !acc
-    | j == n = acc
-    | otherwise =
-        total g (at + base * n) (j + 1) (acc + Primitive.unsafeIndex g j * Primitive.unsafeIndex table at)
+  where
+    n = primitiveDegree h
+    q = fieldOrder (Proxy :: Proxy k)
+    base = baseFor q (min n (2 ^ (20 :: Int) `div` (n * n)))
+    -- Row e holds the coefficients of alpha^e.
+    !table = Primitive.fromListN (base * n * n) (concat (take (base * n) rows)) :: Vector (GF k)
+    rows = iterate timesRoot (one : replicate (n - 1) zero)
+    timesRoot g = case splitAt (n - 1) g of
+      (lower, top) ->
+        zipWith (\c a -> a - sum top * c) (coefficients (primitivePolynomial h)) (zero : lower)
+    rootPower t = foldl' step (row 0) (digitsTo base t)
+    row e = Primitive.slice (e * n) n table
+    -- Rows Q j + d, for j < n and d < Q, are within the table.
+    step g d = Primitive.generate n (\i -> total g (d * n + i) 0 zero)
+    total :: Vector (GF k) -> Int -> Int -> GF k -> GF k
+    total !g !at !j !acc
+      | j == n = acc
+      | otherwise =
+        total
+          g
+          (at + base * n)
+          (j + 1)
+          (acc + Primitive.unsafeIndex g j * Primitive.unsafeIndex table at)
 
 -- | As 'jump', for GF(2) and n up to 64: a residue is a word, bit j the coefficient of alpha^j.
 packedJump :: forall k. KnownField k => Primitive k -> [GF k] -> Natural -> GF k
-packedJump h s = \t -> if odd (popCount (rootPower (t `mod` period h) .&. word s)) then one else zero
- where
-  n = primitiveDegree h
-  base = baseFor 2 16
-  word = foldl' setBit 0 . map fst . filter ((/= zero) . snd) . zip [0 ..] :: [GF k] -> Word64
-  modulus = word (take n (coefficients (primitivePolynomial h)))
-  timesRoot g = ((g `shiftL` 1) .&. below) `xor` (if testBit g (n - 1) then modulus else 0)
-  below = if n == 64 then maxBound else 2 ^ n - 1
-  !table = Primitive.fromListN (base * n) (iterate timesRoot 1) :: Vector Word64
-  rootPower t = foldl' step 1 (digitsTo base t)
-  step :: Word64 -> Int -> Word64
-  step g d = total g d 0
-  total !g !at !acc
-    | g == 0 = acc
-    | otherwise =
+packedJump h s =
+  \t -> if odd (popCount (rootPower (t `mod` period h) .&. word s)) then one else zero
+  where
+    n = primitiveDegree h
+    base = baseFor 2 16
+    word = foldl' setBit 0 . map fst . filter ((/= zero) . snd) . zip [0 ..] :: [GF k] -> Word64
+    modulus = word (take n (coefficients (primitivePolynomial h)))
+    timesRoot g = ((g `shiftL` 1) .&. below) `xor` (if testBit g (n - 1) then modulus else 0)
+    below = if n == 64 then maxBound else 2 ^ n - 1
+    !table = Primitive.fromListN (base * n) (iterate timesRoot 1) :: Vector Word64
+    rootPower t = foldl' step 1 (digitsTo base t)
+    step :: Word64 -> Int -> Word64
+    step g d = total g d 0
+    total !g !at !acc
+      | g == 0 = acc
+      | otherwise =
         -- All ones or none, as bit 0 says.
         let chosen = negate (g .&. 1) .&. Primitive.unsafeIndex table at
          in total (g `unsafeShiftR` 1) (at + base) (acc `xor` chosen)
@@ -85,6 +89,6 @@ baseFor q limit = until (\b -> b * q > limit) (* q) q
 -- | The digits to a base, most significant first; none for 0.
 digitsTo :: Int -> Natural -> [Int]
 digitsTo base = reverse . unfoldr digit
- where
-  digit 0 = Nothing
-  digit t = Just (fromIntegral (t `mod` fromIntegral base), t `div` fromIntegral base)
+  where
+    digit 0 = Nothing
+    digit t = Just (fromIntegral (t `mod` fromIntegral base), t `div` fromIntegral base)

@@ -1,23 +1,20 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE ScopedTypeVariables #-}
 
--- |
--- Running a linear recurrence through memory, one byte a term, by powers of its polynomial, which
--- leave many terms free to be computed at once. Internal: the vector form of sequences and the grids
--- of arrays are filled by it.
+-- | Running a linear recurrence through memory, one byte a term, by powers of its polynomial, which
+-- leave many terms free to be computed at once. Internal: the vector form of sequences and the
+-- grids of arrays are filled by it.
 module PraTactile.Sequence.Recurrence
-  ( Recurrence
-  , recurrenceOf
-  , delayed
-  , frobenius
-  , spread
-  , longestLag
-  , stepwise
-  , blockwise
-  , continue
-  ) where
+  ( Recurrence,
+    recurrenceOf,
+    delayed,
+    frobenius,
+    spread,
+    longestLag,
+    stepwise,
+    blockwise,
+    continue,
+  )
+where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST)
@@ -38,7 +35,8 @@ newtype Recurrence (k :: Field) = Recurrence [(Int, GF k)]
 -- v(i) = - (c(n-1) v(i-1) + ... + c0 v(i-n)).
 recurrenceOf :: KnownField k => [GF k] -> Recurrence k
 recurrenceOf lower =
-  Recurrence [(lag, negate c) | (lag, c) <- zip [length lower, length lower - 1 ..] lower, c /= zero]
+  Recurrence
+    [(lag, negate c) | (lag, c) <- zip [length lower, length lower - 1 ..] lower, c /= zero]
 
 -- | The recurrence with every lag so many times, at least once, as long: if the rows of a matrix
 -- obey a recurrence, so do its cells in one line, the lags times the length of a row.
@@ -49,8 +47,8 @@ delayed times (Recurrence taps) = Recurrence [(max 1 times * lag, a) | (lag, a) 
 -- the power p is additive, so that the power has as few terms as h, each p^e times as far apart.
 frobenius :: forall k. KnownField k => Int -> Recurrence k -> Recurrence k
 frobenius e (Recurrence taps) = Recurrence [(lag * q, power a (fromIntegral q)) | (lag, a) <- taps]
- where
-  q = fieldCharacteristic (Proxy :: Proxy k) ^ max 0 e
+  where
+    q = fieldCharacteristic (Proxy :: Proxy k) ^ max 0 e
 
 -- | How many terms the recurrence looks back.
 longestLag :: Recurrence k -> Int
@@ -63,9 +61,10 @@ shortestLag (Recurrence taps) = minimum (maxBound : map fst taps)
 -- characteristic 2, all of whose lags are whole words.
 spread :: forall k. KnownField k => Recurrence k -> Recurrence k
 spread = until ready (frobenius 1)
- where
-  ready r@(Recurrence taps) = shortestLag r >= 1024 && (p /= 2 || all ((== 0) . (`mod` 8) . fst) taps)
-  p = fieldCharacteristic (Proxy :: Proxy k)
+  where
+    ready r@(Recurrence taps) =
+      shortestLag r >= 1024 && (p /= 2 || all ((== 0) . (`mod` 8) . fst) taps)
+    p = fieldCharacteristic (Proxy :: Proxy k)
 
 -- | @continue r from to v@ writes v(from), ..., v(to - 1): first by the recurrence as it is, then
 -- by a power of it, if there are many. Does nothing unless the lags reach back to no further than
@@ -74,23 +73,23 @@ continue :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s 
 continue r from to v
   | to - start < 16384 = stepwise r from to v
   | otherwise = do
-      stepwise r from start v
-      blockwise far start to v
- where
-  start = max from (longestLag far)
-  far = spread r
+    stepwise r from start v
+    blockwise far start to v
+  where
+    start = max from (longestLag far)
+    far = spread r
 
 -- | As 'continue', term by term: the definition.
 stepwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 stepwise r@(Recurrence taps) from to v = when (within r from to v) (go from)
- where
-  count = length taps
-  !lags = Primitive.fromListN count (map fst taps) :: Vector Int
-  !factors = Primitive.fromListN count (map snd taps) :: Vector (GF k)
-  go !i = when (i < to) (total i 0 zero)
-  total !i !j !acc
-    | j == count = Mutable.unsafeWrite v i acc >> go (i + 1)
-    | otherwise = do
+  where
+    count = length taps
+    !lags = Primitive.fromListN count (map fst taps) :: Vector Int
+    !factors = Primitive.fromListN count (map snd taps) :: Vector (GF k)
+    go !i = when (i < to) (total i 0 zero)
+    total !i !j !acc
+      | j == count = Mutable.unsafeWrite v i acc >> go (i + 1)
+      | otherwise = do
         s <- Mutable.unsafeRead v (i - Primitive.unsafeIndex lags j)
         total i (j + 1) (acc + Primitive.unsafeIndex factors j * s)
 
@@ -98,21 +97,24 @@ stepwise r@(Recurrence taps) from to v = when (within r from to v) (go from)
 within :: Recurrence k -> Int -> Int -> MVector s (GF k) -> Bool
 within r from to v = longestLag r <= from && to <= Mutable.length v
 
--- | As 'continue', in blocks no longer than the shortest lag, so that within a block no term asks for
--- another; in characteristic 2 eight terms at a time where the lags allow.
+-- | As 'continue', in blocks no longer than the shortest lag, so that within a block no term asks
+-- for another; in characteristic 2 eight terms at a time where the lags allow.
 blockwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
-blockwise r@(Recurrence taps) from to v@(MVector offset size bytes) = when (within r from to v) $
-  if inWords
-    then do
-      let whole = min to (from + (-from) `mod` 8)
-      byTerms whole
-      inBlocks (shortestLag r `div` 8) (whole `div` 8) (to `div` 8) (wordPasses taps wordView)
-      inBlocks 8 (max whole (8 * (to `div` 8))) to (termPasses taps v)
-    else inBlocks (shortestLag r) from to (termPasses taps v)
- where
-  inWords = fieldCharacteristic (Proxy :: Proxy k) == 2 && all ((== 0) . (`mod` 8)) (offset : map fst taps)
-  byTerms end = inBlocks (shortestLag r) from end (termPasses taps v)
-  wordView = MVector (offset `div` 8) (size `div` 8) bytes
+blockwise r@(Recurrence taps) from to v@(MVector offset size bytes) =
+  when (within r from to v) $
+    if inWords
+      then do
+        let whole = min to (from + (-from) `mod` 8)
+        byTerms whole
+        inBlocks (shortestLag r `div` 8) (whole `div` 8) (to `div` 8) (wordPasses taps wordView)
+        inBlocks 8 (max whole (8 * (to `div` 8))) to (termPasses taps v)
+      else inBlocks (shortestLag r) from to (termPasses taps v)
+  where
+    inWords =
+      fieldCharacteristic (Proxy :: Proxy k) == 2
+        && all ((== 0) . (`mod` 8)) (offset : map fst taps)
+    byTerms end = inBlocks (shortestLag r) from end (termPasses taps v)
+    wordView = MVector (offset `div` 8) (size `div` 8) bytes
 
 -- | What is done to the places from the first number up to the second, without it.
 type Pass s = Int -> Int -> ST s ()
@@ -120,11 +122,11 @@ type Pass s = Int -> Int -> ST s ()
 -- | All passes over one block after another.
 inBlocks :: Int -> Int -> Int -> [Pass s] -> ST s ()
 inBlocks shortest from to passes = go from
- where
-  size = max 1 (min 4096 shortest)
-  go i = when (i < to) $ do
-    forM_ passes (\pass -> pass i (min to (i + size)))
-    go (i + size)
+  where
+    size = max 1 (min 4096 shortest)
+    go i = when (i < to) $ do
+      forM_ passes (\pass -> pass i (min to (i + size)))
+      go (i + size)
 
 -- | The sum, two terms in the first pass and one in each further one, by tables of two arguments.
 termPasses :: forall k s. KnownField k => [(Int, GF k)] -> MVector s (GF k) -> [Pass s]
@@ -132,57 +134,66 @@ termPasses taps v = case taps of
   (l1, a1) : (l2, a2) : more -> combine a1 l1 a2 l2 : map (\(l, a) -> combine one 0 a l) more
   [(l, a)] -> [combine zero l a l]
   [] -> [\from to -> forM_ [from .. to - 1] (\i -> Mutable.write v i zero)]
- where
-  -- v(i) := a1 v(i - l1) + a2 v(i - l2)
-  combine :: GF k -> Int -> GF k -> Int -> Pass s
-  combine a1 !l1 a2 !l2 =
-    let !table = combinations a1 a2
-        go !to !i = when (i < to) $ do
-          x <- Mutable.unsafeRead v (i - l1)
-          y <- Mutable.unsafeRead v (i - l2)
-          Mutable.unsafeWrite v i (Primitive.unsafeIndex table (256 * toCode x + toCode y))
-          go to (i + 1)
-     in flip go
+  where
+    -- v(i) := a1 v(i - l1) + a2 v(i - l2)
+    combine :: GF k -> Int -> GF k -> Int -> Pass s
+    combine a1 !l1 a2 !l2 =
+      let !table = combinations a1 a2
+          go !to !i = when (i < to) $ do
+            x <- Mutable.unsafeRead v (i - l1)
+            y <- Mutable.unsafeRead v (i - l2)
+            Mutable.unsafeWrite v i (Primitive.unsafeIndex table (256 * toCode x + toCode y))
+            go to (i + 1)
+       in flip go
 
 -- | The entry 256 x + y is a x + b y; rows of 256 keep every index within the table.
 combinations :: KnownField k => GF k -> GF k -> Vector (GF k)
 combinations a b = Primitive.create $ do
   table <- Mutable.replicate 65536 zero
-  forM_ elements $ \x -> forM_ elements $ \y -> Mutable.write table (256 * toCode x + toCode y) (a * x + b * y)
+  forM_ elements $ \x ->
+    forM_ elements $ \y -> Mutable.write table (256 * toCode x + toCode y) (a * x + b * y)
   pure table
 
-{- Note [Eight terms at a time]
-   In characteristic 2 a code is the vector of its coefficients over GF(2), and a sum is exclusive
-   or, of eight codes in one machine word as of one. A factor c = c0 + c1 A + ... (A the modulus's
-   root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's rule all the terms wanted
-   times A^b are added up, the sum multiplied by A, those wanted times A^(b-1) added, and so on: m - 1
-   multiplications by A whatever the number of terms. Multiplication by A moves each code up one bit and
-   takes the modulus from those that reach degree m. No byte sees another, so that the order of the bytes
-   in a word does not matter. -}
+{- Note [Eight terms at a time] In characteristic 2 a code is the vector of its coefficients over
+   GF(2), and a sum is exclusive or, of eight codes in one machine word as of one. A factor c = c0 +
+   c1 A + ... (A the modulus's root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's
+   rule all the terms wanted times A^b are added up, the sum multiplied by A, those wanted times
+   A^(b-1) added, and so on: m - 1 multiplications by A whatever the number of terms. Multiplication
+   by A moves each code up one bit and takes the modulus from those that reach degree m. No byte
+   sees another, so that the order of the bytes in a word does not matter. -}
 
 -- | The same sum of words of eight terms, all lags being multiples of 8. See
 -- Note [Eight terms at a time].
 wordPasses :: forall k s. KnownField k => [(Int, GF k)] -> MVector s Word64 -> [Pass s]
 wordPasses taps v = clear : intercalate [each timesA] [addAll (wanted b) | b <- [m - 1, m - 2 .. 0]]
- where
-  !m = fieldDegree (Proxy :: Proxy k)
-  wanted b = [lag `div` 8 | (lag, a) <- taps, testBit (toCode a) b]
-  clear from to = Mutable.set (Mutable.slice from (to - from) v) 0
-  addAll lags = case lags of
-    l1 : l2 : more -> each (\i w -> (\x y -> w `xor` x `xor` y) <$> back i l1 <*> back i l2) : addAll more
-    [l] -> [each (\i w -> xor w <$> back i l)]
-    [] -> []
-  back i l = Mutable.unsafeRead v (i - l)
-  timesA _ w = pure (((w .&. lower) `unsafeShiftL` 1) `xor` (((w `unsafeShiftR` (m - 1)) .&. ones) * reduced))
-  !ones = 0x0101010101010101
-  !lower = ones * (2 ^ (m - 1) - 1)
-  -- A^m: the modulus without its leading term, as a code.
-  !reduced = sum (zipWith (*) (map fromIntegral (take m (fieldModulus (Proxy :: Proxy k)))) (iterate (* 2) 1))
-  each :: (Int -> Word64 -> ST s Word64) -> Pass s
-  each change = \from to ->
-    let go !i = when (i < to) $ do
-          w <- Mutable.unsafeRead v i
-          change i w >>= Mutable.unsafeWrite v i
-          go (i + 1)
-     in go from
-  {-# INLINE each #-}
+  where
+    !m = fieldDegree (Proxy :: Proxy k)
+    wanted b = [lag `div` 8 | (lag, a) <- taps, testBit (toCode a) b]
+    clear from to = Mutable.set (Mutable.slice from (to - from) v) 0
+    addAll lags = case lags of
+      l1 : l2 : more ->
+        each (\i w -> (\x y -> w `xor` x `xor` y) <$> back i l1 <*> back i l2) : addAll more
+      [l] -> [each (\i w -> xor w <$> back i l)]
+      [] -> []
+    back i l = Mutable.unsafeRead v (i - l)
+    timesA _ w =
+      pure
+        (((w .&. lower) `unsafeShiftL` 1) `xor` (((w `unsafeShiftR` (m - 1)) .&. ones) * reduced))
+    !ones = 0x0101010101010101
+    !lower = ones * (2 ^ (m - 1) - 1)
+    -- A^m: the modulus without its leading term, as a code.
+    !reduced =
+      sum
+        ( zipWith
+            (*)
+            (map fromIntegral (take m (fieldModulus (Proxy :: Proxy k))))
+            (iterate (* 2) 1)
+        )
+    each :: (Int -> Word64 -> ST s Word64) -> Pass s
+    each change = \from to ->
+      let go !i = when (i < to) $ do
+            w <- Mutable.unsafeRead v i
+            change i w >>= Mutable.unsafeWrite v i
+            go (i + 1)
+       in go from
+    {-# INLINE each #-}

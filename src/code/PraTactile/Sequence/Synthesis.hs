@@ -1,20 +1,15 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
--- |
--- Which recurrence produced these symbols? The shortest shift register that can have put them out, over
--- GF(q), by the algorithm of Berlekamp and Massey (Massey, Shift-register synthesis and BCH decoding, IEEE
--- Transactions on Information Theory 15(1), 1969).
+-- | Which recurrence produced these symbols? The shortest shift register that can have put them
+-- out, over GF(q), by the algorithm of Berlekamp and Massey (Massey, Shift-register synthesis and
+-- BCH decoding, IEEE Transactions on Information Theory 15(1), 1969).
 module PraTactile.Sequence.Synthesis
-  ( Synthesis
-  , synthesise
-  , synthesisTerms
-  , synthesisLength
-  , synthesisPolynomial
-  , synthesisDetermined
-  ) where
+  ( Synthesis,
+    synthesise,
+    synthesisTerms,
+    synthesisLength,
+    synthesisPolynomial,
+    synthesisDetermined,
+  )
+where
 
 import Data.List (foldl')
 import PraTactile.Field
@@ -22,12 +17,12 @@ import PraTactile.Polynomial
 
 -- | A shortest register for some first terms.
 data Synthesis (k :: Field) = Synthesis
-  { synthesisTerms :: !Int
-  -- ^ The number N of terms it was made from.
-  , synthesisLength :: !Int
-  -- ^ The number L of its stages; 0 if all terms are 0. No shorter register puts out these terms.
-  , connection :: [GF k]
-  -- ^ 1, C1, ..., CL: s(i) + C1 s(i-1) + ... + CL s(i-L) = 0 for L <= i < N.
+  { -- | The number N of terms it was made from.
+    synthesisTerms :: !Int,
+    -- | The number L of its stages; 0 if all terms are 0. No shorter register puts out these terms.
+    synthesisLength :: !Int,
+    -- | 1, C1, ..., CL: s(i) + C1 s(i-1) + ... + CL s(i-L) = 0 for L <= i < N.
+    connection :: [GF k]
   }
   deriving stock (Eq)
 
@@ -39,37 +34,42 @@ type role Synthesis nominal
 -- >>> synthesisPolynomial (synthesise [0, 0, 1, 0, 1, 1] :: Synthesis GF2)
 -- polynomial [1,1,0,1]
 synthesise :: KnownField k => [GF k] -> Synthesis k
-synthesise terms = Synthesis (seen end) (stages end) (take (stages end + 1) (current end ++ repeat zero))
- where
-  end = foldl' observe (Progress 0 0 [one] [zero, one] one []) terms
+synthesise terms =
+  Synthesis (seen end) (stages end) (take (stages end + 1) (current end ++ repeat zero))
+  where
+    end = foldl' observe (Progress 0 0 [one] [zero, one] one []) terms
 
 -- | Massey's variables. After a change of length, x B over its discrepancy corrects the next error.
 data Progress (k :: Field) = Progress
-  { seen :: !Int
-  , stages :: !Int
-  , current :: [GF k]
-  -- ^ C, the register so far
-  , shifted :: [GF k]
-  -- ^ x^m B, with B the register before the last change of length, m terms ago
-  , discrepancyBefore :: !(GF k)
-  -- ^ by what B failed then
-  , backwards :: [GF k]
-  -- ^ the terms seen, the last one first
+  { seen :: !Int,
+    stages :: !Int,
+    -- | C, the register so far
+    current :: [GF k],
+    -- | x^m B, with B the register before the last change of length, m terms ago
+    shifted :: [GF k],
+    -- | by what B failed then
+    discrepancyBefore :: !(GF k),
+    -- | the terms seen, the last one first
+    backwards :: [GF k]
   }
 
 observe :: KnownField k => Progress k -> GF k -> Progress k
 observe p s
   | discrepancy == zero = moved
   | 2 * stages p <= seen p =
-      corrected {stages = seen p + 1 - stages p, shifted = zero : current p, discrepancyBefore = discrepancy}
+    corrected
+      { stages = seen p + 1 - stages p,
+        shifted = zero : current p,
+        discrepancyBefore = discrepancy
+      }
   | otherwise = corrected
- where
-  discrepancy = sum (zipWith (*) (take (stages p + 1) (current p)) (s : backwards p))
-  moved = p {seen = seen p + 1, shifted = zero : shifted p, backwards = s : backwards p}
-  corrected = foldr seq () repaired `seq` moved {current = repaired}
-  repaired = subtractMultiple ratio (current p) (shifted p)
-  -- The discrepancy before is not zero.
-  ratio = either (const zero) id (divide discrepancy (discrepancyBefore p))
+  where
+    discrepancy = sum (zipWith (*) (take (stages p + 1) (current p)) (s : backwards p))
+    moved = p {seen = seen p + 1, shifted = zero : shifted p, backwards = s : backwards p}
+    corrected = foldr seq () repaired `seq` moved {current = repaired}
+    repaired = subtractMultiple ratio (current p) (shifted p)
+    -- The discrepancy before is not zero.
+    ratio = either (const zero) id (divide discrepancy (discrepancyBefore p))
 
 -- | @subtractMultiple r a b@ is a - r b, coefficient by coefficient.
 subtractMultiple :: KnownField k => GF k -> [GF k] -> [GF k] -> [GF k]

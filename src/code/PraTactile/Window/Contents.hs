@@ -4,11 +4,12 @@
 -- Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
 -- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.
 module PraTactile.Window.Contents
-  ( Contents
-  , contents
-  , countContents
-  , zeroOccurs
-  ) where
+  ( Contents,
+    contents,
+    countContents,
+    zeroOccurs,
+  )
+where
 
 import Control.Monad (foldM_, forM_, when)
 import Control.Monad.ST (ST)
@@ -31,15 +32,19 @@ newtype Contents = Contents (Vector Word64)
 -- surface and the mask are those of the visit.
 contents :: Surface -> Grid -> Mask -> Visit -> Contents
 contents surface grid mask windows = united (map seen (tiles windows))
- where
-  seen tile = Contents $ Primitive.create $ do
-    set <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
-    case maskRectangle mask of
-      Just (Shape k1 k2)
-        | k1 <= rows (gridShape grid) && k2 <= columns (gridShape grid) ->
-            sweep surface grid (fromIntegral k1) (fromIntegral k2) tile set
-      _ -> let Tile r0 r1 c0 c1 = tile in forWindowsWithin windows r0 r1 c0 c1 (\_ _ key -> include set key)
-    pure set
+  where
+    seen tile = Contents $
+      Primitive.create $ do
+        set <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
+        case maskRectangle mask of
+          Just (Shape k1 k2)
+            | k1 <= rows (gridShape grid) && k2 <= columns (gridShape grid) ->
+              sweep surface grid (fromIntegral k1) (fromIntegral k2) tile set
+          _ ->
+            let Tile r0 r1 c0 c1 =
+                  tile
+             in forWindowsWithin windows r0 r1 c0 c1 (\_ _ key -> include set key)
+        pure set
 
 -- | How many contents are in the set.
 countContents :: Contents -> Int
@@ -59,14 +64,14 @@ tiles windows
   | height <= 0 || width <= 0 = []
   | width >= height = [Tile 0 height c c' | (c, c') <- cut width]
   | otherwise = [Tile r r' 0 width | (r, r') <- cut height]
- where
-  height = visitRows windows
-  width = visitColumns windows
-  parts
-    | height * width < 2 ^ (18 :: Int) || visitSpan windows > 2 ^ (26 :: Int) = 1
-    | otherwise = max 1 (min 16 numCapabilities)
-  cut side = zip (cuts side) (drop 1 (cuts side))
-  cuts side = [i * side `div` parts | i <- [0 .. parts]]
+  where
+    height = visitRows windows
+    width = visitColumns windows
+    parts
+      | height * width < 2 ^ (18 :: Int) || visitSpan windows > 2 ^ (26 :: Int) = 1
+      | otherwise = max 1 (min 16 numCapabilities)
+    cut side = zip (cuts side) (drop 1 (cuts side))
+    cuts side = [i * side `div` parts | i <- [0 .. parts]]
 
 -- | The union, the sets being made side by side.
 united :: [Contents] -> Contents
@@ -76,8 +81,8 @@ united sets = case sets of
   first : others ->
     let rest = united others
      in first `par` (rest `pseq` union first rest)
- where
-  union (Contents a) (Contents b) = Contents (Primitive.zipWith (.|.) a b)
+  where
+    union (Contents a) (Contents b) = Contents (Primitive.zipWith (.|.) a b)
 
 -- | Put a content into the set. Contents are below the span for which the set was made.
 include :: MVector s Word64 -> Int -> ST s ()
@@ -110,44 +115,56 @@ sweep surface grid k1 k2 (Tile r0 r1 c0 c1) set = do
     -- The first row of windows leaves no cell behind.
     takeRow (k2 - 1) (r0 + k1 - 1) (r0 + k1 - 1) 0
     forM_ [r0 + 1 .. r1 - 1] $ \r -> takeRow (k2 - 1) (r + k1 - 1) (r - 1) (gridAlphabet grid ^ k1)
- where
-  strip = max 1 (min 4096 (c1 - c0))
+  where
+    strip = max 1 (min 4096 (c1 - c0))
 
--- | Take a row of cells into the numbers of the columns c, c + 1, ... of a strip, so many in all, and
--- a row out of them at its weight; include the windows that end at column c + first or later. Rows
--- and columns may lie beyond the edges by less than a turn.
-rowOfStrip
-  :: Surface -> Grid -> Int -> Int -> MVector s Word32 -> MVector s Word64 -> Int -> Int -> Int -> Int -> Int -> Int -> ST s ()
+-- | Take a row of cells into the numbers of the columns c, c + 1, ... of a strip, so many in all,
+-- and a row out of them at its weight; include the windows that end at column c + first or later.
+-- Rows and columns may lie beyond the edges by less than a turn.
+rowOfStrip ::
+  Surface ->
+  Grid ->
+  Int ->
+  Int ->
+  MVector s Word32 ->
+  MVector s Word64 ->
+  Int ->
+  Int ->
+  Int ->
+  Int ->
+  Int ->
+  Int ->
+  ST s ()
 rowOfStrip surface grid k1 k2 numbers set c size first new old weight =
   foldM_ segment 0 (zip bounds (drop 1 bounds))
- where
-  -- Columns past the edge, and those where no window ends yet, are parts of their own.
-  bounds = [0] ++ sort (filter (\t -> 0 < t && t < size) [first, width - c]) ++ [size]
-  segment key (from, to) = roll (from >= first) (origin new past) (origin old past) from to key
-   where
-    past = c + from >= width
-  -- The index of the strip's first column, if it lay on the same side of the edge.
-  origin i past
-    | not past = (i `mod` height) * width + c
-    | surface == TwistedTorus = ((i + 1) `mod` height) * width + c - width
-    | otherwise = (i `mod` height) * width + c - width
-  roll including newest oldest from to = go from
-   where
-    go !t !key
-      | t == to = pure key
-      | otherwise = do
-          number <- Mutable.unsafeRead numbers (t + k2)
-          gone <- Mutable.unsafeRead numbers t
-          let number' = fromIntegral number * q + cell (newest + t) - cell (oldest + t) * weight
-              key' = key * base + number' - fromIntegral gone * spanned
-          Mutable.unsafeWrite numbers (t + k2) (fromIntegral number')
-          when including (include set key')
-          go (t + 1) key'
-  {-# INLINE roll #-}
-  cell i = fromIntegral (Primitive.unsafeIndex cells i) :: Int
-  cells = gridCells grid
-  q = gridAlphabet grid
-  base = q ^ k1
-  spanned = base ^ k2
-  height = gridHeight grid
-  width = gridWidth grid
+  where
+    -- Columns past the edge, and those where no window ends yet, are parts of their own.
+    bounds = [0] ++ sort (filter (\t -> 0 < t && t < size) [first, width - c]) ++ [size]
+    segment key (from, to) = roll (from >= first) (origin new past) (origin old past) from to key
+      where
+        past = c + from >= width
+    -- The index of the strip's first column, if it lay on the same side of the edge.
+    origin i past
+      | not past = (i `mod` height) * width + c
+      | surface == TwistedTorus = ((i + 1) `mod` height) * width + c - width
+      | otherwise = (i `mod` height) * width + c - width
+    roll including newest oldest from to = go from
+      where
+        go !t !key
+          | t == to = pure key
+          | otherwise = do
+            number <- Mutable.unsafeRead numbers (t + k2)
+            gone <- Mutable.unsafeRead numbers t
+            let number' = fromIntegral number * q + cell (newest + t) - cell (oldest + t) * weight
+                key' = key * base + number' - fromIntegral gone * spanned
+            Mutable.unsafeWrite numbers (t + k2) (fromIntegral number')
+            when including (include set key')
+            go (t + 1) key'
+    {-# INLINE roll #-}
+    cell i = fromIntegral (Primitive.unsafeIndex cells i) :: Int
+    cells = gridCells grid
+    q = gridAlphabet grid
+    base = q ^ k1
+    spanned = base ^ k2
+    height = gridHeight grid
+    width = gridWidth grid

@@ -1,31 +1,27 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
 -- |
 -- Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square one.
 -- Internal; the rank of a mask, its distance and its certificate stand on it.
 module PraTactile.Window.Elimination
   ( -- * Rows
-    Row
-  , rowFromList
-  , rowToList
-  , scaleRow
-  , addScaled
+    Row,
+    rowFromList,
+    rowToList,
+    scaleRow,
+    addScaled,
 
     -- * Reduction
-  , Basis
-  , emptyBasis
-  , basisSize
-  , basisRows
-  , extend
-  , reduced
-  , independentRows
+    Basis,
+    emptyBasis,
+    basisSize,
+    basisRows,
+    extend,
+    reduced,
+    independentRows,
 
     -- * Inverse
-  , inverseMatrix
-  ) where
+    inverseMatrix,
+  )
+where
 
 import Data.List (foldl')
 import Data.Vector.Primitive (Vector)
@@ -74,9 +70,9 @@ basisRows (Basis pivoted) = pivoted
 -- when the basis spans the row.
 reduced :: KnownField k => Basis k -> Row k -> Row k
 reduced (Basis pivoted) given = foldl' without given pivoted
- where
-  -- Every row has the same length, so that a pivot is an index of all of them.
-  without x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
+  where
+    -- Every row has the same length, so that a pivot is an index of all of them.
+    without x (pivot, b) = addScaled (negate (Primitive.unsafeIndex x pivot)) b x
 
 -- | Include a row, if the basis does not span it already. Its pivot is the first index that is
 -- preferred, or else the first of all, where what is left of it is not zero.
@@ -87,18 +83,19 @@ extend preferred basis@(Basis pivoted) given = case filter preferred support ++ 
     let new = scaleRow (inverted (Primitive.unsafeIndex rest pivot)) rest
         cleared b = addScaled (negate (Primitive.unsafeIndex b pivot)) new b
      in Just (Basis ((pivot, new) : map (fmap cleared) pivoted))
- where
-  rest = reduced basis given
-  support = [i | (i, a) <- zip [0 ..] (Primitive.toList rest), a /= zero]
-  inverted = either (const zero) id . inverse
+  where
+    rest = reduced basis given
+    support = [i | (i, a) <- zip [0 ..] (Primitive.toList rest), a /= zero]
+    inverted = either (const zero) id . inverse
 
 -- | The indices, ascending, of the rows that those before them do not span, at most so many.
 independentRows :: KnownField k => Int -> [Row k] -> [Int]
 independentRows most = go emptyBasis . zip [0 ..]
- where
-  go basis ((i, x) : others)
-    | basisSize basis < most = maybe (go basis others) (\larger -> i : go larger others) (extend (const True) basis x)
-  go _ _ = []
+  where
+    go basis ((i, x) : others)
+      | basisSize basis < most =
+        maybe (go basis others) (\larger -> i : go larger others) (extend (const True) basis x)
+    go _ _ = []
 
 -- | The inverse of a square matrix, given by rows; 'Nothing' exactly when there is none.
 inverseMatrix :: KnownField k => [[GF k]] -> Maybe [[GF k]]
@@ -107,7 +104,7 @@ inverseMatrix matrix = do
   -- up to the order of the rows, the right half is the inverse.
   Basis pivoted <- foldl' include (Just emptyBasis) (zipWith beside [0 ..] matrix)
   traverse (\i -> drop n . rowToList <$> lookup i pivoted) [0 .. n - 1]
- where
-  n = length matrix
-  beside i x = rowFromList (take n x ++ [if j == i then one else zero | j <- [0 .. n - 1 :: Int]])
-  include basis x = basis >>= \b -> extend (< n) b x
+  where
+    n = length matrix
+    beside i x = rowFromList (take n x ++ [if j == i then one else zero | j <- [0 .. n - 1 :: Int]])
+    include basis x = basis >>= \b -> extend (< n) b x

@@ -1,19 +1,19 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DerivingStrategies #-}
 
 -- |
 -- The window property by visiting every window, for any rectangular matrix of symbols: nothing is
 -- assumed of how the matrix was made.
 module PraTactile.Window.Enumeration
-  ( enumerate
-  , enumerable
-  , Enumeration (..)
-  , allDistinct
-  , EnumerationError (..)
-  , largestSpan
-  , largestSort
-  , largestMap
-  ) where
+  ( enumerate,
+    enumerable,
+    Enumeration (..),
+    allDistinct,
+    EnumerationError (..),
+    largestSpan,
+    largestSort,
+    largestMap,
+  )
+where
 
 import Control.Monad.ST (runST)
 import Data.List (find)
@@ -31,15 +31,15 @@ import PraTactile.Window.Visit
 
 -- | What was seen on visiting every window of a surface.
 data Enumeration = Enumeration
-  { visitedWindows :: Natural
-  -- ^ how many positions a window has on the surface
-  , differentWindows :: Natural
-  -- ^ how many different contents were seen there
-  , repeatedWindow :: Maybe (Position, Position)
-  -- ^ the first position, row by row, whose content was seen before, preceded by where it was first
-  -- seen
-  , zeroPosition :: Maybe Position
-  -- ^ the first position whose window is all zeros
+  { -- | how many positions a window has on the surface
+    visitedWindows :: Natural,
+    -- | how many different contents were seen there
+    differentWindows :: Natural,
+    -- | the first position, row by row, whose content was seen before, preceded by where it was
+    -- first seen
+    repeatedWindow :: Maybe (Position, Position),
+    -- | the first position whose window is all zeros
+    zeroPosition :: Maybe Position
   }
   deriving stock (Eq, Show)
 
@@ -51,13 +51,14 @@ allDistinct seen = differentWindows seen == visitedWindows seen
 data EnumerationError
   = -- | No window of this shape lies on the sheet.
     NoWindow
-  | -- | There are this many possible contents, too many for a bit each, and this many positions, too many
-    -- to be sorted ('largestSort'; 'largestMap' and 'largestReading' where a content fits no machine integer).
+  | -- | There are this many possible contents, too many for a bit each, and this many positions,
+    -- too many to be sorted ('largestSort'; 'largestMap' and 'largestReading' where a content fits
+    -- no machine integer).
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^30: up to so many possible contents, what was seen is kept as one bit a content, if that is not many times
--- more than there are positions.
+-- | 2^30: up to so many possible contents, what was seen is kept as one bit a content, if that is
+-- not many times more than there are positions.
 largestSpan :: Natural
 largestSpan = 2 ^ (30 :: Int)
 
@@ -65,8 +66,8 @@ largestSpan = 2 ^ (30 :: Int)
 largestSort :: Natural
 largestSort = 2 ^ (26 :: Int)
 
--- | 2^20: up to so many positions, what was seen is kept in an ordered map otherwise, whatever the number of
--- contents.
+-- | 2^20: up to so many positions, what was seen is kept in an ordered map otherwise, whatever the
+-- number of contents.
 largestMap :: Natural
 largestMap = 2 ^ (20 :: Int)
 
@@ -84,125 +85,147 @@ enumerate surface grid mask
   | Just seen <- byFewerCells = Right seen
   | mapSuffices count mask = Right (byOrder (packedWindows packing surface grid mask))
   | otherwise = Left (TooManyWindows spanned count)
- where
-  spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
-  count = area (visitedShape surface (gridShape grid) mask)
-  packing = MostSignificantFirst
-  visited = visit packing surface grid mask
-  -- If the cells that fit a machine integer tell all windows apart, so do all cells. On the sheet fewer cells may
-  -- have more positions, where the others stick out: all of them are asked for, which is more than need be.
-  byFewerCells = do
-    fewer <- fittingCells (gridAlphabet grid) mask
-    windows <- if area (visitedShape surface (gridShape grid) fewer) <= largestSort then visit packing surface grid fewer else Nothing
-    let seen = bySorting windows
-        isZero p = packedAt packing surface grid mask p == Just 0
-    if allDistinct seen
-      then Just seen {visitedWindows = count, differentWindows = count, zeroPosition = find isZero (zeroPosition seen)}
-      else Nothing
+  where
+    spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask
+    count = area (visitedShape surface (gridShape grid) mask)
+    packing = MostSignificantFirst
+    visited = visit packing surface grid mask
+    -- If the cells that fit a machine integer tell all windows apart, so do all cells. On the sheet
+    -- fewer cells may have more positions, where the others stick out: all of them are asked for,
+    -- which is more than need be.
+    byFewerCells = do
+      fewer <- fittingCells (gridAlphabet grid) mask
+      windows <-
+        if area (visitedShape surface (gridShape grid) fewer) <= largestSort
+          then visit packing surface grid fewer
+          else Nothing
+      let seen = bySorting windows
+          isZero p = packedAt packing surface grid mask p == Just 0
+      if allDistinct seen
+        then
+          Just
+            seen
+              { visitedWindows = count,
+                differentWindows = count,
+                zeroPosition = find isZero (zeroPosition seen)
+              }
+        else Nothing
 
--- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with so many symbols and of this shape.
+-- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with so many symbols
+-- and of this shape.
 enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerable surface q shape mask
   | count == 0 = Left NoWindow
   | packs && (bitsSuffice spanned count || count <= largestSort) = Right ()
-  | Just fewer <- fittingCells q mask, area (visitedShape surface shape fewer) <= largestSort = Right ()
+  | Just fewer <-
+      fittingCells q mask,
+    area (visitedShape surface shape fewer) <= largestSort =
+    Right ()
   | mapSuffices count mask = Right ()
   | otherwise = Left (TooManyWindows spanned count)
- where
-  packs = spanned <= 2 ^ (62 :: Int)
-  spanned = fromIntegral q ^ maskSize mask
-  count = area (visitedShape surface shape mask)
+  where
+    packs = spanned <= 2 ^ (62 :: Int)
+    spanned = fromIntegral q ^ maskSize mask
+    count = area (visitedShape surface shape mask)
 
--- | Whether a bit for each of so many possible contents of windows at so many positions is worth its memory.
+-- | Whether a bit for each of so many possible contents of windows at so many positions is worth
+-- its memory.
 bitsSuffice :: Natural -> Natural -> Bool
 bitsSuffice spanned count = spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count))
 
 -- | Whether the contents of the mask at so many positions fit an ordered map.
 mapSuffices :: Natural -> Mask -> Bool
-mapSuffices count mask = count <= largestMap && count * fromIntegral (maskSize mask) <= largestReading
+mapSuffices count mask =
+  count <= largestMap && count * fromIntegral (maskSize mask) <= largestReading
 
 -- | The first cells of a mask, as many as fit a machine integer with so many symbols.
 fittingCells :: Int -> Mask -> Maybe Mask
 fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
- where
-  fitting = length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral q) (1 :: Natural))) - 1
+  where
+    fitting =
+      length (takeWhile (<= 2 ^ (62 :: Int)) (iterate (* fromIntegral q) (1 :: Natural))) - 1
 
 -- | One bit a content. Where the content that was seen before and the zero window stand is looked
 -- for afterwards, if there are any.
 byBits :: Surface -> Grid -> Mask -> Visit -> Enumeration
 byBits surface grid mask windows =
   Enumeration
-    { visitedWindows = visited
-    , differentWindows = different
-    , repeatedWindow = if different < visited then firstRepeated windows (visitSpan windows) Just else Nothing
-    , zeroPosition = if zeroOccurs seen then firstWith windows 0 else Nothing
+    { visitedWindows = visited,
+      differentWindows = different,
+      repeatedWindow =
+        if different < visited then firstRepeated windows (visitSpan windows) Just else Nothing,
+      zeroPosition = if zeroOccurs seen then firstWith windows 0 else Nothing
     }
- where
-  seen = contents surface grid mask windows
-  different = fromIntegral (countContents seen)
-  visited = fromIntegral (visitRows windows) * fromIntegral (visitColumns windows)
+  where
+    seen = contents surface grid mask windows
+    different = fromIntegral (countContents seen)
+    visited = fromIntegral (visitRows windows) * fromIntegral (visitColumns windows)
 
 -- | The first position, row by row, with this content.
 firstWith :: Visit -> Int -> Maybe Position
-firstWith windows key = uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
+firstWith windows key =
+  uncurry visitPosition <$> firstWhere windows (\r c -> visitKey windows r c == key)
 
--- | The first position whose content was seen before, preceded by where it was first seen. Contents that may
--- repeat have a number of their own below the given one; others have none.
+-- | The first position whose content was seen before, preceded by where it was first seen. Contents
+-- that may repeat have a number of their own below the given one; others have none.
 firstRepeated :: Visit -> Int -> (Int -> Maybe Int) -> Maybe (Position, Position)
 firstRepeated windows size numbered = do
   (r, c) <- repeated
   earlier <- firstWith windows (visitKey windows r c)
   pure (earlier, visitPosition r c)
- where
-  repeated = runST $ do
-    seen <- nothingSeen size
-    let go !r !c
-          | r == visitRows windows = pure Nothing
-          | c == visitColumns windows = go (r + 1) 0
-          | otherwise = do
+  where
+    repeated = runST $ do
+      seen <- nothingSeen size
+      let go !r !c
+            | r == visitRows windows = pure Nothing
+            | c == visitColumns windows = go (r + 1) 0
+            | otherwise = do
               new <- maybe (pure True) (insert seen) (numbered (visitKey windows r c))
               if new then go r (c + 1) else pure (Just (r, c))
-    go 0 0
+      go 0 0
 
 -- | The first coordinates, row by row, that satisfy the condition.
 firstWhere :: Visit -> (Int -> Int -> Bool) -> Maybe (Int, Int)
 firstWhere windows holds = go 0 0
- where
-  go r c
-    | r == visitRows windows = Nothing
-    | c == visitColumns windows = go (r + 1) 0
-    | holds r c = Just (r, c)
-    | otherwise = go r (c + 1)
+  where
+    go r c
+      | r == visitRows windows = Nothing
+      | c == visitColumns windows = go (r + 1) 0
+      | holds r c = Just (r, c)
+      | otherwise = go r (c + 1)
 
 -- | All contents in order, so that the same ones come together.
 bySorting :: Visit -> Enumeration
 bySorting windows =
   Enumeration
-    { visitedWindows = fromIntegral count
-    , differentWindows = fromIntegral (count - Primitive.length repeated)
-    , repeatedWindow = firstRepeated windows (Primitive.length slots) (indexSorted slots . fromIntegral)
-    , zeroPosition = indexSorted sorted 0 >> firstWith windows 0
+    { visitedWindows = fromIntegral count,
+      differentWindows = fromIntegral (count - Primitive.length repeated),
+      repeatedWindow =
+        firstRepeated windows (Primitive.length slots) (indexSorted slots . fromIntegral),
+      zeroPosition = indexSorted sorted 0 >> firstWith windows 0
     }
- where
-  count = visitRows windows * visitColumns windows
-  bits = length (takeWhile (< visitSpan windows) (iterate (* 2) 1))
-  sorted = Primitive.create $ do
-    keys <- Mutable.new count
-    forWindows windows $ \r c key -> Mutable.write keys (r * visitColumns windows + c) (fromIntegral key)
-    sortWords bits keys
-    pure keys
-  repeated = repetitions sorted
-  slots = Primitive.uniq repeated
+  where
+    count = visitRows windows * visitColumns windows
+    bits = length (takeWhile (< visitSpan windows) (iterate (* 2) 1))
+    sorted = Primitive.create $ do
+      keys <- Mutable.new count
+      forWindows windows $ \r c key ->
+        Mutable.write keys (r * visitColumns windows + c) (fromIntegral key)
+      sortWords bits keys
+      pure keys
+    repeated = repetitions sorted
+    slots = Primitive.uniq repeated
 
 -- | An ordered map from contents to the position where each was first seen.
 byOrder :: [(Position, Natural)] -> Enumeration
 byOrder found =
   Enumeration
-    { visitedWindows = fromIntegral (length found)
-    , differentWindows = fromIntegral (Map.size firstSeen)
-    , repeatedWindow =
-        listToMaybe [(p0, p) | (p, content) <- found, Just p0 <- [Map.lookup content firstSeen], p0 /= p]
-    , zeroPosition = Map.lookup 0 firstSeen
+    { visitedWindows = fromIntegral (length found),
+      differentWindows = fromIntegral (Map.size firstSeen),
+      repeatedWindow =
+        listToMaybe
+          [(p0, p) | (p, content) <- found, Just p0 <- [Map.lookup content firstSeen], p0 /= p],
+      zeroPosition = Map.lookup 0 firstSeen
     }
- where
-  firstSeen = Map.fromListWith (\_ old -> old) [(content, p) | (p, content) <- found]
+  where
+    firstSeen = Map.fromListWith (\_ old -> old) [(content, p) | (p, content) <- found]

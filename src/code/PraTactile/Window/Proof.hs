@@ -1,34 +1,30 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-
 -- | The window property: every window has a content of its own, so that the content tells the
 -- position (MacWilliams and Sloane 1976; section II of the paper). Two roads lead to one verdict:
 -- visiting every window, and the rank of the mask. Where both are open they are compared.
 module PraTactile.Window.Proof
   ( -- * Proving
-    prove
-  , Proved
-  , provedArray
-  , provedMask
-  , provedSurface
-  , Verdict (..)
-  , ProofError (..)
+    prove,
+    Proved,
+    provedArray,
+    provedMask,
+    provedSurface,
+    Verdict (..),
+    ProofError (..),
 
     -- * Any matrix
-  , proveGrid
+    proveGrid,
 
     -- * The two roads
-  , enumerate
-  , Enumeration (..)
-  , allDistinct
-  , EnumerationError (..)
-  , windowRank
-  , windowVectors
-  , windowsOfRank
-  , rankOf
-  ) where
+    enumerate,
+    Enumeration (..),
+    allDistinct,
+    EnumerationError (..),
+    windowRank,
+    windowVectors,
+    windowsOfRank,
+    rankOf,
+  )
+where
 
 import Data.Bifunctor (first)
 import Numeric.Natural (Natural)
@@ -43,26 +39,26 @@ import PraTactile.Window.Visit (visitedShape)
 
 -- | What is known of the windows of a surface, and by which road.
 data Verdict = Verdict
-  { proved :: Bool
-  -- ^ whether all windows are distinct
-  , enumeration :: Maybe Bool
-  -- ^ what visiting every window says; 'Nothing' if it was not done
-  , rankRoad :: Maybe Bool
-  -- ^ what the rank says; 'Nothing' if it decides nothing here
-  , rank :: Maybe Natural
-  -- ^ the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface
-  -- that is not its own
-  , needed :: Maybe Natural
-  -- ^ n, the rank that suffices; 'Nothing' likewise
-  , distinctWindows :: Maybe Natural
-  -- ^ how many different contents there are; 'Nothing' on a sheet too large to visit, if the rank
-  -- is less than n
-  , surface :: Surface
-  -- ^ the surface whose windows they are
-  , collision :: Maybe (Position, Position)
-  -- ^ two positions with the same content, if every window was visited and there are any
-  , zeroWindow :: Maybe Position
-  -- ^ a position whose window is all zeros, if every window was visited and there is one
+  { -- | whether all windows are distinct
+    proved :: Bool,
+    -- | what visiting every window says; 'Nothing' if it was not done
+    enumeration :: Maybe Bool,
+    -- | what the rank says; 'Nothing' if it decides nothing here
+    rankRoad :: Maybe Bool,
+    -- | the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface
+    -- that is not its own
+    rank :: Maybe Natural,
+    -- | n, the rank that suffices; 'Nothing' likewise
+    needed :: Maybe Natural,
+    -- | how many different contents there are; 'Nothing' on a sheet too large to visit, if the rank
+    -- is less than n
+    distinctWindows :: Maybe Natural,
+    -- | the surface whose windows they are
+    surface :: Surface,
+    -- | two positions with the same content, if every window was visited and there are any
+    collision :: Maybe (Position, Position),
+    -- | a position whose window is all zeros, if every window was visited and there is one
+    zeroWindow :: Maybe Position
   }
   deriving stock (Eq, Show)
 
@@ -72,8 +68,8 @@ data ProofError
     NoWindowOnSheet
   | -- | The rank decides nothing here, and the array does not fit into memory to be visited.
     ArrayTooLarge FoldError
-  | -- | The rank decides nothing here, and what is seen on a visit does not fit into memory: this many
-    -- possible contents at this many positions.
+  | -- | The rank decides nothing here, and what is seen on a visit does not fit into memory: this
+    -- many possible contents at this many positions.
     WindowsTooMany Natural Natural
   | -- | The two roads contradict each other, which a theorem forbids: one of them is wrong, and
     -- neither is to be trusted.
@@ -83,12 +79,12 @@ data ProofError
 -- | An array with a mask and a surface on which all windows have been shown to be distinct. Only
 -- 'prove' makes one.
 data Proved (k :: Field) = Proved
-  { provedArray :: PseudorandomArray k
-  -- ^ The array.
-  , provedMask :: Mask
-  -- ^ The windows' shape.
-  , provedSurface :: Surface
-  -- ^ The surface.
+  { -- | The array.
+    provedArray :: PseudorandomArray k,
+    -- | The windows' shape.
+    provedMask :: Mask,
+    -- | The surface.
+    provedSurface :: Surface
   }
 
 type role Proved nominal
@@ -98,37 +94,41 @@ type role Proved nominal
 -- decides, and on the sheet, where rank n is sufficient only. With the verdict comes the witness if
 -- it is favourable. Refuses when there is no window, when neither road is open, and when the two
 -- disagree.
-prove
-  :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Either ProofError (Verdict, Maybe (Proved k))
+prove ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  Mask ->
+  Either ProofError (Verdict, Maybe (Proved k))
 prove on array mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
-      (Left reason, Nothing) -> Left reason
-      (Right seen, Just told)
-        | (allDistinct seen, differentWindows seen) /= told -> Left (RoadsDisagree verdict)
-      _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
- where
-  visits = visitedShape on (arrayShape array) mask
-  -- An array that fits into memory is not made if its windows cannot be visited anyway.
-  visited = case enumerable on (fieldOrder array) (arrayShape array) mask of
-    Left refusal | area (arrayShape array) <= largestGrid -> Left (refused refusal)
-    _ -> either (Left . ArrayTooLarge) (\grid -> visitAll on grid mask) (toGrid array)
-  r = windowRank array mask
-  n = fromIntegral (primitiveDegree (arrayPrimitive array))
-  ownSurface = on == naturalSurface (arrayFolding array)
-  -- Whether all windows are distinct, and how many contents there are, as far as the rank tells.
-  byRank
-    | ownSurface = Just (r == n, windowsOfRank array r)
-    | on == Sheet && r == n = Just (True, area visits)
-    | otherwise = Nothing
-  verdict =
-    (either (const (unvisited on)) (verdictOf on) visited)
-      { proved = either (const (maybe False fst byRank)) allDistinct visited
-      , rankRoad = fst <$> byRank
-      , rank = if ownSurface || on == Sheet then Just r else Nothing
-      , needed = if ownSurface || on == Sheet then Just n else Nothing
-      , distinctWindows = either (const (snd <$> byRank)) (Just . differentWindows) visited
-      }
+    (Left reason, Nothing) -> Left reason
+    (Right seen, Just told)
+      | (allDistinct seen, differentWindows seen) /= told -> Left (RoadsDisagree verdict)
+    _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
+  where
+    visits = visitedShape on (arrayShape array) mask
+    -- An array that fits into memory is not made if its windows cannot be visited anyway.
+    visited = case enumerable on (fieldOrder array) (arrayShape array) mask of
+      Left refusal | area (arrayShape array) <= largestGrid -> Left (refused refusal)
+      _ -> either (Left . ArrayTooLarge) (\grid -> visitAll on grid mask) (toGrid array)
+    r = windowRank array mask
+    n = fromIntegral (primitiveDegree (arrayPrimitive array))
+    ownSurface = on == naturalSurface (arrayFolding array)
+    -- Whether all windows are distinct, and how many contents there are, as far as the rank tells.
+    byRank
+      | ownSurface = Just (r == n, windowsOfRank array r)
+      | on == Sheet && r == n = Just (True, area visits)
+      | otherwise = Nothing
+    verdict =
+      (either (const (unvisited on)) (verdictOf on) visited)
+        { proved = either (const (maybe False fst byRank)) allDistinct visited,
+          rankRoad = fst <$> byRank,
+          rank = if ownSurface || on == Sheet then Just r else Nothing,
+          needed = if ownSurface || on == Sheet then Just n else Nothing,
+          distinctWindows = either (const (snd <$> byRank)) (Just . differentWindows) visited
+        }
 
 -- | Decide whether the windows of any matrix are distinct, by visiting them all. Refuses when there
 -- is no window or too little memory.
@@ -146,23 +146,23 @@ refused e = case e of
 verdictOf :: Surface -> Enumeration -> Verdict
 verdictOf on seen =
   (unvisited on)
-    { proved = allDistinct seen
-    , enumeration = Just (allDistinct seen)
-    , distinctWindows = Just (differentWindows seen)
-    , collision = repeatedWindow seen
-    , zeroWindow = zeroPosition seen
+    { proved = allDistinct seen,
+      enumeration = Just (allDistinct seen),
+      distinctWindows = Just (differentWindows seen),
+      collision = repeatedWindow seen,
+      zeroWindow = zeroPosition seen
     }
 
 unvisited :: Surface -> Verdict
 unvisited on =
   Verdict
-    { proved = False
-    , enumeration = Nothing
-    , rankRoad = Nothing
-    , rank = Nothing
-    , needed = Nothing
-    , distinctWindows = Nothing
-    , surface = on
-    , collision = Nothing
-    , zeroWindow = Nothing
+    { proved = False,
+      enumeration = Nothing,
+      rankRoad = Nothing,
+      rank = Nothing,
+      needed = Nothing,
+      distinctWindows = Nothing,
+      surface = on,
+      collision = Nothing,
+      zeroWindow = Nothing
     }

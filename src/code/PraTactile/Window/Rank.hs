@@ -1,18 +1,16 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE KindSignatures #-}
-
 -- |
 -- The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
 -- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,
 -- which tells all of them apart iff the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
-  ( windowRank
-  , windowVectors
-  , windowExponents
-  , windowsOfRank
-  , rankOf
-  ) where
+  ( windowRank,
+    windowVectors,
+    windowExponents,
+    windowsOfRank,
+    rankOf,
+  )
+where
 
 import Data.List (scanl')
 import qualified Data.Map.Strict as Map
@@ -28,9 +26,10 @@ import PraTactile.Window.Elimination
 -- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
 -- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
-windowRank array mask = fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
- where
-  n = primitiveDegree (arrayPrimitive array)
+windowRank array mask =
+  fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
+  where
+    n = primitiveDegree (arrayPrimitive array)
 
 -- | The e(i, j), below the period, for the cells of the mask in reading order.
 windowExponents :: KnownField k => PseudorandomArray k -> Mask -> [Natural]
@@ -39,27 +38,29 @@ windowExponents array = map (sequenceIndex array) . maskOffsets
 -- | The alpha^e(i, j), each by its n coordinates in the basis 1, alpha, ..., for the cells of the
 -- mask in reading order.
 --
--- As e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its column;
--- and these follow from one row or column to the next, so that two long powers suffice for a rectangle.
+-- As e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its
+-- column; and these follow from one row or column to the next, so that two long powers suffice for
+-- a rectangle.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
 windowVectors array mask =
   [ residueCoefficients h (multiplyModulo h a b)
-  | Position i j <- maskOffsets mask
-  , Just a <- [Map.lookup i down]
-  , Just b <- [Map.lookup j right]
+    | Position i j <- maskOffsets mask,
+      Just a <- [Map.lookup i down],
+      Just b <- [Map.lookup j right]
   ]
- where
-  h = arrayPrimitive array
-  down = powersAlong (`Position` 0) (map row (maskOffsets mask))
-  right = powersAlong (Position 0) (map column (maskOffsets mask))
-  alphaTo = powerOfRoot h . sequenceIndex array
-  -- From each index to the power that belongs to it, by steps.
-  powersAlong at indices = Map.fromList (zip used (drop 1 (scanl' (multiplyModulo h) (powerOfRoot h 0) taken)))
-   where
-    used = Set.toAscList (Set.fromList indices)
-    gaps = zipWith (-) used (0 : used)
-    taken = [a | gap <- gaps, Just a <- [Map.lookup gap steps]]
-    steps = Map.fromSet (alphaTo . at) (Set.fromList gaps)
+  where
+    h = arrayPrimitive array
+    down = powersAlong (`Position` 0) (map row (maskOffsets mask))
+    right = powersAlong (Position 0) (map column (maskOffsets mask))
+    alphaTo = powerOfRoot h . sequenceIndex array
+    -- From each index to the power that belongs to it, by steps.
+    powersAlong at indices =
+      Map.fromList (zip used (drop 1 (scanl' (multiplyModulo h) (powerOfRoot h 0) taken)))
+      where
+        used = Set.toAscList (Set.fromList indices)
+        gaps = zipWith (-) used (0 : used)
+        taken = [a | gap <- gaps, Just a <- [Map.lookup gap steps]]
+        steps = Map.fromSet (alphaTo . at) (Set.fromList gaps)
 
 -- | The rank of a matrix over GF(q), given by rows of one length.
 rankOf :: KnownField k => [[GF k]] -> Natural
@@ -73,5 +74,5 @@ windowsOfRank :: KnownField k => PseudorandomArray k -> Natural -> Natural
 windowsOfRank array r
   | r == fromIntegral (primitiveDegree h) = period h
   | otherwise = fromIntegral (fieldOrder array) ^ r
- where
-  h = arrayPrimitive array
+  where
+    h = arrayPrimitive array

@@ -1,10 +1,11 @@
 -- |
 -- A set of small numbers that grows while windows are visited, one bit each. Internal.
 module PraTactile.Window.Seen
-  ( Seen
-  , nothingSeen
-  , insert
-  ) where
+  ( Seen,
+    nothingSeen,
+    insert,
+  )
+where
 
 import Control.Monad.ST (ST)
 import Data.Bits (setBit, shiftR, testBit, (.&.))

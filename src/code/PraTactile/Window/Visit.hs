@@ -4,19 +4,20 @@
 -- Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
 -- enumeration and the memory table.
 module PraTactile.Window.Visit
-  ( Visit
-  , visit
-  , visitRows
-  , visitColumns
-  , visitSpan
-  , visitKey
-  , forWindows
-  , forWindowsWithin
-  , packedWindows
-  , packedAt
-  , visitedShape
-  , visitPosition
-  ) where
+  ( Visit,
+    visit,
+    visitRows,
+    visitColumns,
+    visitSpan,
+    visitKey,
+    forWindows,
+    forWindowsWithin,
+    packedWindows,
+    packedAt,
+    visitedShape,
+    visitPosition,
+  )
+where
 
 import Control.Monad (forM_, zipWithM_)
 import Control.Monad.ST (ST)
@@ -31,18 +32,19 @@ import PraTactile.Window
 -- | The windows of a grid: positions (r, c) with 0 <= r < 'visitRows' and 0 <= c < 'visitColumns',
 -- and the packed content at each.
 data Visit = Visit
-  { visitRows :: !Int
-  , visitColumns :: !Int
-  , visitSpan :: !Int
-  -- ^ q^cells: packed contents are below it
-  , visitSurface :: !Surface
-  , visitGrid :: !Grid
-  , visitDown :: !(Vector Int)
-  -- ^ of each cell of the window, the most significant first, how many rows down it is, less than one turn
-  , visitRight :: !(Vector Int)
-  -- ^ and how many columns to the right
-  , visitAlong :: !(Vector Int)
-  -- ^ on the twisted torus, how many cells further
+  { visitRows :: !Int,
+    visitColumns :: !Int,
+    -- | q^cells: packed contents are below it
+    visitSpan :: !Int,
+    visitSurface :: !Surface,
+    visitGrid :: !Grid,
+    -- | of each cell of the window, the most significant first, how many rows down it is, less than
+    -- one turn
+    visitDown :: !(Vector Int),
+    -- | and how many columns to the right
+    visitRight :: !(Vector Int),
+    -- | on the twisted torus, how many cells further
+    visitAlong :: !(Vector Int)
   }
 
 -- | All windows of this shape on the surface. 'Nothing' when q^cells exceeds 2^62, so that a packed
@@ -51,29 +53,29 @@ visit :: Packing -> Surface -> Grid -> Mask -> Maybe Visit
 visit packing surface grid mask
   | spanned > 2 ^ (62 :: Int) = Nothing
   | otherwise =
-      Just
-        Visit
-          { visitRows = fromIntegral visitedRows
-          , visitColumns = fromIntegral visitedColumns
-          , visitSpan = fromIntegral spanned
-          , visitSurface = surface
-          , visitGrid = grid
-          , visitDown = eachCell (\o -> row o `mod` height)
-          , visitRight = eachCell (\o -> column o `mod` width)
-          , visitAlong = eachCell (\o -> (row o * width + column o) `mod` (height * width))
-          }
- where
-  spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
-  Shape height width = gridShape grid
-  Shape visitedRows visitedColumns = visitedShape surface (gridShape grid) mask
-  eachCell along = Primitive.fromListN (maskSize mask) (map (fromIntegral . along) offsets)
-  offsets = case packing of
-    MostSignificantFirst -> maskOffsets mask
-    LeastSignificantFirst -> reverse (maskOffsets mask)
+    Just
+      Visit
+        { visitRows = fromIntegral visitedRows,
+          visitColumns = fromIntegral visitedColumns,
+          visitSpan = fromIntegral spanned,
+          visitSurface = surface,
+          visitGrid = grid,
+          visitDown = eachCell (\o -> row o `mod` height),
+          visitRight = eachCell (\o -> column o `mod` width),
+          visitAlong = eachCell (\o -> (row o * width + column o) `mod` (height * width))
+        }
+  where
+    spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
+    Shape height width = gridShape grid
+    Shape visitedRows visitedColumns = visitedShape surface (gridShape grid) mask
+    eachCell along = Primitive.fromListN (maskSize mask) (map (fromIntegral . along) offsets)
+    offsets = case packing of
+      MostSignificantFirst -> maskOffsets mask
+      LeastSignificantFirst -> reverse (maskOffsets mask)
 
--- | Where the cells of the windows of row r from column c on are, of those of a window the one with this number: the index
--- of the first, how many follow each other, itself among them, and the index at which they go on, that
--- of the surface's other edge. They go on so until the row's last window.
+-- | Where the cells of the windows of row r from column c on are, of those of a window the one with
+-- this number: the index of the first, how many follow each other, itself among them, and the index
+-- at which they go on, that of the surface's other edge. They go on so until the row's last window.
 cellsFrom :: Visit -> Int -> Int -> Int -> (Int, Int, Int)
 cellsFrom windows j r c = case visitSurface windows of
   TwistedTorus ->
@@ -83,22 +85,22 @@ cellsFrom windows j r c = case visitSurface windows of
     let start = once height (r + Primitive.unsafeIndex (visitDown windows) j) * width
         across = once width (c + Primitive.unsafeIndex (visitRight windows) j)
      in (start + across, width - across, start)
- where
-  height = gridHeight (visitGrid windows)
-  width = gridWidth (visitGrid windows)
-  cells = height * width
-  once side i = if i >= side then i - side else i
+  where
+    height = gridHeight (visitGrid windows)
+    width = gridWidth (visitGrid windows)
+    cells = height * width
+    once side i = if i >= side then i - side else i
 {-# INLINE cellsFrom #-}
 
 -- | The packed content of the window at a row and a column, which must be among those visited.
 visitKey :: Visit -> Int -> Int -> Int
 visitKey windows r c = go 0 0
- where
-  q = gridAlphabet (visitGrid windows)
-  codes = gridCells (visitGrid windows)
-  go !j !acc
-    | j == Primitive.length (visitDown windows) = acc
-    | otherwise =
+  where
+    q = gridAlphabet (visitGrid windows)
+    codes = gridCells (visitGrid windows)
+    go !j !acc
+      | j == Primitive.length (visitDown windows) = acc
+      | otherwise =
         let (i, _, _) = cellsFrom windows j r c
          in go (j + 1) (acc * q + fromIntegral (codes Primitive.! i))
 
@@ -107,8 +109,9 @@ forWindows :: Visit -> (Int -> Int -> Int -> ST s ()) -> ST s ()
 forWindows windows = forWindowsWithin windows 0 (visitRows windows) 0 (visitColumns windows)
 {-# INLINE forWindows #-}
 
--- | The same for the windows at rows from, up to, and columns from, up to, the ends excluded. The windows are packed in
--- strips of a row, one cell of all of them after the other, so that no window asks where the edges are.
+-- | The same for the windows at rows from, up to, and columns from, up to, the ends excluded. The
+-- windows are packed in strips of a row, one cell of all of them after the other, so that no window
+-- asks where the edges are.
 forWindowsWithin :: Visit -> Int -> Int -> Int -> Int -> (Int -> Int -> Int -> ST s ()) -> ST s ()
 forWindowsWithin windows r0 r1 c0 c1 act = do
   keys <- Mutable.new (max 1 strip)
@@ -119,71 +122,79 @@ forWindowsWithin windows r0 r1 c0 c1 act = do
           | t >= size = pure ()
           | otherwise = Mutable.unsafeRead keys t >>= act r (c + t) >> go (t + 1)
     go 0
- where
-  strip = max 1 (min 4096 (c1 - c0))
+  where
+    strip = max 1 (min 4096 (c1 - c0))
 {-# INLINE forWindowsWithin #-}
 
--- | The packed contents of so many windows of a row from a column on; all of them must be among those visited. Four cells
--- of each window are taken at a time, as long as there are so many, and then the others.
+-- | The packed contents of so many windows of a row from a column on; all of them must be among
+-- those visited. Four cells of each window are taken at a time, as long as there are so many, and
+-- then the others.
 packStrip :: Visit -> Int -> Int -> Int -> MVector s Int -> ST s ()
 packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >> go 0
- where
-  go j
-    | count - j >= 4 = between (map (edge . (j +)) [0 .. 3]) (appendFour j) >> go (j + 4)
-    | count - j >= 1 = between [edge j] (appendOne j) >> go (j + 1)
-    | otherwise = pure ()
-  count = Primitive.length (visitDown windows)
-  -- The first window of the strip whose cell lies beyond the surface's edge.
-  edge j = let (_, following, _) = cellsFrom windows j r c in following
-  -- Act from each window to the next that has one of these numbers.
-  between edges act = case filter (< size) edges of
-    [] -> act 0 size
-    inside -> let bounds = [0] ++ sort (filter (> 0) inside) ++ [size] in zipWithM_ act bounds (drop 1 bounds)
-  -- That cell of window t has the index from + t, for all windows t on the same side of the edge as this one.
-  from j t = let (first, following, onwards) = cellsFrom windows j r c in if t < following then first else onwards - following
-  appendOne j t0 t1 = loop t0
-   where
-    !a = from j t0
-    loop !t
-      | t >= t1 = pure ()
-      | otherwise = do
-          key <- Mutable.unsafeRead keys t
-          Mutable.unsafeWrite keys t (key * q + code (a + t))
-          loop (t + 1)
-  appendFour j t0 t1 = loop t0
-   where
-    !a0 = from j t0
-    !a1 = from (j + 1) t0
-    !a2 = from (j + 2) t0
-    !a3 = from (j + 3) t0
-    loop !t
-      | t >= t1 = pure ()
-      | otherwise = do
-          key <- Mutable.unsafeRead keys t
-          let upper = code (a0 + t) * q + code (a1 + t)
-              lower = code (a2 + t) * q + code (a3 + t)
-          Mutable.unsafeWrite keys t (key * fourth + upper * square + lower)
-          loop (t + 1)
-  code i = fromIntegral (Primitive.unsafeIndex codes i) :: Int
-  !codes = gridCells (visitGrid windows)
-  !q = gridAlphabet (visitGrid windows)
-  !square = q * q
-  !fourth = square * square
+  where
+    go j
+      | count - j >= 4 = between (map (edge . (j +)) [0 .. 3]) (appendFour j) >> go (j + 4)
+      | count - j >= 1 = between [edge j] (appendOne j) >> go (j + 1)
+      | otherwise = pure ()
+    count = Primitive.length (visitDown windows)
+    -- The first window of the strip whose cell lies beyond the surface's edge.
+    edge j = let (_, following, _) = cellsFrom windows j r c in following
+    -- Act from each window to the next that has one of these numbers.
+    between edges act = case filter (< size) edges of
+      [] -> act 0 size
+      inside ->
+        let bounds =
+              [0] ++ sort (filter (> 0) inside) ++ [size]
+         in zipWithM_ act bounds (drop 1 bounds)
+    -- That cell of window t has the index from + t, for all windows t on the same side of the edge
+    -- as this one.
+    from j t =
+      let (first, following, onwards) =
+            cellsFrom windows j r c
+       in if t < following then first else onwards - following
+    appendOne j t0 t1 = loop t0
+      where
+        !a = from j t0
+        loop !t
+          | t >= t1 = pure ()
+          | otherwise = do
+            key <- Mutable.unsafeRead keys t
+            Mutable.unsafeWrite keys t (key * q + code (a + t))
+            loop (t + 1)
+    appendFour j t0 t1 = loop t0
+      where
+        !a0 = from j t0
+        !a1 = from (j + 1) t0
+        !a2 = from (j + 2) t0
+        !a3 = from (j + 3) t0
+        loop !t
+          | t >= t1 = pure ()
+          | otherwise = do
+            key <- Mutable.unsafeRead keys t
+            let upper = code (a0 + t) * q + code (a1 + t)
+                lower = code (a2 + t) * q + code (a3 + t)
+            Mutable.unsafeWrite keys t (key * fourth + upper * square + lower)
+            loop (t + 1)
+    code i = fromIntegral (Primitive.unsafeIndex codes i) :: Int
+    !codes = gridCells (visitGrid windows)
+    !q = gridAlphabet (visitGrid windows)
+    !square = q * q
+    !fourth = square * square
 
 -- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
 packedWindows packing surface grid mask =
   [ (p, content)
-  | p <- shapeCells (visitedShape surface (gridShape grid) mask)
-  , Just content <- [packedAt packing surface grid mask p]
+    | p <- shapeCells (visitedShape surface (gridShape grid) mask),
+      Just content <- [packedAt packing surface grid mask p]
   ]
 
 -- | The packed content of one window; 'Nothing' where it sticks out of the sheet.
 packedAt :: Packing -> Surface -> Grid -> Mask -> Position -> Maybe Natural
 packedAt packing surface grid mask position =
   pack packing (gridAlphabet grid) <$> traverse cell (maskOffsets mask)
- where
-  cell offset = displaced surface (gridShape grid) position offset >>= codeAt grid
+  where
+    cell offset = displaced surface (gridShape grid) position offset >>= codeAt grid
 
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
 -- mask does not stick out.
@@ -191,9 +202,9 @@ visitedShape :: Surface -> Shape -> Mask -> Shape
 visitedShape surface shape mask = case surface of
   Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
   _ -> shape
- where
-  extent = maskExtent mask
-  within side size = if size > side then 0 else side - size + 1
+  where
+    extent = maskExtent mask
+    within side size = if size > side then 0 else side - size + 1
 
 -- | The position of visited coordinates.
 visitPosition :: Int -> Int -> Position

@@ -1,31 +1,34 @@
 -- | Laws, and the few words they are said in.
 module PraTactile.Conformance.Law
   ( -- * Laws
-    Law (..)
+    Law (..),
+
     -- * Saying them
-  , equal
-  , refuses
-  , holds
+    equal,
+    refuses,
+    holds,
+
     -- * Drawing values
-  , forElements
-  , forNonZero
-  , forTerms
-  , forPositions
-  , forWindows
-  ) where
+    forElements,
+    forNonZero,
+    forTerms,
+    forPositions,
+    forWindows,
+  )
+where
 
 import Control.Monad.Trans.Except (runExceptT)
 import Numeric.Natural (Natural)
-import Test.QuickCheck
-
 import PraTactile.Array (Position (..), Shape (..), Surface (..))
 import PraTactile.Conformance.Implementation
 import PraTactile.Profile (Profile (..))
+import Test.QuickCheck
 
--- | A name, which is the equation or the sentence, and what must hold of an implementation or a session with it.
+-- | A name, which is the equation or the sentence, and what must hold of an implementation or a
+-- session with it.
 data Law subject = Law
-  { lawName :: String
-  , lawProperty :: subject -> Property
+  { lawName :: String,
+    lawProperty :: subject -> Property
   }
 
 -- | Both sides answer, and answer the same.
@@ -41,7 +44,8 @@ refuses expected action = ioProperty $ do
   outcome <- runExceptT action
   pure $ case outcome of
     Left found -> found === Refusal expected
-    Right answer -> counterexample ("answered " ++ show answer ++ " instead of refusing: " ++ expected) False
+    Right answer ->
+      counterexample ("answered " ++ show answer ++ " instead of refusing: " ++ expected) False
 
 -- | The implementation answers, and the answer satisfies this.
 holds :: Show a => (a -> Bool) -> Wire a -> Property
@@ -64,14 +68,20 @@ forCodes least count session = forAllShrink (vectorOf count code) shrunk
   where
     q = toInteger (profileOrder (profile session))
     code = fromInteger <$> chooseInteger (least, q - 1)
-    shrunk codes = [ before ++ smaller : after
-                   | (i, c) <- zip [0 ..] codes, let before = take i codes, let after = drop (i + 1) codes
-                   , smaller <- map fromInteger (filter (>= least) (shrinkIntegral (toInteger c) `orBelow` toInteger c)) ]
-    orBelow candidates c = [ n | n <- candidates, n >= 0, n < c ]
+    shrunk codes =
+      [ before ++ smaller : after
+        | (i, c) <- zip [0 ..] codes,
+          let before = take i codes,
+          let after = drop (i + 1) codes,
+          smaller <-
+            map fromInteger (filter (>= least) (shrinkIntegral (toInteger c) `orBelow` toInteger c))
+      ]
+    orBelow candidates c = [n | n <- candidates, n >= 0, n < c]
 
 -- | For indices of terms, from 0 to beyond a few periods.
 forTerms :: Session -> (Natural -> Property) -> Property
-forTerms session = forAllShrink (fromInteger <$> chooseInteger (0, 4 * toInteger (cells session))) shrinkNatural
+forTerms session =
+  forAllShrink (fromInteger <$> chooseInteger (0, 4 * toInteger (cells session))) shrinkNatural
 
 -- | For positions of the array.
 forPositions :: Session -> (Position -> Property) -> Property
@@ -84,20 +94,36 @@ forWindows session = forPositionsIn $ case profileSurface p of
   _ -> profileShape p
   where
     p = profile session
-    less side = if side (profileWindow p) > side (profileShape p) then 0 else side (profileShape p) - side (profileWindow p) + 1
+    less side =
+      if side (profileWindow p) > side (profileShape p)
+        then 0
+        else side (profileShape p) - side (profileWindow p) + 1
 
 -- | For all positions where there are not more than 4096, otherwise for drawn ones.
 forPositionsIn :: Shape -> (Position -> Property) -> Property
 forPositionsIn (Shape high wide) property'
   | high == 0 || wide == 0 = property True
-  | high * wide <= 4096 = once (conjoin [ counterexample (show place) (property' place) | r <- [0 .. high - 1], c <- [0 .. wide - 1], let place = Position r c ])
-  | otherwise = forAllShrink (Position <$> below high <*> below wide)
-      (\(Position r c) -> [ Position r' c | r' <- shrinkNatural r ] ++ [ Position r c' | c' <- shrinkNatural c ]) property'
+  | high * wide <= 4096 =
+    once
+      ( conjoin
+          [ counterexample (show place) (property' place)
+            | r <- [0 .. high - 1],
+              c <- [0 .. wide - 1],
+              let place = Position r c
+          ]
+      )
+  | otherwise =
+    forAllShrink
+      (Position <$> below high <*> below wide)
+      ( \(Position r c) ->
+          [Position r' c | r' <- shrinkNatural r] ++ [Position r c' | c' <- shrinkNatural c]
+      )
+      property'
   where
     below n = fromInteger <$> chooseInteger (0, toInteger n - 1)
 
 shrinkNatural :: Natural -> [Natural]
-shrinkNatural n = [ fromInteger i | i <- shrinkIntegral (toInteger n), i >= 0 ]
+shrinkNatural n = [fromInteger i | i <- shrinkIntegral (toInteger n), i >= 0]
 
 cells :: Session -> Natural
 cells session = rows shape * columns shape

@@ -2,15 +2,15 @@
 
 -- | The adviser's answers as JSON.
 module PraTactile.Format.Advice
-  ( encodeAdvice
-  ) where
+  ( encodeAdvice,
+  )
+where
 
 import Data.Aeson
 import Data.Aeson.Types (Pair)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
-
 import PraTactile.Advise
 import PraTactile.Array (Shape (..))
 import PraTactile.Format.Json
@@ -19,42 +19,48 @@ import PraTactile.Format.Name
 -- | The request, what is possible and what is not, on one line, without its end; given the words of
 -- an obstacle.
 encodeAdvice :: (Obstacle -> String) -> Request -> Advice -> ByteString
-encodeAdvice inWords request (Advice options obstacles) = Lazy.toStrict $ encodeLine $
-  "schema" .= ("pra-tactile/advise/1" :: Text)
-    <> "q" .= naturalValue (requestOrder request)
-    <> "rows" .= naturalValue (requestRows request)
-    <> "columns" .= naturalValue (requestColumns request)
-    <> "window" .= fmap shapeValue (requestWindow request)
-    <> "possible" .= map optionValue options
-    <> "impossible" .= map (obstacleValue inWords) obstacles
+encodeAdvice inWords request (Advice options obstacles) =
+  Lazy.toStrict $
+    encodeLine $
+      "schema" .= ("pra-tactile/advise/1" :: Text)
+        <> "q" .= naturalValue (requestOrder request)
+        <> "rows" .= naturalValue (requestRows request)
+        <> "columns" .= naturalValue (requestColumns request)
+        <> "window" .= fmap shapeValue (requestWindow request)
+        <> "possible" .= map optionValue options
+        <> "impossible" .= map (obstacleValue inWords) obstacles
 
 optionValue :: Option -> Value
-optionValue option = object
-  [ "layout" .= layoutName (optionLayout option)
-  , "arrays" .= naturalValue (arrayCount (optionLayout option))
-  , "surface" .= surfaceName (layoutSurface (optionLayout option))
-  , "degree" .= naturalValue (optionDegree option)
-  , "shape" .= shapeValue (optionShape option)
-  , "windows" .= map fitValue (optionFits option)
-  ]
+optionValue option =
+  object
+    [ "layout" .= layoutName (optionLayout option),
+      "arrays" .= naturalValue (arrayCount (optionLayout option)),
+      "surface" .= surfaceName (layoutSurface (optionLayout option)),
+      "degree" .= naturalValue (optionDegree option),
+      "shape" .= shapeValue (optionShape option),
+      "windows" .= map fitValue (optionFits option)
+    ]
   where
     arrayCount layout = case layout of
       Joint arrays -> arrays
       Single _ -> 1
 
 fitValue :: Fit -> Value
-fitValue fit = object
-  [ "window" .= shapeValue (fitWindow fit)
-  , "every_polynomial" .= fitEvery fit
-  , "polynomial" .= map naturalValue (fitPolynomial fit)
-  ]
+fitValue fit =
+  object
+    [ "window" .= shapeValue (fitWindow fit),
+      "every_polynomial" .= fitEvery fit,
+      "polynomial" .= map naturalValue (fitPolynomial fit)
+    ]
 
 obstacleValue :: (Obstacle -> String) -> Obstacle -> Value
-obstacleValue inWords obstacle = object $
-  [ "reason" .= reason
-  , "degree" .= naturalValue (obstacleDegree obstacle)
-  , "message" .= inWords obstacle
-  ] ++ details
+obstacleValue inWords obstacle =
+  object $
+    [ "reason" .= reason,
+      "degree" .= naturalValue (obstacleDegree obstacle),
+      "message" .= inWords obstacle
+    ]
+      ++ details
   where
     (reason, details) = reasonOf obstacle
 
@@ -63,10 +69,12 @@ reasonOf :: Obstacle -> (Text, [Pair])
 reasonOf obstacle = case obstacle of
   NoSuchShape _ terms -> ("no-such-shape", ["cells" .= naturalValue terms])
   SidesShareDivisor _ n1 n2 g repairs ->
-    ( "not-coprime"
-    , [ "shape" .= shapeValue (Shape n1 n2)
-      , "divisor" .= naturalValue g
-      , "instead" .= map optionValue repairs ] )
+    ( "not-coprime",
+      [ "shape" .= shapeValue (Shape n1 n2),
+        "divisor" .= naturalValue g,
+        "instead" .= map optionValue repairs
+      ]
+    )
   WindowTooFewCells _ w -> ("window-too-few-cells", ["window" .= shapeValue w])
   WindowBeyondArray _ layout shape -> ("window-beyond-array", ofArray layout shape)
   WindowFails _ layout shape tried ->

@@ -3,27 +3,29 @@
 -- merged.
 module PraTactile.Format.Census
   ( -- * Whole files
-    encodeCensus
-  , decodeCensus
+    encodeCensus,
+    decodeCensus,
+
     -- * What is in a file
-  , Contents (..)
-  , contentsOf
-  , beginsHeader
+    Contents (..),
+    contentsOf,
+    beginsHeader,
+
     -- * What is kept of it
-  , wholeRows
-  , completeRows
-  , keptRows
-  ) where
+    wholeRows,
+    completeRows,
+    keptRows,
+  )
+where
 
 import Data.Bifunctor (first)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Either (isRight)
 import Data.List (find)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 
@@ -42,13 +44,13 @@ decodeCensus bytes = first CensusFileRefused $ do
 
 -- | The lines of a file.
 data Contents = Contents
-  { contentsForm :: Form
-  , contentsHeaderWhole :: Bool
-    -- ^ whether the first line is the header
-  , contentsLines :: [(Int, Either RowError Row)]
-    -- ^ those after the header, by their numbers from 1
-  , contentsRest :: ByteString
-    -- ^ what follows the last end of line
+  { contentsForm :: Form,
+    -- | whether the first line is the header
+    contentsHeaderWhole :: Bool,
+    -- | those after the header, by their numbers from 1
+    contentsLines :: [(Int, Either RowError Row)],
+    -- | what follows the last end of line
+    contentsRest :: ByteString
   }
 
 -- | What is in a file. Of which form it is, its header says. With another first line it is still
@@ -58,8 +60,9 @@ contentsOf :: ByteString -> Either CensusFileError Contents
 contentsOf bytes = case Bytes.lines whole of
   header : others
     | Just form <- formOf header -> Right (contents form True others)
-    | damaged <- contents Checked False others
-    , any (isRight . snd) (contentsLines damaged) -> Right damaged
+    | damaged <- contents Checked False others,
+      any (isRight . snd) (contentsLines damaged) ->
+      Right damaged
   _ -> Left NoCensusHeader
   where
     (whole, rest) = Bytes.spanEnd (/= '\n') bytes
@@ -76,9 +79,9 @@ wholeRows :: Contents -> Either CensusFileError [(Int, Row)]
 wholeRows contents
   | not (contentsHeaderWhole contents) = Left NoCensusHeader
   | otherwise = do
-      rows <- traverse whole (contentsLines contents)
-      let descent = find (\((_, a), (_, b)) -> rowEntry b <= rowEntry a) (zip rows (drop 1 rows))
-      maybe (Right rows) (\(_, (number, _)) -> Left (OutOfOrder number)) descent
+    rows <- traverse whole (contentsLines contents)
+    let descent = find (\((_, a), (_, b)) -> rowEntry b <= rowEntry a) (zip rows (drop 1 rows))
+    maybe (Right rows) (\(_, (number, _)) -> Left (OutOfOrder number)) descent
   where
     whole (number, line) = either (Left . DamagedLine number) (Right . (,) number) line
 
@@ -93,6 +96,11 @@ completeRows contents = do
 keptRows :: Contents -> (Map.Map Natural (Int, Row), Int)
 keptRows contents = (kept, length (contentsLines contents) - Map.size kept)
   where
-    kept = Map.mapMaybe id (Map.fromListWith same
-      [ (rowEntry row, Just (line, row)) | (line, Right row) <- contentsLines contents ])
+    kept =
+      Map.mapMaybe
+        id
+        ( Map.fromListWith
+            same
+            [(rowEntry row, Just (line, row)) | (line, Right row) <- contentsLines contents]
+        )
     same a b = if fmap snd a == fmap snd b then a else Nothing

@@ -1,10 +1,10 @@
 -- | Digests of texts, which a stranger can recompute.
 module PraTactile.Format.Digest
-  ( digestOf
-  ) where
+  ( digestOf,
+  )
+where
 
 import Data.ByteString (ByteString)
-
 import PraTactile.Certificate.Digest (sha256)
 
 -- | The SHA-256 of some bytes, as 64 hexadecimal digits in lower case.

@@ -1,13 +1,12 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | Why a text is not read: one sum for all formats of this library.
 module PraTactile.Format.Error
-  ( FormatError (..)
-  , JsonError (..)
-  , Misfit (..)
-  , CensusFileError (..)
-  , RowError (..)
-  ) where
+  ( FormatError (..),
+    JsonError (..),
+    Misfit (..),
+    CensusFileError (..),
+    RowError (..),
+  )
+where
 
 import Data.Aeson.Types (JSONPath)
 import Data.ByteString (ByteString)

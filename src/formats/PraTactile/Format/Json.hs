@@ -3,15 +3,18 @@
 -- | What all JSON of this project has in common. Keys are promises; integers above 2^53 - 1 are
 -- decimal strings, because many readers of JSON hold numbers as IEEE doubles.
 module PraTactile.Format.Json
-  ( encodeLine
+  ( encodeLine,
+
     -- * Values
-  , naturalValue
-  , positionValue
-  , positionListValue
-  , shapeValue
+    naturalValue,
+    positionValue,
+    positionListValue,
+    shapeValue,
+
     -- * Keys with their values
-  , chanceSeries
-  ) where
+    chanceSeries,
+  )
+where
 
 import Data.Aeson
 import Data.Aeson.Encoding (encodingToLazyByteString)
@@ -19,7 +22,6 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Text.Encoding.Error (lenientDecode)
 import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
-
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Locate.Chance (Chance (..))
 

@@ -1,12 +1,13 @@
 -- | The names that conventions have in every text, of the command line as of JSON and CSV.
 module PraTactile.Format.Name
-  ( surfaceName
-  , foldingName
-  , layoutName
-  , readingName
-  , packingName
-  , shapeText
-  ) where
+  ( surfaceName,
+    foldingName,
+    layoutName,
+    readingName,
+    packingName,
+    shapeText,
+  )
+where
 
 import PraTactile.Advise (Layout (..))
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))

@@ -3,20 +3,21 @@
 -- | The profile as JSON: every convention by name. What is written can be read again, and is the
 -- same profile.
 module PraTactile.Format.Profile
-  ( encodeProfile
-  , decodeProfile
+  ( encodeProfile,
+    decodeProfile,
+
     -- * As part of other texts
-  , profileText
-  , profileValue
-  , profileOf
-  ) where
+    profileText,
+    profileValue,
+    profileOf,
+  )
+where
 
 import Data.Aeson (Value, encode, (.=))
 import qualified Data.Aeson as Aeson
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-
 import PraTactile.Format.Error
 import PraTactile.Format.Json
 import PraTactile.Format.Json.Read
@@ -46,19 +47,20 @@ profileText = Bytes.unpack . encodeProfile
 
 -- | The profile as a JSON object.
 profileValue :: Profile -> Value
-profileValue profile = Aeson.object
-  [ "schema" .= schema
-  , "q" .= naturalValue (profileOrder profile)
-  , "modulus" .= map naturalValue (profileModulus profile)
-  , "polynomial" .= map naturalValue (profilePolynomial profile)
-  , "reading" .= readingName (profileReading profile)
-  , "state" .= map naturalValue (profileState profile)
-  , "folding" .= foldingName (profileFolding profile)
-  , "shape" .= shapeValue (profileShape profile)
-  , "window" .= shapeValue (profileWindow profile)
-  , "surface" .= surfaceName (profileSurface profile)
-  , "packing" .= packingName (profilePacking profile)
-  ]
+profileValue profile =
+  Aeson.object
+    [ "schema" .= schema,
+      "q" .= naturalValue (profileOrder profile),
+      "modulus" .= map naturalValue (profileModulus profile),
+      "polynomial" .= map naturalValue (profilePolynomial profile),
+      "reading" .= readingName (profileReading profile),
+      "state" .= map naturalValue (profileState profile),
+      "folding" .= foldingName (profileFolding profile),
+      "shape" .= shapeValue (profileShape profile),
+      "window" .= shapeValue (profileWindow profile),
+      "surface" .= surfaceName (profileSurface profile),
+      "packing" .= packingName (profilePacking profile)
+    ]
 
 -- | The profile that a JSON object is; refuses as 'decodeProfile' does.
 profileOf :: Value -> Either FormatError Profile

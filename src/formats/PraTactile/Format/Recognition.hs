@@ -2,12 +2,14 @@
 
 -- | The JSON of what @decode@ answers, and of what lies at a position.
 module PraTactile.Format.Recognition
-  ( RecognitionReport (..)
-  , encodeRecognition
-  , decodeSchema
+  ( RecognitionReport (..),
+    encodeRecognition,
+    decodeSchema,
+
     -- * As part of other texts
-  , whereaboutsPairs
-  ) where
+    whereaboutsPairs,
+  )
+where
 
 import Data.Aeson
 import Data.Aeson.Types (Pair)
@@ -15,7 +17,6 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
-
 import PraTactile.Array (Position)
 import PraTactile.Format.Json
 import PraTactile.Format.Profile
@@ -27,17 +28,17 @@ import PraTactile.Segment (SymbolImage (..))
 
 -- | A recognition, and what its JSON says beside it.
 data RecognitionReport = RecognitionReport
-  { reportProfile :: Profile
-    -- ^ of the array that was recognised
-  , reportSources :: [String]
-    -- ^ the names of the composites, in their order
-  , reportMessage :: String
-    -- ^ the answer in a sentence
-  , reportElement :: Int -> String
-    -- ^ the printed name of the element that a class stands for
-  , reportRobot :: (Double, Double) -> (Double, Double)
-    -- ^ the robot's coordinates, in millimetres, of a place on the first composite's grid
-  , reportRecognition :: Recognition
+  { -- | of the array that was recognised
+    reportProfile :: Profile,
+    -- | the names of the composites, in their order
+    reportSources :: [String],
+    -- | the answer in a sentence
+    reportMessage :: String,
+    -- | the printed name of the element that a class stands for
+    reportElement :: Int -> String,
+    -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
+    reportRobot :: (Double, Double) -> (Double, Double),
+    reportRecognition :: Recognition
   }
 
 -- | The name of this form of an answer.
@@ -46,23 +47,25 @@ decodeSchema = "pra-tactile/decode/1"
 
 -- | The answer on one line, without its end: all keys always, null where there is nothing to say.
 encodeRecognition :: RecognitionReport -> ByteString
-encodeRecognition report = Lazy.toStrict $ encodeLine $
-  "schema" .= decodeSchema
-    <> "profile" .= profileValue (reportProfile report)
-    <> "source" .= listToMaybe (reportSources report)
-    <> "sources" .= reportSources report
-    <> "outcome" .= outcome
-    <> "reason" .= either (Just . refusalName) (const Nothing) answer
-    <> "message" .= reportMessage report
-    <> "position" .= fmap (positionValue . windowPosition) window
-    <> "positions" .= map positionValue places
-    <> mconcat [ key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window) ]
-    <> "robot_mm" .= fmap (reportRobot report . windowSeenAt) window
-    <> "orientation_deg" .= fmap orientationDegrees orientation
-    <> evidenceSeries evidence
-    <> "symbols" .= map (symbolValue report) (recognisedSymbols recognition)
-    <> "parts" .= map (partValue report) (recognisedParts recognition)
-    <> "windows" .= map (windowValue report) windows
+encodeRecognition report =
+  Lazy.toStrict $
+    encodeLine $
+      "schema" .= decodeSchema
+        <> "profile" .= profileValue (reportProfile report)
+        <> "source" .= listToMaybe (reportSources report)
+        <> "sources" .= reportSources report
+        <> "outcome" .= outcome
+        <> "reason" .= either (Just . refusalName) (const Nothing) answer
+        <> "message" .= reportMessage report
+        <> "position" .= fmap (positionValue . windowPosition) window
+        <> "positions" .= map positionValue places
+        <> mconcat [key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window)]
+        <> "robot_mm" .= fmap (reportRobot report . windowSeenAt) window
+        <> "orientation_deg" .= fmap orientationDegrees orientation
+        <> evidenceSeries evidence
+        <> "symbols" .= map (symbolValue report) (recognisedSymbols recognition)
+        <> "parts" .= map (partValue report) (recognisedParts recognition)
+        <> "windows" .= map (windowValue report) windows
   where
     recognition = reportRecognition report
     answer = recognisedAnswer recognition
@@ -85,11 +88,13 @@ evidenceSeries evidence =
     <> "minimum_distance" .= fmap (naturalValue . evidenceDistance) evidence
 
 symbolValue :: RecognitionReport -> ReadSymbol -> Value
-symbolValue report symbol = object $ placedPairs report symbol ++
-  [ "code" .= fmap snd (readClass symbol)
-  , "element" .= fmap (reportElement report . snd) (readClass symbol)
-  , "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
-  ]
+symbolValue report symbol =
+  object $
+    placedPairs report symbol
+      ++ [ "code" .= fmap snd (readClass symbol),
+           "element" .= fmap (reportElement report . snd) (readClass symbol),
+           "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
+         ]
 
 partValue :: RecognitionReport -> ReadSymbol -> Value
 partValue report symbol = object (placedPairs report symbol ++ ["seen" .= readSeen symbol])
@@ -97,16 +102,18 @@ partValue report symbol = object (placedPairs report symbol ++ ["seen" .= readSe
 -- | Where a symbol was seen, what it most likely is, and what the answer says of it.
 placedPairs :: RecognitionReport -> ReadSymbol -> [Pair]
 placedPairs report symbol =
-  [ "source" .= readSource symbol
-  , "x" .= fst (symbolCentre (readImage symbol))
-  , "y" .= snd (symbolCentre (readImage symbol))
-  , "likeliest" .= object
-      [ "code" .= snd (readLikeliest symbol)
-      , "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol))
-      , "doubt" .= readDoubt symbol ]
-  , "position" .= fmap (positionValue . symbolCell) place
-  , "expected" .= fmap symbolExpected place
-  , "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) (recognisedEvidence recognition)
+  [ "source" .= readSource symbol,
+    "x" .= fst (symbolCentre (readImage symbol)),
+    "y" .= snd (symbolCentre (readImage symbol)),
+    "likeliest"
+      .= object
+        [ "code" .= snd (readLikeliest symbol),
+          "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol)),
+          "doubt" .= readDoubt symbol
+        ],
+    "position" .= fmap (positionValue . symbolCell) place,
+    "expected" .= fmap symbolExpected place,
+    "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) (recognisedEvidence recognition)
   ]
   where
     recognition = reportRecognition report
@@ -115,13 +122,15 @@ placedPairs report symbol =
       _ -> Nothing
 
 windowValue :: RecognitionReport -> ReadWindow -> Value
-windowValue report window = object $
-  [ "position" .= positionValue (windowPosition window)
-  , "cells" .= windowClasses window
-  , "elements" .= map (map (fmap (reportElement report))) (windowClasses window)
-  , "x" .= fst (windowSeenAt window)
-  , "y" .= snd (windowSeenAt window)
-  ] ++ whereaboutsPairs (Just (windowWhereabouts window))
+windowValue report window =
+  object $
+    [ "position" .= positionValue (windowPosition window),
+      "cells" .= windowClasses window,
+      "elements" .= map (map (fmap (reportElement report))) (windowClasses window),
+      "x" .= fst (windowSeenAt window),
+      "y" .= snd (windowSeenAt window)
+    ]
+      ++ whereaboutsPairs (Just (windowWhereabouts window))
 
 -- | @on@, @object@, @face@, @faces@, @corner@, @corners@, @place_mm@; all null or empty where
 -- nothing was located.
@@ -133,13 +142,13 @@ whereaboutsPairs place = case place of
   Just OnNoObject -> pairsOf (String "no-object") Nothing []
   where
     pairsOf on face touched =
-      [ ("on", on)
-      , ("object", maybe Null (toJSON . objectText . faceObject . placeFace) face)
-      , ("face", maybe Null (toJSON . vertexNames . placeFace) face)
-      , ("faces", toJSON (map faceValue touched))
-      , ("corner", maybe Null (toJSON . fmap vertexText . corner) face)
-      , ("corners", toJSON (maybe [] (map vertexText . placeCorners) face))
-      , ("place_mm", maybe Null (pairValue . spotMillimetres . placeCentre) face)
+      [ ("on", on),
+        ("object", maybe Null (toJSON . objectText . faceObject . placeFace) face),
+        ("face", maybe Null (toJSON . vertexNames . placeFace) face),
+        ("faces", toJSON (map faceValue touched)),
+        ("corner", maybe Null (toJSON . fmap vertexText . corner) face),
+        ("corners", toJSON (maybe [] (map vertexText . placeCorners) face)),
+        ("place_mm", maybe Null (pairValue . spotMillimetres . placeCentre) face)
       ]
     faceValue face = object ["object" .= objectText (faceObject face), "face" .= vertexNames face]
     vertexNames = map vertexText . faceVertices . faceName

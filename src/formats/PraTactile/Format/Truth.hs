@@ -3,16 +3,16 @@
 -- | The JSON of the truth of an exploration, and of what is compared with it in an answer of
 -- @decode@.
 module PraTactile.Format.Truth
-  ( encodeTruth
-  , decodeTruth
-  , decodeClaim
-  ) where
+  ( encodeTruth,
+    decodeTruth,
+    decodeClaim,
+  )
+where
 
 import Data.Aeson (Object, Value (..), (.=))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (find)
-
 import PraTactile.Explore
 import PraTactile.Format.Error
 import PraTactile.Format.Json
@@ -29,14 +29,16 @@ schema = "pra-tactile/truth/1"
 
 -- | The truth on one line, without its end; all keys always.
 encodeTruth :: Truth -> ByteString
-encodeTruth truth = Lazy.toStrict $ encodeLine $
-  "schema" .= schema
-    <> "object" .= objectText (faceObject (truthFace truth))
-    <> "face" .= map vertexText (faceVertices (faceName (truthFace truth)))
-    <> "region_mm" .= regionCorner region
-    <> "region_taxels" .= (regionWidth region, regionHeight region)
-    <> "orientation_deg" .= (90 * regionTurns region)
-    <> "origin_mm" .= truthOrigin truth
+encodeTruth truth =
+  Lazy.toStrict $
+    encodeLine $
+      "schema" .= schema
+        <> "object" .= objectText (faceObject (truthFace truth))
+        <> "face" .= map vertexText (faceVertices (faceName (truthFace truth)))
+        <> "region_mm" .= regionCorner region
+        <> "region_taxels" .= (regionWidth region, regionHeight region)
+        <> "orientation_deg" .= (90 * regionTurns region)
+        <> "origin_mm" .= truthOrigin truth
   where
     region = truthRegion truth
 
@@ -54,8 +56,9 @@ decodeTruth = decodeWith $ \value -> do
   face <- faceIn fields
   pure (Truth face (Region (x / taxelPitch) (y / taxelPitch) wide high turns) origin)
   where
-    side value = natural value >>= \n ->
-      if n > longestSide then refuse (RegionTooLarge longestSide) else Right (fromIntegral n)
+    side value =
+      natural value >>= \n ->
+        if n > longestSide then refuse (RegionTooLarge longestSide) else Right (fromIntegral n)
     longestSide = 100000
 
 -- | The claim in a JSON text with an answer of @decode@, or 'Nothing' where it names no place on a
@@ -82,5 +85,6 @@ faceIn fields = do
 
 -- | Degrees as quarter turns.
 quarterTurn :: Decoder Int
-quarterTurn value = natural value >>= \degrees ->
-  maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) quarterTurns)
+quarterTurn value =
+  natural value >>= \degrees ->
+    maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) quarterTurns)

@@ -1,24 +1,25 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The canonical placement: the paper's two objects on its 15 x 17 array. Figure 8, which shows the paper's own, is lost;
--- this one puts the window of the worked example, at (6, 5), where the paper finds it: at corner C2 of C1 C2 C3 C4.
+-- | The canonical placement: the paper's two objects on its 15 x 17 array. Figure 8, which shows
+-- the paper's own, is lost; this one puts the window of the worked example, at (6, 5), where the
+-- paper finds it: at corner C2 of C1 C2 C3 C4.
 module PraTactile.Object.Canonical
-  ( canonicalPlacement
-  , canonicalPitch
-  , canonicalLayings
-  , canonicalWindow
-  ) where
+  ( canonicalPlacement,
+    canonicalPitch,
+    canonicalLayings,
+    canonicalWindow,
+  )
+where
 
 import Data.Bifunctor (first)
-
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Object.Placement
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 
--- | One symbol each 25.4 mm (1 in) along a row and each 31.75 mm (1 1/4 in) along a column (section IV; its second
--- \"horizontal\" is a slip): the distances at which symbols are read.
+-- | One symbol each 25.4 mm (1 in) along a row and each 31.75 mm (1 1/4 in) along a column (section
+-- IV; its second \"horizontal\" is a slip): the distances at which symbols are read.
 --
 -- >>> canonicalPitch
 -- Pitch {pitchRight = 127 % 5, pitchDown = 127 % 4}
@@ -29,8 +30,8 @@ canonicalPitch = Pitch (columnPitch * taxelPitch) (rowPitch * taxelPitch)
 canonicalWindow :: Shape
 canonicalWindow = Shape 2 2
 
--- | The twelve faces on the array of 15 rows and 17 columns: 228 of its 255 cells. It is always 'Right': both objects are
--- solids, and the faces keep apart.
+-- | The twelve faces on the array of 15 rows and 17 columns: 228 of its 255 cells. It is always
+-- 'Right': both objects are solids, and the faces keep apart.
 canonicalPlacement :: Either PlacementError Placement
 canonicalPlacement = do
   objects <- first BrokenObject (sequence [cube, parallelepiped])
@@ -40,18 +41,18 @@ canonicalPlacement = do
 canonicalLayings :: [Laying]
 canonicalLayings =
   [ Laying (Face object (readFaceName face)) at grid
-  | (object, face, at, grid) <-
-      [ ("cube", "C2 C6 C7 C3", Position 0 0, Shape 4 5)
-      , ("cube", "C3 C7 C8 C4", Position 0 5, Shape 4 5)
-      , ("cube", "C4 C8 C5 C1", Position 4 0, Shape 4 5)
-      , ("cube", "C1 C2 C3 C4", Position 4 5, Shape 4 5)
-      , ("cube", "C1 C5 C6 C2", Position 8 0, Shape 4 5)
-      , ("cube", "C6 C5 C8 C7", Position 8 5, Shape 4 5)
-      , ("parallelepiped", "P1 P2 P3 P4", Position 0 10, Shape 3 7)
-      , ("parallelepiped", "P6 P5 P8 P7", Position 3 10, Shape 3 7)
-      , ("parallelepiped", "P2 P6 P7 P3", Position 6 10, Shape 3 7)
-      , ("parallelepiped", "P4 P8 P5 P1", Position 9 10, Shape 3 7)
-      , ("parallelepiped", "P3 P7 P8 P4", Position 12 0, Shape 3 4)
-      , ("parallelepiped", "P1 P5 P6 P2", Position 12 4, Shape 3 4)
-      ]
+    | (object, face, at, grid) <-
+        [ ("cube", "C2 C6 C7 C3", Position 0 0, Shape 4 5),
+          ("cube", "C3 C7 C8 C4", Position 0 5, Shape 4 5),
+          ("cube", "C4 C8 C5 C1", Position 4 0, Shape 4 5),
+          ("cube", "C1 C2 C3 C4", Position 4 5, Shape 4 5),
+          ("cube", "C1 C5 C6 C2", Position 8 0, Shape 4 5),
+          ("cube", "C6 C5 C8 C7", Position 8 5, Shape 4 5),
+          ("parallelepiped", "P1 P2 P3 P4", Position 0 10, Shape 3 7),
+          ("parallelepiped", "P6 P5 P8 P7", Position 3 10, Shape 3 7),
+          ("parallelepiped", "P2 P6 P7 P3", Position 6 10, Shape 3 7),
+          ("parallelepiped", "P4 P8 P5 P1", Position 9 10, Shape 3 7),
+          ("parallelepiped", "P3 P7 P8 P4", Position 12 0, Shape 3 4),
+          ("parallelepiped", "P1 P5 P6 P2", Position 12 4, Shape 3 4)
+        ]
   ]

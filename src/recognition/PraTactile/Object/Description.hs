@@ -1,44 +1,48 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
 
--- | What one writes down to define a polyhedron: named vertices in millimetres, and faces named by their vertices
--- (section II.B of the paper, figure 6). Nothing is checked here; "PraTactile.Object.Validity" says what is broken.
+-- | What one writes down to define a polyhedron: named vertices in millimetres, and faces named by
+-- their vertices (section II.B of the paper, figure 6). Nothing is checked here;
+-- "PraTactile.Object.Validity" says what is broken.
 module PraTactile.Object.Description
   ( -- * Names
-    ObjectName (..)
-  , VertexName (..)
-  , FaceName (..)
-  , faceText
-  , readFaceName
-  , sameFace
-  , sameVertices
+    ObjectName (..),
+    VertexName (..),
+    FaceName (..),
+    faceText,
+    readFaceName,
+    sameFace,
+    sameVertices,
+
     -- * Points
-  , Point (..)
+    Point (..),
+
     -- * Descriptions
-  , Description (..)
+    Description (..),
+
     -- * Walking round a face
-  , rotations
-  , cyclicPairs
-  , Side (..)
-  , sides
-  ) where
+    rotations,
+    cyclicPairs,
+    Side (..),
+    sides,
+  )
+where
 
 import Data.List (inits, sort, tails, zip4)
 import Data.String (IsString)
 
 -- | The name of an object, such as @cube@.
-newtype ObjectName = ObjectName { objectText :: String }
+newtype ObjectName = ObjectName {objectText :: String}
   deriving stock (Show)
   deriving newtype (Eq, Ord, IsString)
 
 -- | The name of a vertex, such as @C1@; unique within its object.
-newtype VertexName = VertexName { vertexText :: String }
+newtype VertexName = VertexName {vertexText :: String}
   deriving stock (Show)
   deriving newtype (Eq, Ord, IsString)
 
--- | A face is named by its vertices: from its upper left one, counter-clockwise seen from outside. The name of a
--- quadrilateral thus reads upper left, lower left, lower right, upper right.
-newtype FaceName = FaceName { faceVertices :: [VertexName] }
+-- | A face is named by its vertices: from its upper left one, counter-clockwise seen from outside.
+-- The name of a quadrilateral thus reads upper left, lower left, lower right, upper right.
+newtype FaceName = FaceName {faceVertices :: [VertexName]}
   deriving stock (Show)
   deriving newtype (Eq, Ord)
 
@@ -49,7 +53,8 @@ newtype FaceName = FaceName { faceVertices :: [VertexName] }
 faceText :: FaceName -> String
 faceText = unwords . map vertexText . faceVertices
 
--- | The inverse of 'faceText'; any words will do, since a name says nothing until a solid is asked for it.
+-- | The inverse of 'faceText'; any words will do, since a name says nothing until a solid is asked
+-- for it.
 readFaceName :: String -> FaceName
 readFaceName = FaceName . map VertexName . words
 
@@ -64,20 +69,20 @@ sameFace (FaceName a) (FaceName b) = a `elem` rotations b
 sameVertices :: FaceName -> FaceName -> Bool
 sameVertices (FaceName a) (FaceName b) = sort a == sort b
 
--- | A point in millimetres, in a right-handed frame: x to the right, y away from the viewer, z up. Rational, so that
--- planarity and ties between corners are decided and not estimated.
+-- | A point in millimetres, in a right-handed frame: x to the right, y away from the viewer, z up.
+-- Rational, so that planarity and ties between corners are decided and not estimated.
 data Point = Point
-  { pointX :: !Rational
-  , pointY :: !Rational
-  , pointZ :: !Rational
+  { pointX :: !Rational,
+    pointY :: !Rational,
+    pointZ :: !Rational
   }
   deriving stock (Eq, Ord, Show)
 
 -- | A polyhedron as written down, checked by nobody yet.
 data Description = Description
-  { describedName :: ObjectName
-  , describedVertices :: [(VertexName, Point)]
-  , describedFaces :: [FaceName]
+  { describedName :: ObjectName,
+    describedVertices :: [(VertexName, Point)],
+    describedFaces :: [FaceName]
   }
   deriving stock (Eq, Show)
 
@@ -96,14 +101,14 @@ rotations walk = take (length walk) (zipWith (++) (tails walk) (inits walk))
 cyclicPairs :: [a] -> [(a, a)]
 cyclicPairs walk = zip walk (drop 1 walk ++ take 1 walk)
 
--- | One step of the walk round a face: the side from 'sideStart' to 'sideEnd', with the face on its left seen from
--- outside, and the vertices just before and just after it on that face.
+-- | One step of the walk round a face: the side from 'sideStart' to 'sideEnd', with the face on its
+-- left seen from outside, and the vertices just before and just after it on that face.
 data Side = Side
-  { sideFace :: FaceName
-  , sideBefore :: VertexName
-  , sideStart :: VertexName
-  , sideEnd :: VertexName
-  , sideAfter :: VertexName
+  { sideFace :: FaceName,
+    sideBefore :: VertexName,
+    sideStart :: VertexName,
+    sideEnd :: VertexName,
+    sideAfter :: VertexName
   }
   deriving stock (Eq, Show)
 
@@ -111,7 +116,7 @@ data Side = Side
 sides :: FaceName -> [Side]
 sides face@(FaceName walk) =
   [ Side face before start end after
-  | (before, start, end, after) <- zip4 (from (length walk - 1)) walk (from 1) (from 2)
+    | (before, start, end, after) <- zip4 (from (length walk - 1)) walk (from 1) (from 2)
   ]
   where
     from skipped = drop skipped (cycle' walk)

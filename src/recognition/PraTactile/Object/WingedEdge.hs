@@ -1,45 +1,57 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | Winged-edge models of polyhedra: each edge has two vertices, two faces, and on each face the edge before and the edge
--- after it (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9).
+-- | Winged-edge models of polyhedra: each edge has two vertices, two faces, and on each face the
+-- edge before and the edge after it (section II.B of the paper; Ballard and Brown, Computer Vision,
+-- ch. 9).
 module PraTactile.Object.WingedEdge
   ( -- * Describing a polyhedron
-    module PraTactile.Object.Description
-  , ObjectError (..)
-  , validate
+    module PraTactile.Object.Description,
+    ObjectError (..),
+    validate,
+
     -- * Solids
-  , Solid
-  , solid
-  , description
-  , solidName
-  , solidVertices
-  , solidFaces
-  , solidEdges
+    Solid,
+    solid,
+    description,
+    solidName,
+    solidVertices,
+    solidFaces,
+    solidEdges,
+
     -- * Edges and wings
-  , Edge (..)
-  , EdgeName (..)
-  , edgeName
-  , Wings (..)
+    Edge (..),
+    EdgeName (..),
+    edgeName,
+    Wings (..),
+
     -- * Queries
-  , edgesOf
-  , facesAt
-  , neighbours
-  , cornerPoints
-  , outwardNormal
-  ) where
+    edgesOf,
+    facesAt,
+    neighbours,
+    cornerPoints,
+    outwardNormal,
+  )
+where
 
 import qualified Data.Map.Strict as Map
-
 import PraTactile.Object.Description
-  ( Description (..), FaceName (..), ObjectName (..), Point (..), Side (..), VertexName (..)
-  , faceText, readFaceName, sameFace, sameVertices, sides )
+  ( Description (..),
+    FaceName (..),
+    ObjectName (..),
+    Point (..),
+    Side (..),
+    VertexName (..),
+    faceText,
+    readFaceName,
+    sameFace,
+    sameVertices,
+    sides,
+  )
 import PraTactile.Object.Validity (ObjectError (..), doubleArea, validate)
 
 -- | A polyhedron that passed 'validate', with its edges derived.
 data Solid = Solid
-  { solidDescription :: Description
-  , solidSides :: Map.Map (VertexName, VertexName) Side
-  , derivedEdges :: [Edge]
+  { solidDescription :: Description,
+    solidSides :: Map.Map (VertexName, VertexName) Side,
+    derivedEdges :: [Edge]
   }
   deriving stock (Eq, Show)
 
@@ -47,23 +59,23 @@ data Solid = Solid
 data EdgeName = EdgeName VertexName VertexName
   deriving stock (Eq, Ord, Show)
 
--- | An edge: its two vertices, and the two faces it separates. Seen from outside, 'edgeLeft' is on the left of who walks
--- from 'edgeStart' to 'edgeEnd', and 'edgeRight' on the right.
+-- | An edge: its two vertices, and the two faces it separates. Seen from outside, 'edgeLeft' is on
+-- the left of who walks from 'edgeStart' to 'edgeEnd', and 'edgeRight' on the right.
 data Edge = Edge
-  { edgeStart :: VertexName
-  , edgeEnd :: VertexName
-  , edgeLeft :: FaceName
-  , edgeRight :: FaceName
-  , edgeWings :: Wings
+  { edgeStart :: VertexName,
+    edgeEnd :: VertexName,
+    edgeLeft :: FaceName,
+    edgeRight :: FaceName,
+    edgeWings :: Wings
   }
   deriving stock (Eq, Show)
 
 -- | The edges before and after an edge in the counter-clockwise walks round its two faces.
 data Wings = Wings
-  { leftPrevious :: EdgeName
-  , leftNext :: EdgeName
-  , rightPrevious :: EdgeName
-  , rightNext :: EdgeName
+  { leftPrevious :: EdgeName,
+    leftNext :: EdgeName,
+    rightPrevious :: EdgeName,
+    rightNext :: EdgeName
   }
   deriving stock (Eq, Show)
 
@@ -84,21 +96,24 @@ solid described = case validate described of
 deriveEdges :: Map.Map (VertexName, VertexName) Side -> [Side] -> [Edge]
 deriveEdges bySide everySide =
   [ Edge (sideStart left) (sideEnd left) (sideFace left) (sideFace right) (wings left right)
-  | (left, right) <- met ]
+    | (left, right) <- met
+  ]
   where
     order = Map.fromList (zip (map ends everySide) [0 :: Int ..])
     ends side = (sideStart side, sideEnd side)
     met =
       [ (left, right)
-      | left <- everySide
-      , Just right <- [Map.lookup (sideEnd left, sideStart left) bySide]
-      , Map.lookup (ends left) order < Map.lookup (ends right) order ]
-    wings left right = Wings
-      { leftPrevious = named (sideBefore left) (sideStart left)
-      , leftNext = named (sideEnd left) (sideAfter left)
-      , rightPrevious = named (sideBefore right) (sideStart right)
-      , rightNext = named (sideEnd right) (sideAfter right)
-      }
+        | left <- everySide,
+          Just right <- [Map.lookup (sideEnd left, sideStart left) bySide],
+          Map.lookup (ends left) order < Map.lookup (ends right) order
+      ]
+    wings left right =
+      Wings
+        { leftPrevious = named (sideBefore left) (sideStart left),
+          leftNext = named (sideEnd left) (sideAfter left),
+          rightPrevious = named (sideBefore right) (sideStart right),
+          rightNext = named (sideEnd right) (sideAfter right)
+        }
     named a b
       | Map.lookup (a, b) order < Map.lookup (b, a) order = EdgeName a b
       | otherwise = EdgeName b a
@@ -127,12 +142,15 @@ solidEdges = derivedEdges
 edgesOf :: Solid -> FaceName -> [Edge]
 edgesOf whole face =
   [ edge
-  | face `elem` solidFaces whole
-  , side <- sides face
-  , edge <- derivedEdges whole
-  , edgeName edge `elem` [EdgeName (sideStart side) (sideEnd side), EdgeName (sideEnd side) (sideStart side)] ]
+    | face `elem` solidFaces whole,
+      side <- sides face,
+      edge <- derivedEdges whole,
+      edgeName edge
+        `elem` [EdgeName (sideStart side) (sideEnd side), EdgeName (sideEnd side) (sideStart side)]
+  ]
 
--- | The faces at a vertex, counter-clockwise seen from outside; none if the solid has no such vertex.
+-- | The faces at a vertex, counter-clockwise seen from outside; none if the solid has no such
+-- vertex.
 facesAt :: Solid -> VertexName -> [FaceName]
 facesAt whole vertex = case filter ((== vertex) . sideStart) (Map.elems (solidSides whole)) of
   [] -> []
@@ -142,20 +160,23 @@ facesAt whole vertex = case filter ((== vertex) . sideStart) (Map.elems (solidSi
     turn first (Just side) | side /= first = sideFace side : turn first (next side)
     turn _ _ = []
 
--- | The faces across the edges of a face, in the order of its walk; none if the solid has no such face.
+-- | The faces across the edges of a face, in the order of its walk; none if the solid has no such
+-- face.
 neighbours :: Solid -> FaceName -> [FaceName]
 neighbours whole face =
   [if edgeLeft edge == face then edgeRight edge else edgeLeft edge | edge <- edgesOf whole face]
 
--- | The places of a face's vertices in the order of its name, in millimetres; none if the solid has no such face.
+-- | The places of a face's vertices in the order of its name, in millimetres; none if the solid has
+-- no such face.
 cornerPoints :: Solid -> FaceName -> [Point]
 cornerPoints whole face =
   [ point
-  | face `elem` solidFaces whole
-  , vertex <- faceVertices face
-  , Just point <- [lookup vertex (solidVertices whole)] ]
+    | face `elem` solidFaces whole,
+      vertex <- faceVertices face,
+      Just point <- [lookup vertex (solidVertices whole)]
+  ]
 
--- | A vector at right angles to a face that points out of the solid, as long as twice the face's area in square
--- millimetres; zero if the solid has no such face.
+-- | A vector at right angles to a face that points out of the solid, as long as twice the face's
+-- area in square millimetres; zero if the solid has no such face.
 outwardNormal :: Solid -> FaceName -> Point
 outwardNormal whole = doubleArea . cornerPoints whole

@@ -1,15 +1,15 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | What befalls the cells of a patch before it is located.
 module PraTactile.Rates.Damage
-  ( Damage (..)
-  ) where
+  ( Damage (..),
+  )
+where
 
 -- | What befalls each cell, independently.
 data Damage = Damage
-  { damageErrors :: !Double
-  -- ^ The probability that the likeliest symbol of an observed cell is wrong: at least 0 and less than 1 - 1/q.
-  , damageErasures :: !Double
-  -- ^ The probability that a cell is not observed: at least 0 and less than 1.
+  { -- | The probability that the likeliest symbol of an observed cell is wrong: at least 0 and less
+    -- than 1 - 1/q.
+    damageErrors :: !Double,
+    -- | The probability that a cell is not observed: at least 0 and less than 1.
+    damageErasures :: !Double
   }
   deriving stock (Eq, Show)

@@ -1,7 +1,8 @@
 -- | The rates of hard decoding without chance, from the array itself.
 module PraTactile.Rates.Exact
-  ( exactRates
-  ) where
+  ( exactRates,
+  )
+where
 
 import Control.Monad (guard)
 import Data.Bits (bit, (.|.))
@@ -9,42 +10,46 @@ import Data.List (foldl')
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Book
-import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
 import PraTactile.Locate.Punctured
+import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
 import PraTactile.Locate.Rates
 import PraTactile.Rates.Damage
 import PraTactile.Window
 import PraTactile.Window.Distance
 
--- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated one. Applied to a book and a
--- mask, it can be kept for many kinds of damage, as what takes time, seconds for 25 cells, is done once. 'Nothing' where it would
--- take too long: for codes beyond 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
+-- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated
+-- one. Applied to a book and a mask, it can be kept for many kinds of damage, as what takes time,
+-- seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
+-- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
 -- where a stated radius is more than is guaranteed, or some cells are missing.
 exactRates :: KnownField k => Radius -> Book k -> Mask -> Damage -> Maybe Rates
 exactRates stated shelf mask = \damage -> do
   guard (fromIntegral n <= mostCells)
   guard $ case stated of
     Guaranteed -> True
-    UpTo e -> damageErasures damage <= 0 && windowDistance > 0 && e <= guaranteedRadius windowDistance
+    UpTo e ->
+      damageErasures damage <= 0 && windowDistance > 0 && e <= guaranteedRadius windowDistance
   if damageErasures damage > 0 || windowDistance == 0
-    then (\code -> erasedRates ByObserved q code (damageErrors damage) (damageErasures damage)) <$> holed
+    then
+      (\code -> erasedRates ByObserved q code (damageErrors damage) (damageErasures damage))
+        <$> holed
     else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
- where
-  array = bookArray shelf
-  q = fieldOrder array
-  n = maskSize mask
-  windowDistance = observedDistance shelf (maskOffsets mask)
-  radius = case stated of
-    Guaranteed -> fromIntegral (guaranteedRadius windowDistance)
-    UpTo e -> fromIntegral e
-  whole = either (const Nothing) Just (weightEnumerator array mask)
-  -- The words are not even made where there are too many.
-  holed = do
-    guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork)
-    punctured n (map support contents)
-  support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
-  contents =
-    [ content
-    | position <- shapeCells (arrayShape array)
-    , Just content <- [windowAt (bookSurface shelf) array mask position]
-    ]
+  where
+    array = bookArray shelf
+    q = fieldOrder array
+    n = maskSize mask
+    windowDistance = observedDistance shelf (maskOffsets mask)
+    radius = case stated of
+      Guaranteed -> fromIntegral (guaranteedRadius windowDistance)
+      UpTo e -> fromIntegral e
+    whole = either (const Nothing) Just (weightEnumerator array mask)
+    -- The words are not even made where there are too many.
+    holed = do
+      guard (n <= mostErasedCells && 2 ^ n * area (arrayShape array) <= mostErasedWork)
+      punctured n (map support contents)
+    support content = foldl' (.|.) 0 [bit i | (i, a) <- zip [0 ..] content, a /= zero]
+    contents =
+      [ content
+        | position <- shapeCells (arrayShape array),
+          Just content <- [windowAt (bookSurface shelf) array mask position]
+      ]

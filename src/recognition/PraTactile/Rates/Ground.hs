@@ -1,31 +1,26 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE KindSignatures #-}
-{-# LANGUAGE RoleAnnotations #-}
-{-# LANGUAGE ScopedTypeVariables #-}
-
--- | Where simulated patches are read: an array with the patches' shape, and what patches hold at all positions in the forms in which they are
--- compared fast.
+-- | Where simulated patches are read: an array with the patches' shape, and what patches hold at
+-- all positions in the forms in which they are compared fast.
 module PraTactile.Rates.Ground
-  ( Ground
-  , ground
-  , GroundError (..)
-  , largestGround
+  ( Ground,
+    ground,
+    GroundError (..),
+    largestGround,
 
     -- * What it holds
-  , groundBook
-  , groundShape
-  , groundCells
-  , groundPositions
-  , positionOf
-  , groundContents
+    groundBook,
+    groundShape,
+    groundCells,
+    groundPositions,
+    positionOf,
+    groundContents,
 
     -- * Bit by bit
-  , groundLimbs
-  , groundPlanes
-  , groundDigits
-  , groundSupports
-  ) where
+    groundLimbs,
+    groundPlanes,
+    groundDigits,
+    groundSupports,
+  )
+where
 
 import Data.Bits (bit, testBit, (.|.))
 import Data.Int (Int32)
@@ -42,24 +37,24 @@ import PraTactile.Locate.Book
 
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
 data Ground (k :: Field) = Ground
-  { groundBook :: !(Book k)
-  -- ^ The array on its surface.
-  , groundShape :: !Shape
-  -- ^ The rows and columns of a patch.
-  , groundCells :: !Int
-  -- ^ The cells of a patch.
-  , groundPositions :: !Int
-  -- ^ The positions, each of which has an index, row by row.
-  , groundContents :: !(Vector Int32)
-  -- ^ For each position and each cell j of a patch there: its code, plus j q.
-  , groundLimbs :: !Int
-  -- ^ How many machine words hold a bit a cell: a limb for every 64 cells.
-  , groundPlanes :: !Int
-  -- ^ How many binary digits a code has.
-  , groundDigits :: !(Vector Word64)
-  -- ^ For each position, limb and binary digit of the codes: the digits of the cells.
-  , groundSupports :: !(Vector Word64)
-  -- ^ For each position and limb: which cells are not zero.
+  { -- | The array on its surface.
+    groundBook :: !(Book k),
+    -- | The rows and columns of a patch.
+    groundShape :: !Shape,
+    -- | The cells of a patch.
+    groundCells :: !Int,
+    -- | The positions, each of which has an index, row by row.
+    groundPositions :: !Int,
+    -- | For each position and each cell j of a patch there: its code, plus j q.
+    groundContents :: !(Vector Int32),
+    -- | How many machine words hold a bit a cell: a limb for every 64 cells.
+    groundLimbs :: !Int,
+    -- | How many binary digits a code has.
+    groundPlanes :: !Int,
+    -- | For each position, limb and binary digit of the codes: the digits of the cells.
+    groundDigits :: !(Vector Word64),
+    -- | For each position and limb: which cells are not zero.
+    groundSupports :: !(Vector Word64)
   }
 
 type role Ground nominal
@@ -78,44 +73,60 @@ data GroundError
 largestGround :: Natural
 largestGround = 2 ^ (25 :: Int)
 
--- | Patches of this shape on an array that has no edges. A patch larger than the array reads some cells again.
+-- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
+-- cells again.
 ground :: forall k. KnownField k => Book k -> Shape -> Either GroundError (Ground k)
 ground shelf shape
   | surface == Sheet = Left GroundSheet
   | area shape == 0 = Left GroundEmpty
   | cells > largestGround = Left (GroundTooLarge cells largestGround)
   | otherwise =
-      Right
-        Ground
-          { groundBook = shelf
-          , groundShape = shape
-          , groundCells = n
-          , groundPositions = positions
-          , groundContents = Primitive.imap (\i code -> code + fromIntegral ((i `mod` n) * q)) contents
-          , groundLimbs = limbs
-          , groundPlanes = planes
-          , groundDigits = Primitive.generate (positions * limbs * planes) (\i -> limb (`testBit` (i `mod` planes)) (i `div` planes))
-          , groundSupports = Primitive.generate (positions * limbs) (limb (/= 0))
-          }
- where
-  surface = bookSurface shelf
-  cells = area shape * positionCount
-  positionCount = area (arrayShape (bookArray shelf))
-  positions = fromIntegral positionCount
-  n = fromIntegral (area shape) :: Int
-  q = fieldOrder (Proxy :: Proxy k)
-  limbs = (n + 63) `div` 64
-  planes = length (takeWhile (< q) (iterate (* 2) 1))
-  contents = Primitive.fromListN (positions * n) (concatMap (contentAt . positionOf shelf) [0 .. positions - 1])
-  contentAt position = map (codeOn . displacedFrom position) (shapeCells shape)
-  displacedFrom = displaced surface (arrayShape (bookArray shelf))
-  -- A torus has no place that is none.
-  codeOn place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf)) :: Int32
-  limb :: (Int32 -> Bool) -> Int -> Word64
-  limb holds i = foldl' (.|.) 0 [bit j | j <- [0 .. min 63 (n - 1 - from)], holds (contents Primitive.! (position * n + from + j))]
-   where
-    (position, from) = (* 64) <$> (i `divMod` limbs)
+    Right
+      Ground
+        { groundBook = shelf,
+          groundShape = shape,
+          groundCells = n,
+          groundPositions = positions,
+          groundContents =
+            Primitive.imap (\i code -> code + fromIntegral ((i `mod` n) * q)) contents,
+          groundLimbs = limbs,
+          groundPlanes = planes,
+          groundDigits =
+            Primitive.generate
+              (positions * limbs * planes)
+              (\i -> limb (`testBit` (i `mod` planes)) (i `div` planes)),
+          groundSupports = Primitive.generate (positions * limbs) (limb (/= 0))
+        }
+  where
+    surface = bookSurface shelf
+    cells = area shape * positionCount
+    positionCount = area (arrayShape (bookArray shelf))
+    positions = fromIntegral positionCount
+    n = fromIntegral (area shape) :: Int
+    q = fieldOrder (Proxy :: Proxy k)
+    limbs = (n + 63) `div` 64
+    planes = length (takeWhile (< q) (iterate (* 2) 1))
+    contents =
+      Primitive.fromListN
+        (positions * n)
+        (concatMap (contentAt . positionOf shelf) [0 .. positions - 1])
+    contentAt position = map (codeOn . displacedFrom position) (shapeCells shape)
+    displacedFrom = displaced surface (arrayShape (bookArray shelf))
+    -- A torus has no place that is none.
+    codeOn place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf)) :: Int32
+    limb :: (Int32 -> Bool) -> Int -> Word64
+    limb holds i =
+      foldl'
+        (.|.)
+        0
+        [ bit j
+          | j <- [0 .. min 63 (n - 1 - from)],
+            holds (contents Primitive.! (position * n + from + j))
+        ]
+      where
+        (position, from) = (* 64) <$> (i `divMod` limbs)
 
 -- | The position with this index, row by row.
 positionOf :: Book k -> Int -> Position
-positionOf shelf i = uncurry Position (fromIntegral i `divMod` columns (arrayShape (bookArray shelf)))
+positionOf shelf i =
+  uncurry Position (fromIntegral i `divMod` columns (arrayShape (bookArray shelf)))

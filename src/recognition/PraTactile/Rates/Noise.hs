@@ -1,20 +1,24 @@
--- |
--- Readings of a cell that are wrong as often as one likes, and of which is known how much they are worth. A cell is read as q
--- numbers, one a symbol: the true symbol's is 1 and the others' 0, each with independent normal noise of one standard deviation sigma
--- added. The likeliest symbol is that of the largest number; it is wrong with a probability that sigma sets, and then any of the
--- others alike. Given the numbers y, the symbol b has a probability proportional to exp(y(b) / sigma^2), by Bayes' theorem.
+-- | Readings of a cell that are wrong as often as one likes, and of which is known how much they
+-- are worth. A cell is read as q numbers, one a symbol: the true symbol's is 1 and the others' 0,
+-- each with independent normal noise of one standard deviation sigma added. The likeliest symbol is
+-- that of the largest number; it is wrong with a probability that sigma sets, and then any of the
+-- others alike. Given the numbers y, the symbol b has a probability proportional to exp(y(b) /
+-- sigma^2), by Bayes' theorem.
 module PraTactile.Rates.Noise
-  ( errorRate
-  , noiseFor
-  ) where
+  ( errorRate,
+    noiseFor,
+  )
+where
 
--- | The probability that the largest of q numbers is not the true symbol's, with noise of this standard deviation: 1 less the integral of
--- phi(x) Phi(x + 1/sigma)^(q - 1), by the trapezoidal rule, which for such integrands is exact to many digits.
+-- | The probability that the largest of q numbers is not the true symbol's, with noise of this
+-- standard deviation: 1 less the integral of phi(x) Phi(x + 1/sigma)^(q - 1), by the trapezoidal
+-- rule, which for such integrands is exact to many digits.
 errorRate :: Int -> Double -> Double
-errorRate q sigma = sum (map (\x -> step * density x * (1 - distribution (x + 1 / sigma) ^ (q - 1))) points)
- where
-  step = 0.025
-  points = map ((* step) . fromIntegral) [-360 .. 360 :: Int]
+errorRate q sigma =
+  sum (map (\x -> step * density x * (1 - distribution (x + 1 / sigma) ^ (q - 1))) points)
+  where
+    step = 0.025
+    points = map ((* step) . fromIntegral) [-360 .. 360 :: Int]
 
 density :: Double -> Double
 density x = exp (-x * x / 2) / sqrt (2 * pi)
@@ -25,21 +29,22 @@ distribution x
   | x < -8 = 0
   | x > 8 = 1
   | otherwise = 0.5 + density x * go x x 3
- where
-  go term total k
-    | total + next == total = total
-    | otherwise = go next (total + next) (k + 2 :: Double)
-   where
-    next = term * x * x / k
+  where
+    go term total k
+      | total + next == total = total
+      | otherwise = go next (total + next) (k + 2 :: Double)
+      where
+        next = term * x * x / k
 
--- | The noise, as a standard deviation, with which symbols are wrong with this probability, which is at least 0 and less than 1 - 1/q: by
--- bisection. For 0 it is the least that is tried, 0.01, where an error is one of 70 standard deviations.
+-- | The noise, as a standard deviation, with which symbols are wrong with this probability, which
+-- is at least 0 and less than 1 - 1/q: by bisection. For 0 it is the least that is tried, 0.01,
+-- where an error is one of 70 standard deviations.
 noiseFor :: Int -> Double -> Double
 noiseFor q wanted = go (80 :: Int) 0.01 1e6
- where
-  go 0 low _ = low
-  go k low high
-    | errorRate q middle > wanted = go (k - 1) low middle
-    | otherwise = go (k - 1) middle high
-   where
-    middle = sqrt (low * high)
+  where
+    go 0 low _ = low
+    go k low high
+      | errorRate q middle > wanted = go (k - 1) low middle
+      | otherwise = go (k - 1) middle high
+      where
+        middle = sqrt (low * high)

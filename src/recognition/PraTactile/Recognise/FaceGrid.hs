@@ -1,13 +1,14 @@
--- | One grid for all the symbols of a face: groups of symbols that no neighbours connect are joined by their distances, as far as these
--- are whole numbers of cells.
+-- | One grid for all the symbols of a face: groups of symbols that no neighbours connect are joined
+-- by their distances, as far as these are whole numbers of cells.
 module PraTactile.Recognise.FaceGrid
-  ( FaceGrid (..)
-  , faceGrid
-  , Cells
-  , fromZero
-  , seenOnFace
-  , gridRows
-  ) where
+  ( FaceGrid (..),
+    faceGrid,
+    Cells,
+    fromZero,
+    seenOnFace,
+    gridRows,
+  )
+where
 
 import Data.List (partition, sortOn)
 import Data.Map.Strict (Map)
@@ -15,7 +16,6 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import Data.Set (Set)
 import qualified Data.Set as Set
-
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell, halfTurned, pitchTolerance)
@@ -25,30 +25,31 @@ type Cells = Map Cell [ReadSymbol]
 
 -- | Symbols of one axis on a common grid.
 data FaceGrid = FaceGrid
-  { gridCells :: Cells
-    -- ^ rows and columns counted from 0 along the symbols' axes
-  , gridGroups :: [Set Int]
-    -- ^ the numbers of the symbols of each group
-  , gridStrays :: [ReadSymbol]
-    -- ^ symbols of groups whose distance from the others is no whole number of cells
+  { -- | rows and columns counted from 0 along the symbols' axes
+    gridCells :: Cells,
+    -- | the numbers of the symbols of each group
+    gridGroups :: [Set Int],
+    -- | symbols of groups whose distance from the others is no whole number of cells
+    gridStrays :: [ReadSymbol]
   }
 
--- | Join groups to the one with the most symbols that the network knows. 'Nothing' if the distances within a group contradict each
--- other.
+-- | Join groups to the one with the most symbols that the network knows. 'Nothing' if the distances
+-- within a group contradict each other.
 faceGrid :: [Group] -> Maybe FaceGrid
 faceGrid found = do
   gridded <- traverse (\g -> (,) g <$> groupCells g) found
   pure $ case sortOn (negate . known . fst) gridded of
     [] -> FaceGrid Map.empty [] []
     (base, cells) : others ->
-      let (joined, strays) = partition (isJust . fst) [ (displacement base g, (g, own)) | (g, own) <- others ]
-          placed = once cells : [ movedBy step (once own) | (Just step, (_, own)) <- joined ]
-          members = base : [ g | (Just _, (g, _)) <- joined ]
-      in FaceGrid
-           { gridCells = fromZero (Map.unionsWith (++) placed)
-           , gridGroups = map (Set.fromList . map readNumber . groupSymbols) members
-           , gridStrays = concatMap (groupSymbols . fst . snd) strays
-           }
+      let (joined, strays) =
+            partition (isJust . fst) [(displacement base g, (g, own)) | (g, own) <- others]
+          placed = once cells : [movedBy step (once own) | (Just step, (_, own)) <- joined]
+          members = base : [g | (Just _, (g, _)) <- joined]
+       in FaceGrid
+            { gridCells = fromZero (Map.unionsWith (++) placed),
+              gridGroups = map (Set.fromList . map readNumber . groupSymbols) members,
+              gridStrays = concatMap (groupSymbols . fst . snd) strays
+            }
   where
     known g = length (filter (isJust . readClass) (groupSymbols g))
     once = Map.map pure
@@ -62,7 +63,8 @@ fromZero cells = movedBy (negate (first fst), negate (first snd)) cells
   where
     first part = minimum (0 : map part (Map.keys cells))
 
--- | By how many rows and columns of cells the second group's cell (0, 0) lies from the first's, to the tolerance of neighbours.
+-- | By how many rows and columns of cells the second group's cell (0, 0) lies from the first's, to
+-- the tolerance of neighbours.
 displacement :: Group -> Group -> Maybe Cell
 displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
   where
@@ -81,6 +83,6 @@ seenOnFace orientation
 
 -- | The cells row by row, with gaps; no rows where there are no cells.
 gridRows :: Map Cell a -> [[Maybe a]]
-gridRows cells = [ [ Map.lookup (i, j) cells | j <- extent snd ] | i <- extent fst ]
+gridRows cells = [[Map.lookup (i, j) cells | j <- extent snd] | i <- extent fst]
   where
     extent part = [0 .. maximum (-1 : map part (Map.keys cells))]

@@ -1,21 +1,23 @@
-{-# LANGUAGE DerivingStrategies #-}
-{-# LANGUAGE ScopedTypeVariables #-}
--- | From the symbols on a grid to the place of the grid's upper left cell in the array: two judgements that must agree.
+-- | From the symbols on a grid to the place of the grid's upper left cell in the array: two
+-- judgements that must agree.
 --
--- The probabilities of all symbols and parts, known to the network or not, say how likely every position is; the likeliest must be
--- likely enough. And of the symbols that the network knows, and of the parts that leave hardly a doubt, no more may contradict it than
--- the minimum distance of their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
+-- The probabilities of all symbols and parts, known to the network or not, say how likely every
+-- position is; the likeliest must be likely enough. And of the symbols that the network knows, and
+-- of the parts that leave hardly a doubt, no more may contradict it than the minimum distance of
+-- their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
 module PraTactile.Recognise.Judgement
   ( -- * Judging
-    Tolerance (..)
-  , standardTolerance
-  , judge
-  , Judgement (..)
-  , Ruling (..)
+    Tolerance (..),
+    standardTolerance,
+    judge,
+    Judgement (..),
+    Ruling (..),
+
     -- * What is behind it
-  , Evidence (..)
-  , cellFrom
-  ) where
+    Evidence (..),
+    cellFrom,
+  )
+where
 
 import Control.Monad (join)
 import Data.List (foldl')
@@ -24,7 +26,6 @@ import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
-
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
@@ -33,74 +34,89 @@ import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision (Decision (..))
 import PraTactile.Locate.Nearest (nearest)
-import PraTactile.Symmetry (identity)
 import PraTactile.Locate.Soft (posterior)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Symbol (elementOfClass)
+import PraTactile.Symmetry (identity)
 
 -- | What a caller lets pass.
 data Tolerance = Tolerance
-  { toleratedDoubt :: Double
-    -- ^ the probability of a wrong answer, below 1
-  , toleratedErrors :: Radius
-    -- ^ how many certain symbols may be wrong
+  { -- | the probability of a wrong answer, below 1
+    toleratedDoubt :: Double,
+    -- | how many certain symbols may be wrong
+    toleratedErrors :: Radius
   }
   deriving stock (Eq, Show)
 
--- | A hundredth, and as many wrong symbols as the certain ones' minimum distance lets be corrected for certain.
+-- | A hundredth, and as many wrong symbols as the certain ones' minimum distance lets be corrected
+-- for certain.
 standardTolerance :: Tolerance
 standardTolerance = Tolerance 0.01 Guaranteed
 
 -- | What a position rests on.
 data Evidence = Evidence
-  { evidenceDoubt :: Double
-    -- ^ the probability, by the symbols' own, that orientation or position are others
-  , evidenceAgreeing :: Int
-    -- ^ how many certain symbols are what the array has in their place
-  , evidenceWrong :: [Int]
-    -- ^ the numbers of those that are not, or that lie another way up, or off the grid
-  , evidenceInconsistent :: [Int]
-    -- ^ the composites, counted from 0, of whose certain symbols more are wrong than not
-  , evidenceDistance :: Natural
-    -- ^ the minimum distance of the cells with a certain symbol
-  , evidenceRadius :: Natural
-    -- ^ how many of them may be wrong
-  , evidenceChance :: Maybe Chance
-    -- ^ of all contents of these cells, the share that would be located: at most this; 'Nothing' if no cell says anything
+  { -- | the probability, by the symbols' own, that orientation or position are others
+    evidenceDoubt :: Double,
+    -- | how many certain symbols are what the array has in their place
+    evidenceAgreeing :: Int,
+    -- | the numbers of those that are not, or that lie another way up, or off the grid
+    evidenceWrong :: [Int],
+    -- | the composites, counted from 0, of whose certain symbols more are wrong than not
+    evidenceInconsistent :: [Int],
+    -- | the minimum distance of the cells with a certain symbol
+    evidenceDistance :: Natural,
+    -- | how many of them may be wrong
+    evidenceRadius :: Natural,
+    -- | of all contents of these cells, the share that would be located: at most this; 'Nothing' if
+    -- no cell says anything
+    evidenceChance :: Maybe Chance
   }
   deriving stock (Eq, Show)
 
 -- | What was made of a grid.
 data Judgement = Judgement
-  { judgedOrientation :: Orientation
-  , judgedCells :: Cells
-    -- ^ the grid as it lies on the face
-  , judgedEvidence :: Maybe Evidence
-    -- ^ for the likeliest position, accepted or not
-  , judgedRuling :: Ruling
+  { judgedOrientation :: Orientation,
+    -- | the grid as it lies on the face
+    judgedCells :: Cells,
+    -- | for the likeliest position, accepted or not
+    judgedEvidence :: Maybe Evidence,
+    judgedRuling :: Ruling
   }
 
 -- | Where the grid's upper left cell is, or what stands against an answer.
 data Ruling
   = Placed Position
-  | Undecided [Position]      -- ^ several positions agree with all that is known
-  | WrongWayUp                -- ^ too many symbols lie another way up than the rest
-  | OffTheGrid                -- ^ too many symbols lie off the grid of the rest
-  | GroupsApart               -- ^ groups of symbols lead to different places
+  | -- | several positions agree with all that is known
+    Undecided [Position]
+  | -- | too many symbols lie another way up than the rest
+    WrongWayUp
+  | -- | too many symbols lie off the grid of the rest
+    OffTheGrid
+  | -- | groups of symbols lead to different places
+    GroupsApart
   | Unplaced Reason
   deriving stock (Eq, Show)
 
--- | Judge a grid of symbols of one axis. The dissenters are symbols of the other axis that the network knows all the same.
+-- | Judge a grid of symbols of one axis. The dissenters are symbols of the other axis that the
+-- network knows all the same.
 judge :: forall k. KnownField k => Book k -> Tolerance -> [ReadSymbol] -> FaceGrid -> Judgement
 judge shelf tolerance dissenters grid = Judgement orientation cells evidence ruling
   where
     q = fieldOrder (Proxy :: Proxy k)
     (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
     cells = seenOnFace orientation (gridCells grid)
-    known = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, Just (o, _) <- [certain s], o == orientation ]
-    otherWayUp = [ s | here <- Map.elems cells, s <- here, Just (o, _) <- [certain s], o /= orientation ] ++ dissenters
+    known =
+      [ (cell, s)
+        | (cell, here) <- Map.toList cells,
+          s <- here,
+          Just (o, _) <- [certain s],
+          o == orientation
+      ]
+    otherWayUp =
+      [s | here <- Map.elems cells, s <- here, Just (o, _) <- [certain s], o /= orientation]
+        ++ dissenters
     strays = filter (isJust . readClass) (gridStrays grid)
     knownCells = Set.toAscList (Set.fromList (map fst known))
     distance = observedDistance shelf (map offset knownCells)
@@ -114,32 +130,55 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       soft <- found
       place <- posteriorBest soft
       let right (cell, s) = codeAt place cell == fmap snd (certain s)
-          misfits = [ s | here@(_, s) <- known, not (right here) ]
+          misfits = [s | here@(_, s) <- known, not (right here)]
           wrong = misfits ++ otherWayUp ++ strays
           agreeing = map snd (filter right known)
-          bySource here = Map.fromListWith (+) [ (readSource s, 1 :: Int) | s <- here ]
-      pure Evidence
-        { evidenceDoubt = orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft
-        , evidenceAgreeing = length agreeing
-        , evidenceWrong = map readNumber wrong
-        , evidenceInconsistent =
-            [ source | (source, n) <- Map.toAscList (bySource wrong), n > Map.findWithDefault 0 source (bySource agreeing) ]
-        , evidenceDistance = distance
-        , evidenceRadius = radius
-        , evidenceChance = do
-            here <- either (const Nothing) Just likely
-            around <- spheres (bookSurface shelf) (bookArray shelf) [identity] (patchShape here) (map fst (observedCells here))
-            pure (chance (amongCells (fromIntegral (length knownCells)) (correcting distance radius around)))
-        }
+          bySource here = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- here]
+      pure
+        Evidence
+          { evidenceDoubt =
+              orientationDoubt + posteriorDoubt soft - orientationDoubt * posteriorDoubt soft,
+            evidenceAgreeing = length agreeing,
+            evidenceWrong = map readNumber wrong,
+            evidenceInconsistent =
+              [ source
+                | (source, n) <- Map.toAscList (bySource wrong),
+                  n > Map.findWithDefault 0 source (bySource agreeing)
+              ],
+            evidenceDistance = distance,
+            evidenceRadius = radius,
+            evidenceChance = do
+              here <- either (const Nothing) Just likely
+              around <-
+                spheres
+                  (bookSurface shelf)
+                  (bookArray shelf)
+                  [identity]
+                  (patchShape here)
+                  (map fst (observedCells here))
+              pure
+                ( chance
+                    ( amongCells
+                        (fromIntegral (length knownCells))
+                        (correcting distance radius around)
+                    )
+                )
+          }
     exact = fromMaybe (Refused TooFewCells) (exactly cells)
     exactly some =
-      either (const Nothing) (Just . decisionOutcome . nearest shelf (toleratedErrors tolerance)) (knownPatch some orientation)
+      either
+        (const Nothing)
+        (Just . decisionOutcome . nearest shelf (toleratedErrors tolerance))
+        (knownPatch some orientation)
 
     ruling = case (found >>= posteriorBest, evidence) of
       (Just place, Just e)
         | evidenceDoubt e <= toleratedDoubt tolerance ->
-            if counted (evidenceWrong e) <= radius then Placed place else against (counted (evidenceWrong e))
-      _ | counted otherWayUp > radius -> WrongWayUp
+          if counted (evidenceWrong e) <= radius
+            then Placed place
+            else against (counted (evidenceWrong e))
+      _
+        | counted otherWayUp > radius -> WrongWayUp
         | otherwise -> unclear
     counted :: [a] -> Natural
     counted = fromIntegral . length
@@ -154,7 +193,9 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     unclear = case exact of
       Unique _ _ -> Unplaced BelowThreshold
       Ambiguous places (_ : _) -> Undecided places
-      Refused reason | reason `notElem` [TooFewCells, NoCompleteWindow] -> if groupsApart then GroupsApart else Unplaced reason
+      Refused reason
+        | reason `notElem` [TooFewCells, NoCompleteWindow] ->
+          if groupsApart then GroupsApart else Unplaced reason
       _ -> Unplaced NoCompleteWindow
 
     groupsApart = case mapMaybe alone (gridGroups grid) of
@@ -167,35 +208,47 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
     codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellFrom shelf place cell
     offset (i, j) = Position (fromIntegral i) (fromIntegral j)
 
--- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position; 'Nothing' beyond the sheet.
+-- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
+-- 'Nothing' beyond the sheet.
 cellFrom :: Book k -> Position -> Cell -> Maybe Position
 cellFrom shelf (Position r c) (i, j) =
-  canonicalPosition (bookSurface shelf) (arrayShape (bookArray shelf)) (toInteger r + toInteger i) (toInteger c + toInteger j)
+  canonicalPosition
+    (bookSurface shelf)
+    (arrayShape (bookArray shelf))
+    (toInteger r + toInteger i)
+    (toInteger c + toInteger j)
 
--- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less than a hundredth of doubt.
+-- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less
+-- than a hundredth of doubt.
 certain :: ReadSymbol -> Maybe (Orientation, Int)
 certain s
   | readSeen s < 1 && readDoubt s < 0.01 = Just (readLikeliest s)
   | otherwise = readClass s
 
--- | The orientation of the symbols' axis that fits them best, and the probability that it is the other one, by what the symbols
--- themselves show. Upright symbols decide for themselves; the code is not asked.
+-- | The orientation of the symbols' axis that fits them best, and the probability that it is the
+-- other one, by what the symbols themselves show. Upright symbols decide for themselves; the code
+-- is not asked.
 likeliestOrientation :: Int -> Cells -> (Orientation, Double)
 likeliestOrientation q cells
   | difference >= 0 = (one', doubt difference)
   | otherwise = (other, doubt (negate difference))
   where
-    sideways = or [ isSideways (fst (readLikeliest s)) | here <- Map.elems cells, s <- here ]
+    sideways = or [isSideways (fst (readLikeliest s)) | here <- Map.elems cells, s <- here]
     (one', other) = if sideways then (TurnedRight, TurnedLeft) else (Upright, HalfTurned)
-    difference = sum [ log (sum (chances q one' here)) - log (sum (chances q other here)) | here <- Map.elems cells ]
+    difference =
+      sum
+        [ log (sum (chances q one' here)) - log (sum (chances q other here))
+          | here <- Map.elems cells
+        ]
     doubt d = 1 / (1 + exp d)
 
--- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the product over the symbols, which were seen
--- independently.
+-- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the
+-- product over the symbols, which were seen independently.
 chances :: Int -> Orientation -> [ReadSymbol] -> [Double]
 chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map ofSymbol here)
   where
-    ofSymbol s = [ sum [ p | (what, p) <- readChances s, what == (orientation, c) ] | c <- [0 .. q - 1] ]
+    ofSymbol s =
+      [sum [p | (what, p) <- readChances s, what == (orientation, c)] | c <- [0 .. q - 1]]
 
 -- | The probabilities of the classes in a cell.
 beliefIn :: KnownField k => Int -> Orientation -> [ReadSymbol] -> Maybe (Belief k)
@@ -206,10 +259,11 @@ beliefIn q orientation here
     weights = chances q orientation here
     total = sum weights
 
--- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no cells.
+-- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no
+-- cells.
 knownPatch :: KnownField k => Cells -> Orientation -> Either LocateError (Patch (GF k))
 knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
   where
-    agreed here = case [ c | s <- here, Just (o, c) <- [readClass s], o == orientation ] of
+    agreed here = case [c | s <- here, Just (o, c) <- [readClass s], o == orientation] of
       c : others | all (== c) others -> either (const Nothing) Just (elementOfClass c)
       _ -> Nothing

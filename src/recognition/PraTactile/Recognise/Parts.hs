@@ -1,14 +1,14 @@
--- | Reading parts of symbols: where the grid has a cell beside the symbols that were cut out, and the composite shows some of it, the
--- shapes tell what it may be.
+-- | Reading parts of symbols: where the grid has a cell beside the symbols that were cut out, and
+-- the composite shows some of it, the shapes tell what it may be.
 module PraTactile.Recognise.Parts
-  ( withParts
-  ) where
+  ( withParts,
+  )
+where
 
 import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Part
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
@@ -18,51 +18,64 @@ import PraTactile.Recognise.Reading
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell)
 
--- | The grid with the parts of symbols that each composite shows in the cells around its own symbols, and the parts. Numbers them from
--- the one given.
+-- | The grid with the parts of symbols that each composite shows in the cells around its own
+-- symbols, and the parts. Numbers them from the one given.
 withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
-withParts reader views from grid = (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
+withParts reader views from grid =
+  (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where
-    found = zipWith (\n (cell, part) -> (cell, part {readNumber = n})) [from ..] (concatMap (partsOf reader (gridCells grid)) views)
-    cells = Map.fromListWith (++) [ (cell, [part]) | (cell, part) <- found ]
+    found =
+      zipWith
+        (\n (cell, part) -> (cell, part {readNumber = n}))
+        [from ..]
+        (concatMap (partsOf reader (gridCells grid)) views)
+    cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
 partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
 partsOf (Reader shapesSeen _) cells view =
   [ (cell, part)
-  | (cell, centres) <- Map.toList expected
-  , let at = centroid centres
-  , Just seen <- [look (onView view at)]
-  , let part = readPart view at seen (estimatePart shapesSeen seen)
-  , readDoubt part < 0.5
+    | (cell, centres) <- Map.toList expected,
+      let at = centroid centres,
+      Just seen <- [look (onView view at)],
+      let part = readPart view at seen (estimatePart shapesSeen seen),
+      readDoubt part < 0.5
   ]
   where
     look = partAt (viewComposite view) (viewSegmentation view)
-    own = [ (cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view ]
+    own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)
     axis = if viewSideways view then TurnedRight else Upright
     -- Where the symbols around a free cell say that its centre is.
-    expected = Map.fromListWith (++)
-      [ (cell, [(x + dx, y + dy)])
-      | ((i, j), s) <- own, di <- [-1, 0, 1], dj <- [-1, 0, 1]
-      , let cell = (i + di, j + dj), cell `Set.notMember` taken
-      , let (x, y) = readAt s
-      , let (dx, dy) = onComposite axis (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
-      ]
+    expected =
+      Map.fromListWith
+        (++)
+        [ (cell, [(x + dx, y + dy)])
+          | ((i, j), s) <- own,
+            di <- [-1, 0, 1],
+            dj <- [-1, 0, 1],
+            let cell = (i + di, j + dj),
+            cell `Set.notMember` taken,
+            let (x, y) = readAt s,
+            let (dx, dy) =
+                  onComposite axis (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
+        ]
 
 readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
-readPart view (x, y) seen estimated = ReadSymbol
-  { readNumber = 0
-  , readSource = viewSource view
-  , readImage = SymbolImage
-      { symbolCentre = (x - fst (viewShift view), y - snd (viewShift view))
-      , symbolPixels = partPixels seen
-      , symbolAxis = if viewSideways view then 90 else 0
-      , symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
-      }
-  , readAt = (x, y)
-  , readClass = Nothing
-  , readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight)
-  , readLikeliest = orientedAs (viewSideways view) (estimateLikeliest estimated)
-  , readChances = map (first (orientedAs (viewSideways view))) (estimateChances estimated)
-  }
+readPart view (x, y) seen estimated =
+  ReadSymbol
+    { readNumber = 0,
+      readSource = viewSource view,
+      readImage =
+        SymbolImage
+          { symbolCentre = (x - fst (viewShift view), y - snd (viewShift view)),
+            symbolPixels = partPixels seen,
+            symbolAxis = if viewSideways view then 90 else 0,
+            symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
+          },
+      readAt = (x, y),
+      readClass = Nothing,
+      readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight),
+      readLikeliest = orientedAs (viewSideways view) (estimateLikeliest estimated),
+      readChances = map (first (orientedAs (viewSideways view))) (estimateChances estimated)
+    }

@@ -1,34 +1,43 @@
-{-# LANGUAGE DerivingStrategies #-}
--- | Reading the symbols of composites: what each most likely is and which way up, and how they lie beside each other.
+-- | Reading the symbols of composites: what each most likely is and which way up, and how they lie
+-- beside each other.
 module PraTactile.Recognise.Reading
   ( -- * Orientations
-    Orientation (..)
-  , orientationDegrees
-  , isSideways
-  , onComposite
-  , centroid
+    Orientation (..),
+    orientationDegrees,
+    isSideways,
+    onComposite,
+    centroid,
+
     -- * Symbols
-  , ReadSymbol (..)
-  , Reader (..)
-  , View (..)
-  , readDoubt
-  , readSymbols
-  , mostKnown
-  , readMirrored
-  , orientedAs
-  , onView
+    ReadSymbol (..),
+    Reader (..),
+    View (..),
+    readDoubt,
+    readSymbols,
+    mostKnown,
+    readMirrored,
+    orientedAs,
+    onView,
+
     -- * Groups
-  , Group (..)
-  , groups
-  ) where
+    Group (..),
+    groups,
+  )
+where
 
 import Data.Bifunctor (first)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
-
 import PraTactile.Classify.Estimate
-import PraTactile.Classify.Network (Network, NetworkError, Verdict (..), decide, outputs, standardThresholds)
+import PraTactile.Classify.Network
+  ( Network,
+    NetworkError,
+    Verdict (..),
+    decide,
+    outputs,
+    standardThresholds,
+  )
 import PraTactile.Classify.Templates (Templates)
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (halfTurn, mirrorColumns, rasterHeight)
@@ -39,10 +48,14 @@ import PraTactile.Stitch (Composite (..))
 
 -- | How the face lies in the composite.
 data Orientation
-  = Upright       -- ^ the composite's rows run as the face's do
-  | TurnedRight   -- ^ the composite shows the face turned clockwise by 90 degrees
-  | HalfTurned    -- ^ by 180 degrees
-  | TurnedLeft    -- ^ clockwise by 270 degrees
+  = -- | the composite's rows run as the face's do
+    Upright
+  | -- | the composite shows the face turned clockwise by 90 degrees
+    TurnedRight
+  | -- | by 180 degrees
+    HalfTurned
+  | -- | clockwise by 270 degrees
+    TurnedLeft
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | Clockwise, in degrees: how the face appears turned in the composite.
@@ -69,22 +82,23 @@ centroid places = (mean fst, mean snd)
 
 -- | A symbol that was cut out of a composite, and what the network says of it.
 data ReadSymbol = ReadSymbol
-  { readNumber :: Int
-    -- ^ counts the symbols read together, from 0
-  , readSource :: Int
-    -- ^ the composite, counted from 0, that it was cut out of
-  , readImage :: SymbolImage
-    -- ^ where it lies in that composite, and its 8-by-12 image
-  , readAt :: (Double, Double)
-    -- ^ its centre on the first composite's grid of pixels, which goes on beyond that composite: to the right and down
-  , readClass :: Maybe (Orientation, Int)
-    -- ^ orientation and class, if the network knows it in exactly one orientation
-  , readSeen :: Double
-    -- ^ the share of it that was touched: 1 for a complete symbol
-  , readLikeliest :: (Orientation, Int)
-    -- ^ the likeliest orientation and class, known or not
-  , readChances :: [((Orientation, Int), Double)]
-    -- ^ the probabilities of all orientations and classes of its axis
+  { -- | counts the symbols read together, from 0
+    readNumber :: Int,
+    -- | the composite, counted from 0, that it was cut out of
+    readSource :: Int,
+    -- | where it lies in that composite, and its 8-by-12 image
+    readImage :: SymbolImage,
+    -- | its centre on the first composite's grid of pixels, which goes on beyond that composite: to
+    -- the right and down
+    readAt :: (Double, Double),
+    -- | orientation and class, if the network knows it in exactly one orientation
+    readClass :: Maybe (Orientation, Int),
+    -- | the share of it that was touched: 1 for a complete symbol
+    readSeen :: Double,
+    -- | the likeliest orientation and class, known or not
+    readLikeliest :: (Orientation, Int),
+    -- | the probabilities of all orientations and classes of its axis
+    readChances :: [((Orientation, Int), Double)]
   }
   deriving stock (Eq, Show)
 
@@ -97,29 +111,32 @@ data Reader = Reader Templates Network
 
 -- | A composite with the symbols of one axis.
 data View = View
-  { viewSource :: Int
-    -- ^ which composite, counted from 0
-  , viewSideways :: Bool
-    -- ^ whether the symbols lie on their side
-  , viewComposite :: Composite
-    -- ^ the composite, turned counterclockwise if they do
-  , viewSegmentation :: Segmentation
-    -- ^ of the composite so turned
-  , viewShift :: (Double, Double)
-    -- ^ where its pixel (0, 0), before turning, is on the first composite's grid
-  , viewSymbols :: [ReadSymbol]
+  { -- | which composite, counted from 0
+    viewSource :: Int,
+    -- | whether the symbols lie on their side
+    viewSideways :: Bool,
+    -- | the composite, turned counterclockwise if they do
+    viewComposite :: Composite,
+    -- | of the composite so turned
+    viewSegmentation :: Segmentation,
+    -- | where its pixel (0, 0), before turning, is on the first composite's grid
+    viewShift :: (Double, Double),
+    viewSymbols :: [ReadSymbol]
   }
 
--- | The symbols of one axis in composites of one face, whose origins tell how these lie to each other: those that stand upright or
--- upside down, or, if the flag says so, those that lie on their side. A blob of one sort is not of the other's size. Numbers the
--- symbols from the number given.
+-- | The symbols of one axis in composites of one face, whose origins tell how these lie to each
+-- other: those that stand upright or upside down, or, if the flag says so, those that lie on their
+-- side. A blob of one sort is not of the other's size. Numbers the symbols from the number given.
 readSymbols :: Reader -> Bool -> Int -> [Composite] -> Either NetworkError [View]
 readSymbols reader lying from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
     view (i, c) = do
       let turned = if lying then counterclockwise c else c
           found = segment turned
-      symbols <- traverse (readSymbol reader lying i (shift c)) (segmentedSymbols (if lying then turnedBack c found else found))
+      symbols <-
+        traverse
+          (readSymbol reader lying i (shift c))
+          (segmentedSymbols (if lying then turnedBack c found else found))
       pure (View i lying turned found (shift c) symbols)
     shift c = case composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
@@ -129,40 +146,51 @@ readSymbols reader lying from composites = numbered from <$> traverse view (zip 
     numbered n views = case views of
       [] -> []
       v : others ->
-        v { viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v) } : numbered (n + length (viewSymbols v)) others
+        v {viewSymbols = zipWith (\k s -> s {readNumber = k}) [n ..] (viewSymbols v)} :
+        numbered (n + length (viewSymbols v)) others
 
 -- | A place on the first composite's grid, as pixels of the view's composite as it is turned.
 onView :: View -> (Double, Double) -> (Double, Double)
 onView view (x, y)
-  | viewSideways view = (y', fromIntegral (rasterHeight (compositeImage (viewComposite view))) - 1 - x')
+  | viewSideways view =
+    (y', fromIntegral (rasterHeight (compositeImage (viewComposite view))) - 1 - x')
   | otherwise = (x', y')
   where
     (x', y') = (x - fst (viewShift view), y - snd (viewShift view))
 
--- | Ask the network about a symbol's image in both orientations that its axis has; it knows the symbol if it does so in exactly one of
--- them.
-readSymbol :: Reader -> Bool -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
+-- | Ask the network about a symbol's image in both orientations that its axis has; it knows the
+-- symbol if it does so in exactly one of them.
+readSymbol ::
+  Reader ->
+  Bool ->
+  Int ->
+  (Double, Double) ->
+  SymbolImage ->
+  Either NetworkError ReadSymbol
 readSymbol (Reader shapesSeen network) lying source (dx, dy) image = do
   upright <- outputs network (symbolPixels image)
   turned <- outputs network (halfTurn (symbolPixels image))
   let likeliest = estimateFrom shapesSeen (symbolPixels image) upright turned
-  pure ReadSymbol
-    { readNumber = 0
-    , readSource = source
-    , readImage = image
-    , readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy)
-    , readClass = inOneOrientation (decide standardThresholds upright) (decide standardThresholds turned)
-    , readSeen = 1
-    , readLikeliest = orientedAs lying (estimateLikeliest likeliest)
-    , readChances = map (first (orientedAs lying)) (estimateChances likeliest)
-    }
+  pure
+    ReadSymbol
+      { readNumber = 0,
+        readSource = source,
+        readImage = image,
+        readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy),
+        readClass =
+          inOneOrientation (decide standardThresholds upright) (decide standardThresholds turned),
+        readSeen = 1,
+        readLikeliest = orientedAs lying (estimateLikeliest likeliest),
+        readChances = map (first (orientedAs lying)) (estimateChances likeliest)
+      }
   where
     inOneOrientation (Recognised _ _) (Recognised _ _) = Nothing
     inOneOrientation (Recognised c _) _ = Just (orientationAs lying False, c)
     inOneOrientation _ (Recognised c _) = Just (orientationAs lying True, c)
     inOneOrientation _ _ = Nothing
 
--- | A class and whether it is turned by 180 degrees, as an orientation and a class, for symbols that lie on their side or do not.
+-- | A class and whether it is turned by 180 degrees, as an orientation and a class, for symbols
+-- that lie on their side or do not.
 orientedAs :: Bool -> (Int, Bool) -> (Orientation, Int)
 orientedAs lying (c, isTurned) = (orientationAs lying isTurned, c)
 
@@ -180,29 +208,41 @@ mostKnown views = known >= 3 && 2 * known > length symbols
 
 -- | Does it know them so in the composites' mirror images? Then the images are mirrored.
 readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
-readMirrored reader composites = any mostKnown <$> traverse (\lying -> readSymbols reader lying 0 (map mirror composites)) [False, True]
+readMirrored reader composites =
+  any mostKnown
+    <$> traverse (\lying -> readSymbols reader lying 0 (map mirror composites)) [False, True]
   where
-    mirror c = c {compositeImage = mirrorColumns (compositeImage c), compositeCoverage = mirrorColumns (compositeCoverage c)}
+    mirror c =
+      c
+        { compositeImage = mirrorColumns (compositeImage c),
+          compositeCoverage = mirrorColumns (compositeCoverage c)
+        }
 
 -- | Symbols that neighbourhood ties together.
 data Group = Group
-  { groupCells :: Maybe (Map Cell ReadSymbol)
-    -- ^ each in its cell, rows and columns counted along the symbols' axes; 'Nothing' if their distances contradict each other
-  , groupAnchor :: (Double, Double)
-    -- ^ where the group's cell (0, 0) has its centre, along the symbols' axes: pixels across and down
-  , groupSymbols :: [ReadSymbol]
+  { -- | each in its cell, rows and columns counted along the symbols' axes; 'Nothing' if their
+    -- distances contradict each other
+    groupCells :: Maybe (Map Cell ReadSymbol),
+    -- | where the group's cell (0, 0) has its centre, along the symbols' axes: pixels across and
+    -- down
+    groupAnchor :: (Double, Double),
+    groupSymbols :: [ReadSymbol]
   }
 
 -- | The groups of symbols of one axis, by neighbourhood within each composite.
 groups :: [ReadSymbol] -> [Group]
 groups symbols = concatMap (map grouped . arrange placed) (Map.elems bySource)
   where
-    bySource = Map.fromListWith (flip (++)) [ (readSource s, [s]) | s <- symbols ]
+    bySource = Map.fromListWith (flip (++)) [(readSource s, [s]) | s <- symbols]
     placed s = (readImage s) {symbolCentre = readAt s}
     grouped cluster = case cluster of
       Lattice.Cluster cells -> Group (Just cells) (anchor (Map.toList cells)) (Map.elems cells)
       Lattice.Contradiction _ members -> Group Nothing (0, 0) members
-    anchor found = centroid
-      [ (across - columnPitch * fromIntegral j, down - rowPitch * fromIntegral i)
-      | ((i, j), s) <- found, let (across, down) = alongAxes s ]
-    alongAxes s = let (x, y) = readAt s in if isSideways (fst (readLikeliest s)) then (y, negate x) else (x, y)
+    anchor found =
+      centroid
+        [ (across - columnPitch * fromIntegral j, down - rowPitch * fromIntegral i)
+          | ((i, j), s) <- found,
+            let (across, down) = alongAxes s
+        ]
+    alongAxes s =
+      let (x, y) = readAt s in if isSideways (fst (readLikeliest s)) then (y, negate x) else (x, y)

@@ -1,43 +1,50 @@
 -- | A recognition in a few lines for people. Its 'Show' instance has everything, which is pages.
 module PraTactile.Recognise.Summary
-  ( summary
+  ( summary,
+
     -- * Its parts
-  , whereText
-  , centreText
-  , upperLeftVertex
-  , orientationText
-  , turnText
-  , positionsText
-  , doubtText
-  ) where
+    whereText,
+    centreText,
+    upperLeftVertex,
+    orientationText,
+    turnText,
+    positionsText,
+    doubtText,
+  )
+where
 
 import Data.List (intercalate)
-import Text.Printf (printf)
-
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
+import Text.Printf (printf)
 
--- | Object, face and corner; the place on the face and how it lies; the position in the array; the doubt. Or,
--- of a refusal, its name and the doubt of the likeliest position, if there is one. No line ends in a line
--- break.
+-- | Object, face and corner; the place on the face and how it lies; the position in the array; the
+-- doubt. Or, of a refusal, its name and the doubt of the likeliest position, if there is one. No
+-- line ends in a line break.
 summary :: Recognition -> [String]
 summary recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused: " ++ refusalName refusal) : doubted
   Right (Several orientation positions) ->
-    [ "ambiguous: " ++ show (length positions) ++ " positions fit: " ++ positionsText positions
-    , orientationText orientation ++ " in the composite" ] ++ doubted
+    [ "ambiguous: " ++ show (length positions) ++ " positions fit: " ++ positionsText positions,
+      orientationText orientation ++ " in the composite"
+    ]
+      ++ doubted
   Right (Found found) ->
     let window = foundWindow found
         Position r c = windowPosition window
-    in whereText (windowWhereabouts window)
-      : [ centreText place | OnFace place <- [windowWhereabouts window] ]
-      ++ [ orientationText (foundOrientation found) ++ " in the composite"
-         , "row " ++ show r ++ ", column " ++ show c ++ " of the array" ]
-      ++ doubted
+     in whereText (windowWhereabouts window) :
+        [centreText place | OnFace place <- [windowWhereabouts window]]
+          ++ [ orientationText (foundOrientation found) ++ " in the composite",
+               "row " ++ show r ++ ", column " ++ show c ++ " of the array"
+             ]
+          ++ doubted
   where
-    doubted = [ "doubt " ++ doubtText (evidenceDoubt evidence) | Just evidence <- [recognisedEvidence recognition] ]
+    doubted =
+      [ "doubt " ++ doubtText (evidenceDoubt evidence)
+        | Just evidence <- [recognisedEvidence recognition]
+      ]
 
 -- | What lies at a position.
 whereText :: Whereabouts -> String
@@ -74,7 +81,7 @@ turnText degrees
 
 -- | Positions as the command line takes them: @6,5 7,0@.
 positionsText :: [Position] -> String
-positionsText positions = unwords [ show r ++ "," ++ show c | Position r c <- positions ]
+positionsText positions = unwords [show r ++ "," ++ show c | Position r c <- positions]
 
 -- | A probability that may be too small for a 'Double'.
 doubtText :: Double -> String

@@ -1,5 +1,3 @@
-{-# LANGUAGE DataKinds #-}
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
@@ -13,35 +11,38 @@
 {-# LANGUAGE UndecidableInstances #-}
 {-# OPTIONS_GHC -Wno-name-shadowing #-}
 
--- | The tables of the database. Whatever can be a key is one, and whatever refers to a row is a foreign key. Lengths are
--- whole micrometres, so that equal distances are equal in every back end. "PraTactile.Store.Rows" fills the tables and
--- reads them.
+-- | The tables of the database. Whatever can be a key is one, and whatever refers to a row is a
+-- foreign key. Lengths are whole micrometres, so that equal distances are equal in every back end.
+-- "PraTactile.Store.Rows" fills the tables and reads them.
 module PraTactile.Store.Schema
-  ( schemaVersion
-  , tableColumns
-  , textColumns
-  , migrateAll
+  ( schemaVersion,
+    tableColumns,
+    textColumns,
+    migrateAll,
+
     -- * Tables
-  , Metadata (..)
-  , StoredObject (..)
-  , StoredVertex (..)
-  , StoredFace (..)
-  , StoredCorner (..)
-  , StoredEdge (..)
-  , StoredLaying (..)
-  , StoredCell (..)
+    Metadata (..),
+    StoredObject (..),
+    StoredVertex (..),
+    StoredFace (..),
+    StoredCorner (..),
+    StoredEdge (..),
+    StoredLaying (..),
+    StoredCell (..),
+
     -- * Keys and columns
-  , MetadataId
-  , StoredObjectId
-  , StoredVertexId
-  , StoredFaceId
-  , StoredCornerId
-  , StoredEdgeId
-  , StoredLayingId
-  , StoredCellId
-  , EntityField (..)
-  , Unique (..)
-  ) where
+    MetadataId,
+    StoredObjectId,
+    StoredVertexId,
+    StoredFaceId,
+    StoredCornerId,
+    StoredEdgeId,
+    StoredLayingId,
+    StoredCellId,
+    EntityField (..),
+    Unique (..),
+  )
+where
 
 import Data.Int (Int64)
 import Data.Text (Text)
@@ -52,24 +53,39 @@ import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSe
 schemaVersion :: Int
 schemaVersion = 2
 
--- | The tables, which every version has, each with its columns in their order: what the declarations below become in SQL.
+-- | The tables, which every version has, each with its columns in their order: what the
+-- declarations below become in SQL.
 tableColumns :: [(Text, [Text])]
 tableColumns =
-  [ ("metadata", ["id", "schema_version", "profile", "array_rows", "array_columns", "pitch_right_um", "pitch_down_um", "contents"])
-  , ("object", ["id", "name"])
-  , ("vertex", ["id", "object", "name", "x_um", "y_um", "z_um"])
-  , ("face", ["id", "object", "name"])
-  , ("corner", ["id", "face", "number", "vertex"])
-  , ("edge", ["id", "object", "start_vertex", "end_vertex", "left_face", "right_face"])
-  , ("laying", ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"])
-  , ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
+  [ ( "metadata",
+      [ "id",
+        "schema_version",
+        "profile",
+        "array_rows",
+        "array_columns",
+        "pitch_right_um",
+        "pitch_down_um",
+        "contents"
+      ]
+    ),
+    ("object", ["id", "name"]),
+    ("vertex", ["id", "object", "name", "x_um", "y_um", "z_um"]),
+    ("face", ["id", "object", "name"]),
+    ("corner", ["id", "face", "number", "vertex"]),
+    ("edge", ["id", "object", "start_vertex", "end_vertex", "left_face", "right_face"]),
+    ( "laying",
+      ["id", "face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"]
+    ),
+    ("cell", ["id", "array_row", "array_column", "laying", "local_row", "local_column"])
   ]
 
 -- | The columns, of whatever table, whose values are text; those of all others are integers.
 textColumns :: [Text]
 textColumns = ["name", "profile", "contents"]
 
-share [mkPersist sqlSettings, mkMigrate "migrateAll"] [persistLowerCase|
+share
+  [mkPersist sqlSettings, mkMigrate "migrateAll"]
+  [persistLowerCase|
 Metadata sql=metadata
   schemaVersion Int
   profile Text

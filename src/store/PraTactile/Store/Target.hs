@@ -1,29 +1,39 @@
--- | Where a store may be written: under a new name, or in the place of a store. What else is there stays as it is.
+-- | Where a store may be written: under a new name, or in the place of a store. What else is there
+-- stays as it is.
 module PraTactile.Store.Target
-  ( target
-  , isRegular
-  , beginsAsDatabase
+  ( target,
+    isRegular,
+    beginsAsDatabase,
+
     -- * Beside it
-  , partOf
-  , clearPart
-  , discardPart
-  ) where
+    partOf,
+    clearPart,
+    discardPart,
+  )
+where
 
 import Control.Exception (IOException, try)
 import Control.Monad (unless, when)
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.Except (ExceptT (..), throwE, withExceptT)
 import Data.Foldable (for_)
+import PraTactile.Store.Error
+import PraTactile.Store.Guard (failureOf)
 import System.Directory (canonicalizePath, removeFile)
 import System.IO (IOMode (..), hGetChar, hIsEOF, withBinaryFile)
 import System.IO.Error (isDoesNotExistError)
-import System.Posix.Files (FileStatus, getFileStatus, getSymbolicLinkStatus, isDirectory, isRegularFile, isSymbolicLink)
+import System.Posix.Files
+  ( FileStatus,
+    getFileStatus,
+    getSymbolicLinkStatus,
+    isDirectory,
+    isRegularFile,
+    isSymbolicLink,
+  )
 
-import PraTactile.Store.Error
-import PraTactile.Store.Guard (failureOf)
-
--- | The file to write for a path: the path itself if nothing is there, or if a file is there that the action knows as a
--- store; what a link leads to if that is such a file. Refuses all else. Devices and pipes are not opened.
+-- | The file to write for a path: the path itself if nothing is there, or if a file is there that
+-- the action knows as a store; what a link leads to if that is such a file. Refuses all else.
+-- Devices and pipes are not opened.
 target :: (FilePath -> IO Bool) -> FilePath -> ExceptT StoreError IO FilePath
 target isStore path = do
   itself <- status path (getSymbolicLinkStatus path)
@@ -51,30 +61,34 @@ status path ask = do
   outcome <- liftIO (try ask)
   case outcome of
     Right found -> pure (Just found)
-    Left fault | isDoesNotExistError fault -> pure Nothing
-               | otherwise -> throwE (CannotWrite path (failureOf fault))
+    Left fault
+      | isDoesNotExistError fault -> pure Nothing
+      | otherwise -> throwE (CannotWrite path (failureOf fault))
 
 system :: FilePath -> IO a -> ExceptT StoreError IO a
 system path = withExceptT (CannotWrite path . failureOf) . ExceptT . try
 
--- | Whether a regular file begins with the 16 bytes of every SQLite database; 'Nothing' if it is shorter, but begins so
--- as far as it goes.
+-- | Whether a regular file begins with the 16 bytes of every SQLite database; 'Nothing' if it is
+-- shorter, but begins so as far as it goes.
 beginsAsDatabase :: FilePath -> IO (Either IOException (Maybe Bool))
 beginsAsDatabase path = try (withBinaryFile path ReadMode (expect "SQLite format 3\0"))
   where
     expect [] _ = pure (Just True)
     expect (letter : others) handle = do
       ended <- hIsEOF handle
-      if ended then pure Nothing else do
-        found <- hGetChar handle
-        if found == letter then expect others handle else pure (Just False)
+      if ended
+        then pure Nothing
+        else do
+          found <- hGetChar handle
+          if found == letter then expect others handle else pure (Just False)
 
--- | Where a store is written first: beside the file that it becomes, under a name that the next run finds.
+-- | Where a store is written first: beside the file that it becomes, under a name that the next run
+-- finds.
 partOf :: FilePath -> FilePath
 partOf = (++ ".part")
 
--- | Remove what an interrupted run left behind of a part; refuses anything else that has its name. The journal goes
--- first, for SQLite would apply it to the next part.
+-- | Remove what an interrupted run left behind of a part; refuses anything else that has its name.
+-- The journal goes first, for SQLite would apply it to the next part.
 clearPart :: FilePath -> ExceptT StoreError IO ()
 clearPart part = for_ (journalsOf part ++ [part]) $ \file -> do
   there <- status file (getSymbolicLinkStatus file)

@@ -1,31 +1,29 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | The likeliest symbol in an image, in either of two orientations, and how sure that is.
 --
--- The network's outputs tell which class and orientation are the likeliest; but they do not tell how often that is wrong, because
--- an output unit is nearly as sure of a blurred symbol as of a clear one. How well the image matches the likeliest symbol's own
--- shape does. Note [Calibration]
+-- The network's outputs tell which class and orientation are the likeliest; but they do not tell
+-- how often that is wrong, because an output unit is nearly as sure of a blurred symbol as of a
+-- clear one. How well the image matches the likeliest symbol's own shape does. Note [Calibration]
 module PraTactile.Classify.Estimate
-  ( Estimate (..)
-  , estimateDoubt
-  , estimateChance
-  , estimate
-  , estimateFrom
-  , leastDoubt
-  ) where
+  ( Estimate (..),
+    estimateDoubt,
+    estimateChance,
+    estimate,
+    estimateFrom,
+    leastDoubt,
+  )
+where
 
 import Data.List (sortOn)
 import Data.Ord (Down (..))
-
 import PraTactile.Classify.Network
 import PraTactile.Classify.Templates
 import PraTactile.Image
 
 -- | What an image most likely shows: a class, and whether it is turned by 180 degrees.
 data Estimate = Estimate
-  { estimateLikeliest :: !(Int, Bool)
-  , estimateChances :: ![((Int, Bool), Double)]
-  -- ^ the probabilities of all, each above 0; they add up to 1
+  { estimateLikeliest :: !(Int, Bool),
+    -- | the probabilities of all, each above 0; they add up to 1
+    estimateChances :: ![((Int, Bool), Double)]
   }
   deriving stock (Eq, Show)
 
@@ -37,34 +35,43 @@ estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= est
 estimateChance :: Estimate -> (Int, Bool) -> Double
 estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
--- | The least doubt that is ever told: more than ten million images would be needed to show that it is less.
+-- | The least doubt that is ever told: more than ten million images would be needed to show that it
+-- is less.
 leastDoubt :: Double
 leastDoubt = 1e-7
 
--- | The estimate for an 8 x 12 image. Refuses what 'outputs' does, and ('WrongOutputCount') a network whose outputs are not one a shape.
+-- | The estimate for an 8 x 12 image. Refuses what 'outputs' does, and ('WrongOutputCount') a
+-- network whose outputs are not one a shape.
 estimate :: Templates -> Network -> Raster -> Either NetworkError Estimate
 estimate shapesSeen n image
-  | outputCount n /= templateCount shapesSeen = Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
+  | outputCount n /= templateCount shapesSeen =
+    Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
   | otherwise = estimateFrom shapesSeen image <$> outputs n image <*> outputs n (halfTurn image)
 
--- | The same from what the network's outputs, one a shape, are for the image and for the image turned by 180 degrees.
+-- | The same from what the network's outputs, one a shape, are for the image and for the image
+-- turned by 180 degrees.
 estimateFrom :: Templates -> Raster -> [Double] -> [Double] -> Estimate
-estimateFrom shapesSeen image upright turned = case sortOn (Down . snd) (logits False upright ++ logits True turned) of
+estimateFrom shapesSeen image upright turned = case sortOn
+  (Down . snd)
+  (logits False upright ++ logits True turned) of
   (best, first) : others@((_, second) : _) ->
     let w = doubt (first - second) (matched best)
-     in Estimate best ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
+     in Estimate
+          best
+          ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
   _ -> Estimate (0, False) []
- where
-  logits isTurned values = [((c, isTurned), logit o) | (c, o) <- zip [0 ..] values]
-  matched (c, isTurned) = match shapesSeen c (if isTurned then halfTurn image else image)
-  blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
-  doubt lead likeness = max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
+  where
+    logits isTurned values = [((c, isTurned), logit o) | (c, o) <- zip [0 ..] values]
+    matched (c, isTurned) = match shapesSeen c (if isTurned then halfTurn image else image)
+    blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
+    doubt lead likeness =
+      max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
 
 -- | The inverse of the logistic function; outputs are told from 0 and 1 to 10^-15.
 logit :: Double -> Double
 logit o = log (p / (1 - p))
- where
-  p = max 1e-15 (min (1 - 1e-15) o)
+  where
+    p = max 1e-15 (min (1 - 1e-15) o)
 
 -- The logistic regression of Note [Calibration].
 intercept, perLead, perLikeness :: Double
@@ -72,16 +79,17 @@ intercept = 11.3
 perLead = 0.11
 perLikeness = 21.9
 
--- Note [Calibration]
--- ~~~~~~~~~~~~~~~~~~
--- 25 000 symbols were cut from composites of 5 000 simulated explorations with a position error of one taxel and sensor noise of 0.1 to
--- 0.4 of full scale, and the estimate compared with the truth. The log odds of a wrong estimate were fitted by logistic regression on the
--- lead (of the greatest logit over the next) and the likeness (the greatest correlation with the shape):
+-- Note [Calibration] ~~~~~~~~~~~~~~~~~~ 25 000 symbols were cut from composites of 5 000 simulated
+-- explorations with a position error of one taxel and sensor noise of 0.1 to 0.4 of full scale, and
+-- the estimate compared with the truth. The log odds of a wrong estimate were fitted by logistic
+-- regression on the lead (of the greatest logit over the next) and the likeness (the greatest
+-- correlation with the shape):
 --
 --   noise               0.1     0.2     0.3     0.4
 --   symbols            8525    8497    6169    1804
 --   wrong, expected     1.3     2.8      39      94
 --   wrong, counted        0       0      40     107
 --
--- The lead alone would expect 10, 11, 48 and 78. Of the 147 wrong ones the true class and orientation was the network's second choice 30
--- times, and the others' 16 to 22 times each: as good as evenly spread, which is why all others count as equally likely.
+-- The lead alone would expect 10, 11, 48 and 78. Of the 147 wrong ones the true class and
+-- orientation was the network's second choice 30 times, and the others' 16 to 22 times each: as
+-- good as evenly spread, which is why all others count as equally likely.

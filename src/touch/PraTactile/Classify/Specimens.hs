@@ -1,31 +1,32 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | The sorts of things whose images reach the classifier: upright symbols, and what must not be taken for one.
+-- | The sorts of things whose images reach the classifier: upright symbols, and what must not be
+-- taken for one.
 module PraTactile.Classify.Specimens
-  ( Kind (..)
-  , genuine
-  , impostors
-  , specimen
-  , misplacementBound
-  ) where
-
-import System.Random (StdGen)
+  ( Kind (..),
+    genuine,
+    impostors,
+    specimen,
+    misplacementBound,
+  )
+where
 
 import PraTactile.Classify.Samples
 import PraTactile.Image (Raster)
 import PraTactile.Random (uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Distance (Feature (Full), ordinaryFeatures)
+import System.Random (StdGen)
 
 -- | What an image shows.
 data Kind
   = -- | A symbol, upright and in place.
     Upright
-  | -- | The same, but a corner of the image at most 3 taxels wide or tall, or a margin of at most 2, was not seen.
+  | -- | The same, but a corner of the image at most 3 taxels wide or tall, or a margin of at most
+    -- 2, was not seen.
     Curtailed
   | -- | A symbol turned by 180 degrees.
     UpsideDown
-  | -- | The same, but a corner at most 4 taxels wide or tall, or a margin of at most 2, was not seen.
+  | -- | The same, but a corner at most 4 taxels wide or tall, or a margin of at most 2, was not
+    -- seen.
     CurtailedUpsideDown
   | -- | A symbol turned by 90 degrees.
     Sideways
@@ -47,12 +48,13 @@ genuine kind = kind == Upright || kind == Curtailed
 impostors :: [Kind]
 impostors = filter (not . genuine) [minBound .. maxBound]
 
--- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels in each direction.
+-- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels
+-- in each direction.
 misplacementBound :: Double
 misplacementBound = 0.7
 
--- | The noiseless image of a random specimen of a kind, of the shape given (with another of the alphabet's where the kind wants two),
--- as stitching and segmentation would leave it.
+-- | The noiseless image of a random specimen of a kind, of the shape given (with another of the
+-- alphabet's where the kind wants two), as stitching and segmentation would leave it.
 specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
 specimen alphabetOfAll kind shape g = case kind of
   Upright -> (see view (symbolScene shape), g')
@@ -64,7 +66,9 @@ specimen alphabetOfAll kind shape g = case kind of
     let (far, h) = offset g'
         (near, h') = between (-6) 6 h
         (rows, h'') = below 2 h'
-     in (see view {viewShift = if rows == 0 then (far, near) else (near, far)} (symbolScene shape), h'')
+     in ( see view {viewShift = if rows == 0 then (far, near) else (near, far)} (symbolScene shape),
+          h''
+        )
   Halves ->
     let (other, h) = oneOf shape (filter (/= shape) (shapes alphabetOfAll)) g'
         (cut, h') = below 2 h
@@ -73,28 +77,29 @@ specimen alphabetOfAll kind shape g = case kind of
     let (feature, h) = oneOf Full ordinaryFeatures g'
      in (see view (featureScene feature), h)
   Bare -> (see view flatScene, g')
- where
-  (view, g') = stitchedView misplacementBound g
-  offset h =
-    let (size, h') = between 3 6 h
-        (side, h'') = below 2 h'
-     in (if side == 0 then size else -size, h'')
+  where
+    (view, g') = stitchedView misplacementBound g
+    offset h =
+      let (size, h') = between 3 6 h
+          (side, h'') = below 2 h'
+       in (if side == 0 then size else -size, h'')
 
--- | The image without a corner at most so many taxels wide, or so many tall; or without 1 or 2 columns or rows.
+-- | The image without a corner at most so many taxels wide, or so many tall; or without 1 or 2
+-- columns or rows.
 curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
 curtailed thickest image g0 = (withUnseen unseen image, g5)
- where
-  (sort, g1) = below 4 g0
-  (u, g2) = below 2 g1
-  (v, g3) = below 2 g2
-  (thin, g4) = below thickest g3
-  (long, g5) = below symbolHeight g4
-  far = u == 1
-  unseen
-    | sort == 0 = CornerUnseen far (v == 1) (thin + 1) (long + 1)
-    | sort == 1 = CornerUnseen far (v == 1) (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
-    | sort == 2 = ColumnsUnseen far (v + 1)
-    | otherwise = RowsUnseen far (v + 1)
+  where
+    (sort, g1) = below 4 g0
+    (u, g2) = below 2 g1
+    (v, g3) = below 2 g2
+    (thin, g4) = below thickest g3
+    (long, g5) = below symbolHeight g4
+    far = u == 1
+    unseen
+      | sort == 0 = CornerUnseen far (v == 1) (thin + 1) (long + 1)
+      | sort == 1 = CornerUnseen far (v == 1) (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
+      | sort == 2 = ColumnsUnseen far (v + 1)
+      | otherwise = RowsUnseen far (v + 1)
 
 between :: Double -> Double -> StdGen -> (Double, StdGen)
 between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')

@@ -1,12 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
-{-# LANGUAGE DerivingStrategies #-}
 
--- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole and at
--- fractional displacements (the paper's section IV: "a 2-D cross-correlation algorithm is used to correct the
--- misalignment errors of successive images").
+-- | Two-dimensional normalised cross-correlation of an image with a weighted reference, at whole
+-- and at fractional displacements (the paper's section IV: "a 2-D cross-correlation algorithm is
+-- used to correct the misalignment errors of successive images").
 --
--- At displacement d the image's pixel p lies on the reference's place p + d. With f(p) the image's value,
--- c(p) and m(p) the reference's value and weight there, and n the sum of all m(p),
+-- At displacement d the image's pixel p lies on the reference's place p + d. With f(p) the image's
+-- value, c(p) and m(p) the reference's value and weight there, and n the sum of all m(p),
 --
 -- > mean f     = sum m f / n
 -- > variance f = sum m (f - mean f)^2 / n
@@ -16,153 +15,175 @@
 -- The test suite has the same on lists, straight from these formulas, and compares.
 module PraTactile.Image.Correlate
   ( -- * References
-    Reference
-  , reference
-  , referenceOf
-  , referenceSums
-  , referenceWeights
-  , referenceAt
+    Reference,
+    reference,
+    referenceOf,
+    referenceSums,
+    referenceWeights,
+    referenceAt,
 
     -- * Correlation
-  , Overlap (..)
-  , overlapAt
-  , zncc
-  ) where
+    Overlap (..),
+    overlapAt,
+    zncc,
+  )
+where
 
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
+import PraTactile.Image
+  ( ImageError (..),
+    Raster,
+    constant,
+    index,
+    rasterHeight,
+    rasterValues,
+    rasterWidth,
+  )
 
-import PraTactile.Image (ImageError (..), Raster, constant, index, rasterHeight, rasterValues, rasterWidth)
-
--- | An image with a weight at each pixel, such as the number of frames it is the mean of; nothing is known
--- where the weight is 0.
+-- | An image with a weight at each pixel, such as the number of frames it is the mean of; nothing
+-- is known where the weight is 0.
 --
--- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of the weights
--- around it, and the value the mean of the values around it with those shares times their weights.
+-- Between its pixels it is interpolated as a whole: the weight at a place is the bilinear mean of
+-- the weights around it, and the value the mean of the values around it with those shares times
+-- their weights.
 data Reference = Reference
-  { referenceSums :: !Raster
-  -- ^ The weight times the value at each pixel.
-  , referenceWeights :: !Raster
-  -- ^ The weight at each pixel. The two are of one size.
+  { -- | The weight times the value at each pixel.
+    referenceSums :: !Raster,
+    -- | The weight at each pixel. The two are of one size.
+    referenceWeights :: !Raster
   }
   deriving stock (Eq, Show)
 
--- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters of
--- different size.
+-- | A reference from the weights times the values, and the weights. Refuses ('SizesDiffer') rasters
+-- of different size.
 reference :: Raster -> Raster -> Either ImageError Reference
 reference sums weights
   | size sums /= size weights = Left (SizesDiffer (size sums) (size weights))
   | otherwise = Right (Reference sums weights)
- where
-  size image = (rasterWidth image, rasterHeight image)
+  where
+    size image = (rasterWidth image, rasterHeight image)
 
 -- | A whole image as a reference, of weight 1 everywhere.
 referenceOf :: Raster -> Reference
 referenceOf image = Reference image (constant (rasterWidth image) (rasterHeight image) 1)
 
--- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0. 'Nothing'
--- where the weight is.
+-- | The value and the weight at a place, x and y in pixels; pixels that do not exist have weight 0.
+-- 'Nothing' where the weight is.
 referenceAt :: Reference -> Double -> Double -> Maybe (Double, Double)
 referenceAt (Reference sums weights) x y
   | near x && near y && m > 0 = Just (at sums / m, m)
   | otherwise = Nothing
- where
-  bx = floor x :: Int
-  by = floor y :: Int
-  fx = x - fromIntegral bx
-  fy = y - fromIntegral by
-  m = at weights
-  at image = (1 - fy) * ((1 - fx) * pixel 0 0 + fx * pixel 1 0) + fy * ((1 - fx) * pixel 0 1 + fx * pixel 1 1)
-   where
-    pixel i j = fromMaybe 0 (index image (bx + i) (by + j))
+  where
+    bx = floor x :: Int
+    by = floor y :: Int
+    fx = x - fromIntegral bx
+    fy = y - fromIntegral by
+    m = at weights
+    at image =
+      (1 - fy) * ((1 - fx) * pixel 0 0 + fx * pixel 1 0)
+        + fy * ((1 - fx) * pixel 0 1 + fx * pixel 1 1)
+      where
+        pixel i j = fromMaybe 0 (index image (bx + i) (by + j))
 
 -- | What an image and a reference have in common at one displacement: see the module's head.
 data Overlap = Overlap
-  { overlapWeight :: !Double
-  -- ^ n, the sum of the weights; 0 where they do not meet.
-  , overlapImageVariance :: !Double
-  , overlapReferenceVariance :: !Double
-  , overlapCovariance :: !Double
+  { -- | n, the sum of the weights; 0 where they do not meet.
+    overlapWeight :: !Double,
+    overlapImageVariance :: !Double,
+    overlapReferenceVariance :: !Double,
+    overlapCovariance :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' where the image or the reference is flat,
--- or they do not meet.
+-- | The zero-mean normalised cross-correlation, -1 to 1; 'Nothing' where the image or the reference
+-- is flat, or they do not meet.
 zncc :: Overlap -> Maybe Double
 zncc (Overlap n vf vc cov)
   | n > 0 && vf > flat && vc > flat = Just (max (-1) (min 1 (cov / sqrt vf / sqrt vc)))
   | otherwise = Nothing
- where
-  -- The variance of a constant comes out of the sums as rounding errors of this order.
-  flat = 1e-12
+  where
+    -- The variance of a constant comes out of the sums as rounding errors of this order.
+    flat = 1e-12
 
--- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels between
--- reference pixels not all of which exist are left out.
+-- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels
+-- between reference pixels not all of which exist are left out.
 overlapAt :: Reference -> Raster -> Double -> Double -> Overlap
 overlapAt (Reference sums weights) image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
   | fx > 0 || fy > 0 = moments between
   | otherwise = moments exactly
- where
-  iw = rasterWidth image
-  values = rasterValues image
-  w = rasterWidth sums
-  sumValues = rasterValues sums
-  weightValues = rasterValues weights
-  bx = floor dx :: Int
-  by = floor dy :: Int
-  fx = dx - fromIntegral bx
-  fy = dy - fromIntegral by
-  stepX = if fx > 0 then 1 else 0
-  stepY = if fy > 0 then 1 else 0
-  -- The image's columns and rows that meet the reference. See Note [Bounds].
-  x0 = max 0 (negate bx)
-  x1 = min iw (w - stepX - bx)
-  y0 = max 0 (negate by)
-  y1 = min (rasterHeight image) (rasterHeight sums - stepY - by)
-  exactly, between :: Vector Double -> Int -> Double
-  exactly v i = V.unsafeIndex v i
-  {-# INLINE exactly #-}
-  between v i =
-    (1 - fy) * ((1 - fx) * V.unsafeIndex v i + fx * V.unsafeIndex v (i + stepX))
-      + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + stepX))
-  {-# INLINE between #-}
-  below = stepY * w
+  where
+    iw = rasterWidth image
+    values = rasterValues image
+    w = rasterWidth sums
+    sumValues = rasterValues sums
+    weightValues = rasterValues weights
+    bx = floor dx :: Int
+    by = floor dy :: Int
+    fx = dx - fromIntegral bx
+    fy = dy - fromIntegral by
+    stepX = if fx > 0 then 1 else 0
+    stepY = if fy > 0 then 1 else 0
+    -- The image's columns and rows that meet the reference. See Note [Bounds].
+    x0 = max 0 (negate bx)
+    x1 = min iw (w - stepX - bx)
+    y0 = max 0 (negate by)
+    y1 = min (rasterHeight image) (rasterHeight sums - stepY - by)
+    exactly, between :: Vector Double -> Int -> Double
+    exactly v i = V.unsafeIndex v i
+    {-# INLINE exactly #-}
+    between v i =
+      (1 - fy) * ((1 - fx) * V.unsafeIndex v i + fx * V.unsafeIndex v (i + stepX))
+        + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + stepX))
+    {-# INLINE between #-}
+    below = stepY * w
 
-  moments :: (Vector Double -> Int -> Double) -> Overlap
-  moments at = row y0 0 0 0 0 0 0
-   where
-    row !y !n !sf !sc !sff !scc !sfc
-      | y >= y1 = overlapOf n sf sc sff scc sfc
-      | otherwise = column (y * iw) ((y + by) * w + bx) y x0 n sf sc sff scc sfc
-    column !f0 !r0 !y !x !n !sf !sc !sff !scc !sfc
-      | x >= x1 = row (y + 1) n sf sc sff scc sfc
-      | m <= 0 = column f0 r0 y (x + 1) n sf sc sff scc sfc
-      | otherwise =
-          let f = V.unsafeIndex values (f0 + x)
-              mf = m * f
-              mc = at sumValues (r0 + x)
-           in column f0 r0 y (x + 1) (n + m) (sf + mf) (sc + mc) (sff + mf * f) (scc + mc * mc / m) (sfc + mc * f)
-     where
-      m = at weightValues (r0 + x)
-  {-# INLINE moments #-}
+    moments :: (Vector Double -> Int -> Double) -> Overlap
+    moments at = row y0 0 0 0 0 0 0
+      where
+        row !y !n !sf !sc !sff !scc !sfc
+          | y >= y1 = overlapOf n sf sc sff scc sfc
+          | otherwise = column (y * iw) ((y + by) * w + bx) y x0 n sf sc sff scc sfc
+        column !f0 !r0 !y !x !n !sf !sc !sff !scc !sfc
+          | x >= x1 = row (y + 1) n sf sc sff scc sfc
+          | m <= 0 = column f0 r0 y (x + 1) n sf sc sff scc sfc
+          | otherwise =
+            let f = V.unsafeIndex values (f0 + x)
+                mf = m * f
+                mc = at sumValues (r0 + x)
+             in column
+                  f0
+                  r0
+                  y
+                  (x + 1)
+                  (n + m)
+                  (sf + mf)
+                  (sc + mc)
+                  (sff + mf * f)
+                  (scc + mc * mc / m)
+                  (sfc + mc * f)
+          where
+            m = at weightValues (r0 + x)
+    {-# INLINE moments #-}
 
--- Note [Bounds]
--- ~~~~~~~~~~~~~
--- 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x >= -bx and x < w - stepX
--- - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with the reference's height, so all four
--- of the reference's indices are good; where an axis' fraction is 0 its step is 0. Displacements are bounded
--- by 'near', so nothing overflows.
+-- Note [Bounds] ~~~~~~~~~~~~~ 0 <= x < iw and 0 <= y < image height, so the image's index y * iw +
+-- x is good. x >= -bx and x < w - stepX
+-- - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with the reference's height, so
+-- all four of the reference's indices are good; where an axis' fraction is 0 its step is 0.
+-- Displacements are bounded by 'near', so nothing overflows.
 
--- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts as 0.
+-- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts
+-- as 0.
 overlapOf :: Double -> Double -> Double -> Double -> Double -> Double -> Overlap
 overlapOf n sf sc sff scc sfc
   | n <= 0 = Overlap 0 0 0 0
-  | otherwise = Overlap n (max 0 (sff / n - mf * mf)) (max 0 (scc / n - mc * mc)) (sfc / n - mf * mc)
- where
-  mf = sf / n
-  mc = sc / n
+  | otherwise =
+    Overlap n (max 0 (sff / n - mf * mf)) (max 0 (scc / n - mc * mc)) (sfc / n - mf * mc)
+  where
+    mf = sf / n
+    mc = sc / n
 
 -- | Whether a coordinate is a number small enough to be calculated with as an 'Int'.
 near :: Double -> Bool

@@ -1,12 +1,11 @@
-{-# LANGUAGE DerivingStrategies #-}
-
 -- | The error sum of the image layer: what can be wrong with an image as numbers
 -- ("PraTactile.Image") or as a file ("PraTactile.Image.Pgm").
 module PraTactile.Image.Error
   ( -- * The error sum
-    ImageError (..)
-  , HeaderField (..)
-  ) where
+    ImageError (..),
+    HeaderField (..),
+  )
+where
 
 import Data.ByteString (ByteString)
 import Numeric.Natural (Natural)
@@ -27,12 +26,13 @@ data ImageError
     TooManyPixels !Natural !Natural
   | -- | The file does not begin with a PGM's @P2@ or @P5@; its first bytes (at most eight).
     NotPgm !ByteString
-  | -- | A number of the header is missing or malformed: which one, and the bytes found there (at most eight).
+  | -- | A number of the header is missing or malformed: which one, and the bytes found there (at
+    -- most eight).
     BadHeader !HeaderField !ByteString
   | -- | A maximum value outside 1 to 65535.
     MaxvalOutOfRange !Natural
-  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based sample, and the
-    -- bytes found there (at most eight).
+  | -- | Something other than a number among the samples of a plain (P2) file: the zero-based
+    -- sample, and the bytes found there (at most eight).
     BadSample !Int !ByteString
   | -- | The file ends too soon: samples needed, samples found.
     Truncated !Int !Int

@@ -1,38 +1,38 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE PatternSynonyms #-}
 
--- | PGM files, the form in which frames and composites come and go: P2 and P5, 8 and 16 bits, to and from
--- JuicyPixels' images and 'Raster's.
+-- | PGM files, the form in which frames and composites come and go: P2 and P5, 8 and 16 bits, to
+-- and from JuicyPixels' images and 'Raster's.
 --
 -- 0 is no contact and the maximum value full scale.
 module PraTactile.Image.Pgm
   ( -- * PGM images
-    Pgm
-  , pattern Pgm8
-  , pattern Pgm16
-  , pgm8
-  , pgm16
-  , pgmWidth
-  , pgmHeight
-  , pgmMaxval
-  , pgmDynamic
-  , maxPixels
-  , ImageError (..)
-  , HeaderField (..)
+    Pgm,
+    pattern Pgm8,
+    pattern Pgm16,
+    pgm8,
+    pgm16,
+    pgmWidth,
+    pgmHeight,
+    pgmMaxval,
+    pgmDynamic,
+    maxPixels,
+    ImageError (..),
+    HeaderField (..),
 
     -- * Files
-  , decodePgm
-  , PgmFormat (..)
-  , encodePgm
-  , formatName
+    decodePgm,
+    PgmFormat (..),
+    encodePgm,
+    formatName,
 
     -- * Intensities
-  , pgmIntensity
-  , pgmFromIntensity
+    pgmIntensity,
+    pgmFromIntensity,
 
     -- * PNG
-  , rasterPng
-  ) where
+    rasterPng,
+  )
+where
 
 import Codec.Picture (Image (..), Pixel8, encodePng)
 import Data.ByteString (ByteString)
@@ -41,7 +41,6 @@ import qualified Data.ByteString.Lazy as L
 import Data.List (intersperse)
 import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
-
 import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
 import PraTactile.Image.Pgm.Decode (decodePgm, formatName)
@@ -49,7 +48,8 @@ import PraTactile.Image.Pgm.Type
 
 -- | The two forms of a PGM file.
 data PgmFormat
-  = -- | P2: decimal numbers, one row of the image to a line or several, none longer than 70 characters.
+  = -- | P2: decimal numbers, one row of the image to a line or several, none longer than 70
+    -- characters.
     Plain
   | -- | P5: one byte a sample, or two with the more significant first.
     Binary
@@ -58,22 +58,31 @@ data PgmFormat
 -- | The file of an image. 'decodePgm' gives back the same image, maximum value included.
 encodePgm :: PgmFormat -> Pgm -> ByteString
 encodePgm format pgm = L.toStrict (Builder.toLazyByteString (magic <> header <> body))
- where
-  magic = Builder.string7 (case format of Plain -> "P2"; Binary -> "P5")
-  header =
-    Builder.string7 ("\n" ++ show (pgmWidth pgm) ++ " " ++ show (pgmHeight pgm) ++ "\n" ++ show (pgmMaxval pgm) ++ "\n")
-  body = case (format, pgm) of
-    (Binary, Pgm8 _ image) -> V.foldr ((<>) . Builder.word8) mempty (imageData image)
-    (Binary, Pgm16 _ image) -> V.foldr ((<>) . Builder.word16BE) mempty (imageData image)
-    (Plain, Pgm8 _ image) -> plain (imageWidth image) (V.toList (V.map fromIntegral (imageData image)))
-    (Plain, Pgm16 _ image) -> plain (imageWidth image) (V.toList (imageData image))
+  where
+    magic = Builder.string7 (case format of Plain -> "P2"; Binary -> "P5")
+    header =
+      Builder.string7
+        ( "\n"
+            ++ show (pgmWidth pgm)
+            ++ " "
+            ++ show (pgmHeight pgm)
+            ++ "\n"
+            ++ show (pgmMaxval pgm)
+            ++ "\n"
+        )
+    body = case (format, pgm) of
+      (Binary, Pgm8 _ image) -> V.foldr ((<>) . Builder.word8) mempty (imageData image)
+      (Binary, Pgm16 _ image) -> V.foldr ((<>) . Builder.word16BE) mempty (imageData image)
+      (Plain, Pgm8 _ image) ->
+        plain (imageWidth image) (V.toList (V.map fromIntegral (imageData image)))
+      (Plain, Pgm16 _ image) -> plain (imageWidth image) (V.toList (imageData image))
 
 -- | Numbers in lines: at most eleven of five digits fit the 70 characters that pgm(5) allows.
 plain :: Int -> [Word16] -> Builder.Builder
 plain width samples = mconcat (concatMap line (chunks width samples))
- where
-  line row = [spaced part <> Builder.char7 '\n' | part <- chunks 11 row]
-  spaced = mconcat . intersperse (Builder.char7 ' ') . map Builder.word16Dec
+  where
+    line row = [spaced part <> Builder.char7 '\n' | part <- chunks 11 row]
+    spaced = mconcat . intersperse (Builder.char7 ' ') . map Builder.word16Dec
 
 chunks :: Int -> [a] -> [[a]]
 chunks n list = case splitAt n list of
@@ -85,19 +94,23 @@ pgmIntensity :: Pgm -> Raster
 pgmIntensity pgm = case pgm of
   Pgm8 m image -> shares (fromIntegral m) (V.map fromIntegral (imageData image))
   Pgm16 m image -> shares (fromIntegral m) (V.map fromIntegral (imageData image))
- where
-  w = pgmWidth pgm
-  shares :: Double -> V.Vector Double -> Raster
-  shares full samples = generate w (pgmHeight pgm) (\x y -> maybe 0 (/ full) (samples V.!? (y * w + x)))
+  where
+    w = pgmWidth pgm
+    shares :: Double -> V.Vector Double -> Raster
+    shares full samples =
+      generate w (pgmHeight pgm) (\x y -> maybe 0 (/ full) (samples V.!? (y * w + x)))
 
--- | The PGM of a raster: values clipped to 0..1, times the maximum value, rounded to the nearest sample (ties
--- to the even one); what is not a number becomes 0. Refuses a maximum value of 0 and an empty or too large
--- raster. The values of 'pgmIntensity' give back their samples.
+-- | The PGM of a raster: values clipped to 0..1, times the maximum value, rounded to the nearest
+-- sample (ties to the even one); what is not a number becomes 0. Refuses a maximum value of 0 and
+-- an empty or too large raster. The values of 'pgmIntensity' give back their samples.
 pgmFromIntensity :: Word16 -> Raster -> Either ImageError Pgm
 pgmFromIntensity m image = do
   (w, h) <- checkSize (fromIntegral (rasterWidth image)) (fromIntegral (rasterHeight image))
   if m < 256
-    then pgm8 (fromIntegral m) (Image w h (V.map (fromIntegral . level (fromIntegral m)) (rasterValues image)))
+    then
+      pgm8
+        (fromIntegral m)
+        (Image w h (V.map (fromIntegral . level (fromIntegral m)) (rasterValues image)))
     else pgm16 m (Image w h (V.map (fromIntegral . level (fromIntegral m)) (rasterValues image)))
 
 -- | A share of the full scale as a whole number of steps.
@@ -107,5 +120,5 @@ level full share = round (full * max 0 (min 1 (if isNaN share then 0 else share)
 -- | The raster as an 8-bit grey PNG file, values clipped to 0..1.
 rasterPng :: Raster -> L.ByteString
 rasterPng image = encodePng (Image (rasterWidth image) (rasterHeight image) samples :: Image Pixel8)
- where
-  samples = V.map (fromIntegral . level 255) (rasterValues image)
+  where
+    samples = V.map (fromIntegral . level 255) (rasterValues image)

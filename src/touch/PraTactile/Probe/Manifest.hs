@@ -1,48 +1,48 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The manifest of a folder of frames: a CSV file, one line a frame, with the header
 -- @file,x_mm,y_mm,rotation_deg,force_n@.
 module PraTactile.Probe.Manifest
   ( -- * Manifests
-    Entry (..)
-  , parseManifest
-  , renderManifest
-  , manifestHeader
+    Entry (..),
+    parseManifest,
+    renderManifest,
+    manifestHeader,
 
     -- * What can be wrong
-  , ManifestError (..)
-  ) where
+    ManifestError (..),
+  )
+where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
 import Data.Csv
-  ( EncodeOptions (encUseCrLf)
-  , HasHeader (NoHeader)
-  , Parser
-  , Record
-  , decode
-  , defaultEncodeOptions
-  , encodeWith
-  , parseField
-  , runParser
-  , toField
-  , toRecord
+  ( EncodeOptions (encUseCrLf),
+    HasHeader (NoHeader),
+    Parser,
+    Record,
+    decode,
+    defaultEncodeOptions,
+    encodeWith,
+    parseField,
+    runParser,
+    toField,
+    toRecord,
   )
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
-
 import PraTactile.Probe (Pose (..))
 
--- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of the press.
+-- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of
+-- the press.
 data Entry = Entry
-  { entryFile :: !FilePath
-  , entryPose :: !Pose
-  , entryForce :: !Double
+  { entryFile :: !FilePath,
+    entryPose :: !Pose,
+    entryForce :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -58,7 +58,8 @@ data ManifestError
     WrongFieldCount !Int !Int
   | -- | The line's file name is empty or not UTF-8.
     BadFileName !Int
-  | -- | The line's field of that name is not a finite decimal number of at most 400 characters; what it is.
+  | -- | The line's field of that name is not a finite decimal number of at most 400 characters;
+    -- what it is.
     BadNumber !Int !Text !Text
   | -- | The file names no frame.
     NoEntries
@@ -68,34 +69,37 @@ data ManifestError
 manifestHeader :: [Text]
 manifestHeader = ["file", "x_mm", "y_mm", "rotation_deg", "force_n"]
 
--- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of lines are
--- passed over; fields may be quoted but not hold a line break.
+-- | The entries of a manifest. Blank lines, a byte order mark and carriage returns at the ends of
+-- lines are passed over; fields may be quoted but not hold a line break.
 parseManifest :: ByteString -> Either ManifestError [Entry]
-parseManifest file = case filter (not . B.null . snd) (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
+parseManifest file = case filter
+  (not . B.null . snd)
+  (zip [1 ..] (map trimmed (C.lines (unmarked file)))) of
   [] -> Left EmptyManifest
   (i, header) : rest -> do
     names <- record i header
-    if V.toList names == map encoded manifestHeader then Right () else Left (WrongHeader (map shown (V.toList names)))
+    if V.toList names == map encoded manifestHeader
+      then Right ()
+      else Left (WrongHeader (map shown (V.toList names)))
     entries <- traverse (uncurry entry) rest
     if null entries then Left NoEntries else Right entries
- where
-  unmarked f = if "\xef\xbb\xbf" `B.isPrefixOf` f then B.drop 3 f else f
-  trimmed line = if "\r" `B.isSuffixOf` line then B.take (B.length line - 1) line else line
-  encoded = toField
+  where
+    unmarked f = if "\xef\xbb\xbf" `B.isPrefixOf` f then B.drop 3 f else f
+    trimmed line = if "\r" `B.isSuffixOf` line then B.take (B.length line - 1) line else line
+    encoded = toField
 
--- | One line's fields. The lines are split before cassava sees them, because it drops blank ones and so would
--- lose count. Note [Open quotes]
+-- | One line's fields. The lines are split before cassava sees them, because it drops blank ones
+-- and so would lose count. Note [Open quotes]
 record :: Int -> ByteString -> Either ManifestError Record
 record i line
   | odd (C.count '"' line) = Left (NotCsv i)
   | otherwise = case decode NoHeader (L.fromStrict line) of
-      Right records | [fields] <- V.toList records -> Right fields
-      _ -> Left (NotCsv i)
+    Right records | [fields] <- V.toList records -> Right fields
+    _ -> Left (NotCsv i)
 
--- Note [Open quotes]
--- ~~~~~~~~~~~~~~~~~~
--- cassava 0.5.3 throws an exception, where it should refuse, for a quoted field that ends the line as soon as it
--- begins. A record that holds no line break has an even number of quotes, so a line with an odd number is refused before.
+-- Note [Open quotes] ~~~~~~~~~~~~~~~~~~ cassava 0.5.3 throws an exception, where it should refuse,
+-- for a quoted field that ends the line as soon as it begins. A record that holds no line break has
+-- an even number of quotes, so a line with an odd number is refused before.
 
 entry :: Int -> ByteString -> Either ManifestError Entry
 entry i line = do
@@ -107,13 +111,15 @@ entry i line = do
       pose <- Pose <$> number "x_mm" x <*> number "y_mm" y <*> number "rotation_deg" rotation
       Entry (T.unpack name) pose <$> number "force_n" force
     other -> Left (WrongFieldCount i (length other))
- where
-  -- The length is looked at first: the time that cassava takes for a number grows with the square of its digits.
-  number name field
-    | B.length field <= longestNumber
-    , Right v <- runParser (parseField field :: Parser Double)
-    , not (isNaN v || isInfinite v) = Right v
-    | otherwise = Left (BadNumber i name (shown field))
+  where
+    -- The length is looked at first: the time that cassava takes for a number grows with the square
+    -- of its digits.
+    number name field
+      | B.length field <= longestNumber,
+        Right v <- runParser (parseField field :: Parser Double),
+        not (isNaN v || isInfinite v) =
+        Right v
+      | otherwise = Left (BadNumber i name (shown field))
 
 -- | How many characters a number may have: 400.
 longestNumber :: Int
@@ -123,10 +129,12 @@ longestNumber = 400
 shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
--- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided that there
--- are some, that no file name is empty or holds a line break, and that the numbers are finite.
+-- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided
+-- that there are some, that no file name is empty or holds a line break, and that the numbers are
+-- finite.
 renderManifest :: [Entry] -> ByteString
-renderManifest entries = L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
- where
-  header = V.fromList (map toField manifestHeader)
-  fields (Entry file (Pose x y r) force) = toRecord (T.pack file, x, y, r, force)
+renderManifest entries =
+  L.toStrict (encodeWith defaultEncodeOptions {encUseCrLf = False} (header : map fields entries))
+  where
+    header = V.fromList (map toField manifestHeader)
+    fields (Entry file (Pose x y r) force) = toRecord (T.pack file, x, y, r, force)

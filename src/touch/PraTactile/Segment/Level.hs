@@ -1,12 +1,12 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | How high the background and the embossing lie in a composite, and whether there is any embossing at all.
+-- | How high the background and the embossing lie in a composite, and whether there is any
+-- embossing at all.
 module PraTactile.Segment.Level
-  ( Levels (..)
-  , levels
-  , threshold
-  , contrast
-  ) where
+  ( Levels (..),
+    levels,
+    threshold,
+    contrast,
+  )
+where
 
 import Data.List (foldl')
 import Data.Vector.Storable (Vector)
@@ -14,8 +14,8 @@ import qualified Data.Vector.Storable as V
 
 -- | The background's and the embossing's intensity.
 data Levels = Levels
-  { levelBackground :: !Double
-  , levelEmbossing :: !Double
+  { levelBackground :: !Double,
+    levelEmbossing :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -27,29 +27,35 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given also the second differences @a - 2 b + c@ of neighbours a, b, c
--- among them. The intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979),
--- which makes the variance between the two parts largest; the levels are the parts' medians.
+-- | The levels of a set of intensities, given also the second differences @a - 2 b + c@ of
+-- neighbours a, b, c among them. The intensities are split in two by Otsu's threshold (IEEE Trans.
+-- Syst. Man Cybern. 9, 1979), which makes the variance between the two parts largest; the levels
+-- are the parts' medians.
 --
--- 'Nothing' when that shows no embossing: less than 0.1 of full scale between the two, or less than four
--- times the noise, which is taken from the median second difference (0.6745 sqrt 6 standard deviations for
--- normal noise). Noise alone splits into parts that differ by less.
+-- 'Nothing' when that shows no embossing: less than 0.1 of full scale between the two, or less than
+-- four times the noise, which is taken from the median second difference (0.6745 sqrt 6 standard
+-- deviations for normal noise). Noise alone splits into parts that differ by less.
 levels :: Vector Double -> Vector Double -> Maybe Levels
 levels intensities differences
-  | V.null intensities || high <= low || contrast found < 0.1 || contrast found < 4 * noise = Nothing
+  | V.null intensities || high <= low || contrast found < 0.1 || contrast found < 4 * noise =
+    Nothing
   | otherwise = Just found
- where
-  low = V.minimum intensities
-  high = V.maximum intensities
-  counts = histogram low high intensities
-  split = otsu counts
-  found = Levels (valueAt (median (V.take split counts))) (valueAt (fromIntegral split + median (V.drop split counts)))
-  valueAt bin = low + (high - low) * bin / fromIntegral bins
-  noise
-    | V.null differences = 0
-    | otherwise = steepest * median (histogram 0 steepest sizes) / fromIntegral bins / (0.6745 * sqrt 6)
-  sizes = V.map abs differences
-  steepest = V.maximum sizes
+  where
+    low = V.minimum intensities
+    high = V.maximum intensities
+    counts = histogram low high intensities
+    split = otsu counts
+    found =
+      Levels
+        (valueAt (median (V.take split counts)))
+        (valueAt (fromIntegral split + median (V.drop split counts)))
+    valueAt bin = low + (high - low) * bin / fromIntegral bins
+    noise
+      | V.null differences = 0
+      | otherwise =
+        steepest * median (histogram 0 steepest sizes) / fromIntegral bins / (0.6745 * sqrt 6)
+    sizes = V.map abs differences
+    steepest = V.maximum sizes
 
 bins :: Int
 bins = 512
@@ -58,35 +64,36 @@ bins = 512
 histogram :: Double -> Double -> Vector Double -> Vector Double
 histogram low high values
   | high > low = V.accumulate_ (+) empty (V.map bin values) (V.map (const 1) values)
-  | otherwise = V.accumulate_ (+) empty (V.singleton 0) (V.singleton (fromIntegral (V.length values)))
- where
-  empty = V.replicate bins 0
-  bin v = max 0 (min (bins - 1) (floor ((v - low) / (high - low) * fromIntegral bins)))
+  | otherwise =
+    V.accumulate_ (+) empty (V.singleton 0) (V.singleton (fromIntegral (V.length values)))
+  where
+    empty = V.replicate bins 0
+    bin v = max 0 (min (bins - 1) (floor ((v - low) / (high - low) * fromIntegral bins)))
 
 -- | The place of the median on the axis of a histogram, in bins, linearly within its bin.
 median :: Vector Double -> Double
 median counts = go 0 0
- where
-  half = V.sum counts / 2
-  go i below = case counts V.!? i of
-    Nothing -> fromIntegral (V.length counts)
-    Just c
-      | c > 0 && below + c >= half -> fromIntegral i + (half - below) / c
-      | otherwise -> go (i + 1) (below + c)
+  where
+    half = V.sum counts / 2
+    go i below = case counts V.!? i of
+      Nothing -> fromIntegral (V.length counts)
+      Just c
+        | c > 0 && below + c >= half -> fromIntegral i + (half - below) / c
+        | otherwise -> go (i + 1) (below + c)
 
 -- | The bin at which the upper part begins, so that the variance between the two parts is largest.
 otsu :: Vector Double -> Int
 otsu counts = best
- where
-  total = V.sum counts
-  moment = V.sum (V.imap (\i c -> fromIntegral i * c) counts)
-  (_, _, _, best) = foldl' step (0, 0, -1, 0) (zip [1 ..] (V.toList counts))
-  step :: (Double, Double, Double, Int) -> (Int, Double) -> (Double, Double, Double, Int)
-  step (n, m, record, i) (next, c)
-    | n' > 0 && n' < total && between > record = (n', m', between, next)
-    | otherwise = (n', m', record, i)
-   where
-    n' = n + c
-    m' = m + c * fromIntegral (next - 1)
-    apart = m' / n' - (moment - m') / (total - n')
-    between = n' * (total - n') * apart * apart
+  where
+    total = V.sum counts
+    moment = V.sum (V.imap (\i c -> fromIntegral i * c) counts)
+    (_, _, _, best) = foldl' step (0, 0, -1, 0) (zip [1 ..] (V.toList counts))
+    step :: (Double, Double, Double, Int) -> (Int, Double) -> (Double, Double, Double, Int)
+    step (n, m, record, i) (next, c)
+      | n' > 0 && n' < total && between > record = (n', m', between, next)
+      | otherwise = (n', m', record, i)
+      where
+        n' = n + c
+        m' = m + c * fromIntegral (next - 1)
+        apart = m' / n' - (moment - m') / (total - n')
+        between = n' * (total - n') * apart * apart

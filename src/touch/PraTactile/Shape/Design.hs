@@ -1,23 +1,24 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The search that designed the shipped shapes, so that it can be run again. It visits every shape that meets the constraints and
--- every alphabet of them, so the separation it reaches is the greatest there is, not merely the best found.
+-- | The search that designed the shipped shapes, so that it can be run again. It visits every shape
+-- that meets the constraints and every alphabet of them, so the separation it reaches is the
+-- greatest there is, not merely the best found.
 module PraTactile.Shape.Design
   ( -- * Designing
-    Parameters (..)
-  , paperParameters
-  , paperSeed
-  , design
-  , Report (..)
-  , designSteps
-  , searchLength
+    Parameters (..),
+    paperParameters,
+    paperSeed,
+    design,
+    Report (..),
+    designSteps,
+    searchLength,
 
     -- * The steps
-  , admissible
-  , family
-  , cliques
-  ) where
+    admissible,
+    family,
+    cliques,
+  )
+where
 
 import Data.Bits (popCount, setBit, shiftL, shiftR, testBit, (.&.), (.|.))
 import qualified Data.IntMap.Strict as IntMap
@@ -26,30 +27,36 @@ import Data.List (foldl')
 import Data.Maybe (mapMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
-import System.Random (StdGen, mkStdGen)
-
 import PraTactile.Random (uniform)
 import PraTactile.Shape
 import PraTactile.Shape.Distance
 import PraTactile.Steps
+import System.Random (StdGen, mkStdGen)
 
--- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that wherever the taxels of the sensor
--- fall, every embossed block wholly covers at least one of them.
+-- | What the shapes must be like. They are drawn on a grid of 4 x 6 blocks of 2 x 2 taxels, so that
+-- wherever the taxels of the sensor fall, every embossed block wholly covers at least one of them.
 data Parameters = Parameters
-  { designNames :: [Text]
-  -- ^ The names of the classes; as many shapes are sought.
-  , leastBlocks :: Int
-  -- ^ Every shape embosses at least this many of the 24 blocks,
-  , mostBlocks :: Int
-  -- ^ and at most this many, so that no class is much fainter than another.
-  , leastContact :: Int
-  -- ^ At least this many blocks are embossed along each of the four sides of the box, so that the box can be found from the image.
+  { -- | The names of the classes; as many shapes are sought.
+    designNames :: [Text],
+    -- | Every shape embosses at least this many of the 24 blocks,
+    leastBlocks :: Int,
+    -- | and at most this many, so that no class is much fainter than another.
+    mostBlocks :: Int,
+    -- | At least this many blocks are embossed along each of the four sides of the box, so that the
+    -- box can be found from the image.
+    leastContact :: Int
   }
   deriving stock (Eq, Show)
 
 -- | The parameters of the shipped shapes: 0, 1, A, A^2; 12 to 14 blocks; 2 blocks on each side.
 paperParameters :: Parameters
-paperParameters = Parameters {designNames = ["0", "1", "A", "A^2"], leastBlocks = 12, mostBlocks = 14, leastContact = 2}
+paperParameters =
+  Parameters
+    { designNames = ["0", "1", "A", "A^2"],
+      leastBlocks = 12,
+      mostBlocks = 14,
+      leastContact = 2
+    }
 
 -- | The seed of the shipped shapes.
 paperSeed :: Int
@@ -57,22 +64,24 @@ paperSeed = 2004
 
 -- | What the search visited and found.
 data Report = Report
-  { reportSeed :: Int
-  -- ^ The seed it was given.
-  , reportAdmissible :: Int
-  -- ^ How many shapes meet the constraints.
-  , reportFamilies :: Int
-  -- ^ How many of them are different up to a half turn and mirrors.
-  , reportSeparation :: Int
-  -- ^ The separation of the alphabet, and the greatest that an alphabet of such shapes can have.
-  , reportAlphabets :: Int
-  -- ^ How many alphabets have it, up to the order of the classes and to half turns and mirrors of each shape.
+  { -- | The seed it was given.
+    reportSeed :: Int,
+    -- | How many shapes meet the constraints.
+    reportAdmissible :: Int,
+    -- | How many of them are different up to a half turn and mirrors.
+    reportFamilies :: Int,
+    -- | The separation of the alphabet, and the greatest that an alphabet of such shapes can have.
+    reportSeparation :: Int,
+    -- | How many alphabets have it, up to the order of the classes and to half turns and mirrors of
+    -- each shape.
+    reportAlphabets :: Int
   }
   deriving stock (Eq, Show)
 
--- | Designs an alphabet: of those with the greatest separation the one whose shapes are least like ordinary features. Neither number
--- changes when a shape is turned by 180 degrees or mirrored, nor when classes are exchanged: these the seed chooses. Refuses
--- ('NoAlphabet') parameters that no alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
+-- | Designs an alphabet: of those with the greatest separation the one whose shapes are least like
+-- ordinary features. Neither number changes when a shape is turned by 180 degrees or mirrored, nor
+-- when classes are exchanged: these the seed chooses. Refuses ('NoAlphabet') parameters that no
+-- alphabet meets. The paper's takes some seconds; more than four shapes may take very long.
 design :: Int -> Parameters -> Either ShapeError (Alphabet, Report)
 design seed parameters = result (designSteps seed parameters)
 
@@ -83,25 +92,30 @@ searchLength = drawings + symbolWidth * symbolHeight
 -- | The same search step by step, to look on at: each step is how much of 'searchLength' is done.
 designSteps :: Int -> Parameters -> Steps Int (Either ShapeError (Alphabet, Report))
 designSteps seed parameters = foldr measure (try drawings (symbolWidth * symbolHeight)) measured
- where
-  measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
-  candidate b = if Set.lookupMin (family b) == Just b then Just (selfDistance b, (b, prepared b)) else Nothing
-  candidates = mapMaybe snd measured
-  measure (i, shape) rest = maybe 0 fst shape `seq` Step i rest
-  try done d
-    | d < 1 = Done (Left NoAlphabet)
-    | otherwise = case alphabetsApart d of
+  where
+    measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
+    candidate b =
+      if Set.lookupMin (family b) == Just b then Just (selfDistance b, (b, prepared b)) else Nothing
+    candidates = mapMaybe snd measured
+    measure (i, shape) rest = maybe 0 fst shape `seq` Step i rest
+    try done d
+      | d < 1 = Done (Left NoAlphabet)
+      | otherwise = case alphabetsApart d of
         [] -> Step (done + 1) (try (done + 1) (d - 1))
         first : others -> Done (chosen d first others)
-  chosen d first others = do
-    let (_, best) = foldl' lessLike (featureLikeness first, first) others
-    a <- alphabet (zip (designNames parameters) (arranged seed best))
-    Right (a, Report seed (length measured) (length candidates) d (1 + length others))
-  alphabetsApart d =
-    map (map fst) $
-      cliques (length (designNames parameters)) (\(_, a) (_, b) -> farApart d a b) [c | (self, c) <- candidates, self >= d]
-  featureLikeness = maximum . (0 :) . map (fst . greatestLikeness)
-  lessLike (least, best) new = let l = featureLikeness new in if l < least then (l, new) else (least, best)
+    chosen d first others = do
+      let (_, best) = foldl' lessLike (featureLikeness first, first) others
+      a <- alphabet (zip (designNames parameters) (arranged seed best))
+      Right (a, Report seed (length measured) (length candidates) d (1 + length others))
+    alphabetsApart d =
+      map (map fst) $
+        cliques
+          (length (designNames parameters))
+          (\(_, a) (_, b) -> farApart d a b)
+          [c | (self, c) <- candidates, self >= d]
+    featureLikeness = maximum . (0 :) . map (fst . greatestLikeness)
+    lessLike (least, best) new =
+      let l = featureLikeness new in if l < least then (l, new) else (least, best)
 
 -- | A shape, its half turn and its two mirror images.
 family :: Bitmap -> Set.Set Bitmap
@@ -110,35 +124,47 @@ family b = Set.fromList [b, halfTurned b, mirroredColumns b, mirroredRows b]
 -- | The shapes in a random order, each replaced by a random member of its family.
 arranged :: Int -> [Bitmap] -> [Bitmap]
 arranged seed = go (mkStdGen seed)
- where
-  go :: StdGen -> [Bitmap] -> [Bitmap]
-  go g rest = case splitAt i rest of
-    (before, b : after) -> case drop j (Set.toAscList (family b)) of
-      chosen : _ -> chosen : go g'' (before ++ after)
-      [] -> b : go g'' (before ++ after)
-    (_, []) -> []
-   where
-    (i, g') = below (length rest) g
-    (j, g'') = below 4 g'
-  below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
+  where
+    go :: StdGen -> [Bitmap] -> [Bitmap]
+    go g rest = case splitAt i rest of
+      (before, b : after) -> case drop j (Set.toAscList (family b)) of
+        chosen : _ -> chosen : go g'' (before ++ after)
+        [] -> b : go g'' (before ++ after)
+      (_, []) -> []
+      where
+        (i, g') = below (length rest) g
+        (j, g'') = below 4 g'
+    below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
 
 -- | All sets of so many items of which every two are related, each in the order of the list.
 --
 -- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
 cliques :: Int -> (a -> a -> Bool) -> [a] -> [[a]]
-cliques size related items = map (concatMap (\i -> maybe [] pure (IntMap.lookup i numbered))) (go size (IntMap.keysSet numbered))
- where
-  numbered = IntMap.fromList (zip [0 ..] items)
-  later = IntMap.mapWithKey (\i a -> IntMap.keysSet (IntMap.filter (related a) (snd (IntMap.split i numbered)))) numbered
-  go n among
-    | n <= 0 = [[]]
-    | IntSet.size among < n = []
-    | otherwise = [i : rest | i <- IntSet.toAscList among, rest <- go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))]
+cliques size related items =
+  map
+    (concatMap (\i -> maybe [] pure (IntMap.lookup i numbered)))
+    (go size (IntMap.keysSet numbered))
+  where
+    numbered = IntMap.fromList (zip [0 ..] items)
+    later =
+      IntMap.mapWithKey
+        (\i a -> IntMap.keysSet (IntMap.filter (related a) (snd (IntMap.split i numbered))))
+        numbered
+    go n among
+      | n <= 0 = [[]]
+      | IntSet.size among < n = []
+      | otherwise =
+        [ i : rest
+          | i <- IntSet.toAscList among,
+            rest <-
+              go (n - 1) (IntSet.intersection among (IntMap.findWithDefault IntSet.empty i later))
+        ]
 
--- | All shapes that meet the constraints: of the 2^24 drawings on the grid those that emboss an allowed number of blocks, touch every
--- side enough, hang together by whole sides of blocks, have no two blocks that meet at a corner only (neither embossed nor flat: such a
--- contact comes and goes with the phase of the taxels), and enclose nothing.
+-- | All shapes that meet the constraints: of the 2^24 drawings on the grid those that emboss an
+-- allowed number of blocks, touch every side enough, hang together by whole sides of blocks, have
+-- no two blocks that meet at a corner only (neither embossed nor flat: such a contact comes and
+-- goes with the phase of the taxels), and enclose nothing.
 admissible :: Parameters -> [Bitmap]
 admissible = map snd . numberedShapes
 
@@ -146,54 +172,65 @@ admissible = map snd . numberedShapes
 numberedShapes :: Parameters -> [(Int, Bitmap)]
 numberedShapes parameters =
   [ (i, fromBlocks raised)
-  | (i, raised) <- zip [1 ..] (map stacked (stacks gridHeight))
-  , popCount raised >= leastBlocks parameters && popCount raised <= mostBlocks parameters
-  , all (\side -> popCount (raised .&. side) >= leastContact parameters) sides
-  , flooded raised (raised .&. negate raised) == raised
-  , let flat = wholeGrid - raised
-  , flooded flat (flat .&. foldr (.|.) 0 sides) == flat
+    | (i, raised) <- zip [1 ..] (map stacked (stacks gridHeight)),
+      popCount raised >= leastBlocks parameters && popCount raised <= mostBlocks parameters,
+      all (\side -> popCount (raised .&. side) >= leastContact parameters) sides,
+      flooded raised (raised .&. negate raised) == raised,
+      let flat = wholeGrid - raised,
+      flooded flat (flat .&. foldr (.|.) 0 sides) == flat
   ]
- where
-  stacked = foldl' (\below row -> shiftL below gridWidth + row) 0
+  where
+    stacked = foldl' (\below row -> shiftL below gridWidth + row) 0
 
--- | All stacks of so many rows of blocks in which each row has a block in common with the next (or the shape would fall apart) and no
--- two blocks meet at a corner only.
+-- | All stacks of so many rows of blocks in which each row has a block in common with the next (or
+-- the shape would fall apart) and no two blocks meet at a corner only.
 stacks :: Int -> [[Int]]
 stacks 1 = map pure rowsOfBlocks
-stacks n = [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, mayLieOn row next]
+stacks n =
+  [row : rest | n > 1, rest@(next : _) <- stacks (n - 1), row <- rowsOfBlocks, mayLieOn row next]
 
 -- | Whether a row may lie on a row.
 mayLieOn :: Int -> Int -> Bool
 mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gridWidth - 2]])
- where
-  cornersOnly x = testBit row x /= testBit row (x + 1) && testBit next x /= testBit next (x + 1) && testBit row x /= testBit next x
+  where
+    cornersOnly x =
+      testBit row x /= testBit row (x + 1)
+        && testBit next x /= testBit next (x + 1)
+        && testBit row x /= testBit next x
 
--- | How many stacks of 'gridHeight' rows there are, counted by their uppermost row without making them.
+-- | How many stacks of 'gridHeight' rows there are, counted by their uppermost row without making
+-- them.
 drawings :: Int
 drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (gridHeight - 1)))
- where
-  upwards counts = [(row, sum [n | (next, n) <- counts, mayLieOn row next]) | row <- rowsOfBlocks]
-  at list n = concat (take 1 (drop n list))
+  where
+    upwards counts = [(row, sum [n | (next, n) <- counts, mayLieOn row next]) | row <- rowsOfBlocks]
+    at list n = concat (take 1 (drop n list))
 
 -- | Every row with a block in it; bit x is the block of column x.
 rowsOfBlocks :: [Int]
 rowsOfBlocks = [1 .. 2 ^ gridWidth - 1]
 
--- | The grid: 4 blocks wide, 6 tall, a block 2 taxels. A set of its blocks is a number whose bit 4 y + x is the block of column x, row y.
+-- | The grid: 4 blocks wide, 6 tall, a block 2 taxels. A set of its blocks is a number whose bit 4
+-- y + x is the block of column x, row y.
 gridWidth, gridHeight, blockSide :: Int
 gridWidth = 4
 gridHeight = 6
 blockSide = 2
 
 blocksWhere :: (Int -> Int -> Bool) -> Int
-blocksWhere included = foldl' setBit 0 [y * gridWidth + x | y <- [0 .. gridHeight - 1], x <- [0 .. gridWidth - 1], included x y]
+blocksWhere included =
+  foldl'
+    setBit
+    0
+    [y * gridWidth + x | y <- [0 .. gridHeight - 1], x <- [0 .. gridWidth - 1], included x y]
 
 wholeGrid :: Int
 wholeGrid = blocksWhere (\_ _ -> True)
 
 -- | The blocks along the left, the right, the upper and the lower side.
 sides :: [Int]
-sides = [westSide, eastSide, blocksWhere (\_ y -> y == 0), blocksWhere (\_ y -> y == gridHeight - 1)]
+sides =
+  [westSide, eastSide, blocksWhere (\_ y -> y == 0), blocksWhere (\_ y -> y == gridHeight - 1)]
 
 westSide, eastSide :: Int
 westSide = blocksWhere (\x _ -> x == 0)
@@ -204,10 +241,18 @@ flooded :: Int -> Int -> Int
 flooded within reached
   | next == reached = reached
   | otherwise = flooded within next
- where
-  next = within .&. (reached .|. shiftL (reached .&. notAt eastSide) 1 .|. shiftR (reached .&. notAt westSide) 1 .|. shiftL reached gridWidth .|. shiftR reached gridWidth)
-  notAt side = wholeGrid - side
+  where
+    next =
+      within
+        .&. ( reached
+                .|. shiftL (reached .&. notAt eastSide) 1
+                .|. shiftR (reached .&. notAt westSide) 1
+                .|. shiftL reached gridWidth
+                .|. shiftR reached gridWidth
+            )
+    notAt side = wholeGrid - side
 
 -- | The shape that embosses these blocks.
 fromBlocks :: Int -> Bitmap
-fromBlocks blocks = bitmapWhere (\x y -> testBit blocks ((y `div` blockSide) * gridWidth + x `div` blockSide))
+fromBlocks blocks =
+  bitmapWhere (\x y -> testBit blocks ((y `div` blockSide) * gridWidth + x `div` blockSide))

@@ -1,82 +1,96 @@
-{-# LANGUAGE DerivingStrategies #-}
-
--- | How far apart shapes are, and how unlike the ordinary features of objects: the numbers behind the paper's three conditions on its
--- symbols (section II.B).
+-- | How far apart shapes are, and how unlike the ordinary features of objects: the numbers behind
+-- the paper's three conditions on its symbols (section II.B).
 module PraTactile.Shape.Distance
   ( -- * Distance between shapes
-    distance
-  , selfDistance
-  , separation
+    distance,
+    selfDistance,
+    separation,
 
     -- * Many comparisons
-  , Prepared
-  , prepared
-  , farApart
+    Prepared,
+    prepared,
+    farApart,
 
     -- * Likeness to ordinary features
-  , Feature (..)
-  , ordinaryFeatures
-  , raises
-  , likeness
-  , greatestLikeness
-  ) where
+    Feature (..),
+    ordinaryFeatures,
+    raises,
+    likeness,
+    greatestLikeness,
+  )
+where
 
 import Data.Bits (popCount, setBit, shift, xor)
 import Data.List (foldl', tails)
-
 import PraTactile.Shape
 
--- | The least number of taxels in which the first shape differs from the second, transformed and then shifted by -1, 0 or 1 taxel in
--- each direction; what a shift pushes out of the box still counts.
+-- | The least number of taxels in which the first shape differs from the second, transformed and
+-- then shifted by -1, 0 or 1 taxel in each direction; what a shift pushes out of the box still
+-- counts.
 distance :: Symmetry -> Bitmap -> Bitmap -> Int
 distance symmetry a b = minimum (differences symmetry a b)
 
 -- | The differences for the nine shifts.
 differences :: Symmetry -> Bitmap -> Bitmap -> [Int]
 differences symmetry a b = [popCount (xor (canvas Identity a) (shift there k)) | k <- shifts]
- where
-  there = canvas symmetry b
+  where
+    there = canvas symmetry b
 
--- | A shape made ready to be compared with many others: on its canvas, and everywhere it is taken for under a symmetry and a shift.
+-- | A shape made ready to be compared with many others: on its canvas, and everywhere it is taken
+-- for under a symmetry and a shift.
 data Prepared = Prepared !Integer [Integer]
 
 -- | Prepares a shape.
 prepared :: Bitmap -> Prepared
-prepared b = Prepared (canvas Identity b) [shift (canvas symmetry b) k | symmetry <- symmetries, k <- shifts]
+prepared b =
+  Prepared (canvas Identity b) [shift (canvas symmetry b) k | symmetry <- symmetries, k <- shifts]
 
--- | Whether the 'distance' between two shapes is at least this under every symmetry. Stops where they are first seen to be nearer.
+-- | Whether the 'distance' between two shapes is at least this under every symmetry. Stops where
+-- they are first seen to be nearer.
 farApart :: Int -> Prepared -> Prepared -> Bool
-farApart d (Prepared here _) (Prepared _ there) = all (\moved -> popCount (xor here moved) >= d) there
+farApart d (Prepared here _) (Prepared _ there) =
+  all (\moved -> popCount (xor here moved) >= d) there
 
 -- | The nine shifts of a canvas.
 shifts :: [Int]
 shifts = [x + canvasSide * y | y <- [0, -1, 1], x <- [0, -1, 1]]
 
--- | The side of a square canvas that keeps at least 2 flat taxels around a shape, upright or lying, so that no shift by a taxel wraps.
+-- | The side of a square canvas that keeps at least 2 flat taxels around a shape, upright or lying,
+-- so that no shift by a taxel wraps.
 canvasSide :: Int
 canvasSide = 16
 
 -- | The transformed shape in the middle of a canvas, as the set of its embossed taxels.
 canvas :: Symmetry -> Bitmap -> Integer
-canvas symmetry b = foldl' setBit 0 [(y + top) * canvasSide + x + left | (y, row) <- zip [0 ..] rows, (x, True) <- zip [0 ..] row]
- where
-  rows = transformedRows symmetry b
-  top = (canvasSide - length rows) `div` 2
-  left = (canvasSide - maximum (0 : map length rows)) `div` 2
+canvas symmetry b =
+  foldl'
+    setBit
+    0
+    [(y + top) * canvasSide + x + left | (y, row) <- zip [0 ..] rows, (x, True) <- zip [0 ..] row]
+  where
+    rows = transformedRows symmetry b
+    top = (canvasSide - length rows) `div` 2
+    left = (canvasSide - maximum (0 : map length rows)) `div` 2
 
--- | The least distance of a shape from itself turned or mirrored: how plainly it shows its orientation and handedness.
+-- | The least distance of a shape from itself turned or mirrored: how plainly it shows its
+-- orientation and handedness.
 selfDistance :: Bitmap -> Int
 selfDistance b = minimum [distance symmetry b b | symmetry <- drop 1 symmetries]
 
--- | The least distance in an alphabet: between any two shapes under all eight symmetries, and from each shape to itself under the seven
--- others than the identity.
+-- | The least distance in an alphabet: between any two shapes under all eight symmetries, and from
+-- each shape to itself under the seven others than the identity.
 separation :: Alphabet -> Int
-separation a = minimum (map selfDistance these ++ [distance symmetry x y | x : others <- tails these, y <- others, symmetry <- symmetries])
- where
-  these = shapes a
+separation a =
+  minimum
+    ( map selfDistance these
+        ++ [distance symmetry x y | x : others <- tails these, y <- others, symmetry <- symmetries]
+    )
+  where
+    these = shapes a
 
--- | A feature that objects without any code have too, as it may lie across an 8 x 12 window. Lengths are in half taxels from the
--- window's centre, x to the right and y down, so that all of it is exact.
+-- | A feature that objects without any code have too, as it may lie across an 8 x 12 window.
+-- Lengths are in half taxels from the window's centre, x to the right and y down, so that all of it
+-- is exact.
 data Feature
   = -- | Everything raised.
     Full
@@ -90,26 +104,34 @@ data Feature
     Disc (Int, Int) Int
   deriving stock (Eq, Show)
 
--- | Step edges and right-angled corners in 16 directions (the axes, the diagonals and those between), ridges 2, 3, 4 and 6 taxels wide
--- in 8, discs from 3 to 6 taxels in radius, all of them at many places, and the full window. The set is closed under the symmetries of
--- the window, so likeness need not be tried under them.
+-- | Step edges and right-angled corners in 16 directions (the axes, the diagonals and those
+-- between), ridges 2, 3, 4 and 6 taxels wide in 8, discs from 3 to 6 taxels in radius, all of them
+-- at many places, and the full window. The set is closed under the symmetries of the window, so
+-- likeness need not be tried under them.
 ordinaryFeatures :: [Feature]
 ordinaryFeatures =
-  Full
-    : [StepEdge n c | n <- directions, c <- places n [-10, -8 .. 10]]
-    ++ [Ridge n c e | n <- directions, c <- places n [-12, -11 .. 10], width <- [4, 6, 8, 12], e <- map (+ c) (places n [width])]
+  Full :
+  [StepEdge n c | n <- directions, c <- places n [-10, -8 .. 10]]
+    ++ [ Ridge n c e
+         | n <- directions,
+           c <- places n [-12, -11 .. 10],
+           width <- [4, 6, 8, 12],
+           e <- map (+ c) (places n [width])
+       ]
     ++ [Corner n c d | n <- directions, c <- places n [-8, -6 .. 8], d <- places n [-8, -6 .. 8]]
     ++ [Disc (x, y) r | x <- [-4, -2 .. 4], y <- [-8, -6 .. 8], r <- [6, 8, 10, 12]]
- where
-  directions = [(a, b) | a <- [-2 .. 2], b <- [-2 .. 2], gcd a b == 1]
-  -- Lengths along a direction whose vector is not of length 1: to the nearest that integers allow.
-  places (a, b) = map (\c -> (c * norm (a, b) + 50) `div` 100)
-  norm (a, b) = case a * a + b * b of
-    1 -> 100
-    2 -> 141
-    _ -> 224 :: Int
+  where
+    directions = [(a, b) | a <- [-2 .. 2], b <- [-2 .. 2], gcd a b == 1]
+    -- Lengths along a direction whose vector is not of length 1: to the nearest that integers
+    -- allow.
+    places (a, b) = map (\c -> (c * norm (a, b) + 50) `div` 100)
+    norm (a, b) = case a * a + b * b of
+      1 -> 100
+      2 -> 141
+      _ -> 224 :: Int
 
--- | Whether a feature raises the taxel at this column and row, counted from the window's upper left one; it goes on beyond the window.
+-- | Whether a feature raises the taxel at this column and row, counted from the window's upper left
+-- one; it goes on beyond the window.
 raises :: Feature -> Int -> Int -> Bool
 raises feature column row = case feature of
   Full -> True
@@ -117,28 +139,28 @@ raises feature column row = case feature of
   Ridge (a, b) c d -> let t = a * x + b * y in t >= c && t < d
   Corner (a, b) c d -> a * x + b * y >= c && a * y - b * x >= d
   Disc (u, v) r -> (x - u) * (x - u) + (y - v) * (y - v) <= r * r
- where
-  x = 2 * column - symbolWidth + 1
-  y = 2 * row - symbolHeight + 1
+  where
+    x = 2 * column - symbolWidth + 1
+    y = 2 * row - symbolHeight + 1
 
--- | The normalised cross-correlation (Pearson's, -1 to 1) of a shape with a feature, taxel by taxel; 0 where the feature is constant over
--- the window.
+-- | The normalised cross-correlation (Pearson's, -1 to 1) of a shape with a feature, taxel by
+-- taxel; 0 where the feature is constant over the window.
 likeness :: Bitmap -> Feature -> Double
 likeness b feature
   | spread == 0 = 0
   | otherwise = fromIntegral (n * both - a * f) / sqrt (fromIntegral spread)
- where
-  embossed = concat (bitmapRows b)
-  raised = [raises feature x y | y <- [0 .. symbolHeight - 1], x <- [0 .. symbolWidth - 1]]
-  n = symbolWidth * symbolHeight
-  a = count embossed
-  f = count raised
-  both = count (zipWith (&&) embossed raised)
-  spread = a * (n - a) * f * (n - f)
-  count = length . filter id
+  where
+    embossed = concat (bitmapRows b)
+    raised = [raises feature x y | y <- [0 .. symbolHeight - 1], x <- [0 .. symbolWidth - 1]]
+    n = symbolWidth * symbolHeight
+    a = count embossed
+    f = count raised
+    both = count (zipWith (&&) embossed raised)
+    spread = a * (n - a) * f * (n - f)
+    count = length . filter id
 
 -- | The greatest likeness of a shape to any ordinary feature, raised or sunk, and that feature.
 greatestLikeness :: Bitmap -> (Double, Feature)
 greatestLikeness b = foldl' nearer (0, Full) [(abs (likeness b f), f) | f <- ordinaryFeatures]
- where
-  nearer best new = if fst new > fst best then new else best
+  where
+    nearer best new = if fst new > fst best then new else best

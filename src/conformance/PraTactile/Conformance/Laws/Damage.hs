@@ -1,52 +1,176 @@
 -- | Locating with cells that are missing and cells that are wrong.
 module PraTactile.Conformance.Laws.Damage
-  ( damageLaws
-  ) where
+  ( damageLaws,
+  )
+where
 
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
-import Test.QuickCheck
-
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow, shapeCells)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Definition
 import PraTactile.Profile (Profile (..))
+import Test.QuickCheck
 
--- | The laws of the nearest position, for arrays of at most 1024 cells: distances are computed by comparing all windows.
+-- | The laws of the nearest position, for arrays of at most 1024 cells: distances are computed by
+-- comparing all windows.
 damageLaws :: [Law Session]
 damageLaws =
-  [ Law "s missing and e wrong cells are corrected if 2 e + s < d, the least number of cells in which two windows of the patch's shape differ" (\s -> lookedAt s (\looked ->
-      few (forSeenWithin looked s (\seen -> equal (nearest s Nothing (patchOf looked seen)) (pure (At (seenPlace seen)))))))
-  , Law "the cells observed decide: e of them wrong are corrected if 2 e < d, the least number in which two contents of them differ" (\s -> lookedAt s (\looked ->
-      few (forSeen (genSeen (profile s) (shapesAround (profile s)) 25 8) (\seen ->
-        let observed = map fst (observedOf (patchOf looked seen))
-            d = leastDistance looked observed
-        in 2 * fromIntegral (length (seenWrong seen)) < d ==> equal (nearest s Nothing (patchOf looked seen)) (pure (At (seenPlace seen)))))))
-  , Law "any patch is located, ambiguous or refused as comparing it with all positions says, to the guaranteed radius" (\s -> lookedAt s (\looked ->
-      few (forSeen (genSeen (profile s) (shapesAround (profile s)) 20 20) (\seen -> asDefined looked s Nothing (patchOf looked seen)))))
-  , Law "any patch is located, ambiguous or refused as comparing it with all positions says, to a radius that is stated" (\s -> lookedAt s (\looked ->
-      few (forAllShrink (chooseInteger (0, 4)) shrink (\e -> forSeen (genSeen (profile s) (shapesAround (profile s)) 20 20) (\seen ->
-        asDefined looked s (Just (fromInteger (abs e))) (patchOf looked seen))))))
-  , Law "cells too few to tell a position are answered with all positions that agree, or with how many they are" (\s -> lookedAt s (\looked ->
-      few (forSeen (genSeen (profile s) (shapesAround (profile s)) 75 0) (\seen -> asDefined looked s Nothing (patchOf looked seen)))))
-  , Law "beyond the edge of the surface there is nothing to agree with: a patch across it is as comparing it with all positions says" (\s -> lookedAt s (\looked ->
-      let Shape high wide = profileWindow (profile s)
-          shape = Shape (high + 1) (wide + 1)
-      in once (conjoin [ asDefined looked s Nothing (wrapped looked shape (Position (rows n - 1) c)) | let n = profileShape (profile s), c <- [0, columns n - 1] ])))
-  , Law "zeros, and with them as few other cells as are corrected, are refused where windows of the shape differ: zero-window" (\s -> lookedAt s (\looked ->
-      few (forSeen (genSeen (profile s) (shapesAround (profile s)) 0 10) (\seen ->
-        let Shape high wide = seenShape seen
-            d = leastDistance looked (shapeCells (Shape high wide))
-            zeros = [ [ Just (fromMaybe 0 (lookup (Position i j) (seenWrong seen))) | j <- naturalsBelow wide ] | i <- naturalsBelow high ]
-        in d > 0 && fromIntegral (length (seenWrong seen)) <= radiusOf d ==> refuses "zero-window" (nearest s Nothing zeros)))))
-  , Law "a patch of which nothing was observed is refused: too-few-cells, and what is no patch: invalid" (\s ->
-      once (conjoin
-        [ refuses "too-few-cells" (nearest s Nothing [[Nothing, Nothing]])
-        , refuses "invalid" (nearest s Nothing [])
-        , refuses "invalid" (nearest s Nothing [[Just 0, Just 1], [Just 1]])
-        , refuses "invalid" (nearest s Nothing [[Just (profileOrder (profile s))]]) ]))
+  [ Law
+      "s missing and e wrong cells are corrected if 2 e + s < d, the least number of cells in \
+      \which two windows of the patch's shape differ"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forSeenWithin
+                      looked
+                      s
+                      ( \seen ->
+                          equal
+                            (nearest s Nothing (patchOf looked seen))
+                            (pure (At (seenPlace seen)))
+                      )
+                  )
+            )
+      ),
+    Law
+      "the cells observed decide: e of them wrong are corrected if 2 e < d, the least number in \
+      \which two contents of them differ"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forSeen
+                      (genSeen (profile s) (shapesAround (profile s)) 25 8)
+                      ( \seen ->
+                          let observed = map fst (observedOf (patchOf looked seen))
+                              d = leastDistance looked observed
+                           in 2 * fromIntegral (length (seenWrong seen)) < d
+                                ==> equal
+                                  (nearest s Nothing (patchOf looked seen))
+                                  (pure (At (seenPlace seen)))
+                      )
+                  )
+            )
+      ),
+    Law
+      "any patch is located, ambiguous or refused as comparing it with all positions says, to the \
+      \guaranteed radius"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forSeen
+                      (genSeen (profile s) (shapesAround (profile s)) 20 20)
+                      (\seen -> asDefined looked s Nothing (patchOf looked seen))
+                  )
+            )
+      ),
+    Law
+      "any patch is located, ambiguous or refused as comparing it with all positions says, to a \
+      \radius that is stated"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forAllShrink
+                      (chooseInteger (0, 4))
+                      shrink
+                      ( \e ->
+                          forSeen
+                            (genSeen (profile s) (shapesAround (profile s)) 20 20)
+                            ( \seen ->
+                                asDefined
+                                  looked
+                                  s
+                                  (Just (fromInteger (abs e)))
+                                  (patchOf looked seen)
+                            )
+                      )
+                  )
+            )
+      ),
+    Law
+      "cells too few to tell a position are answered with all positions that agree, or with how \
+      \many they are"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forSeen
+                      (genSeen (profile s) (shapesAround (profile s)) 75 0)
+                      (\seen -> asDefined looked s Nothing (patchOf looked seen))
+                  )
+            )
+      ),
+    Law
+      "beyond the edge of the surface there is nothing to agree with: a patch across it is as \
+      \comparing it with all positions says"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                let Shape high wide = profileWindow (profile s)
+                    shape = Shape (high + 1) (wide + 1)
+                 in once
+                      ( conjoin
+                          [ asDefined
+                              looked
+                              s
+                              Nothing
+                              (wrapped looked shape (Position (rows n - 1) c))
+                            | let n = profileShape (profile s),
+                              c <- [0, columns n - 1]
+                          ]
+                      )
+            )
+      ),
+    Law
+      "zeros, and with them as few other cells as are corrected, are refused where windows of the \
+      \shape differ: zero-window"
+      ( \s ->
+          lookedAt
+            s
+            ( \looked ->
+                few
+                  ( forSeen
+                      (genSeen (profile s) (shapesAround (profile s)) 0 10)
+                      ( \seen ->
+                          let Shape high wide = seenShape seen
+                              d = leastDistance looked (shapeCells (Shape high wide))
+                              zeros =
+                                [ [ Just (fromMaybe 0 (lookup (Position i j) (seenWrong seen)))
+                                    | j <- naturalsBelow wide
+                                  ]
+                                  | i <- naturalsBelow high
+                                ]
+                           in d > 0 && fromIntegral (length (seenWrong seen)) <= radiusOf d
+                                ==> refuses "zero-window" (nearest s Nothing zeros)
+                      )
+                  )
+            )
+      ),
+    Law
+      "a patch of which nothing was observed is refused: too-few-cells, and what is no patch: \
+      \invalid"
+      ( \s ->
+          once
+            ( conjoin
+                [ refuses "too-few-cells" (nearest s Nothing [[Nothing, Nothing]]),
+                  refuses "invalid" (nearest s Nothing []),
+                  refuses "invalid" (nearest s Nothing [[Just 0, Just 1], [Just 1]]),
+                  refuses "invalid" (nearest s Nothing [[Just (profileOrder (profile s))]])
+                ]
+            )
+      )
   ]
   where
     -- Each compares all windows with all.
@@ -63,13 +187,18 @@ forSeenWithin looked s law = forSeen damaged law
       let offsets = shapeCells (seenShape seen)
           d = leastDistance looked offsets
       -- Where nothing is forgiven, a window without damage.
-      if d == 0 then genSeen (profile s) [profileWindow (profile s)] 0 0 else do
-        missing <- fromInteger <$> chooseInteger (0, toInteger d - 1)
-        e <- fromInteger <$> chooseInteger (0, toInteger (d - 1 - missing) `div` 2)
-        hit <- shuffle offsets
-        by <- vectorOf (fromIntegral (e :: Natural)) (fromInteger <$> chooseInteger (1, toInteger (profileOrder (profile s)) - 1))
-        let (gone, others) = splitAt (fromIntegral missing) hit
-        pure seen { seenGone = gone, seenWrong = zip others by }
+      if d == 0
+        then genSeen (profile s) [profileWindow (profile s)] 0 0
+        else do
+          missing <- fromInteger <$> chooseInteger (0, toInteger d - 1)
+          e <- fromInteger <$> chooseInteger (0, toInteger (d - 1 - missing) `div` 2)
+          hit <- shuffle offsets
+          by <-
+            vectorOf
+              (fromIntegral (e :: Natural))
+              (fromInteger <$> chooseInteger (1, toInteger (profileOrder (profile s)) - 1))
+          let (gone, others) = splitAt (fromIntegral missing) hit
+          pure seen {seenGone = gone, seenWrong = zip others by}
 
 -- | What comparing a patch with all positions says.
 asDefined :: Looked -> Session -> Maybe Natural -> [[Maybe Code]] -> Property
@@ -83,13 +212,23 @@ asDefined looked s stated cells
     observed = observedOf cells
     offsets = map fst observed
     radius = fromMaybe (radiusOf (leastDistance looked offsets)) stated
-    counted = [ (fromIntegral (length (filter id (zipWith (/=) content (map (fromIntegral . snd) observed)))), place)
-              | (place, content) <- contentsAt (profileSurface (profile s)) looked offsets ] :: [(Natural, Position)]
+    counted =
+      [ ( fromIntegral
+            (length (filter id (zipWith (/=) content (map (fromIntegral . snd) observed)))),
+          place
+        )
+        | (place, content) <- contentsAt (profileSurface (profile s)) looked offsets
+      ] ::
+        [(Natural, Position)]
     least = if null counted then Nothing else Just (minimum (map fst counted))
     weight = fromIntegral (length (filter ((/= 0) . snd) observed))
     answered condition = ioProperty $ do
       outcome <- runExceptT (nearest s stated cells)
-      pure (counterexample ("answered " ++ show outcome ++ "; nearest are " ++ show (take 3 counted)) (condition outcome))
+      pure
+        ( counterexample
+            ("answered " ++ show outcome ++ "; nearest are " ++ show (take 3 counted))
+            (condition outcome)
+        )
     located places = answered $ \outcome -> case (outcome, places) of
       (Right (At place), [only]) -> place == only
       (Right (OneOf several), _ : _ : _) -> several == places

@@ -1,20 +1,20 @@
 -- | What of a census's unfinished file is kept when the census goes on: everything, if all of it is
 -- as it should be, or what is whole.
 module PraTactile.Format.Census.Continue
-  ( Wanted (..)
-  , Kept (..)
-  , Remade
-  , keptInOrder
-  , keptOfDamaged
-  ) where
+  ( Wanted (..),
+    Kept (..),
+    Remade,
+    keptInOrder,
+    keptOfDamaged,
+  )
+where
 
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Either (isLeft, rights)
 import Data.List (dropWhileEnd)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-
 import PraTactile.Census
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
@@ -24,22 +24,22 @@ import PraTactile.Window.Proof (ProofError)
 
 -- | What the file is to hold: the rows of these entries of a census, in this order.
 data Wanted = Wanted
-  { wantedScope :: Scope
-  , wantedEntries :: Natural
-    -- ^ how many entries the whole census has
-  , wantedInOrder :: [(Entry, Either ProofError ByteString)]
-    -- ^ with the rows' bodies, which are not looked at without need
+  { wantedScope :: Scope,
+    -- | how many entries the whole census has
+    wantedEntries :: Natural,
+    -- | with the rows' bodies, which are not looked at without need
+    wantedInOrder :: [(Entry, Either ProofError ByteString)]
   }
 
 -- | What is kept of a file.
 data Kept = Kept
-  { keptForm :: Form
-  , keptCount :: Int
-    -- ^ how many rows, those of the first entries wanted
-  , keptProved :: Int
-    -- ^ how many of them say that the windows are distinct
-  , keptBytes :: Int
-    -- ^ the length of the file up to their end
+  { keptForm :: Form,
+    -- | how many rows, those of the first entries wanted
+    keptCount :: Int,
+    -- | how many of them say that the windows are distinct
+    keptProved :: Int,
+    -- | the length of the file up to their end
+    keptBytes :: Int
   }
 
 -- | A row that is whole in the file, or the body of the one that takes its place.
@@ -65,9 +65,9 @@ keptInOrder wanted bytes contents = do
     go ((line, row) : rows) ((entry, _) : others)
       | not (ofCensus wanted row) = Left OtherCensus
       | rowEntry row == entryNumber entry =
-          if isRowOf wanted entry row then go rows others else Left (OtherEntry line)
+        if isRowOf wanted entry row then go rows others else Left (OtherEntry line)
       | rowEntry row `elem` takeWhile (<= rowEntry row) (map (entryNumber . fst) others) =
-          Left (EntryMissing line (entryNumber entry))
+        Left (EntryMissing line (entryNumber entry))
     go _ _ = Left OtherCensus
 
 -- | For the entries up to the last that has a whole row in the file: that row, or the body of the
@@ -82,11 +82,16 @@ keptOfDamaged wanted contents
     reached = case Map.lookupMax found of
       Just (final, _) -> takeWhile ((<= final) . entryNumber . fst) (wantedInOrder wanted)
       Nothing -> []
-    upToLast = dropWhileEnd (isLeft . snd)
-      [ (entry, case Map.lookup (entryNumber entry) found of
-          Just (_, row) | ofCensus wanted row && isRowOf wanted entry row -> Right row
-          _ -> Left body)
-      | (entry, body) <- reached ]
+    upToLast =
+      dropWhileEnd
+        (isLeft . snd)
+        [ ( entry,
+            case Map.lookup (entryNumber entry) found of
+              Just (_, row) | ofCensus wanted row && isRowOf wanted entry row -> Right row
+              _ -> Left body
+          )
+          | (entry, body) <- reached
+        ]
     whole = rights (map snd upToLast)
 
 ofCensus :: Wanted -> Row -> Bool

@@ -1,46 +1,45 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | What the columns of a census file's row say, and when they contradict each other: by the
 -- definitions of "PraTactile.Census" and "PraTactile.Window.Proof", no row of a census does.
 module PraTactile.Format.Census.Contradiction
-  ( Subject (..)
-  , Findings (..)
-  , contradiction
-  ) where
+  ( Subject (..),
+    Findings (..),
+    contradiction,
+  )
+where
 
 import Data.ByteString.Char8 (ByteString)
 import Numeric.Natural (Natural)
-
 import PraTactile.Array
 import PraTactile.Factorisation (checkPower)
 import PraTactile.Field.Named (conwayModulus)
 
 -- | What the row is of.
 data Subject = Subject
-  { subjectOrder :: Natural
-  , subjectModulus :: [Natural]
-  , subjectPolynomial :: [Natural]
-  , subjectFolding :: Folding
-  , subjectShape :: Shape
-  , subjectWindow :: Shape
+  { subjectOrder :: Natural,
+    subjectModulus :: [Natural],
+    subjectPolynomial :: [Natural],
+    subjectFolding :: Folding,
+    subjectShape :: Shape,
+    subjectWindow :: Shape
   }
   deriving stock (Eq, Show)
 
 -- | What it says of that, by the names of the columns.
 data Findings = Findings
-  { foundProved :: Bool
-    -- ^ that the windows are distinct
-  , foundByEnumeration :: Maybe Bool
-    -- ^ the same, where all were visited
-  , foundByRank :: Bool
-    -- ^ the same, by the rank of the window's cells
-  , foundRank :: Natural
-  , foundNeeded :: Natural
-  , foundWindows :: Natural
-  , foundDifferent :: Natural
-  , foundDistance :: (Natural, Maybe Natural)
-    -- ^ the least it can be, and the most if it is not known
+  { -- | that the windows are distinct
+    foundProved :: Bool,
+    -- | the same, where all were visited
+    foundByEnumeration :: Maybe Bool,
+    -- | the same, by the rank of the window's cells
+    foundByRank :: Bool,
+    foundRank :: Natural,
+    foundNeeded :: Natural,
+    foundWindows :: Natural,
+    foundDifferent :: Natural,
+    -- | the least it can be, and the most if it is not known
+    foundDistance :: (Natural, Maybe Natural)
   }
   deriving stock (Eq, Show)
 
@@ -53,20 +52,22 @@ contradiction entry entries subject found = case filter (not . fst) rules of
   [] -> Nothing
   where
     rules =
-      [ (entry < entries, ["entry", "entries"])
-      , (fieldExists, ["q", "modulus"])
-      , (n >= 1 && all (< q) h && take 1 (reverse h) == [1] && take 1 h /= [0], ["q", "polynomial"])
-      , (checkPower q n == Right () && area shape == q ^ n - 1, ["q", "polynomial", "shape"])
-      , (subjectFolding subject == RowMajor || coprimeSides, ["folding", "shape"])
-      , (1 <= cells && cells <= 4096 && window `fitsIn` shape, ["shape", "window"])
-      , (foundWindows found == area shape, ["shape", "windows"])
-      , (foundNeeded found == n, ["polynomial", "needed"])
-      , (1 <= r && r <= min n cells, ["window", "rank", "needed"])
-      , (foundByRank found == (r == n), ["rank_road", "rank", "needed"])
-      , (foundProved found == foundByRank found, ["proved", "rank_road"])
-      , (maybe True (== foundProved found) (foundByEnumeration found), ["proved", "enumeration"])
-      , (foundDifferent found == different, ["rank", "needed", "different"])
-      , (distanceFits, ["proved", "window", "needed", "distance"])
+      [ (entry < entries, ["entry", "entries"]),
+        (fieldExists, ["q", "modulus"]),
+        ( n >= 1 && all (< q) h && take 1 (reverse h) == [1] && take 1 h /= [0],
+          ["q", "polynomial"]
+        ),
+        (checkPower q n == Right () && area shape == q ^ n - 1, ["q", "polynomial", "shape"]),
+        (subjectFolding subject == RowMajor || coprimeSides, ["folding", "shape"]),
+        (1 <= cells && cells <= 4096 && window `fitsIn` shape, ["shape", "window"]),
+        (foundWindows found == area shape, ["shape", "windows"]),
+        (foundNeeded found == n, ["polynomial", "needed"]),
+        (1 <= r && r <= min n cells, ["window", "rank", "needed"]),
+        (foundByRank found == (r == n), ["rank_road", "rank", "needed"]),
+        (foundProved found == foundByRank found, ["proved", "rank_road"]),
+        (maybe True (== foundProved found) (foundByEnumeration found), ["proved", "enumeration"]),
+        (foundDifferent found == different, ["rank", "needed", "different"]),
+        (distanceFits, ["proved", "window", "needed", "distance"])
       ]
     q = subjectOrder subject
     modulus = subjectModulus subject
@@ -86,6 +87,7 @@ contradiction entry entries subject found = case filter (not . fst) rules of
     -- Windows that are not distinct have the distance 0; otherwise it is at most cells - n + 1 (R.
     -- Singleton 1964).
     distanceFits = case foundDistance found of
-      (d, Nothing) | foundProved found -> 1 <= d && d + n <= cells + 1
-                   | otherwise -> d == 0
+      (d, Nothing)
+        | foundProved found -> 1 <= d && d + n <= cells + 1
+        | otherwise -> d == 0
       (low, Just high) -> foundProved found && 1 <= low && low <= high && high <= cells

@@ -1,21 +1,20 @@
-{-# LANGUAGE DerivingStrategies #-}
 -- | The shards of a census as one file.
 module PraTactile.Format.Census.Merge
-  ( Shard (..)
-  , mergeShards
-  , MergeError (..)
-  , standardPlace
-  ) where
+  ( Shard (..),
+    mergeShards,
+    MergeError (..),
+    standardPlace,
+  )
+where
 
 import Control.Monad (forM_, unless, when)
 import Data.Bifunctor (first)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.List (find)
 import qualified Data.Map.Strict as Map
 import qualified Data.Sequence as Seq
 import Numeric.Natural (Natural)
-
 import PraTactile.Array (Folding (..), Shape)
 import PraTactile.Census
 import PraTactile.Format.Census.Contradiction
@@ -23,9 +22,9 @@ import PraTactile.Format.Census.Row
 
 -- | The rows of a file, with the numbers of their lines.
 data Shard = Shard
-  { shardFile :: FilePath
-  , shardForm :: Form
-  , shardRows :: [(Int, Row)]
+  { shardFile :: FilePath,
+    shardForm :: Form,
+    shardRows :: [(Int, Row)]
   }
 
 -- | Why shards are not one census.
@@ -48,7 +47,7 @@ data MergeError
 -- any of them has that: a row that was never checked is not given a check. The shards must be of
 -- one census, without a common entry, and lack none.
 mergeShards :: [Shard] -> Either MergeError (Form, [Row])
-mergeShards shards = case [ (shardFile shard, row) | shard <- shards, row <- shardRows shard ] of
+mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shardRows shard] of
   [] -> Left NoEntries
   everything@((file, (_, one)) : _) -> do
     forM_ everything $ \(file', (_, row)) ->
@@ -64,11 +63,11 @@ mergeShards shards = case [ (shardFile shard, row) | shard <- shards, row <- sha
     identity row =
       let s = rowSubject row
           field = (subjectOrder s, subjectModulus s)
-      in (rowCensus row, rowEntries row, field, length (subjectPolynomial s))
+       in (rowCensus row, rowEntries row, field, length (subjectPolynomial s))
     standard one = standardPlace (rowCensus one) (rowEntries one) (rowSubject one)
     isPlacedAt row placed =
       let s = rowSubject row
-      in placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
+       in placed (rowEntry row) == Just (subjectFolding s, subjectShape s, subjectWindow s)
     go merged [] = Right merged
     go merged ((file, (_, row)) : others) = do
       forM_ (Map.lookup (rowEntry row) merged) $ \(file', _) ->
@@ -78,16 +77,19 @@ mergeShards shards = case [ (shardFile shard, row) | shard <- shards, row <- sha
 -- | The runs of numbers below a bound that are not among these, which ascend.
 gaps :: Natural -> [Natural] -> [(Natural, Natural)]
 gaps bound present =
-  [ (a, b - 1) | (a, b) <- zip (0 : map (+ 1) present) (present ++ [bound]), a < b ]
+  [(a, b - 1) | (a, b) <- zip (0 : map (+ 1) present) (present ++ [bound]), a < b]
 
 -- | If a census has the name of one with the standard windows of this field and degree: what its
 -- entries are of, by their numbers. Of a census with chosen windows the name alone does not tell.
-standardPlace
-  :: ByteString -> Natural -> Subject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
+standardPlace ::
+  ByteString -> Natural -> Subject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
 standardPlace name entries subject = do
-  scope <- find ((== name) . Bytes.pack . censusName)
-    [ Scope (subjectOrder subject) (subjectModulus subject) n foldings []
-    | foldings <- [[Diagonal, RowMajor], [Diagonal], [RowMajor]] ]
+  scope <-
+    find
+      ((== name) . Bytes.pack . censusName)
+      [ Scope (subjectOrder subject) (subjectModulus subject) n foldings []
+        | foldings <- [[Diagonal, RowMajor], [Diagonal], [RowMajor]]
+      ]
   either (const Nothing) Just $ do
     size <- first (const ()) (censusSize scope)
     places <- Seq.fromList <$> first (const ()) (scopePlaces scope)

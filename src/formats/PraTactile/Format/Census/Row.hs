@@ -1,4 +1,3 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | A row of a census file: how it is written, and what shows that it is whole. The last column is
@@ -6,26 +5,28 @@
 -- line says so.
 module PraTactile.Format.Census.Row
   ( -- * Forms
-    Form (..)
-  , headerOf
-  , formOf
+    Form (..),
+    headerOf,
+    formOf,
+
     -- * Writing
-  , censusName
-  , rowBody
-  , inForm
+    censusName,
+    rowBody,
+    inForm,
+
     -- * Reading
-  , Row (..)
-  , readRow
-  , agrees
-  ) where
+    Row (..),
+    readRow,
+    agrees,
+  )
+where
 
 import Control.Monad (when)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
 import Data.List (find, intercalate)
 import Numeric.Natural (Natural)
-
 import PraTactile.Array (Folding, Shape (..), area)
 import PraTactile.Census
 import PraTactile.Format.Census.Contradiction
@@ -37,8 +38,10 @@ import PraTactile.Window.Proof (ProofError, Verdict (..))
 
 -- | The two forms of a file.
 data Form
-  = Checked    -- ^ every row ends with its check
-  | Unchecked  -- ^ the old one, without
+  = -- | every row ends with its check
+    Checked
+  | -- | the old one, without
+    Unchecked
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | The first line of a file, without its end.
@@ -47,9 +50,25 @@ headerOf form = Bytes.intercalate "," (columnsOf form)
 
 columnsOf :: Form -> [ByteString]
 columnsOf form =
-  [ "census", "entry", "entries", "q", "modulus", "polynomial", "folding", "shape", "window"
-  , "proved", "enumeration", "rank_road", "rank", "needed", "windows", "different", "distance" ]
-    ++ [ "check" | form == Checked ]
+  [ "census",
+    "entry",
+    "entries",
+    "q",
+    "modulus",
+    "polynomial",
+    "folding",
+    "shape",
+    "window",
+    "proved",
+    "enumeration",
+    "rank_road",
+    "rank",
+    "needed",
+    "windows",
+    "different",
+    "distance"
+  ]
+    ++ ["check" | form == Checked]
 
 -- | The form that a first line announces.
 formOf :: ByteString -> Maybe Form
@@ -64,16 +83,22 @@ censusName = take 12 . digestOf . Bytes.pack . scopeText
 rowBody :: Scope -> Natural -> Entry -> Either ProofError ByteString
 rowBody scope entries entry = line <$> entryVerdict entry
   where
-    line verdict = Bytes.intercalate "," (keyFields scope entries entry ++ map Bytes.pack
-      [ yesOrNo (Just (proved verdict))
-      , yesOrNo (enumeration verdict)
-      , yesOrNo (rankRoad verdict)
-      , maybe "" show (rank verdict)
-      , maybe "" show (needed verdict)
-      , show (area (entryShape entry))
-      , maybe "" show (distinctWindows verdict)
-      , either atMost (show . distance) (entryDistance entry)
-      ])
+    line verdict =
+      Bytes.intercalate
+        ","
+        ( keyFields scope entries entry
+            ++ map
+              Bytes.pack
+              [ yesOrNo (Just (proved verdict)),
+                yesOrNo (enumeration verdict),
+                yesOrNo (rankRoad verdict),
+                maybe "" show (rank verdict),
+                maybe "" show (needed verdict),
+                show (area (entryShape entry)),
+                maybe "" show (distinctWindows verdict),
+                either atMost (show . distance) (entryDistance entry)
+              ]
+        )
     yesOrNo = maybe "" (\decided -> if decided then "yes" else "no")
     atMost e = case e of
       DistanceBetween low high -> show low ++ ".." ++ show high
@@ -81,17 +106,19 @@ rowBody scope entries entry = line <$> entryVerdict entry
 
 -- | The columns that say of what an entry is.
 keyFields :: Scope -> Natural -> Entry -> [ByteString]
-keyFields scope entries entry = map Bytes.pack
-  [ censusName scope
-  , show (entryNumber entry)
-  , show entries
-  , show (scopeOrder scope)
-  , codes (scopeModulus scope)
-  , codes (entryPolynomial entry)
-  , foldingName (entryFolding entry)
-  , shapeText (entryShape entry)
-  , shapeText (entryWindow entry)
-  ]
+keyFields scope entries entry =
+  map
+    Bytes.pack
+    [ censusName scope,
+      show (entryNumber entry),
+      show entries,
+      show (scopeOrder scope),
+      codes (scopeModulus scope),
+      codes (entryPolynomial entry),
+      foldingName (entryFolding entry),
+      shapeText (entryShape entry),
+      shapeText (entryWindow entry)
+    ]
   where
     codes = intercalate " " . map show
 
@@ -107,13 +134,13 @@ checkOf body = Bytes.pack (take 16 (digestOf body))
 
 -- | A row that was read.
 data Row = Row
-  { rowCensus :: ByteString
-  , rowEntry :: Natural
-  , rowEntries :: Natural
-  , rowSubject :: Subject
-  , rowFindings :: Findings
-  , rowText :: ByteString
-    -- ^ without the check
+  { rowCensus :: ByteString,
+    rowEntry :: Natural,
+    rowEntries :: Natural,
+    rowSubject :: Subject,
+    rowFindings :: Findings,
+    -- | without the check
+    rowText :: ByteString
   }
   deriving stock (Eq, Show)
 
@@ -124,7 +151,9 @@ readRow form line = do
   when (length fields /= columns') (Left (FieldCount (length fields) columns'))
   when (inForm form body /= line) (Left CheckFails)
   row <- parsed
-  maybe (Right row) (Left . Contradicting)
+  maybe
+    (Right row)
+    (Left . Contradicting)
     (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowFindings row))
   where
     fields = Bytes.split ',' line
@@ -132,31 +161,34 @@ readRow form line = do
     body = case form of
       Checked ->
         let before = Bytes.dropWhileEnd (/= ',') line
-        in Bytes.take (Bytes.length before - 1) before
+         in Bytes.take (Bytes.length before - 1) before
       Unchecked -> line
-    parsed = Row
-      <$> field "census" Just
-      <*> field "entry" natural
-      <*> field "entries" natural
-      <*> subject
-      <*> findings
-      <*> pure body
-    subject = Subject
-      <$> field "q" natural
-      <*> field "modulus" naturals
-      <*> field "polynomial" naturals
-      <*> field "folding" folding
-      <*> field "shape" shape
-      <*> field "window" shape
-    findings = Findings
-      <$> field "proved" yes
-      <*> field "enumeration" maybeYes
-      <*> field "rank_road" yes
-      <*> field "rank" natural
-      <*> field "needed" natural
-      <*> field "windows" natural
-      <*> field "different" natural
-      <*> field "distance" between
+    parsed =
+      Row
+        <$> field "census" Just
+        <*> field "entry" natural
+        <*> field "entries" natural
+        <*> subject
+        <*> findings
+        <*> pure body
+    subject =
+      Subject
+        <$> field "q" natural
+        <*> field "modulus" naturals
+        <*> field "polynomial" naturals
+        <*> field "folding" folding
+        <*> field "shape" shape
+        <*> field "window" shape
+    findings =
+      Findings
+        <$> field "proved" yes
+        <*> field "enumeration" maybeYes
+        <*> field "rank_road" yes
+        <*> field "rank" natural
+        <*> field "needed" natural
+        <*> field "windows" natural
+        <*> field "different" natural
+        <*> field "distance" between
     named = zip (columnsOf form) fields
     field :: ByteString -> (ByteString -> Maybe a) -> Either RowError a
     field name reading = case lookup name named of
@@ -197,5 +229,6 @@ maybeYes text = if Bytes.null text then Just Nothing else Just <$> yes text
 -- | A number, or two with two dots between them.
 between :: ByteString -> Maybe (Natural, Maybe Natural)
 between text = case Bytes.breakSubstring ".." text of
-  (low, high) | Bytes.null high -> flip (,) Nothing <$> natural low
-              | otherwise -> (\a b -> (a, Just b)) <$> natural low <*> natural (Bytes.drop 2 high)
+  (low, high)
+    | Bytes.null high -> flip (,) Nothing <$> natural low
+    | otherwise -> (\a b -> (a, Just b)) <$> natural low <*> natural (Bytes.drop 2 high)

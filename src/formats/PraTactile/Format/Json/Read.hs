@@ -2,22 +2,25 @@
 
 -- | From JSON values to what they stand for, each refusal with its cause and its place.
 module PraTactile.Format.Json.Read
-  ( Decoder
-  , decodeWith
-  , refuse
+  ( Decoder,
+    decodeWith,
+    refuse,
+
     -- * Values
-  , listOf
-  , text
-  , natural
-  , real
-  , pairOf
-  , shape
-  , named
+    listOf,
+    text,
+    natural,
+    real,
+    pairOf,
+    shape,
+    named,
+
     -- * Objects
-  , object
-  , field
-  , schemaIs
-  ) where
+    object,
+    field,
+    schemaIs,
+  )
+where
 
 import Data.Aeson (Key, Object, Value (..))
 import qualified Data.Aeson.Key as Key
@@ -31,7 +34,6 @@ import Data.List (find)
 import Data.Scientific (Scientific, floatingOrInteger, toBoundedRealFloat)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
-
 import PraTactile.Array (Shape (..))
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Strict
@@ -72,10 +74,11 @@ natural :: Decoder Natural
 natural value = case value of
   Number n | Right i <- whole n, i >= 0 -> Right (fromInteger i)
   String given
-    | not (Text.null given), Text.all isDigit given ->
-        if Text.compareLength given mostDigits == GT
-          then refuse (NaturalTooLong mostDigits)
-          else Right (read (Text.unpack given))
+    | not (Text.null given),
+      Text.all isDigit given ->
+      if Text.compareLength given mostDigits == GT
+        then refuse (NaturalTooLong mostDigits)
+        else Right (read (Text.unpack given))
   _ -> refuse NotNatural
   where
     whole :: Scientific -> Either Double Integer
@@ -91,15 +94,17 @@ real value = case value of
 
 -- | A list of two such values.
 pairOf :: Decoder a -> Decoder (a, a)
-pairOf decoder value = listOf decoder value >>= \given -> case given of
-  [a, b] -> Right (a, b)
-  _ -> refuse NotPair
+pairOf decoder value =
+  listOf decoder value >>= \given -> case given of
+    [a, b] -> Right (a, b)
+    _ -> refuse NotPair
 
 -- | A shape as a list of two numbers, rows and columns.
 shape :: Decoder Shape
-shape value = listOf natural value >>= \given -> case given of
-  [high, wide] -> Right (Shape high wide)
-  _ -> refuse NotShape
+shape value =
+  listOf natural value >>= \given -> case given of
+    [high, wide] -> Right (Shape high wide)
+    _ -> refuse NotShape
 
 -- | One of all values of a type, by its name.
 named :: (Bounded a, Enum a) => (a -> String) -> Decoder a
@@ -123,5 +128,6 @@ field key decoder fields = case KeyMap.lookup key fields of
 
 -- | Refuse an object of another schema than this.
 schemaIs :: String -> Object -> Either FormatError ()
-schemaIs schema fields = field "schema" text fields >>= \given ->
-  if given == schema then Right () else refuse (OtherSchema given schema)
+schemaIs schema fields =
+  field "schema" text fields >>= \given ->
+    if given == schema then Right () else refuse (OtherSchema given schema)

@@ -3,22 +3,24 @@
 -- | Reading JSON: every JSON text is read here, so that what libraries take in silence, or in a
 -- time or a memory out of proportion, is refused everywhere.
 module PraTactile.Format.Json.Strict
-  ( readJson
+  ( readJson,
+
     -- * Bounds
-  , deepest
-  , longestNumber
+    deepest,
+    longestNumber,
+
     -- * Keys
-  , repeatedKey
-  ) where
+    repeatedKey,
+  )
+where
 
 import Data.Aeson (Value, decodeStrict)
-import qualified Data.ByteString.Char8 as Bytes
 import Data.ByteString.Char8 (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8')
-
 import PraTactile.Format.Error
 
 -- | The value of a JSON text in UTF-8. Refuses what is no JSON; deep nesting, which takes many
@@ -51,13 +53,13 @@ excess = go 0
     go open text
       | open > deepest = Just TooDeep
       | otherwise = case Bytes.uncons (Bytes.dropWhile (`Bytes.notElem` "{}[]\"0123456789") text) of
-          Nothing -> Nothing
-          Just ('"', rest) -> go open (Bytes.drop (closing rest + 1) rest)
-          Just (c, rest)
-            | isDigit c ->
-                let (digits, others) = Bytes.span isDigit rest
-                in if Bytes.length digits >= longestNumber then Just TooLong else go open others
-            | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
+        Nothing -> Nothing
+        Just ('"', rest) -> go open (Bytes.drop (closing rest + 1) rest)
+        Just (c, rest)
+          | isDigit c ->
+            let (digits, others) = Bytes.span isDigit rest
+             in if Bytes.length digits >= longestNumber then Just TooLong else go open others
+          | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
 
 -- | The first key that an object in a valid JSON text has a second time, however it is written:
 -- @\"q\"@ is @\"\\u0071\"@. Of other texts it says nothing sensible.
@@ -75,10 +77,13 @@ repeatedKey = go []
       let (inside, after) = Bytes.splitAt (closing rest) rest
           following = Bytes.drop 1 after
           isKey = ":" `Bytes.isPrefixOf` Bytes.dropWhile (`Bytes.elem` " \t\r\n") following
-      in case (open, decodeStrict ("\"" <> inside <> "\"")) of
-        (keys : others, Just name) | isKey ->
-          if name `Set.member` keys then Just name else go (Set.insert name keys : others) following
-        _ -> go open following
+       in case (open, decodeStrict ("\"" <> inside <> "\"")) of
+            (keys : others, Just name)
+              | isKey ->
+                if name `Set.member` keys
+                  then Just name
+                  else go (Set.insert name keys : others) following
+            _ -> go open following
 
 -- | Where a string ends: the index of the first quotation mark that no backslash escapes.
 closing :: ByteString -> Int

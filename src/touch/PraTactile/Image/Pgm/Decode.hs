@@ -1,8 +1,9 @@
 -- | Reading PGM files as the netpbm manual (pgm(5)) defines them and libnetpbm reads them.
 module PraTactile.Image.Pgm.Decode
-  ( decodePgm
-  , formatName
-  ) where
+  ( decodePgm,
+    formatName,
+  )
+where
 
 import Codec.Picture (Image (..))
 import Control.Monad (when)
@@ -14,14 +15,13 @@ import Data.List (find)
 import qualified Data.Vector.Storable as V
 import Data.Word (Word16)
 import Numeric.Natural (Natural)
-
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
 import PraTactile.Image.Pgm.Type (Pgm, checkSize, pgm16, pgm8)
 
--- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte first), with
--- comments wherever white space may stand in the header and, in plain files, among the samples. Refuses
--- everything else, each cause with its own 'ImageError'; the memory taken is bounded by the file's own size
--- and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
+-- | The image in a PGM file: plain (P2) or raw (P5), 8 or 16 bits (the more significant byte
+-- first), with comments wherever white space may stand in the header and, in plain files, among the
+-- samples. Refuses everything else, each cause with its own 'ImageError'; the memory taken is
+-- bounded by the file's own size and 'PraTactile.Image.Pgm.maxPixels', whatever the header says.
 --
 -- >>> import PraTactile.Image.Pgm.Type (pgmMaxval)
 -- >>> pgmMaxval <$> decodePgm (Data.ByteString.Char8.pack "P2 # two pixels\n2 1 9\n0 9\n")
@@ -42,10 +42,12 @@ decodePgm file = do
     then pgm8 (fromIntegral maxval) (Image w h (V.map fromIntegral samples))
     else pgm16 (fromIntegral maxval) (Image w h samples)
 
--- | What turns the rest of a file into samples: the width, the number of samples, the maximum value, and the rest.
+-- | What turns the rest of a file into samples: the width, the number of samples, the maximum
+-- value, and the rest.
 type Samples = Int -> Int -> Int -> ByteString -> Either ImageError (V.Vector Word16)
 
--- | The samples of a raw file: after one single white space (or comment, see the Note), one or two bytes each.
+-- | The samples of a raw file: after one single white space (or comment, see the Note), one or two
+-- bytes each.
 rawSamples :: Samples
 rawSamples _ count maxval rest = do
   bytes <- delimiter
@@ -55,70 +57,78 @@ rawSamples _ count maxval rest = do
   let trailing = B.drop needed bytes
   when (C.any (not . isWhite) trailing) (Left (TrailingData (B.length trailing)))
   Right (V.generate count (sampleAt bytes))
- where
-  size = if maxval < 256 then 1 else 2 :: Int
-  sampleAt bytes i
-    | size == 1 = byte bytes i
-    | otherwise = 256 * byte bytes (2 * i) + byte bytes (2 * i + 1)
-  byte bytes i = if i < B.length bytes then fromIntegral (B.index bytes i) else 0
-  -- Note [The byte after the maximum value]
-  delimiter = case C.uncons rest of
-    Just (c, bytes)
-      | isWhite c -> Right bytes
-      | c == '#' -> Right (B.drop 1 (C.dropWhile (not . isLineEnd) bytes))
-      | otherwise -> Left (BadHeader HeaderMaxval (B.take 8 rest))
-    Nothing -> Left (Truncated count 0)
+  where
+    size = if maxval < 256 then 1 else 2 :: Int
+    sampleAt bytes i
+      | size == 1 = byte bytes i
+      | otherwise = 256 * byte bytes (2 * i) + byte bytes (2 * i + 1)
+    byte bytes i = if i < B.length bytes then fromIntegral (B.index bytes i) else 0
+    -- Note [The byte after the maximum value]
+    delimiter = case C.uncons rest of
+      Just (c, bytes)
+        | isWhite c -> Right bytes
+        | c == '#' -> Right (B.drop 1 (C.dropWhile (not . isLineEnd) bytes))
+        | otherwise -> Left (BadHeader HeaderMaxval (B.take 8 rest))
+      Nothing -> Left (Truncated count 0)
 
--- Note [The byte after the maximum value]
--- ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
--- "A single whitespace character (usually a newline)" separates the maximum value from the samples, so no
--- second one may be skipped: it would be a sample. A comment that follows the maximum value's last digit at
--- once counts, with the end of its line, as that character, as in libnetpbm (pm_getc reads every header byte
--- and turns a comment into its line end); one after a blank is already image.
+-- Note [The byte after the maximum value] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ "A single
+-- whitespace character (usually a newline)" separates the maximum value from the samples, so no
+-- second one may be skipped: it would be a sample. A comment that follows the maximum value's last
+-- digit at once counts, with the end of its line, as that character, as in libnetpbm (pm_getc reads
+-- every header byte and turns a comment into its line end); one after a blank is already image.
 
 -- | The samples of a plain file: decimal numbers between white space; comments are tolerated.
 plainSamples :: Samples
 plainSamples width count maxval rest0
-  -- Each sample takes a digit and, but for the last, a white space: a file that is too short is refused
-  -- before anything is made.
+  -- Each sample takes a digit and, but for the last, a white space: a file that is too short is
+  -- refused before anything is made.
   | B.length rest0 < 2 * count - 1 = Left (Truncated count (countNumbers rest0))
   | otherwise = do
-      rest <- check 0 rest0
-      let trailing = skipWhite rest
-      if B.null trailing
-        then Right (V.unfoldrN count (fmap (\(n, after) -> (fromIntegral n, after)) . number . skipWhite) rest0)
-        else Left (TrailingData (B.length trailing))
- where
-  -- Read once for what may be wrong and once for the values, so that a large image is never held as a list.
-  check i rest
-    | i >= count = Right rest
-    | B.null start = Left (Truncated count i)
-    | otherwise = case number start of
+    rest <- check 0 rest0
+    let trailing = skipWhite rest
+    if B.null trailing
+      then
+        Right
+          ( V.unfoldrN
+              count
+              (fmap (\(n, after) -> (fromIntegral n, after)) . number . skipWhite)
+              rest0
+          )
+      else Left (TrailingData (B.length trailing))
+  where
+    -- Read once for what may be wrong and once for the values, so that a large image is never held
+    -- as a list.
+    check i rest
+      | i >= count = Right rest
+      | B.null start = Left (Truncated count i)
+      | otherwise = case number start of
         Nothing -> Left (BadSample i (B.take 8 start))
         Just (value, after)
-          | value > fromIntegral maxval -> Left (SampleAboveMaxval (i `rem` width, i `quot` width) value maxval)
+          | value > fromIntegral maxval ->
+            Left (SampleAboveMaxval (i `rem` width, i `quot` width) value maxval)
           | otherwise -> check (i + 1) after
-   where
-    start = skipWhite rest
-  countNumbers = length . C.words
+      where
+        start = skipWhite rest
+    countNumbers = length . C.words
 
 -- | A number of the header with what follows it.
 headerNumber :: HeaderField -> ByteString -> Either ImageError (Natural, ByteString)
 headerNumber field rest = maybe (Left (BadHeader field (B.take 8 start))) Right (number start)
- where
-  start = skipWhite rest
+  where
+    start = skipWhite rest
 
--- | The decimal number a string begins with, and what follows it, which must be white space, a comment or
--- nothing. Numbers above 10^18 stand for themselves no longer but remain too large for everything they are
--- compared with, so a header of a million digits costs no arithmetic.
+-- | The decimal number a string begins with, and what follows it, which must be white space, a
+-- comment or nothing. Numbers above 10^18 stand for themselves no longer but remain too large for
+-- everything they are compared with, so a header of a million digits costs no arithmetic.
 number :: ByteString -> Maybe (Natural, ByteString)
 number start
   | B.null digits || not (endsToken rest) = Nothing
   | B.length significant > 18 = Just (10 ^ (18 :: Int), rest)
-  | otherwise = Just (C.foldl' (\n c -> 10 * n + fromIntegral (fromEnum c - fromEnum '0')) 0 significant, rest)
- where
-  (digits, rest) = C.span isDigit start
-  significant = C.dropWhile (== '0') digits
+  | otherwise =
+    Just (C.foldl' (\n c -> 10 * n + fromIntegral (fromEnum c - fromEnum '0')) 0 significant, rest)
+  where
+    (digits, rest) = C.span isDigit start
+    significant = C.dropWhile (== '0') digits
 
 -- | Whether a word of the header may end here.
 endsToken :: ByteString -> Bool
@@ -145,16 +155,16 @@ isLineEnd c = c == '\n' || c == '\r'
 -- Just "PNG"
 formatName :: ByteString -> Maybe String
 formatName file = fst <$> find (any (`B.isPrefixOf` file) . snd) formats
- where
-  formats =
-    [ ("PNG", [B.pack [0x89, 0x50, 0x4e, 0x47]])
-    , ("JPEG", [B.pack [0xff, 0xd8, 0xff]])
-    , ("GIF", [C.pack "GIF8"])
-    , ("TIFF", [B.pack [0x49, 0x49, 0x2a, 0], B.pack [0x4d, 0x4d, 0, 0x2a]])
-    , ("BMP", [C.pack "BM"])
-    , ("PBM", map C.pack ["P1", "P4"])
-    , ("PPM", map C.pack ["P3", "P6"])
-    , ("PAM", [C.pack "P7"])
-    , ("gzip", [B.pack [0x1f, 0x8b]])
-    , ("PDF", [C.pack "%PDF"])
-    ]
+  where
+    formats =
+      [ ("PNG", [B.pack [0x89, 0x50, 0x4e, 0x47]]),
+        ("JPEG", [B.pack [0xff, 0xd8, 0xff]]),
+        ("GIF", [C.pack "GIF8"]),
+        ("TIFF", [B.pack [0x49, 0x49, 0x2a, 0], B.pack [0x4d, 0x4d, 0, 0x2a]]),
+        ("BMP", [C.pack "BM"]),
+        ("PBM", map C.pack ["P1", "P4"]),
+        ("PPM", map C.pack ["P3", "P6"]),
+        ("PAM", [C.pack "P7"]),
+        ("gzip", [B.pack [0x1f, 0x8b]]),
+        ("PDF", [C.pack "%PDF"])
+      ]

@@ -1,22 +1,22 @@
-{-# LANGUAGE DerivingStrategies #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE PatternSynonyms #-}
 
--- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all, samples within
--- the maximum value.
+-- | A PGM image that is known to be one: sizes of at least 1 and at most 'maxPixels' in all,
+-- samples within the maximum value.
 module PraTactile.Image.Pgm.Type
-  ( Pgm
-  , pattern Pgm8
-  , pattern Pgm16
-  , pgm8
-  , pgm16
-  , pgmWidth
-  , pgmHeight
-  , pgmMaxval
-  , pgmDynamic
-  , checkSize
-  , maxPixels
-  ) where
+  ( Pgm,
+    pattern Pgm8,
+    pattern Pgm16,
+    pgm8,
+    pgm16,
+    pgmWidth,
+    pgmHeight,
+    pgmMaxval,
+    pgmDynamic,
+    checkSize,
+    maxPixels,
+  )
+where
 
 import Codec.Picture (DynamicImage (..), Image (..), Pixel16, Pixel8)
 import Codec.Picture.Types (PixelBaseComponent)
@@ -24,11 +24,10 @@ import Control.Monad (when)
 import qualified Data.Vector.Storable as V
 import Data.Word (Word16, Word8)
 import Numeric.Natural (Natural)
-
 import PraTactile.Image.Error (ImageError (..))
 
--- | A grey image with its maximum value, in JuicyPixels' own type: 8 bits a sample for maximum values up to
--- 255, 16 above.
+-- | A grey image with its maximum value, in JuicyPixels' own type: 8 bits a sample for maximum
+-- values up to 255, 16 above.
 data Pgm
   = Eight !Word8 !(Image Pixel8)
   | Sixteen !Word16 !(Image Pixel16)
@@ -38,10 +37,10 @@ instance Show Pgm where
   showsPrec d pgm = showParen (d > 10) $ case pgm of
     Eight m image -> shown "Pgm8 " m image
     Sixteen m image -> shown "Pgm16 " m image
-   where
-    shown name m (Image w h samples) =
-      showString name . showsPrec 11 m . showString (size w h) . shows samples . showChar ')'
-    size w h = " (Image " ++ show w ++ " " ++ show h ++ " "
+    where
+      shown name m (Image w h samples) =
+        showString name . showsPrec 11 m . showString (size w h) . shows samples . showChar ')'
+      size w h = " (Image " ++ show w ++ " " ++ show h ++ " "
 
 -- | The maximum value, 1 to 255, and the image. For matching only; 'pgm8' builds one.
 pattern Pgm8 :: Word8 -> Image Pixel8 -> Pgm
@@ -53,35 +52,35 @@ pattern Pgm16 m image <- Sixteen m image
 
 {-# COMPLETE Pgm8, Pgm16 #-}
 
--- | A PGM with a maximum value of 1 to 255. Refuses a maximum value of 0, an empty or too large image, a
--- sample above the maximum value and an image whose samples are not as many as its pixels.
+-- | A PGM with a maximum value of 1 to 255. Refuses a maximum value of 0, an empty or too large
+-- image, a sample above the maximum value and an image whose samples are not as many as its pixels.
 pgm8 :: Word8 -> Image Pixel8 -> Either ImageError Pgm
 pgm8 m image
   | m < 1 = Left (MaxvalOutOfRange 0)
   | otherwise = Eight m <$> checked m image
 
--- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' does, and smaller maximum values, whose
--- samples take 8 bits.
+-- | A PGM with a maximum value of 256 to 65535. Refuses what 'pgm8' does, and smaller maximum
+-- values, whose samples take 8 bits.
 pgm16 :: Word16 -> Image Pixel16 -> Either ImageError Pgm
 pgm16 m image
   | m < 256 = Left (MaxvalOutOfRange (fromIntegral m))
   | otherwise = Sixteen m <$> checked m image
 
 -- | The image, if its size and all its samples are as they must be.
-checked
-  :: (Integral (PixelBaseComponent p), V.Storable (PixelBaseComponent p))
-  => PixelBaseComponent p
-  -> Image p
-  -> Either ImageError (Image p)
+checked ::
+  (Integral (PixelBaseComponent p), V.Storable (PixelBaseComponent p)) =>
+  PixelBaseComponent p ->
+  Image p ->
+  Either ImageError (Image p)
 checked m image@(Image w h samples) = do
   (w', h') <- checkSize (natural w) (natural h)
   when (V.length samples /= w' * h') (Left (WrongValueCount w h (V.length samples)))
   case V.findIndex (> m) samples of
     Just i -> Left (SampleAboveMaxval (i `rem` w', i `quot` w') (sampleAt i) (fromIntegral m))
     Nothing -> Right image
- where
-  sampleAt i = maybe 0 fromIntegral (samples V.!? i)
-  natural = fromIntegral . max 0
+  where
+    sampleAt i = maybe 0 fromIntegral (samples V.!? i)
+    natural = fromIntegral . max 0
 
 -- | The number of columns.
 pgmWidth :: Pgm -> Int
@@ -98,21 +97,21 @@ pgmMaxval :: Pgm -> Int
 pgmMaxval (Eight m _) = fromIntegral m
 pgmMaxval (Sixteen m _) = fromIntegral m
 
--- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they are, so the
--- maximum value is lost.
+-- | The image as JuicyPixels' writers take it, 'ImageY8' or 'ImageY16'; the samples stay as they
+-- are, so the maximum value is lost.
 pgmDynamic :: Pgm -> DynamicImage
 pgmDynamic (Eight _ image) = ImageY8 image
 pgmDynamic (Sixteen _ image) = ImageY16 image
 
--- | The size of an image in pixels as it may be, or why not. Nothing is multiplied or allocated before the
--- bound is known to hold.
+-- | The size of an image in pixels as it may be, or why not. Nothing is multiplied or allocated
+-- before the bound is known to hold.
 checkSize :: Natural -> Natural -> Either ImageError (Int, Int)
 checkSize w h
   | w == 0 || h == 0 = Left (ZeroSize w h)
   | w > limit || h > limit || w * h > limit = Left (TooManyPixels w h)
   | otherwise = Right (fromIntegral w, fromIntegral h)
- where
-  limit = fromIntegral maxPixels
+  where
+    limit = fromIntegral maxPixels
 
 -- | The most pixels an image may have: 2^24, far above any composite.
 maxPixels :: Int
