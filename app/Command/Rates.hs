@@ -21,7 +21,6 @@ import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Format.Profile
 import PraTactile.Locate.Book
-import PraTactile.Locate.Rates
 import PraTactile.Profile
 import PraTactile.Rates
 import PraTactile.Window
@@ -122,7 +121,7 @@ command =
                   <> metavar "FILE.svg"
                   <> action "file"
                   <> help
-                    "Draw the table as well, into an SVG file; - is the standard output, in place \
+                    "Draw the table as well, into an SVG file; - is the standard output, in setup \
                     \of the table"
               )
           )
@@ -148,18 +147,18 @@ run choice options
 tables :: KnownField k => Profile -> Options -> Book k -> IO Ending
 tables profile options shelf = do
   forM_ (errors options) $ \p -> if p >= 0 && p < chance then pure () else unusable tooWrong
-  grounds <- forM (sizes options) $ \size -> do
+  setups <- forM (sizes options) $ \size -> do
     mask <- orUnusable windowMessage (rectangle size)
-    place <- orUnusable groundMessage (ground shelf size)
-    pure (size, place, exactRates (radius options) shelf mask)
+    setup <- orUnusable setupMessage (trialSetup shelf size)
+    pure (size, setup, exactRates (radius options) shelf mask)
   for_ (plot options) orUnwritable
   printsAsItGoes <- (form options /= Json &&) <$> hIsTerminalDevice stdout
   let total =
-        toInteger (length grounds * length (errors options) * length (erasures options))
+        toInteger (length setups * length (errors options) * length (erasures options))
           * toInteger (trials options)
       cases =
-        [ (size, place, exact, p, s)
-          | (size, place, exact) <- grounds,
+        [ (size, setup, exact, p, s)
+          | (size, setup, exact) <- setups,
             s <- erasures options,
             p <- errors options
         ]
@@ -170,8 +169,8 @@ tables profile options shelf = do
     Text -> say (heading (radius options))
     Csv -> say (csvHeading ++ "\n")
     Json -> pure ()
-  made <- watched $ \tell -> forM (zip [0 ..] cases) $ \(i, (size, place, exact, p, s)) -> do
-    l <- line options place size exact p s (\n -> tell (i * perLine + toInteger n))
+  made <- watched $ \tell -> forM (zip [0 ..] cases) $ \(i, (size, setup, exact, p, s)) -> do
+    l <- line options setup size exact p s (\n -> tell (i * perLine + toInteger n))
     case form options of
       Text -> say (lineText l ++ "\n") >> hFlush stdout
       Csv -> say (lineCsv l ++ "\n") >> hFlush stdout
@@ -208,21 +207,21 @@ tables profile options shelf = do
 line ::
   KnownField k =>
   Options ->
-  Ground k ->
+  TrialSetup k ->
   Shape ->
   (Damage -> Maybe Rates) ->
   Double ->
   Double ->
   (Int -> IO ()) ->
   IO Line
-line options place size exactly p s tell = do
+line options setup size exactly p s tell = do
   counts <-
     foldM
       add
       noTrials
       ( withStrategy
           (parBuffer 8 rseq)
-          (simulations (radius options) place damage (trials options) (seed options))
+          (simulations (radius options) setup damage (trials options) (seed options))
       )
   let hard = hardRates counts
       exact = exactly damage

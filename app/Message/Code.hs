@@ -12,7 +12,7 @@ module Message.Code
     censusMessage,
     locateMessage,
     locatorMessage,
-    groundMessage,
+    setupMessage,
     algebraMessage,
     decodingMessage,
     beliefMessage,
@@ -32,7 +32,7 @@ import PraTactile.Grid (GridError (..), largestGrid)
 import PraTactile.Locate
 import PraTactile.Polynomial (PolynomialError (..))
 import PraTactile.Profile
-import PraTactile.Rates (GroundError (..))
+import PraTactile.Rates (SetupError (..))
 import PraTactile.Sequence (SequenceError (..))
 import PraTactile.Window (WindowError (..))
 import PraTactile.Window.Proof
@@ -248,11 +248,11 @@ locatorMessage e = case e of
     \logarithms that can be taken; leave out --radius"
   NoSymmetry -> "there is no orientation in which the patches may be seen"
 
-groundMessage :: GroundError -> String
-groundMessage e = case e of
-  GroundSheet -> "patches are read on the array's own surface, not on the sheet"
-  GroundEmpty -> "the patch has no cells"
-  GroundTooLarge cells limit ->
+setupMessage :: SetupError -> String
+setupMessage e = case e of
+  SetupOnSheet -> "patches are read on the array's own surface, not on the sheet"
+  SetupEmpty -> "the patch has no cells"
+  SetupTooLarge cells limit ->
     "patches at all positions have "
       ++ show cells
       ++ " cells together; at most "

@@ -17,6 +17,7 @@ spec = describe "the house" $
     it "has modules in both wings, in the hall, and in what stands on them" $ \(house, _) ->
       [ Code,
         Touch,
+        Simulation,
         Recognition,
         Files,
         Store,
@@ -104,6 +105,7 @@ known wing = case wing of
   Common -> [Common]
   Code -> [Common, Code]
   Touch -> [Common, Touch]
+  Simulation -> [Common, Code, Simulation]
   Recognition -> [Common, Code, Touch, Recognition]
   Formats -> known Recognition ++ [Formats]
   Files -> known Recognition ++ [Files]
@@ -113,7 +115,7 @@ known wing = case wing of
 
 -- | The wings without input and output.
 pureWings :: [Wing]
-pureWings = [Common, Code, Touch, Recognition, Formats]
+pureWings = [Common, Code, Touch, Simulation, Recognition, Formats]
 
 -- | What reads, writes, runs, changes or throws; tools/pure.hlint.yaml has the reasons.
 world :: [String]
@@ -153,6 +155,7 @@ allowances =
             "pra-tactile:common bytestring cassava containers file-embed hmatrix \
             \JuicyPixels random svg-builder text vector"
           ),
+          (Simulation, "pra-tactile:common pra-tactile:code containers random vector"),
           ( Recognition,
             "pra-tactile:common pra-tactile:code pra-tactile:touch bytestring \
             \containers filepath random vector"

@@ -6,13 +6,13 @@ import Data.List (nub, sort, unfoldr)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
+import PraTactile.Locate (locator)
 import PraTactile.Locate.Book
-import PraTactile.Locate.Rates
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
-import PraTactile.Rates.Ground
+import PraTactile.Rates.Decoding
+import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
-import PraTactile.Rates.Verdict
 import PraTactile.Window
 import System.Random (mkStdGen)
 import Test.Code.Generators
@@ -30,22 +30,23 @@ spec = do
       abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
   it "the noise for no errors makes none" $
     forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
-  it "the fast verdict of a trial is that of the decoders" $ do
+  it "the fast decoding of a trial is that of locate" $ do
     paper <- paperBook
     let judged name shelf size damage = do
-          place <- right (ground shelf size)
-          let verdicts = take 150 (trialsOf place damage 5)
-          forM_ verdicts $ \trial ->
-            forM_
-              [Guaranteed, UpTo 0, UpTo 2, UpTo 100]
-              $ \radius -> case (judge radius place trial, judgeByDecoders radius place trial) of
-                (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
+          setup <- right (trialSetup shelf size)
+          let drawn = take 150 (trialsOf setup damage 5)
+              made = locator Nothing MostSignificantFirst (bookArray shelf) (bookMask shelf)
+          forM_ drawn $ \trial ->
+            forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
+              let TrialResult a b doubt = decodeTrial radius setup trial
+              case decodeByLocate made radius setup trial of
+                Just (TrialResult a' b' doubt') -> do
                   (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
-                  -- Below 1e-20 doubts are not told apart.
+                  -- Doubts below 1e-20 are counted alike.
                   abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
-                (_, Nothing) -> expectationFailure "no verdict"
+                Nothing -> expectationFailure "no answer"
           -- The answers are not all alike.
-          pure [verdictAnswer (judge Guaranteed place trial) | trial <- verdicts]
+          pure [resultHard (decodeTrial Guaranteed setup trial) | trial <- drawn]
     answers <-
       concat
         <$> sequence
@@ -81,13 +82,13 @@ spec = do
             ]
       forM_ cases $ \(size, damage) -> do
         m <- right (rectangle size)
-        place <- right (ground shelf size)
+        setup <- right (trialSetup shelf size)
         exact <-
           maybe
             (expectationFailure "nothing" >> fail "nothing")
             pure
             (exactRates Guaranteed shelf m damage)
-        let found = hardRates (simulate Guaranteed place damage trials 1)
+        let found = hardRates (simulate Guaranteed setup damage trials 1)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate found - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
@@ -97,9 +98,9 @@ spec = do
     $ do
       shelf <- paperBook
       m <- right (rectangle (Shape 4 4))
-      place <- right (ground shelf (Shape 4 4))
+      setup <- right (trialSetup shelf (Shape 4 4))
       let damage = Damage 0.2 0
-          found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
+          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 5)) [0 .. 7]
       forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
         exact <-
           maybe
@@ -121,8 +122,8 @@ spec = do
       forM_
         [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
         $ \(size, damage) -> do
-          place <- right (ground shelf size)
-          let tally = simulate Guaranteed place damage trials 2
+          setup <- right (trialSetup shelf size)
+          let tally = simulate Guaranteed setup damage trials 2
           forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
             let Calibration answers expected wrong = calibration tolerated tally
             abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
@@ -130,9 +131,9 @@ spec = do
           calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
     shelf <- paperBook
-    place <- right (ground shelf (Shape 3 3))
+    setup <- right (trialSetup shelf (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
-      let tally = simulate Guaranteed place damage trials 3
+      let tally = simulate Guaranteed setup damage trials 3
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
@@ -141,25 +142,25 @@ spec = do
     \gives all"
     $ do
       shelf <- paperBook
-      place <- right (ground shelf (Shape 2 2))
-      let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
+      setup <- right (trialSetup shelf (Shape 2 2))
+      let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 4
           Rates none none' all' = softRatesAtMost 0 tally
           Rates a b c = softRatesAtMost 1 tally
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
       (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
     shelf <- paperBook
-    place <- right (ground shelf (Shape 3 3))
-    other <- right (ground shelf (Shape 3 4))
-    let part = simulate Guaranteed place (Damage 0.05 0.1) 50
+    setup <- right (trialSetup shelf (Shape 3 3))
+    other <- right (trialSetup shelf (Shape 3 4))
+    let part = simulate Guaranteed setup (Damage 0.05 0.1) 50
         whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
     part 7 `shouldBe` part 7
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
-    map tallyTrials (simulations Guaranteed place (Damage 0.05 0.1) 2500 7)
+    map tallyTrials (simulations Guaranteed setup (Damage 0.05 0.1) 2500 7)
       `shouldBe` [1000, 1000, 500]
-    whole place (Damage 0.05 0.1) 7 `shouldBe` whole place (Damage 0.05 0.1) 7
+    whole setup (Damage 0.05 0.1) 7 `shouldBe` whole setup (Damage 0.05 0.1) 7
     let results =
-          [ whole place (Damage p s) seed
+          [ whole setup (Damage p s) seed
             | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]
           ]
             ++ [whole other (Damage 0.05 0.1) 7]
@@ -168,18 +169,18 @@ spec = do
     shelf <- paperBook
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     sheet <- bookOn Sheet array
-    either Left (const (Right ())) (ground sheet (Shape 2 2)) `shouldBe` Left GroundSheet
-    either Left (const (Right ())) (ground shelf (Shape 0 2)) `shouldBe` Left GroundEmpty
-    either Left (const (Right ())) (ground shelf (Shape 1000 1000))
-      `shouldBe` Left (GroundTooLarge 255000000 largestGround)
+    either Left (const (Right ())) (trialSetup sheet (Shape 2 2)) `shouldBe` Left SetupOnSheet
+    either Left (const (Right ())) (trialSetup shelf (Shape 0 2)) `shouldBe` Left SetupEmpty
+    either Left (const (Right ())) (trialSetup shelf (Shape 1000 1000))
+      `shouldBe` Left (SetupTooLarge 255000000 largestSetup)
   where
     trials = 5000 :: Int
-    trialsOf place damage seed =
+    trialsOf setup damage seed =
       unfoldr
-        (Just . drawTrial place (noiseOf place damage) (damageErasures damage))
+        (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
         (mkStdGen seed)
-    noiseOf place damage =
-      noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
+    noiseOf setup damage =
+      noiseFor (fieldOrder (bookArray (setupBook setup))) (damageErrors damage)
 
 paperBook :: IO (Book GF4)
 paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus

@@ -14,8 +14,8 @@ import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Nearest
 import PraTactile.Locate.Punctured
-import PraTactile.Locate.Rates
 import PraTactile.Polynomial (firstPrimitive)
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators

@@ -12,8 +12,8 @@ import PraTactile.Field
 import PraTactile.Locate.Book
 import PraTactile.Locate.Punctured
 import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
-import PraTactile.Locate.Rates
 import PraTactile.Rates.Damage
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 
