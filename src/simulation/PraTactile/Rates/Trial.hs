@@ -92,25 +92,25 @@ drawNoise spread evidence = go
 
 -- | Which of q entries from this index on is the largest, the first of them if several are.
 largestOf :: Int -> MVector s Double -> Int -> ST s Int
-largestOf q evidence from = go 1 0
+largestOf q evidence = \from -> go from 1 0
   where
-    go !b !best
+    go !from !b !best
       | b == q = pure best
       | otherwise = do
         x <- Mutable.unsafeRead evidence (from + b)
         y <- Mutable.unsafeRead evidence (from + best)
-        go (b + 1) (if x > y then b else best)
+        go from (b + 1) (if x > y then b else best)
 {-# INLINE largestOf #-}
 
 -- | Set the bit of a cell in the planes of its limb in which its symbol has a digit 1.
 writeDigits :: Int -> MVector s Word64 -> Int -> Int -> ST s ()
-writeDigits planes symbols j symbol = go 0
+writeDigits planes symbols = \j symbol -> go j symbol 0
   where
-    go !b
+    go !j !symbol !b
       | b == planes = pure ()
       | otherwise = do
         when
           (testBit symbol b)
           (Mutable.unsafeModify symbols (.|. bit (j .&. 63)) ((j `shiftR` 6) * planes + b))
-        go (b + 1)
+        go j symbol (b + 1)
 {-# INLINE writeDigits #-}
