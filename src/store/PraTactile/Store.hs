@@ -55,6 +55,8 @@ import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
+import PraTactile.Store.Rows.Read
+import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns, textColumns)
 import PraTactile.Store.Target
 import System.Directory (doesDirectoryExist, doesPathExist, renameFile)

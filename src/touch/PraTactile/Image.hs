@@ -136,10 +136,9 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
     i = truncate t' :: Int
 {-# INLINE bracket #-}
 
--- Note [Bounds] ~~~~~~~~~~~~~ 'bracket' clamps the place to [0, n - 1] before it takes its integer
--- part, so both its indices lie in [0, n
--- - 1]; the constructor is hidden and every function here keeps width * height values; so r * w + x
--- is an index of the vector.
+{- Note [Bounds] 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both
+   its indices lie in [0, n - 1]; the constructor is hidden and every function here keeps width *
+   height values; so r * w + x is an index of the vector. -}
 
 -- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage')
 -- what is not wholly in the image.

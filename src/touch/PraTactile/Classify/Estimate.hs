@@ -79,17 +79,17 @@ intercept = 11.3
 perLead = 0.11
 perLikeness = 21.9
 
--- Note [Calibration] ~~~~~~~~~~~~~~~~~~ 25 000 symbols were cut from composites of 5 000 simulated
--- explorations with a position error of one taxel and sensor noise of 0.1 to 0.4 of full scale, and
--- the estimate compared with the truth. The log odds of a wrong estimate were fitted by logistic
--- regression on the lead (of the greatest logit over the next) and the likeness (the greatest
--- correlation with the shape):
---
---   noise               0.1     0.2     0.3     0.4
---   symbols            8525    8497    6169    1804
---   wrong, expected     1.3     2.8      39      94
---   wrong, counted        0       0      40     107
---
--- The lead alone would expect 10, 11, 48 and 78. Of the 147 wrong ones the true class and
--- orientation was the network's second choice 30 times, and the others' 16 to 22 times each: as
--- good as evenly spread, which is why all others count as equally likely.
+{- Note [Calibration] 25 000 symbols were cut from composites of 5 000 simulated explorations with a
+   position error of one taxel and sensor noise of 0.1 to 0.4 of full scale, and the estimate
+   compared with the truth. The log odds of a wrong estimate were fitted by logistic regression on
+   the lead (of the greatest logit over the next) and the likeness (the greatest correlation with
+   the shape):
+
+     noise               0.1     0.2     0.3     0.4
+     symbols            8525    8497    6169    1804
+     wrong, expected     1.3     2.8      39      94
+     wrong, counted        0       0      40     107
+
+   The lead alone would expect 10, 11, 48 and 78. Of the 147 wrong ones the true class and
+   orientation was the network's second choice 30 times, and the others' 16 to 22 times each: as
+   good as evenly spread, which is why all others count as equally likely. -}

@@ -213,8 +213,7 @@ exponential x = castWord64ToDouble (fromIntegral (k + 1023) `shiftL` 52 :: Word6
     highest = 2.505210838544172e-08 + r * (2.08767569878681e-09 + r * 1.6059043836821613e-10)
 {-# INLINE exponential #-}
 
--- Note [Own exponential] ~~~~~~~~~~~~~~~~~~~~~~ The C library's exp rounds differently on
--- processors with and without fused multiplication, and a difference in the last bit of one unit
--- grows over thousands of epochs of training. This one is made of single additions, multiplications
--- and divisions, which IEEE 754 rounds alike everywhere, so the shipped weights can be trained
--- again to the bit.
+{- Note [Own exponential] The C library's exp rounds differently on processors with and without
+   fused multiplication, and a difference in the last bit of one unit grows over thousands of epochs
+   of training. This one is made of single additions, multiplications and divisions, which IEEE 754
+   rounds alike everywhere, so the shipped weights can be trained again to the bit. -}

@@ -48,15 +48,15 @@ leastVariance = 0.01
 correlated = 4
 rubbish = 0.001
 
--- Note [Parts] ~~~~~~~~~~~~ Errors of neighbouring taxels are not independent: misplacement and
--- blur spoil whole strokes. So the exponent of the normal law is divided by a number that was
--- fitted to 7886 parts, the half of them with 45 taxels or less, from 2100 simulated explorations
--- with a position error of one taxel:
---
---   noise                         0.1     0.2     0.3
---   parts                        2566    2562    2758
---   likeliest wrong, expected      36      49     105
---   likeliest wrong, counted       18      35      83
---
--- A divisor of 2 would expect 18, 26 and 57. The variance is that of the best of the shapes, or the
--- square of a tenth of the contrast if that is more.
+{- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
+   strokes. So the exponent of the normal law is divided by a number that was fitted to 7886 parts,
+   the half of them with 45 taxels or less, from 2100 simulated explorations with a position error
+   of one taxel:
+
+     noise                         0.1     0.2     0.3
+     parts                        2566    2562    2758
+     likeliest wrong, expected      36      49     105
+     likeliest wrong, counted       18      35      83
+
+   A divisor of 2 would expect 18, 26 and 57. The variance is that of the best of the shapes, or the
+   square of a tenth of the contrast if that is more. -}

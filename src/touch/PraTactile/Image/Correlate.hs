@@ -168,11 +168,10 @@ overlapAt (Reference sums weights) image dx dy
             m = at weightValues (r0 + x)
     {-# INLINE moments #-}
 
--- Note [Bounds] ~~~~~~~~~~~~~ 0 <= x < iw and 0 <= y < image height, so the image's index y * iw +
--- x is good. x >= -bx and x < w - stepX
--- - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with the reference's height, so
--- all four of the reference's indices are good; where an axis' fraction is 0 its step is 0.
--- Displacements are bounded by 'near', so nothing overflows.
+{- Note [Bounds] 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x
+   >= -bx and x < w - stepX - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with
+   the reference's height, so all four of the reference's indices are good; where an axis' fraction
+   is 0 its step is 0. Displacements are bounded by 'near', so nothing overflows. -}
 
 -- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts
 -- as 0.

@@ -97,9 +97,9 @@ record i line
     Right records | [fields] <- V.toList records -> Right fields
     _ -> Left (NotCsv i)
 
--- Note [Open quotes] ~~~~~~~~~~~~~~~~~~ cassava 0.5.3 throws an exception, where it should refuse,
--- for a quoted field that ends the line as soon as it begins. A record that holds no line break has
--- an even number of quotes, so a line with an odd number is refused before.
+{- Note [Open quotes] cassava 0.5.3 throws an exception, where it should refuse, for a quoted field
+   that ends the line as soon as it begins. A record that holds no line break has an even number of
+   quotes, so a line with an odd number is refused before. -}
 
 entry :: Int -> ByteString -> Either ManifestError Entry
 entry i line = do
