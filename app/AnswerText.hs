@@ -4,7 +4,6 @@ module AnswerText
     upright,
     answerText,
     candidatesOf,
-    degrees,
     orientationText,
     pairText,
   )
@@ -14,6 +13,7 @@ import Data.List (intercalate, nub, sort)
 import Message
 import PraTactile.Locate
 import PraTactile.Position
+import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Symmetry
 
 -- | What was asked, as far as the words of the answer depend on it.
@@ -88,18 +88,6 @@ candidatesOf answer = case answerOutcome answer of
   Unique candidate _ -> [candidate]
   Ambiguous candidates _ -> candidates
   _ -> []
-
--- | Clockwise.
-degrees :: Symmetry -> Int
-degrees o = 90 * quarterTurns o
-
--- | How a patch is seen.
-orientationText :: Symmetry -> String
-orientationText o = case (mirrored o, degrees o) of
-  (False, 0) -> "upright"
-  (True, 0) -> "mirrored"
-  (flipped, turn) ->
-    (if flipped then "mirrored and " else "") ++ "turned by " ++ show turn ++ " degrees"
 
 -- | @r,c@.
 pairText :: Position -> String

@@ -30,6 +30,7 @@ import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
+import PraTactile.Symmetry (Symmetry, rotations)
 import Progress
 import Setup
 import Text.Printf (printf)
@@ -40,7 +41,7 @@ data Options = Options
     size :: (Int, Int),
     positionError :: Double,
     noise :: Double,
-    turns :: [Int],
+    turns :: [Symmetry],
     tolerance :: Tolerance,
     network :: Maybe FilePath,
     asJson :: Bool
@@ -95,7 +96,7 @@ command =
           )
         <*> flag
           halfTurns
-          quarterTurns
+          rotations
           ( long "quarter-turns"
               <> help
                 "The faces lie in any of four ways (default: upright or turned by 180 degrees)"

@@ -25,8 +25,9 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
-import PraTactile.Recognise.Summary (turnText)
+import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Relief
+import PraTactile.Symmetry
 import PraTactile.Truth (Truth (..))
 import Setup
 import System.Random (StdGen, mkStdGen, randomR)
@@ -38,7 +39,7 @@ data Options = Options
     face :: Maybe String,
     at :: Maybe (Double, Double),
     size :: (Int, Int),
-    turned :: Maybe Int,
+    orientation :: Maybe Symmetry,
     positionError :: Double,
     noise :: Double,
     seed :: Int,
@@ -95,18 +96,18 @@ command =
           )
         <*> optional
           ( flag'
-              0
+              identity
               ( long "upright"
                   <> help
                     "The face lies upright in the robot's frame (default: so or turned by 180 \
                     \degrees, by chance)"
               )
-              <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
+              <|> flag' (turned 2) (long "turned" <> help "The face lies turned by 180 degrees")
               <|> option
                 turnReader
                 ( long "turn"
                     <> metavar "0|90|180|270"
-                    <> completeWith [show (90 * turns) | turns <- quarterTurns]
+                    <> completeWith (map fst turns)
                     <> help "The face lies turned clockwise by so many degrees"
                 )
           )
@@ -150,9 +151,12 @@ command =
               <> help "A folder that is new or empty"
           )
 
--- | Degrees as quarter turns.
-turnReader :: ReadM Int
-turnReader = namedReader "quarter turn" [(show (90 * turns), turns) | turns <- quarterTurns]
+turnReader :: ReadM Symmetry
+turnReader = namedReader "quarter turn" turns
+
+-- | The rotations by their degrees.
+turns :: [(String, Symmetry)]
+turns = [(show (degreesClockwise symmetry :: Int), symmetry) | symmetry <- rotations]
 
 run :: ArrayChoice -> Options -> IO Ending
 run choice options
@@ -182,7 +186,7 @@ run choice options
       maybe
         (unusable (tooLarge pressed))
         pure
-        (randomRegion (maybe halfTurns pure (turned options)) (size options) pressed generator)
+        (randomRegion (maybe halfTurns pure (orientation options)) (size options) pressed generator)
     let region = placed drawn
         sensor =
           standardSensor {sensorPositionError = positionError options, sensorNoise = noise options}
@@ -228,7 +232,9 @@ run choice options
         ++ ", which is "
         ++ sizeText (spotMillimetres (laidExtent pressed))
         ++ " mm; choose another --size or --at"
-    onTheFace = (if maybe False odd (turned options) then swap else id) (size options)
+    onTheFace
+      | maybe False exchangesAxes (orientation options) = swap (size options)
+      | otherwise = size options
     sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
     both f (a, b) = (f a, f b)
 
@@ -251,5 +257,5 @@ truth pressed region =
       faceText (faceName (laidFace pressed)) ++ ", region from",
       uncurry (printf "%.2f,%.2f") (regionCorner region),
       "mm,",
-      turnText (90 * regionTurns region)
+      orientationText (regionSymmetry region)
     ]

@@ -130,7 +130,7 @@ posteriorSeries asked found = case posteriorUnlisted found of
 orientationSeries :: Asked -> Answer -> Series
 orientationSeries asked answer = case candidatesOf answer of
   [Candidate o _] ->
-    "orientation_deg" .= degrees o <> "mirrored" .= mirrored o <> "candidates" .= ([] :: [Value])
+    "orientation_deg" .= degreesOf o <> "mirrored" .= mirrored o <> "candidates" .= ([] :: [Value])
   several ->
     "orientation_deg"
       .= Null
@@ -143,7 +143,10 @@ orientationSeries asked answer = case candidatesOf answer of
 candidateFields :: Asked -> Candidate -> [Pair]
 candidateFields asked (Candidate o place) =
   ("position" .= positionValue place) :
-  (if upright asked then [] else ["orientation_deg" .= degrees o, "mirrored" .= mirrored o])
+  (if upright asked then [] else ["orientation_deg" .= degreesOf o, "mirrored" .= mirrored o])
+
+degreesOf :: Symmetry -> Int
+degreesOf = degreesClockwise
 
 -- | What is said of each patch, given their displacements.
 patchesSeries :: [(Integer, Integer)] -> Answer -> Series

@@ -17,6 +17,7 @@ import PraTactile.Probe (taxelPitch)
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
+import PraTactile.Symmetry
 
 -- | The face, upright and seen from outside: its vertices and its symbols, given by their classes;
 -- the composite's outline as it lies there; the cells of the window that gives the answer, and how
@@ -77,7 +78,8 @@ facePanel alphabet layout laid classes composite found place =
         | (i, line) <- zip [0 ..] classes,
           (j, c) <- zip [0 ..] line,
           let centre = units (spotMillimetres (cellCentre layout laid (Position i j))),
-          mark <- shapeMark "embossed" (filled pale 1) alphabet (unit * taxelPitch) Upright c centre
+          mark <-
+            shapeMark "embossed" (filled pale 1) alphabet (unit * taxelPitch) identity c centre
       ]
     wide = fromIntegral (rasterWidth (compositeImage composite))
     high = fromIntegral (rasterHeight (compositeImage composite))
@@ -118,8 +120,4 @@ onFace found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
   where
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
-    (right, below) = onComposite back (u - u0, v - v0)
-    back = case foundOrientation found of
-      TurnedRight -> TurnedLeft
-      TurnedLeft -> TurnedRight
-      other -> other
+    (right, below) = onOffset (invert (foundOrientation found)) (u - u0, v - v0)

@@ -21,6 +21,7 @@ import PraTactile.Format
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -67,11 +68,11 @@ roundTrips = do
               reportRecognition = recognition
             }
     decodeClaim (encodeRecognition report)
-      `shouldBe` Right (Just (Claim top 0 (25.4, 95.25) (1.5, -2.5)))
+      `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5)))
   where
     top = Face "cube" (readFaceName "C1 C2 C3 C4")
     cornerOf = regionCorner . truthRegion
-    whole region = (regionWidth region, regionHeight region, regionTurns region)
+    whole region = (regionWidth region, regionHeight region, regionSymmetry region)
     near (x, y) (u, v) = abs (x - u) < 1e-6 && abs (y - v) < (1e-6 :: Double)
     right :: Show e => Either e a -> IO a
     right = either (fail . show) pure
@@ -220,7 +221,7 @@ someTruth =
             <*> offset
             <*> choose (1, 99)
             <*> choose (1, 99)
-            <*> elements quarterTurns
+            <*> elements rotations
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
   where

@@ -30,6 +30,7 @@ import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import PraTactile.Truth
 import System.Random (mkStdGen)
 import Test.Hspec hiding (around)
@@ -175,7 +176,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                             within
                               (only "face" (pageFace page))
                               (fromRational (spotRight (laidExtent face)))
-                          sideways = odd (orientationDegrees (foundOrientation found) `div` 90)
+                          sideways = exchangesAxes (foundOrientation found)
                           (x, y) = windowSeenAt (foundWindow found)
                        in counterexample
                             "on the composite"
@@ -318,7 +319,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
       Property
     explored size seed face check = case relief array layout alphabet face of
       Right heights
-        | Just known <- trial standardSensor quarterTurns size (face, heights) (mkStdGen seed),
+        | Just known <- trial standardSensor rotations size (face, heights) (mkStdGen seed),
           Right composite <- stitch standardRegistration (trialFrames known),
           Right recognition <- recognise reader composite ->
           check known composite recognition

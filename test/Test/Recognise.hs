@@ -24,6 +24,7 @@ import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape
 import PraTactile.Stitch (compositeOf, standardRegistration)
+import PraTactile.Symmetry
 import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
 import Test.Hspec
@@ -112,8 +113,8 @@ groupSpec = describe "groups of symbols" $ do
           readAt = centre,
           readClass = Nothing,
           readSeen = 1,
-          readLikeliest = (Upright, 0),
-          readChances = [((Upright, 0), 1)]
+          readLikeliest = (identity, 0),
+          readChances = [((identity, 0), 1)]
         }
 
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
@@ -156,7 +157,7 @@ exploreSpec :: Parts -> Spec
 exploreSpec parts = describe "explorations" $ do
   prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
     forAll (elements (laidFaces (placementOf parts))) $ \face ->
-      case randomRegion quarterTurns standardRegionSize face (mkStdGen seed) of
+      case randomRegion rotations standardRegionSize face (mkStdGen seed) of
         Nothing -> counterexample "no room" False
         Just (r, _) ->
           let extent side = fromRational (side (laidExtent face)) + 1e-9
@@ -191,10 +192,10 @@ recogniseSpec parts array reader = describe "recognition" $ do
     length cases `shouldBe` 132
     for_ cases $ \(face, heights, i, j) ->
       for_
-        [ (Upright, id),
-          (TurnedRight, quarterTurn),
-          (HalfTurned, halfTurn),
-          (TurnedLeft, halfTurn . quarterTurn)
+        [ (identity, id),
+          (turned 1, onRaster (turned 1)),
+          (turned 2, onRaster (turned 2)),
+          (turned 3, onRaster (turned 3))
         ]
         $ \(orientation, turn) -> do
           let margin side = round (side (laidMargin face) / taxelPitch) :: Int
@@ -218,14 +219,13 @@ recogniseSpec parts array reader = describe "recognition" $ do
     refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
       `shouldBe` Just (NotLocated NoCompleteWindow)
   it "one symbol half-turned among upright ones is a contradiction of orientation" $
-    refusal (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, halfTurn)])
+    refusal
+      (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
       `shouldBe` Just OrientationContradicts
   it "a mirror image is refused as one, whichever way up" $
-    for_
-      [mirrorColumns, mirrorRows, quarterTurn . mirrorColumns, quarterTurn . mirrorRows]
-      $ \change ->
-        refusal (change (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]))
-          `shouldBe` Just Mirrored
+    for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
+      let window = pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
+      refusal (onRaster symmetry window) `shouldBe` Just Mirrored
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
   modifyMaxSuccess (const 40) $
@@ -233,7 +233,7 @@ recogniseSpec parts array reader = describe "recognition" $ do
       "noise and position errors: a random exploration is right or refused, never wrong"
       $ \seed ->
         forAll (elements (reliefs parts array)) $ \face ->
-          case trial standardSensor quarterTurns standardRegionSize face (mkStdGen seed) of
+          case trial standardSensor rotations standardRegionSize face (mkStdGen seed) of
             Nothing -> counterexample "the region does not lie on the face" False
             Just t ->
               case withStitching (runTrial standardTolerance reader standardRegistration t) of

@@ -30,6 +30,7 @@ import PraTactile.Relief (relief)
 import PraTactile.Segment
 import PraTactile.Shape hiding (area)
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -145,8 +146,8 @@ damageSpec alphabetOfAll layout net array mask = do
     it "that are too little each are enough together, whichever way the face lies" $
       for_
         [ (id, \c -> (25.4 * c, 0)),
-          (halfTurn, \c -> (-25.4 * c, 0)),
-          (quarterTurn, \c -> (0, 25.4 * c))
+          (onRaster (turned 2), \c -> (-25.4 * c, 0)),
+          (onRaster (turned 1), \c -> (0, 25.4 * c))
         ]
         $ \(turn, shift) -> do
           let left = compositeOf (turn (drawing (cells 2 1 (Position 6 5))))
@@ -221,33 +222,34 @@ damageSpec alphabetOfAll layout net array mask = do
     it
       "of a part the likeliest shape is one that has that part, whatever rectangle of it was \
       \touched"
-      $ for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
-        for_
-          [ (l, t, r, b)
-            | l <- [0, 2, 4],
-              r <- [4, 6, 8],
-              r > l,
-              t <- [0, 3, 6],
-              b <- [6, 9, 12],
-              b > t
-          ]
-          $ \(l, t, r, b) -> do
-            let image = (if turned then halfTurn else id) (toRaster shape)
-                seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
-                masked =
-                  generate
-                    8
-                    12
-                    (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
-                part = Part masked seen
-                e = estimatePart (templates alphabetOfAll) part
-                (distances, _) = partDistances (templates alphabetOfAll) part
-            lookup (c, turned) distances `shouldBe` Just 0
-            lookup (estimateLikeliest e) distances `shouldBe` Just 0
-            -- What has the same part in the same place is as likely.
-            estimateChance e (c, turned)
-              `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
-            sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
+      $ for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
+        for_ [identity, turned 2] $ \symmetry ->
+          for_
+            [ (l, t, r, b)
+              | l <- [0, 2, 4],
+                r <- [4, 6, 8],
+                r > l,
+                t <- [0, 3, 6],
+                b <- [6, 9, 12],
+                b > t
+            ]
+            $ \(l, t, r, b) -> do
+              let image = onRaster symmetry (toRaster shape)
+                  seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
+                  masked =
+                    generate
+                      8
+                      12
+                      (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
+                  part = Part masked seen
+                  e = estimatePart (templates alphabetOfAll) part
+                  (distances, _) = partDistances (templates alphabetOfAll) part
+              lookup (c, symmetry) distances `shouldBe` Just 0
+              lookup (estimateLikeliest e) distances `shouldBe` Just 0
+              -- What has the same part in the same place is as likely.
+              estimateChance e (c, symmetry)
+                `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
+              sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
   describe "surfaces" $ do
     it "a window across the array's edge is on the torus, on no object, and not on the sheet" $
       for_ [Position 14 3, Position 5 16, Position 14 16] $ \place -> do
@@ -328,7 +330,7 @@ damageSpec alphabetOfAll layout net array mask = do
           | Position i j <- kept,
             codeAt (Position (r + i) (c + j)) /= codeAt (Position (r' + i) (c' + j))
         ]
-    wrongs = [otherBy 1, otherBy 2, otherBy 3, \(c, change) -> (c, halfTurn . change)]
+    wrongs = [otherBy 1, otherBy 2, otherBy 3, \(c, change) -> (c, onRaster (turned 2) . change)]
     otherBy by (c, change) = ((c + by) `mod` 4, change)
     -- Every symbol drawn is told to lie where the block's cell is, if its upper left cell is at the
     -- position.
@@ -407,7 +409,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
           Left _ -> []
           Right (composite, recognition) ->
             [ ( readDoubt part,
-                (c, orientationDegrees o) /= (truth, 90 * regionTurns (trialRegion t))
+                (c, o) /= (truth, regionSymmetry (trialRegion t))
               )
               | part <- recognisedParts recognition,
                 let (o, c) = readLikeliest part,
@@ -423,7 +425,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         doubts =
           concatMap
             ofParts
-            (catMaybes (take 150 (trials standardSensor quarterTurns (36, 46) faces 78)))
+            (catMaybes (take 150 (trials standardSensor rotations (36, 46) faces 78)))
         expected = sum (map fst doubts)
         wrong = fromIntegral (length (filter snd doubts)) :: Double
     length doubts `shouldSatisfy` (> 300)
@@ -443,15 +445,16 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
                     && abs (sum (map snd (estimateChances e)) - 1) < 1e-9
                 )
   it "is least for the shapes themselves, which are told right in both orientations" $
-    for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
-      case estimate
-        (templates alphabetOfAll)
-        net
-        ((if turned then halfTurn else id) (toRaster shape)) of
-        Left e -> expectationFailure (show e)
-        Right e -> do
-          estimateLikeliest e `shouldBe` (c, turned)
-          estimateDoubt e `shouldSatisfy` (< 1e-4)
+    for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
+      for_ [identity, turned 2] $ \symmetry ->
+        case estimate
+          (templates alphabetOfAll)
+          net
+          (onRaster symmetry (toRaster shape)) of
+          Left e -> expectationFailure (show e)
+          Right e -> do
+            estimateLikeliest e `shouldBe` (c, symmetry)
+            estimateDoubt e `shouldSatisfy` (< 1e-4)
   it "a shape matches itself, and no other as well" $
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [0 .. 3] $ \other ->
@@ -472,7 +475,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
     judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
       Left _ -> []
       Right composite ->
-        [ (estimateDoubt e, estimateLikeliest e /= (truth, regionTurns (trialRegion t) == 2))
+        [ (estimateDoubt e, estimateLikeliest e /= (truth, regionSymmetry (trialRegion t)))
           | symbol <- segmentedSymbols (segment composite),
             Right e <- [estimate (templates alphabetOfAll) net (symbolPixels symbol)],
             Just truth <-

@@ -6,6 +6,7 @@ import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -27,10 +28,12 @@ spec = do
           -- turned clockwise by a quarter shows its lower left corner at the upper left.
           seen = [(ox, oy), (ox + wide, oy), (ox + wide, oy + high), (ox, oy + high)]
           (left, top) = (taxelPitch * regionRight region, taxelPitch * regionDown region)
-          (across, down) = if odd (regionTurns region) then (high, wide) else (wide, high)
+          (across, down)
+            | exchangesAxes (regionSymmetry region) = (high, wide)
+            | otherwise = (wide, high)
           onFace =
             [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
-          turned = take 4 (drop ((4 - regionTurns region) `mod` 4) (cycle onFace))
+          turned = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
        in conjoin (zipWith near (map (truePlace truth) seen) turned)
   prop
     "an answer that names the true place of what it saw agrees to nothing; moved less than half a \
@@ -38,7 +41,7 @@ spec = do
     $ forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
-            Claim (truthFace truth) (90 * regionTurns (truthRegion truth)) (x + dx, y + dy) point
+            Claim (truthFace truth) (regionSymmetry (truthRegion truth)) (x + dx, y + dy) point
           distance = sqrt (dx * dx + dy * dy)
        in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
             Right far ->
@@ -51,7 +54,7 @@ spec = do
       let right =
             Claim
               (truthFace truth)
-              (90 * regionTurns (truthRegion truth))
+              (regionSymmetry (truthRegion truth))
               (truePlace truth point)
               point
        in ( compared
@@ -87,7 +90,7 @@ simpler truth =
     (/= truth)
     [ truth {truthOrigin = (0, 0)},
       truth {truthRegion = region {regionRight = 0, regionDown = 0}},
-      truth {truthRegion = region {regionTurns = 0}}
+      truth {truthRegion = region {regionSymmetry = identity}}
     ]
   where
     region = truthRegion truth

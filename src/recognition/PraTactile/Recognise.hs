@@ -21,10 +21,6 @@ module PraTactile.Recognise
     -- * Symbols
     ReadSymbol (..),
     readDoubt,
-    Orientation (..),
-    orientationDegrees,
-    isSideways,
-    onComposite,
 
     -- * Windows
     ReadWindow (..),
@@ -69,6 +65,7 @@ import PraTactile.Segment (Segmentation (..))
 import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Stitch (Composite)
+import PraTactile.Symmetry
 import PraTactile.Window (Mask, maskExtent)
 
 -- | All that recognition needs: the array with all its positions, the placement of the faces, the
@@ -160,12 +157,12 @@ data Answer
   = Found Finding
   | -- | The orientation, and the several positions of the patch's upper left cell that fit what was
     -- recognised (only where the array lacks the window property).
-    Several Orientation [Position]
+    Several Symmetry [Position]
   deriving stock (Eq, Show)
 
 -- | Where the composites are.
 data Finding = Finding
-  { foundOrientation :: Orientation,
+  { foundOrientation :: Symmetry,
     -- | the first complete window in reading order; if there is none, the first of those with the
     -- most recognised symbols
     foundWindow :: ReadWindow,
@@ -225,14 +222,14 @@ recogniseWith ::
   [Composite] ->
   Either NetworkError Recognition
 recogniseWith tolerance reader composites = do
-  upright <- readSymbols (recogniserReader reader) False 0 composites
+  upright <- readSymbols (recogniserReader reader) identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
       next = length (concatMap viewSymbols upright)
   sideways <-
     if flat || mostKnown upright
       then pure []
-      else readSymbols (recogniserReader reader) True next composites
+      else readSymbols (recogniserReader reader) (turned 1) next composites
   let known = length . filter (isJust . readClass) . concatMap viewSymbols
       (views, others) =
         if known sideways > known upright then (sideways, upright) else (upright, sideways)
@@ -364,5 +361,5 @@ windowIn reader judgement right place0 (i, j) = do
       let (x, y) = readAt s
           across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)
           down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
-          (dx, dy) = onComposite (judgedOrientation judgement) (across, down)
+          (dx, dy) = onOffset (judgedOrientation judgement) (across, down)
        in (x - dx, y - dy)

@@ -12,6 +12,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import PraTactile.Image
 import PraTactile.Image.Pgm
+import PraTactile.Symmetry
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
@@ -23,7 +24,7 @@ spec = do
     "whichever way the image is turned, the place is the same and the turn is told"
     $ \folder ->
       for_
-        [(90, quarterTurn), (180, halfTurn), (270, halfTurn . quarterTurn)]
+        [(90, onRaster (turned 1)), (180, onRaster (turned 2)), (270, onRaster (turned 3))]
         $ \(degrees, turn) -> do
           changed folder turn
           (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
@@ -31,7 +32,7 @@ spec = do
             `shouldBe` (0, Just (Number degrees), Just workedExample)
           key ["place_mm"] out `shouldBe` Just (toJSON [25.4, 95.25 :: Double])
   inFolder "a mirror image is refused as one" $ \folder -> do
-    changed folder mirrorColumns
+    changed folder (onRaster mirror)
     (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
     (status, key ["outcome"] out, key ["reason"] out)
       `shouldBe` (1, Just "refused", Just "mirrored")
@@ -68,8 +69,8 @@ spec = do
                   else at image u v
             )
         )
-      (turned, again, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
-      (i, turned, place again, key ["wrong"] again) `shouldBe` (i, 0, place whole, Just (Number 1))
+      (degrees, again, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+      (i, degrees, place again, key ["wrong"] again) `shouldBe` (i, 0, place whole, Just (Number 1))
       (strict, refused, _) <- pra ["decode", "--json", "--radius", "0", folder </> "changed.pgm"]
       (i, strict, key ["reason"] refused) `shouldBe` (i, 1, Just "orientation-contradiction")
   inFolder "two columns of a face, a column apart: too little each, enough together" $ \folder -> do

@@ -16,6 +16,7 @@ import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Shape (paperAlphabet)
 import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)
+import PraTactile.Symmetry (rotations)
 import System.Directory (doesFileExist)
 import System.FilePath ((</>))
 import System.IO.Temp (withSystemTempDirectory)
@@ -61,7 +62,7 @@ countSpec = do
       Right layout ->
         for_
           [ (turns, (w, h))
-            | turns <- [halfTurns, quarterTurns],
+            | turns <- [halfTurns, rotations],
               w <- [40, 60, 70, 120],
               h <- [40, 56, 75]
           ]

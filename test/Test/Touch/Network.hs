@@ -16,12 +16,11 @@ import PraTactile.Image
   ( Raster,
     constant,
     generate,
-    halfTurn,
-    mirrorColumns,
-    mirrorRows,
+    onRaster,
     rasterValues,
   )
 import PraTactile.Shape
+import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate)
 
@@ -173,7 +172,10 @@ spec = do
           | image <-
               constant 8 12 0 :
               constant 8 12 1 :
-                [move (toRaster b) | b <- shapes a, move <- [halfTurn, mirrorColumns, mirrorRows]]
+                [ onRaster g (toRaster b)
+                  | b <- shapes a,
+                    g <- [turned 2, mirror, turned 2 <> mirror]
+                ]
         ]
           `shouldSatisfy` all (either (const False) refused)
     it

@@ -15,6 +15,7 @@ import PraTactile.Probe
 import PraTactile.Probe.Sensor
 import PraTactile.Random (uniform)
 import PraTactile.Shape (paperAlphabet, shapes, toRaster)
+import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -114,10 +115,10 @@ forward = do
               (HeightMap taxelPitch heights)
               (Pose (8 * taxelPitch) (8 * taxelPitch) r)
        in conjoin
-            [ closeTo 1e-9 (seen 180) (halfTurn heights),
-              closeTo 1e-9 (seen (-180)) (halfTurn heights),
-              closeTo 1e-9 (quarterTurn (seen 90)) heights,
-              closeTo 1e-9 (seen 270) (quarterTurn heights)
+            [ closeTo 1e-9 (seen 180) (onRaster (turned 2) heights),
+              closeTo 1e-9 (seen (-180)) (onRaster (turned 2) heights),
+              closeTo 1e-9 (onRaster (turned 1) (seen 90)) heights,
+              closeTo 1e-9 (seen 270) (onRaster (turned 1) heights)
             ]
   it "heights above full scale and below 0 are clipped" $
     forwardImage

@@ -11,6 +11,7 @@ import PraTactile.Shape
 import PraTactile.Shape.Design
 import PraTactile.Shape.Distance
 import PraTactile.Shape.Report
+import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck
 
@@ -51,14 +52,14 @@ spec = do
     it "turn clockwise: the first row of a quarter turn is the first column from below" $
       property $
         forAll shapeGen $ \b ->
-          take 1 (transformedRows QuarterTurn b) === [reverse (map (head' False) (bitmapRows b))]
+          take 1 (onRows (turned 1) (bitmapRows b)) === [reverse (map (head' False) (bitmapRows b))]
     it "have as many embossed taxels as the shape" $
       property $
         forAll shapeGen $ \b ->
-          [length (filter id (concat (transformedRows s b))) | s <- symmetries]
+          [length (filter id (concat (onRows s (bitmapRows b)))) | s <- symmetries]
             === (area b <$ symmetries)
     it "are eight different ones" $
-      length (nub [transformedRows s corner | s <- symmetries]) `shouldBe` 8
+      length (nub [onRows s (bitmapRows corner) | s <- symmetries]) `shouldBe` 8
     it "half turn = both mirrors, and each is its own inverse" $
       property $
         forAll shapeGen $ \b ->
@@ -120,13 +121,13 @@ spec = do
         forAll ((,) <$> shapeGen <*> shapeGen) $ \(a, b) ->
           [distance s a b | s <- selfInverse] === [distance s b a | s <- selfInverse]
     it "is 0 between a shape and itself" $
-      property $ forAll shapeGen $ \b -> distance Identity b b === 0
+      property $ forAll shapeGen $ \b -> distance identity b b === 0
     it "is 0 between a shape and its copy shifted by a taxel" $
       property $
         forAll shapeGen $ \b ->
           let inner = bitmapWhere (\x y -> x > 0 && embossedAt b x y)
               shifted = bitmapWhere (\x y -> x < 7 && embossedAt b (x + 1) y)
-           in distance Identity inner shifted === 0
+           in distance identity inner shifted === 0
     it "farApart d holds just when every distance is at least d" $
       property $
         withMaxSuccess 50 $
@@ -242,7 +243,7 @@ countedDistance symmetry a b =
         [ ()
           | x <- [-4 .. 11],
             y <- [-2 .. 13],
-            at (bitmapRows a) x y /= at (transformedRows symmetry b) (x - dx) (y - dy)
+            at (bitmapRows a) x y /= at (onRows symmetry (bitmapRows b)) (x - dx) (y - dy)
         ]
       | dx <- [-1, 0, 1],
         dy <- [-1, 0, 1]
@@ -305,7 +306,7 @@ pieces set = case Set.minView set of
        in if next == reached then reached else grown next
 
 selfInverse :: [Symmetry]
-selfInverse = [s | s <- symmetries, s /= QuarterTurn, s /= ThreeQuarterTurn]
+selfInverse = [s | s <- symmetries, invert s == s]
 
 sublists :: [a] -> [[a]]
 sublists [] = [[]]

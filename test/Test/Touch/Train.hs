@@ -8,6 +8,7 @@ import PraTactile.Classify.Samples
 import PraTactile.Classify.Train
 import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows)
 import PraTactile.Shape
+import PraTactile.Symmetry (onRows, turned)
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate, label, output, scale)
@@ -184,7 +185,7 @@ spec = do
         map (see exactView) [besideScene b b, overScene b b] `shouldBe` [toRaster b, toRaster b]
     it "a symbol on its side is a quarter turn clockwise, seen through the window" $
       onShapes $ \b ->
-        let lying = transformedRows QuarterTurn b
+        let lying = onRows (turned 1) (bitmapRows b)
             expected =
               replicate 2 (replicate 8 False)
                 ++ map (take 8 . drop 2) lying

@@ -25,6 +25,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Symmetry
 
 -- | A recognition, and what its JSON says beside it.
 data RecognitionReport = RecognitionReport
@@ -61,7 +62,7 @@ encodeRecognition report =
         <> "positions" .= map positionValue places
         <> mconcat [key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window)]
         <> "robot_mm" .= fmap (reportRobot report . windowSeenAt) window
-        <> "orientation_deg" .= fmap orientationDegrees orientation
+        <> "orientation_deg" .= fmap degreesOf orientation
         <> evidenceSeries evidence
         <> "symbols" .= map (symbolValue report) (recognisedSymbols recognition)
         <> "parts" .= map (partValue report) (recognisedParts recognition)
@@ -93,7 +94,7 @@ symbolValue report symbol =
     placedPairs report symbol
       ++ [ "code" .= fmap snd (readClass symbol),
            "element" .= fmap (reportElement report . snd) (readClass symbol),
-           "orientation_deg" .= fmap (orientationDegrees . fst) (readClass symbol)
+           "orientation_deg" .= fmap (degreesOf . fst) (readClass symbol)
          ]
 
 partValue :: RecognitionReport -> ReadSymbol -> Value
@@ -108,7 +109,7 @@ placedPairs report symbol =
     "likeliest"
       .= object
         [ "code" .= snd (readLikeliest symbol),
-          "orientation_deg" .= orientationDegrees (fst (readLikeliest symbol)),
+          "orientation_deg" .= degreesOf (fst (readLikeliest symbol)),
           "doubt" .= readDoubt symbol
         ],
     "position" .= fmap (positionValue . symbolCell) place,
@@ -153,3 +154,6 @@ whereaboutsPairs place = case place of
     faceValue face = object ["object" .= objectText (faceObject face), "face" .= vertexNames face]
     vertexNames = map vertexText . faceVertices . faceName
     pairValue (x, y) = toJSON [x, y]
+
+degreesOf :: Symmetry -> Int
+degreesOf = degreesClockwise

@@ -21,6 +21,7 @@ import PraTactile.Format.Recognition (decodeSchema)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry
 import PraTactile.Truth
 
 -- | The name of this form of a truth.
@@ -37,7 +38,7 @@ encodeTruth truth =
         <> "face" .= map vertexText (faceVertices (faceName (truthFace truth)))
         <> "region_mm" .= regionCorner region
         <> "region_taxels" .= (regionWidth region, regionHeight region)
-        <> "orientation_deg" .= (90 * regionTurns region)
+        <> "orientation_deg" .= (degreesClockwise (regionSymmetry region) :: Int)
         <> "origin_mm" .= truthOrigin truth
   where
     region = truthRegion truth
@@ -51,10 +52,10 @@ decodeTruth = decodeWith $ \value -> do
   schemaIs schema fields
   (x, y) <- field "region_mm" (pairOf real) fields
   (wide, high) <- field "region_taxels" (pairOf side) fields
-  turns <- field "orientation_deg" quarterTurn fields
+  symmetry <- field "orientation_deg" rotation fields
   origin <- field "origin_mm" (pairOf real) fields
   face <- faceIn fields
-  pure (Truth face (Region (x / taxelPitch) (y / taxelPitch) wide high turns) origin)
+  pure (Truth face (Region (x / taxelPitch) (y / taxelPitch) wide high symmetry) origin)
   where
     side value =
       natural value >>= \n ->
@@ -73,9 +74,9 @@ decodeClaim = decodeWith $ \value -> do
   where
     claimIn fields = do
       face <- faceIn fields
-      turns <- field "orientation_deg" quarterTurn fields
+      symmetry <- field "orientation_deg" rotation fields
       place <- field "place_mm" (pairOf real) fields
-      Claim face (90 * turns) place <$> field "robot_mm" (pairOf real) fields
+      Claim face symmetry place <$> field "robot_mm" (pairOf real) fields
 
 faceIn :: Object -> Either FormatError Face
 faceIn fields = do
@@ -83,8 +84,8 @@ faceIn fields = do
   vertices <- field "face" (listOf text) fields
   pure (Face (ObjectName name) (FaceName (map VertexName vertices)))
 
--- | Degrees as quarter turns.
-quarterTurn :: Decoder Int
-quarterTurn value =
+-- | A rotation, by its degrees.
+rotation :: Decoder Symmetry
+rotation value =
   natural value >>= \degrees ->
-    maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) quarterTurns)
+    maybe (refuse NotQuarterTurn) Right (find ((== degrees) . degreesClockwise) rotations)

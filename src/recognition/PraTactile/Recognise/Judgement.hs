@@ -39,7 +39,7 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Symbol (elementOfClass)
-import PraTactile.Symmetry (identity)
+import PraTactile.Symmetry
 
 -- | What a caller lets pass.
 data Tolerance = Tolerance
@@ -77,7 +77,7 @@ data Evidence = Evidence
 
 -- | What was made of a grid.
 data Judgement = Judgement
-  { judgedOrientation :: Orientation,
+  { judgedOrientation :: Symmetry,
     -- | the grid as it lies on the face
     judgedCells :: Cells,
     -- | for the likeliest position, accepted or not
@@ -220,7 +220,7 @@ cellFrom shelf (Position r c) (i, j) =
 
 -- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less
 -- than a hundredth of doubt.
-certain :: ReadSymbol -> Maybe (Orientation, Int)
+certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 && readDoubt s < 0.01 = Just (readLikeliest s)
   | otherwise = readClass s
@@ -228,13 +228,13 @@ certain s
 -- | The orientation of the symbols' axis that fits them best, and the probability that it is the
 -- other one, by what the symbols themselves show. Upright symbols decide for themselves; the code
 -- is not asked.
-likeliestOrientation :: Int -> Cells -> (Orientation, Double)
+likeliestOrientation :: Int -> Cells -> (Symmetry, Double)
 likeliestOrientation q cells
   | difference >= 0 = (one', doubt difference)
   | otherwise = (other, doubt (negate difference))
   where
-    sideways = or [isSideways (fst (readLikeliest s)) | here <- Map.elems cells, s <- here]
-    (one', other) = if sideways then (TurnedRight, TurnedLeft) else (Upright, HalfTurned)
+    sideways = or [exchangesAxes (fst (readLikeliest s)) | here <- Map.elems cells, s <- here]
+    (one', other) = if sideways then (turned 1, turned 3) else (identity, turned 2)
     difference =
       sum
         [ log (sum (chances q one' here)) - log (sum (chances q other here))
@@ -244,14 +244,14 @@ likeliestOrientation q cells
 
 -- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the
 -- product over the symbols, which were seen independently.
-chances :: Int -> Orientation -> [ReadSymbol] -> [Double]
+chances :: Int -> Symmetry -> [ReadSymbol] -> [Double]
 chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map ofSymbol here)
   where
     ofSymbol s =
       [sum [p | (what, p) <- readChances s, what == (orientation, c)] | c <- [0 .. q - 1]]
 
 -- | The probabilities of the classes in a cell.
-beliefIn :: KnownField k => Int -> Orientation -> [ReadSymbol] -> Maybe (Belief k)
+beliefIn :: KnownField k => Int -> Symmetry -> [ReadSymbol] -> Maybe (Belief k)
 beliefIn q orientation here
   | null here || total <= 0 = Nothing
   | otherwise = either (const Nothing) Just (belief (map (/ total) weights))
@@ -261,7 +261,7 @@ beliefIn q orientation here
 
 -- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no
 -- cells.
-knownPatch :: KnownField k => Cells -> Orientation -> Either LocateError (Patch (GF k))
+knownPatch :: KnownField k => Cells -> Symmetry -> Either LocateError (Patch (GF k))
 knownPatch cells orientation = patch (map (map (>>= agreed)) (gridRows cells))
   where
     agreed here = case [c | s <- here, Just (o, c) <- [readClass s], o == orientation] of

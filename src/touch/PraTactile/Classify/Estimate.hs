@@ -18,12 +18,14 @@ import Data.Ord (Down (..))
 import PraTactile.Classify.Network
 import PraTactile.Classify.Templates
 import PraTactile.Image
+import PraTactile.Symmetry
 
--- | What an image most likely shows: a class, and whether it is turned by 180 degrees.
+-- | What an image most likely shows: a class, upright ('identity') or turned by 180 degrees
+-- (@turned 2@).
 data Estimate = Estimate
-  { estimateLikeliest :: !(Int, Bool),
+  { estimateLikeliest :: !(Int, Symmetry),
     -- | the probabilities of all, each above 0; they add up to 1
-    estimateChances :: ![((Int, Bool), Double)]
+    estimateChances :: ![((Int, Symmetry), Double)]
   }
   deriving stock (Eq, Show)
 
@@ -32,7 +34,7 @@ estimateDoubt :: Estimate -> Double
 estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= estimateLikeliest e]
 
 -- | The probability of a class and a turn; 0 for a class that there is not.
-estimateChance :: Estimate -> (Int, Bool) -> Double
+estimateChance :: Estimate -> (Int, Symmetry) -> Double
 estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
 -- | The least doubt that is ever told: more than ten million images would be needed to show that it
@@ -46,23 +48,24 @@ estimate :: Templates -> Network -> Raster -> Either NetworkError Estimate
 estimate shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
     Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
-  | otherwise = estimateFrom shapesSeen image <$> outputs n image <*> outputs n (halfTurn image)
+  | otherwise =
+    estimateFrom shapesSeen image <$> outputs n image <*> outputs n (onRaster (turned 2) image)
 
 -- | The same from what the network's outputs, one a shape, are for the image and for the image
 -- turned by 180 degrees.
 estimateFrom :: Templates -> Raster -> [Double] -> [Double] -> Estimate
-estimateFrom shapesSeen image upright turned = case sortOn
+estimateFrom shapesSeen image upright upsideDown = case sortOn
   (Down . snd)
-  (logits False upright ++ logits True turned) of
+  (logits identity upright ++ logits (turned 2) upsideDown) of
   (best, first) : others@((_, second) : _) ->
     let w = doubt (first - second) (matched best)
      in Estimate
           best
           ((best, 1 - w) : [(what, w / fromIntegral (length others)) | (what, _) <- others])
-  _ -> Estimate (0, False) []
+  _ -> Estimate (0, identity) []
   where
-    logits isTurned values = [((c, isTurned), logit o) | (c, o) <- zip [0 ..] values]
-    matched (c, isTurned) = match shapesSeen c (if isTurned then halfTurn image else image)
+    logits symmetry values = [((c, symmetry), logit o) | (c, o) <- zip [0 ..] values]
+    matched (c, symmetry) = match shapesSeen c (onRaster symmetry image)
     blind = 1 - 1 / fromIntegral (2 * templateCount shapesSeen)
     doubt lead likeness =
       max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
