@@ -329,7 +329,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
 symbolWithin :: (Int, Int) -> Gen ReadSymbol
 symbolWithin (w, h) = do
   centre <- (,) <$> choose (-0.5, fromIntegral w - 0.5) <*> choose (-0.5, fromIntegral h - 0.5)
-  what <- (,) <$> arbitraryBoundedEnum <*> choose (0, 3)
+  what <- (,) <$> elements rotations <*> choose (0, 3)
   known <- arbitrary
   pure
     ReadSymbol

@@ -33,8 +33,8 @@ spec = do
             | otherwise = (wide, high)
           onFace =
             [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
-          turned = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
-       in conjoin (zipWith near (map (truePlace truth) seen) turned)
+          corners = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
+       in conjoin (zipWith near (map (truePlace truth) seen) corners)
   prop
     "an answer that names the true place of what it saw agrees to nothing; moved less than half a \
     \cell, to as much; more, it is elsewhere"
@@ -63,7 +63,7 @@ spec = do
               right
                 { claimFace = Face (ObjectName "cube") (readFaceName "C2 C6 C7 C3")
                 },
-            compared canonicalPitch truth right {claimDegrees = (claimDegrees right + 90) `mod` 360}
+            compared canonicalPitch truth right {claimSymmetry = turned 1 <> claimSymmetry right}
           )
             === (Left OtherFace, Left OtherWayUp)
   where
@@ -79,7 +79,7 @@ someTruth =
             <*> choose (0, 30)
             <*> choose (16, 50)
             <*> choose (16, 50)
-            <*> choose (0, 3)
+            <*> elements rotations
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
 
