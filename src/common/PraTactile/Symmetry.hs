@@ -134,7 +134,7 @@ onPosition (Symmetry flipped turns) (Shape h w) (Position i j) = case turns of
   _ -> Position (w `less` j') i
   where
     j' = if flipped then w `less` j else j
-    -- As far from the last of so many as the index is from the first.
+    -- As far from the last of n as the index is from the first.
     less n k = if k < n then n - 1 - k else 0
 
 -- | Where a place of an image of this width and height is seen: to the right and down, both from 0

@@ -211,7 +211,7 @@ connection path =
     -- so that no file's name is one of SQLite's own: @:memory:@, @file:...@
     plain = if isRelative path then "." </> path else path
 
--- Whether the database can be told the file's name.
+-- Whether the database can be given the file's name.
 speakable :: FilePath -> Bool
 speakable path = Text.unpack (Text.pack path) == path && '\0' `notElem` path
 

@@ -190,7 +190,7 @@ partAt composite found = look
         pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
         seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
 
--- | The fewest taxels of a symbol's 96 that are worth a look.
+-- | The fewest taxels of a symbol's 96 that are looked at.
 leastSeen :: Int
 leastSeen = 16
 
@@ -241,7 +241,7 @@ within (Extent from to) = atMost . atLeast
 leastCoverage :: Double
 leastCoverage = 0.4
 
--- | Fewer pixels than this are not worth a mention: noise.
+-- | Fewer pixels than this are noise.
 leastPixels :: Int
 leastPixels = 4
 

@@ -56,13 +56,13 @@ import PraTactile.Symmetry
 
 -- | Why a bitmap, an alphabet, its drawing file or a design is refused.
 data ShapeError
-  = -- | A bitmap must have 12 rows; this one has so many.
+  = -- | A bitmap must have 12 rows; this one has this many.
     WrongRowCount Int
-  | -- | A row (counted from 0) must be 8 taxels wide; this one has so many.
+  | -- | A row (counted from 0) must be 8 taxels wide; this one has this many.
     WrongRowWidth Int Int
   | -- | An alphabet has at least one shape.
     EmptyAlphabet
-  | -- | A shape without any embossed taxel could not be told from a face without symbols.
+  | -- | A shape without any embossed taxel could not be distinguished from a face without symbols.
     BlankShape Text
   | -- | Two shapes have the same name.
     RepeatedName Text
@@ -70,7 +70,7 @@ data ShapeError
     RepeatedShape Text Text
   | -- | A name must be printable without spaces at either end, and not empty.
     BadName Text
-  | -- | There is no such class in an alphabet of so many.
+  | -- | There is no such class in an alphabet of this many.
     UnknownClass Int Int
   | -- | The line of the drawing file (counted from 1) is neither a row of @#@ and @.@, nor @symbol
     -- NAME@, nor a comment, nor empty.

@@ -37,8 +37,8 @@ estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= est
 estimateChance :: Estimate -> (Int, Symmetry) -> Double
 estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
--- | The least doubt that is ever told: more than ten million images would be needed to show that it
--- is less.
+-- | The least doubt that is ever stated: more than ten million images would be needed to show that
+-- it is less.
 leastDoubt :: Double
 leastDoubt = 1e-7
 
@@ -70,7 +70,7 @@ estimateFrom shapesSeen image upright upsideDown = case sortOn
     doubt lead likeness =
       max leastDoubt (min blind (sigmoid (intercept - perLead * lead - perLikeness * likeness)))
 
--- | The inverse of the logistic function; outputs are told from 0 and 1 to 10^-15.
+-- | The inverse of the logistic function; outputs are limited to 10^-15 from 0 and 1.
 logit :: Double -> Double
 logit o = log (p / (1 - p))
   where

@@ -54,7 +54,7 @@ data ManifestError
     WrongHeader ![Text]
   | -- | The line is not a CSV record.
     NotCsv !Int
-  | -- | The line has so many fields instead of five.
+  | -- | The line has this many fields instead of five.
     WrongFieldCount !Int !Int
   | -- | The line's file name is empty or not UTF-8.
     BadFileName !Int
