@@ -6,7 +6,7 @@ import Data.List (nub, sort, unfoldr)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Locate (locator)
+import PraTactile.Locate (DecoderName (..), locator)
 import PraTactile.Locate.Book
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
@@ -35,11 +35,13 @@ spec = do
     let judged name shelf size damage = do
           setup <- right (trialSetup shelf size)
           let drawn = take 150 (trialsOf setup damage 5)
-              made = locator Nothing MostSignificantFirst (bookArray shelf) (bookMask shelf)
+              by decoder =
+                locator (Just decoder) MostSignificantFirst (bookArray shelf) (bookMask shelf)
+              located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
               let TrialResult a b doubt = decodeTrial radius setup trial
-              case decodeByLocate made radius setup trial of
+              case located radius setup trial of
                 Just (TrialResult a' b' doubt') -> do
                   (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
                   -- Doubts below 1e-20 are counted alike.

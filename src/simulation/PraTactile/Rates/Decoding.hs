@@ -4,8 +4,8 @@
 -- | What decoding makes of a trial, in two ways: by 'locate', which is the definition; and by
 -- comparing machine words, for exactly the figures that are counted. The tests compare the two.
 --
--- Trials are counted by the second: 'locate' also finds the support, the next distance and the
--- ranking of all positions, and takes twenty to fifty times as long.
+-- A table of rates takes millions of trials, and 'locate' makes a patch of each anew and compares
+-- it cell by cell.
 module PraTactile.Rates.Decoding
   ( TrialResult (..),
     HardAnswer (..),
@@ -40,24 +40,26 @@ data TrialResult = TrialResult
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | By 'locate', asked for the likeliest symbols and for their probabilities. 'Nothing' where it
--- refuses the question.
+-- | By 'locate', asked about the likeliest symbols by a locator of symbols, and about the
+-- probabilities by one of probabilities. 'Nothing' where a question is refused.
 decodeByLocate ::
   forall k.
   KnownField k =>
+  Locator k ->
   Locator k ->
   Radius ->
   TrialSetup k ->
   Trial ->
   Maybe TrialResult
-decodeByLocate made radius setup trial = do
+decodeByLocate bySymbols byProbabilities radius setup trial = do
   beliefs <-
     traverse
       (traverse reading)
       (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
       >>= rightOnly . patch
-  hard <- rightOnly (locate made (query (Symbol . likeliest <$> beliefs)))
-  soft <- rightOnly (locate made (query (Probabilities <$> beliefs))) >>= answerPosterior
+  hard <- rightOnly (locate bySymbols (query (Symbol . likeliest <$> beliefs)))
+  soft <-
+    rightOnly (locate byProbabilities (query (Probabilities <$> beliefs))) >>= answerPosterior
   pure
     TrialResult
       { resultHard = case answerOutcome hard of
