@@ -159,7 +159,7 @@ answered tolerance reader views dissenters
     located grid =
       let (whole, parts) = withParts (recogniserReader reader) views next grid
           location =
-            locateGrid (recogniserLocator reader) (recogniserBook reader) tolerance dissenters whole
+            locateGrid reader tolerance dissenters whole
        in Recognition everything parts (locationEvidence location) (answerAt reader location)
 
 -- | The answer where a grid is located.

@@ -35,6 +35,7 @@ import PraTactile.Locate.Chance
 import PraTactile.Locate.Query (radiusFor)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.SymbolBelief
 import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Symmetry
@@ -97,36 +98,31 @@ data GridOutcome
   | Unplaced Reason
   deriving stock (Eq, Show)
 
--- | Locate a grid of symbols of one axis, by the locator of the book's array. The dissenters are
--- symbols of the other axis that the network knows all the same.
+-- | Locate a grid of symbols of one axis. The dissenters are symbols of the other axis that the
+-- network knows all the same.
 locateGrid ::
-  forall k.
-  KnownField k =>
-  Locator k ->
-  Book k ->
-  Tolerance ->
-  [ReadSymbol] ->
-  FaceGrid ->
-  GridLocation
-locateGrid made shelf tolerance dissenters grid =
+  forall k. KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
+locateGrid reader tolerance dissenters grid =
   GridLocation orientation cells (snd <$> found) outcome
   where
     q = fieldOrder (Proxy :: Proxy k)
+    shelf = recogniserBook reader
     (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
     cells = seenOnFace orientation (gridCells grid)
     witnesses = witnessesOf shelf tolerance orientation (dissenters, gridStrays grid) cells
     stated = toleratedErrors tolerance
-    ask seen = rightOnly (locate made (onePatch (bookSurface shelf) seen) {queryRadius = stated})
+    ask by seen =
+      rightOnly (locate (by reader) (onePatch (bookSurface shelf) seen) {queryRadius = stated})
 
     beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
     found = do
       seen <- beliefs
-      posterior <- ask (Probabilities <$> seen) >>= answerPosterior
+      posterior <- ask recogniserPosterior (Probabilities <$> seen) >>= answerPosterior
       evidenceFrom shelf witnesses orientationDoubt seen posterior
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
-      fmap candidatePosition . answerOutcome <$> ask (Symbol <$> known)
+      fmap candidatePosition . answerOutcome <$> ask recogniserNearest (Symbol <$> known)
     alone numbers =
       exactly (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) >>= onlyPlace
     findings =

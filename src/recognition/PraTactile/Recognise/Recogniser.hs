@@ -10,7 +10,7 @@ import PraTactile.Array (PseudorandomArray, Shape (..), Surface, arrayShape)
 import PraTactile.Classify.Network (Network, outputCount)
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
-import PraTactile.Locate (LocateError, Locator, locator)
+import PraTactile.Locate (DecoderName (..), LocateError, Locator, locator)
 import PraTactile.Locate.Book
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
@@ -23,8 +23,10 @@ import PraTactile.Window (Mask, Packing (..), maskExtent)
 data Recogniser k = Recogniser
   { -- | the array on its surface, with its window
     recogniserBook :: Book k,
-    -- | the locator of that array
-    recogniserLocator :: Locator k,
+    -- | that array's locator of symbols
+    recogniserNearest :: Locator k,
+    -- | its locator of probabilities
+    recogniserPosterior :: Locator k,
     recogniserWindow :: Shape,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
@@ -67,13 +69,15 @@ recogniser surface array window layout alphabetOfAll network
     pure
       Recogniser
         { recogniserBook = shelf,
-          -- The codebook decodes; the order of cells in tables does not matter.
-          recogniserLocator = locator Nothing MostSignificantFirst array window,
+          recogniserNearest = decoderBy NearestDecoder,
+          recogniserPosterior = decoderBy PosteriorDecoder,
           recogniserWindow = maskExtent window,
           recogniserPlacement = layout,
           recogniserReader = Reader (templates alphabetOfAll) network
         }
   where
     q = fieldOrder array
+    -- The codebook decodes; the order of cells in tables does not matter.
+    decoderBy name = locator (Just name) MostSignificantFirst array window
     given = outputCount network
     shaped = alphabetSize alphabetOfAll
