@@ -124,18 +124,20 @@ overlapAt there@(Reference sums _) image dx dy
     stepY = if fy > 0 then 1 else 0
     meeting =
       Meeting
-        { meetingColumns = (max 0 (negate bx), min (rasterWidth image) (w - stepX - bx)),
-          meetingRows =
-            (max 0 (negate by), min (rasterHeight image) (rasterHeight sums - stepY - by)),
+        { meetingLeft = max 0 (negate bx),
+          meetingRight = min (rasterWidth image) (w - stepX - bx),
+          meetingTop = max 0 (negate by),
+          meetingBottom = min (rasterHeight image) (rasterHeight sums - stepY - by),
           meetingStart = by * w + bx
         }
 
--- | The image's columns and rows that meet the reference, each from the first to before the second
--- number, and the reference's index of the image's pixel (0, 0), which may not exist. See Note
--- [Bounds].
+-- | The image's columns and rows that meet the reference: the first ones, and those after the last;
+-- and the reference's index of the image's pixel (0, 0), which may not exist. See Note [Bounds].
 data Meeting = Meeting
-  { meetingColumns :: !(Int, Int),
-    meetingRows :: !(Int, Int),
+  { meetingLeft :: !Int,
+    meetingRight :: !Int,
+    meetingTop :: !Int,
+    meetingBottom :: !Int,
     meetingStart :: !Int
   }
 
@@ -149,8 +151,11 @@ interpolated fx fy right below v i =
 
 -- | The overlap, with a way to read the reference's rasters at an index.
 moments :: (Vector Double -> Int -> Double) -> Meeting -> Reference -> Raster -> Overlap
-moments at (Meeting (x0, x1) (y0, y1) start) (Reference sums weights) image = row y0 0 0 0 0 0 0
+moments at (Meeting x0 x1 y0 y1 start) (Reference sums weights) image = row y0 0 0 0 0 0 0
   where
+    !values = rasterValues image
+    !sumValues = rasterValues sums
+    !weightValues = rasterValues weights
     iw = rasterWidth image
     w = rasterWidth sums
     row !y !n !sf !sc !sff !scc !sfc
@@ -160,9 +165,9 @@ moments at (Meeting (x0, x1) (y0, y1) start) (Reference sums weights) image = ro
       | x >= x1 = row (y + 1) n sf sc sff scc sfc
       | m <= 0 = column f0 r0 y (x + 1) n sf sc sff scc sfc
       | otherwise =
-        let f = V.unsafeIndex (rasterValues image) (f0 + x)
+        let f = V.unsafeIndex values (f0 + x)
             mf = m * f
-            mc = at (rasterValues sums) (r0 + x)
+            mc = at sumValues (r0 + x)
          in column
               f0
               r0
@@ -175,7 +180,7 @@ moments at (Meeting (x0, x1) (y0, y1) start) (Reference sums weights) image = ro
               (scc + mc * mc / m)
               (sfc + mc * f)
       where
-        m = at (rasterValues weights) (r0 + x)
+        m = at weightValues (r0 + x)
 {-# INLINE moments #-}
 
 {- Note [Bounds] 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x
