@@ -7,7 +7,7 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate (DecoderName (..), locator)
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
 import PraTactile.Rates.Decoding
@@ -36,7 +36,7 @@ spec = do
           setup <- right (trialSetup shelf size)
           let drawn = take 150 (trialsOf setup damage 5)
               by decoder =
-                locator (Just decoder) MostSignificantFirst (bookArray shelf) (bookMask shelf)
+                locator (Just decoder) MostSignificantFirst (codebookArray shelf) (codebookMask shelf)
               located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
@@ -62,12 +62,12 @@ spec = do
       right (firstPrimitive 4)
         >>= right . folded Diagonal (Shape 3 5)
         >>= bookOn Torus ::
-        IO (Book GF2)
+        IO (Codebook GF2)
     ternary <-
       right (firstPrimitive 4)
         >>= right . folded RowMajor (Shape 8 10)
         >>= bookOn TwistedTorus ::
-        IO (Book GF3)
+        IO (Codebook GF3)
     forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
       void (judged "binary" binary size (Damage 0.1 0.2))
     forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
@@ -182,10 +182,10 @@ spec = do
         (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
         (mkStdGen seed)
     noiseOf setup damage =
-      noiseFor (fieldOrder (bookArray (setupBook setup))) (damageErrors damage)
+      noiseFor (fieldOrder (codebookArray (setupBook setup))) (damageErrors damage)
 
-paperBook :: IO (Book GF4)
+paperBook :: IO (Codebook GF4)
 paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus
 
-bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Book k)
-bookOn surface array = right (rectangle (Shape 2 2)) >>= right . book surface array
+bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
+bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array

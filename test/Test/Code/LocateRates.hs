@@ -9,11 +9,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
+import PraTactile.LinearCode.Punctured
 import PraTactile.Locate
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Punctured
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates.Formulas
 import PraTactile.Window
@@ -148,7 +148,7 @@ spec = do
 asDecided :: KnownField k => PseudorandomArray k -> Shape -> Expectation
 asDecided array size = do
   m <- right (rectangle size)
-  shelf <- right (book Torus array m)
+  shelf <- right (buildCodebook Torus array m)
   let n = maskSize m
       q = fieldOrder array
       Shape high wide = arrayShape array

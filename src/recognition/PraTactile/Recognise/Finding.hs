@@ -15,7 +15,7 @@ import Data.Ord (Down (..))
 import PraTactile.Array (Position (..), Shape (..), cellAt)
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (columnPitch, rowPitch)
-import PraTactile.Locate.Book (bookArray)
+import PraTactile.Locate.Decoder.Codebook (codebookArray)
 import PraTactile.Object.Placement (Whereabouts (..), whereabouts)
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
@@ -77,7 +77,7 @@ findingAt reader location position = do
       }
   where
     cells = locationCells location
-    array = bookArray (recogniserBook reader)
+    array = codebookArray (recogniserBook reader)
     place0 = cellFrom (recogniserBook reader) position
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
     -- Cells with a symbol that the network knows as what the array has there.

@@ -30,8 +30,8 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (displaced)
 import PraTactile.Locate hiding (Cell)
-import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Query (radiusFor)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
@@ -112,7 +112,7 @@ locateGrid reader tolerance dissenters grid =
     witnesses = witnessesOf shelf tolerance orientation (dissenters, gridStrays grid) cells
     stated = toleratedErrors tolerance
     ask by seen =
-      rightOnly (locate (by reader) (onePatch (bookSurface shelf) seen) {queryRadius = stated})
+      rightOnly (locate (by reader) (onePatch (codebookSurface shelf) seen) {queryRadius = stated})
 
     beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
     found = do
@@ -142,7 +142,7 @@ locateGrid reader tolerance dissenters grid =
 -- probabilities of the observed cells. 'Nothing' where no position is possible.
 evidenceFrom ::
   KnownField k =>
-  Book k ->
+  Codebook k ->
   Witnesses ->
   Double ->
   Patch (Belief k) ->
@@ -184,7 +184,7 @@ data Witnesses = Witnesses
 
 -- | The witnesses among the symbols of the other axis, those off the grid, and those in its cells.
 witnessesOf ::
-  Book k -> Tolerance -> Symmetry -> ([ReadSymbol], [ReadSymbol]) -> Cells -> Witnesses
+  Codebook k -> Tolerance -> Symmetry -> ([ReadSymbol], [ReadSymbol]) -> Cells -> Witnesses
 witnessesOf shelf tolerance orientation (dissenters, strays) cells =
   Witnesses
     { witnessesKnown = known,
@@ -207,13 +207,13 @@ witnessesOf shelf tolerance orientation (dissenters, strays) cells =
 
 -- | The symbols that agree with a place of the grid, and those that are wrong there.
 standing ::
-  KnownField k => Book k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
+  KnownField k => Codebook k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
 standing shelf witnesses place =
   (map snd agreeing, map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses)
   where
     (agreeing, misfits) = partition right (witnessesKnown witnesses)
     right (cell, s) = codeAt cell == fmap snd (certain s)
-    codeAt cell = toCode . cellAt (bookArray shelf) <$> cellFrom shelf place cell
+    codeAt cell = toCode . cellAt (codebookArray shelf) <$> cellFrom shelf place cell
 
 -- | The composites that have more of the first symbols than of the second.
 mostlyIn :: [ReadSymbol] -> [ReadSymbol] -> [Int]
@@ -226,14 +226,14 @@ mostlyIn these those =
     bySource symbols = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- symbols]
 
 -- | The share of all contents of the certain cells that would be located.
-chanceAmong :: KnownField k => Book k -> Patch (Belief k) -> Witnesses -> Maybe Chance
+chanceAmong :: KnownField k => Codebook k -> Patch (Belief k) -> Witnesses -> Maybe Chance
 chanceAmong shelf seen witnesses =
   chance
     . amongCells (counted (witnessesCells witnesses))
     . correcting (witnessesDistance witnesses) (witnessesRadius witnesses)
     <$> spheres
-      (bookSurface shelf)
-      (bookArray shelf)
+      (codebookSurface shelf)
+      (codebookArray shelf)
       [identity]
       (patchShape seen)
       (map fst (observedCells seen))
@@ -285,9 +285,9 @@ rightOnly = either (const Nothing) Just
 
 -- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
 -- 'Nothing' beyond the sheet.
-cellFrom :: Book k -> Position -> Cell -> Maybe Position
+cellFrom :: Codebook k -> Position -> Cell -> Maybe Position
 cellFrom shelf place =
-  displaced (bookSurface shelf) (arrayShape (bookArray shelf)) place . offsetOf
+  displaced (codebookSurface shelf) (arrayShape (codebookArray shelf)) place . offsetOf
 
 -- | A cell of the grid, which has no rows and columns before 0, as an offset.
 offsetOf :: Cell -> Position

@@ -11,7 +11,7 @@ import PraTactile.Classify.Network (Network, outputCount)
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Locate (DecoderName (..), LocateError, Locator, locator)
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Recognise.Reading (Reader (..))
@@ -22,7 +22,7 @@ import PraTactile.Window (Mask, Packing (..), maskExtent)
 -- shapes and the trained network.
 data Recogniser k = Recogniser
   { -- | the array on its surface, with its window
-    recogniserBook :: Book k,
+    recogniserBook :: Codebook k,
     -- | that array's locator of symbols
     recogniserNearest :: Locator k,
     -- | its locator of probabilities
@@ -65,7 +65,7 @@ recogniser surface array window layout alphabetOfAll network
   | placementPitch layout /= canonicalPitch =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | otherwise = do
-    shelf <- either (Left . RecogniserArray) Right (book surface array window)
+    shelf <- either (Left . RecogniserArray) Right (buildCodebook surface array window)
     pure
       Recogniser
         { recogniserBook = shelf,

@@ -21,7 +21,7 @@ import Data.Word (Word64)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Book (bookSurface)
+import PraTactile.Locate.Decoder.Codebook (codebookSurface)
 import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
 
@@ -69,7 +69,7 @@ decodeByLocate bySymbols byProbabilities radius setup trial = do
         resultDoubt = posteriorDoubt soft
       }
   where
-    query seen = (onePatch (bookSurface (setupBook setup)) seen) {queryRadius = radius}
+    query seen = (onePatch (codebookSurface (setupBook setup)) seen) {queryRadius = radius}
     rightOnly = either (const Nothing) Just
     true = positionOf (setupBook setup) (trialPosition trial)
     q = fieldOrder (Proxy :: Proxy k)

@@ -25,7 +25,7 @@ where
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Locate.Punctured
+import PraTactile.LinearCode.Punctured
 
 -- | Probabilities that add up to 1.
 data Rates = Rates

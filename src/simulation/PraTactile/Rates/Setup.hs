@@ -33,12 +33,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (codeAt, displaced)
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
 data TrialSetup (k :: Field) = TrialSetup
   { -- | The array on its surface.
-    setupBook :: !(Book k),
+    setupBook :: !(Codebook k),
     -- | The rows and columns of a patch.
     setupShape :: !Shape,
     -- | The cells of a patch.
@@ -75,9 +75,9 @@ largestSetup = 2 ^ (25 :: Int)
 
 -- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
 -- cells again.
-trialSetup :: forall k. KnownField k => Book k -> Shape -> Either SetupError (TrialSetup k)
+trialSetup :: forall k. KnownField k => Codebook k -> Shape -> Either SetupError (TrialSetup k)
 trialSetup shelf shape
-  | bookSurface shelf == Sheet = Left SetupOnSheet
+  | codebookSurface shelf == Sheet = Left SetupOnSheet
   | area shape == 0 = Left SetupEmpty
   | cells > largestSetup = Left (SetupTooLarge cells largestSetup)
   | otherwise =
@@ -99,7 +99,7 @@ trialSetup shelf shape
         }
   where
     cells = area shape * positionCount
-    positionCount = area (arrayShape (bookArray shelf))
+    positionCount = area (arrayShape (codebookArray shelf))
     positions = fromIntegral positionCount
     n = fromIntegral (area shape) :: Int
     q = fieldOrder (Proxy :: Proxy k)
@@ -111,12 +111,12 @@ trialSetup shelf shape
         (concatMap (contentAt shelf shape . positionOf shelf) [0 .. positions - 1])
 
 -- | The codes of a patch of this shape at a position of a torus, row by row.
-contentAt :: Book k -> Shape -> Position -> [Int32]
+contentAt :: Codebook k -> Shape -> Position -> [Int32]
 contentAt shelf shape position = map (codeOf . displacedFrom) (shapeCells shape)
   where
-    displacedFrom = displaced (bookSurface shelf) (arrayShape (bookArray shelf)) position
+    displacedFrom = displaced (codebookSurface shelf) (arrayShape (codebookArray shelf)) position
     -- On a torus every place is a cell.
-    codeOf place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf))
+    codeOf place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid shelf))
 
 -- | How many machine words hold this many bits.
 limbsFor :: Int -> Int
@@ -137,6 +137,6 @@ limbOf holds n contents i =
     (position, from) = (* 64) <$> (i `divMod` limbsFor n)
 
 -- | The position with this index, row by row.
-positionOf :: Book k -> Int -> Position
+positionOf :: Codebook k -> Int -> Position
 positionOf shelf i =
-  uncurry Position (fromIntegral i `divMod` columns (arrayShape (bookArray shelf)))
+  uncurry Position (fromIntegral i `divMod` columns (arrayShape (codebookArray shelf)))
