@@ -17,6 +17,7 @@ import PraTactile.Window
 import System.Random (mkStdGen)
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -31,7 +32,7 @@ spec = do
   it "the noise for no errors makes none" $
     forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
   it "the fast verdict of a trial is that of the decoders" $ do
-    paper <- paperBook
+    paper <- paperBook Torus
     let judged name shelf size damage = do
           place <- right (ground shelf size)
           let verdicts = take 150 (trialsOf place damage 5)
@@ -72,7 +73,7 @@ spec = do
     "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
     \errors"
     $ do
-      shelf <- paperBook
+      shelf <- paperBook Torus
       let cases =
             [ (Shape 2 2, Damage 0.02 0),
               (Shape 3 3, Damage 0.1 0),
@@ -95,7 +96,7 @@ spec = do
     "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
     \right, and more are wrong"
     $ do
-      shelf <- paperBook
+      shelf <- paperBook Torus
       m <- right (rectangle (Shape 4 4))
       place <- right (ground shelf (Shape 4 4))
       let damage = Damage 0.2 0
@@ -117,7 +118,7 @@ spec = do
     "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
     \threshold"
     $ do
-      shelf <- paperBook
+      shelf <- paperBook Torus
       forM_
         [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
         $ \(size, damage) -> do
@@ -129,7 +130,7 @@ spec = do
             expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
           calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
-    shelf <- paperBook
+    shelf <- paperBook Torus
     place <- right (ground shelf (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
       let tally = simulate Guaranteed place damage trials 3
@@ -140,7 +141,7 @@ spec = do
     "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
     \gives all"
     $ do
-      shelf <- paperBook
+      shelf <- paperBook Torus
       place <- right (ground shelf (Shape 2 2))
       let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
           Rates none none' all' = softRatesAtMost 0 tally
@@ -148,7 +149,7 @@ spec = do
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
       (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
-    shelf <- paperBook
+    shelf <- paperBook Torus
     place <- right (ground shelf (Shape 3 3))
     other <- right (ground shelf (Shape 3 4))
     let part = simulate Guaranteed place (Damage 0.05 0.1) 50
@@ -165,8 +166,8 @@ spec = do
             ++ [whole other (Damage 0.05 0.1) 7]
     length (nub (map show results)) `shouldBe` 5
   it "the sheet, no cells and too many cells are refused" $ do
-    shelf <- paperBook
-    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+    shelf <- paperBook Torus
+    array <- paperArray
     sheet <- bookOn Sheet array
     either Left (const (Right ())) (ground sheet (Shape 2 2)) `shouldBe` Left GroundSheet
     either Left (const (Right ())) (ground shelf (Shape 0 2)) `shouldBe` Left GroundEmpty
@@ -180,9 +181,6 @@ spec = do
         (mkStdGen seed)
     noiseOf place damage =
       noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
-
-paperBook :: IO (Book GF4)
-paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus
 
 bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Book k)
 bookOn surface array = right (rectangle (Shape 2 2)) >>= right . book surface array

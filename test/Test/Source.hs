@@ -18,9 +18,9 @@ import PraTactile.Source
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hSetFileSize, withBinaryFile)
-import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -77,31 +77,35 @@ flat = either (const Bytes.empty) (encodePgm Binary) (pgmFromIntensity 255 (cons
 
 diskSpec :: Spec
 diskSpec = do
-  inFolder "the manifest and the images that it names, and no others" $ \folder -> do
-    Bytes.writeFile (folder </> "a.pgm") flat
-    Bytes.writeFile (folder </> "other.pgm") flat
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
-    readFolder folder
-      >>= (`shouldBe` Right (Folder (manifest ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat)))
-    readChosen (const False) folder >>= (`shouldBe` Right Map.empty) . fmap folderImages
-  inFolder "each thing that is missing or wrong is told apart" $ \folder -> do
-    problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
-    problem (readFolder (folder </> "none")) `shouldReturn` Just (NoSuchFolder (folder </> "none"))
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
-    problem (readFolder folder) `shouldReturn` Just (NoSuchFile (folder </> "a.pgm"))
-    problem (readFolder (folder </> "manifest.csv"))
-      `shouldReturn` Just (IsFile (folder </> "manifest.csv"))
-    createDirectory (folder </> "a.pgm")
-    problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
-    problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
-  inFolder "an image beyond the limit is not read" $ \folder -> do
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
-    withBinaryFile (folder </> "a.pgm") WriteMode (`hSetFileSize` (toInteger largestInput + 1))
-    problem (readFolder folder) `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
-    problem (readImage (folder </> "a.pgm"))
-      `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
+  it "the manifest and the images that it names, and no others" $
+    inFolder $ \folder -> do
+      Bytes.writeFile (folder </> "a.pgm") flat
+      Bytes.writeFile (folder </> "other.pgm") flat
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
+      readFolder folder
+        `shouldReturn` Right
+          (Folder (manifest ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
+      readChosen (const False) folder >>= (`shouldBe` Right Map.empty) . fmap folderImages
+  it "each thing that is missing or wrong is told apart" $
+    inFolder $ \folder -> do
+      problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
+      let none = folder </> "none"
+      problem (readFolder none) `shouldReturn` Just (NoSuchFolder none)
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
+      problem (readFolder folder) `shouldReturn` Just (NoSuchFile (folder </> "a.pgm"))
+      problem (readFolder (folder </> "manifest.csv"))
+        `shouldReturn` Just (IsFile (folder </> "manifest.csv"))
+      createDirectory (folder </> "a.pgm")
+      problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+      problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+  it "an image beyond the limit is not read" $
+    inFolder $ \folder -> do
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
+      withBinaryFile (folder </> "a.pgm") WriteMode (`hSetFileSize` (toInteger largestInput + 1))
+      problem (readFolder folder) `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
+      problem (readImage (folder </> "a.pgm"))
+        `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
   where
-    inFolder name = it name . withSystemTempDirectory "pra-tactile"
     problem reading = either Just (const Nothing) <$> reading
 
 decodeSpec :: Spec

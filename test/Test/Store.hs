@@ -91,7 +91,7 @@ spec = describe "store" $ do
       inDirectory $ \directory -> theCube $ \solid_ ->
         right
           (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings))
-          $ \place -> do
+          >>= \place -> do
             let path = directory </> "one-face.sqlite"
                 top = Face "cube" (readFaceName "C1 C2 C3 C4")
             create path "profile" place `shouldReturn` Right ()
@@ -117,7 +117,7 @@ spec = describe "store" $ do
         listDirectory directory `shouldReturn` ["a.sqlite"]
     it "what cannot be stored leaves the file as it was" $
       withCanonical $ \place path -> theCube $ \solid_ ->
-        right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) $ \odd_ -> do
+        right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) >>= \odd_ -> do
           create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
           asked path $ \store -> storedPlacement store `shouldBe` place
     it "a directory, or a folder that is not there, is refused" $
@@ -276,7 +276,7 @@ changesOf path table = do
       other -> Text.pack (show other)
 
 tableNames :: [Text]
-tableNames = ["metadata", "object", "vertex", "face", "corner", "edge", "laying", "cell"]
+tableNames = Text.words "metadata object vertex face corner edge laying cell"
 
 -- What is said is said in this program's own words.
 plain :: StoreError -> Expectation
@@ -364,23 +364,17 @@ contradictions =
 duplicates :: [(Text, [Text])]
 duplicates =
   [ ( "metadata",
-      [ "schema_version",
-        "profile",
-        "array_rows",
-        "array_columns",
-        "pitch_right_um",
-        "pitch_down_um"
-      ]
+      Text.words "schema_version profile array_rows array_columns pitch_right_um pitch_down_um"
     ),
     ("object", ["name"]),
-    ("vertex", ["object", "name", "x_um", "y_um", "z_um"]),
+    ("vertex", Text.words "object name x_um y_um z_um"),
     ("face", ["object", "name"]),
     ("corner", ["face", "number", "vertex"]),
-    ("edge", ["object", "start_vertex", "end_vertex", "left_face", "right_face"]),
+    ("edge", Text.words "object start_vertex end_vertex left_face right_face"),
     ( "laying",
-      ["face", "at_row", "at_column", "grid_rows", "grid_columns", "width_um", "height_um"]
+      Text.words "face at_row at_column grid_rows grid_columns width_um height_um"
     ),
-    ("cell", ["array_row", "array_column", "laying", "local_row", "local_column"])
+    ("cell", Text.words "array_row array_column laying local_row local_column")
   ]
 
 isCannotWrite :: Either StoreError () -> Bool

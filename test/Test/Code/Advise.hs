@@ -105,7 +105,7 @@ spec = do
           ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3)]
           ++ [(9, 2), (9, 3), (16, 2), (25, 2)]
       )
-      $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+      $ \(q, n) -> overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
         let terms = fromIntegral q ^ n - 1 :: Natural
             ds = [d | d <- [1 .. terms], terms `mod` d == 0]
@@ -170,7 +170,7 @@ asked q high wide window = right (advise (Request q high wide window))
 
 -- | Visit the windows of the arrays of an option.
 proves :: Int -> Option -> Fit -> Expectation
-proves q option claim = forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+proves q option claim = overField q $ \(_ :: Proxy k) -> do
   window <- right (rectangle (fitWindow claim))
   stated <- right (elementsFromCodes (fitPolynomial claim)) >>= right . checkPrimitive . polynomial
   others <-

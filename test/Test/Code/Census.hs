@@ -3,7 +3,6 @@ module Test.Code.Census (spec) where
 
 import Control.Monad (forM_)
 import Data.List (nub, sort, sortOn)
-import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census
@@ -107,4 +106,4 @@ spec = do
             scope {scopeWindows = [Shape 2 2]}
           ]
     length (nub (map scopeText others)) `shouldBe` length others
-    countPrimitive (Proxy :: Proxy GF4) 4 `shouldBe` Right 32
+    countPrimitive gf4 4 `shouldBe` Right 32

@@ -17,6 +17,7 @@ import PraTactile.Profile
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -33,7 +34,7 @@ spec = do
       "the digest of windows is that of their positions, eight bytes each, by increasing content"
       $ do
         -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
-        h <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF2))
+        h <- firstOver gf2 2
         array <- right (folded RowMajor (Shape 1 3) h)
         grid <- right (toGrid array)
         m <- right (rectangle (Shape 1 2))
@@ -44,7 +45,7 @@ spec = do
           -- 01, 11 and 10, read backwards: 2, 3 and 1.
           `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
     it "there is none of windows that repeat" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       grid <- right (toGrid array)
       m <- right (rectangle (Shape 1 2))
       digestOfWindows MostSignificantFirst Torus grid m `shouldBe` Nothing

@@ -5,16 +5,17 @@ import Control.Monad (forM_)
 import Data.List (nub, subsequences)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
+import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Polynomial
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck
 
 spec :: Spec
@@ -31,7 +32,7 @@ spec = do
       paper <- paperArray
       every <- right (rectangle (Shape 15 17))
       fmap distance (minimumDistance paper every) `shouldBe` Right (4 ^ (4 :: Int) - 4 ^ (3 :: Int))
-      h <- right (firstPrimitive 3 :: Either PolynomialError (Primitive GF9))
+      h <- firstOver (Proxy :: Proxy GF9) 3
       array <- right (folded Diagonal (Shape 8 91) h)
       every' <- right (rectangle (Shape 8 91))
       fmap distance (minimumDistance array every')
@@ -65,7 +66,7 @@ spec = do
           (17, 2, Shape 9 32)
         ]
         $ \(q, n, shape) ->
-          forM_ (lookup q everyField) $ \(SomeField k) -> do
+          overField q $ \k -> do
             h <- firstOver k n
             array <- right (folded Diagonal shape h)
             holds 100 $
@@ -132,13 +133,13 @@ spec = do
              in fmap (Map.map (* repeated)) (weightEnumerator array m)
                   === Right (Map.insertWith (+) 0 1 (windowWeights array m))
     it "of n cells of rank n: binomially many" $ do
-      h <- right (firstPrimitive 16 :: Either PolynomialError (Primitive GF2))
+      h <- firstOver gf2 16
       array <- right (folded Diagonal (Shape 255 257) h)
       m <- right (maskFrom [Position i j | i <- [0 .. 7], j <- [0, 1]])
       windowRank array m `shouldBe` 16
       weightEnumerator array m `shouldBe` Right (Map.fromList (zip [0 ..] (binomials 16)))
     it "are refused when neither the windows nor the dual code's are few" $ do
-      h <- right (firstPrimitive 32 :: Either PolynomialError (Primitive GF2))
+      h <- firstOver gf2 32
       array <- right (folded RowMajor (Shape 1 (2 ^ (32 :: Int) - 1)) h)
       m <- right (rectangle (Shape 1 64))
       weightEnumerator array m `shouldBe` Left (TooManyCodewords (2 ^ (32 :: Int)))
@@ -146,7 +147,6 @@ spec = do
     [(e, s) | e <- [0 .. 3], s <- [0 .. 5], corrects 4 e s]
       `shouldBe` [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1)]
   where
-    paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
 
 -- | A mask of up to 9 cells near each other, in any order.
 genMask :: Gen Mask

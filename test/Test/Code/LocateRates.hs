@@ -20,6 +20,7 @@ import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -191,9 +192,6 @@ asDecided array size = do
     chunked k xs = case splitAt k xs of
       ([], _) -> []
       (first, others) -> first : chunked k others
-
-paperArray :: IO (PseudorandomArray GF4)
-paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
 
 weightsOf :: Shape -> IO (Map.Map Natural Natural)
 weightsOf size = do

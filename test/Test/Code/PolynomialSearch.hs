@@ -13,6 +13,7 @@ import PraTactile.Polynomial
 import PraTactile.Polynomial.Certificate
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -137,7 +138,7 @@ spec = do
           (7, 1),
           (7, 2)
         ]
-        $ \(q, height) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+        $ \(q, height) -> overField q $ \k -> do
           let p = fieldCharacteristic k
           (q, height, any isIrreducible (affine k p height))
             `shouldBe` (q, height, height <= 1 || p == 2 && height == 2)
@@ -316,20 +317,20 @@ spec = do
                 `shouldBe` (n, take 20 <$> primitiveAmong n (monicIn k n))
               (n, fmap (: []) (fewestTermsPrimitive n :: Either PolynomialError (Primitive k)))
                 `shouldBe` (n, take 1 <$> primitiveAmong n (monicByTerms n))
-        mapM_ (same (Proxy :: Proxy GF4)) [6, 8]
-        mapM_ (same (Proxy :: Proxy GF3)) [7, 9]
-        same (Proxy :: Proxy GF2) 16
+        mapM_ (same gf4) [6, 8]
+        mapM_ (same gf3) [7, 9]
+        same gf2 16
     it "the first primitive polynomials of degrees 8 and 12 over GF(256) come at once" $ do
       codesOf (firstPrimitive 8 :: Either PolynomialError (Primitive GF256))
         `shouldBe` Right [9, 1, 0, 1, 0, 0, 0, 0, 1]
-      h <- right (firstPrimitive 12 :: Either PolynomialError (Primitive GF256))
+      h <- firstOver (Proxy :: Proxy GF256) 12
       drop 3 (coefficients (primitivePolynomial h)) `shouldBe` [1, 0, 0, 0, 0, 0, 0, 0, 0, 1]
   describe "known polynomials" $ do
     it
       "x^128 + x^7 + x^2 + x + 1 is the first primitive one of degree 128 over GF(2), and of \
       \fewest terms"
       $ do
-        h <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
+        h <- firstOver gf2 128
         exponents h `shouldBe` [0, 1, 2, 7, 128]
         fmap exponents (fewestTermsPrimitive 128 :: Either PolynomialError (Primitive GF2))
           `shouldBe` Right [0, 1, 2, 7, 128]
@@ -420,12 +421,12 @@ certificateSpec = do
         )
           `shouldBe` (q, n, [])
   it "of x^128 + x^7 + x^2 + x + 1 has the residues of the nine primes that divide 2^128 - 1" $ do
-    h <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
+    h <- firstOver gf2 128
     map fst (certifiedResidues (certifyPrimitive h))
       `shouldBe` [3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721]
     verifyPrimitive (certifyPrimitive h) `shouldBe` Right h
   it "of a primitive polynomial, tampered with, is refused for what is wrong" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     let good = certifyPrimitive h
         verdict = either Just (const Nothing) . verifyPrimitive
         a = primitive :: GF GF4

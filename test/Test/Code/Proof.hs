@@ -16,6 +16,7 @@ import PraTactile.Window
 import PraTactile.Window.Proof
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
@@ -103,7 +104,7 @@ spec = do
           (16, 1, 2),
           (9, 1, 3)
         ]
-        $ \(q, k1, k2) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+        $ \(q, k1, k2) -> overField q $ \k -> do
           h <- firstOver k (k1 * k2)
           let n1 = fromIntegral q ^ k1 - 1
               shape = Shape n1 ((fromIntegral q ^ (k1 * k2) - 1) `div` n1)
@@ -113,7 +114,7 @@ spec = do
           (q, k1, k2, proved verdict, distinctWindows verdict)
             `shouldBe` (q, k1, k2, True, Just (area shape))
     it "too large to visit are proved by the rank alone" $ do
-      h <- right (firstPrimitive 16 :: Either PolynomialError (Primitive GF4))
+      h <- firstOver gf4 16
       array <- right (folded Diagonal (Shape 255 (257 * 65537)) h)
       m <- right (rectangle (Shape 4 4))
       (verdict, witness) <- right (prove Torus array m)
@@ -127,7 +128,7 @@ spec = do
       (onSheet, _) <- right (prove Sheet array m)
       distinctWindows onSheet `shouldBe` Just ((255 - 3) * (257 * 65537 - 3))
     it "too large to visit, and not for the rank to decide, are refused" $ do
-      h <- right (firstPrimitive 16 :: Either PolynomialError (Primitive GF4))
+      h <- firstOver gf4 16
       let shape = Shape 255 (257 * 65537)
       array <- right (folded Diagonal shape h)
       m <- right (rectangle (Shape 1 2))
@@ -141,11 +142,11 @@ spec = do
         array <- paperArray
         holds 100 $ forAllShrink genMask shrinkOffsets $ agree Torus array
     it "agrees on the twisted torus" $ do
-      array <- right paperPrimitive >>= right . folded RowMajor (Shape 15 17)
+      array <- paperPrimitive >>= right . folded RowMajor (Shape 15 17)
       holds 100 $ forAllShrink genMask shrinkOffsets $ agree TwistedTorus array
     it "agrees for odd q: GF(3), 2 x 13, and GF(5), 4 x 31" $
       forM_ [(3, Shape 2 13), (5, Shape 4 31)] $ \(q, shape) ->
-        forM_ (lookup q everyField) $ \(SomeField k) -> do
+        overField q $ \k -> do
           h <- firstOver k 3
           array <- right (folded Diagonal shape h)
           holds 100 $ forAllShrink genMask shrinkOffsets $ agree Torus array
@@ -220,13 +221,12 @@ spec = do
           `shouldBe` Left (WindowsTooMany (2 ^ (4096 :: Int)) (2 ^ (20 :: Int)))
   where
     awkward = mask [(0, 0), (0, 9), (11, 8)]
-    paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     verdictOn on m = do
       array <- paperArray
       m' <- right m
       right (prove on array m')
     ofDegree6 folding shape window on = do
-      h <- right (firstPrimitive 6 :: Either PolynomialError (Primitive GF4))
+      h <- firstOver gf4 6
       array <- right (folded folding shape h)
       m <- right (rectangle window)
       right (prove on array m)
@@ -303,10 +303,10 @@ contentsOf on k1 k2 codes =
     h = length codes
     w = length (concat (take 1 codes))
     (visitedRows, visitedColumns) = if on == Sheet then (h - k1 + 1, w - k2 + 1) else (h, w)
-    below = take (h + k1) (cycle codes)
+    beneath = take (h + k1) (cycle codes)
     continued = case on of
-      Torus -> map (\r -> r ++ take k2 r) below
-      TwistedTorus -> zipWith (\r next -> r ++ take k2 next) below (drop 1 (cycle codes))
+      Torus -> map (\r -> r ++ take k2 r) beneath
+      TwistedTorus -> zipWith (\r next -> r ++ take k2 next) beneath (drop 1 (cycle codes))
       Sheet -> codes
     -- Each column as a number, then each window as that of its columns.
     rowOfWindows rows' = take visitedColumns (map packed (tails (asNumbers (take k1 rows'))))

@@ -15,6 +15,7 @@ import PraTactile.Sequence.Galois
 import PraTactile.Sequence.Synthesis
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
@@ -77,7 +78,7 @@ spec = do
       map (map toCode . galoisElements) (take 3 (iterate (galoisNext p) start))
         `shouldBe` [[1, 0], [0, 1], [1, 2]]
     it "refuses a state of zeros or of another length" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       galoisState h [0, 0, 0, 0] `shouldBe` Left StateZero
       galoisState h [1] `shouldBe` Left (StateLength 1 4)
   describe "synthesis" $ do
@@ -144,7 +145,7 @@ forRegisters check =
       (251, 1)
     ]
     $ \(q, n) ->
-      forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+      overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
         forM_ (take 3 (found :: [Primitive k])) check
 

@@ -9,6 +9,7 @@ import PraTactile.Field
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck
 
 spec :: Spec
@@ -56,13 +57,13 @@ spec = do
                 === Right (Right sorted)
   describe "contents" $ do
     it "of the worked example" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       m <- right (rectangle (Shape 2 2))
       forM_ [Torus, Sheet] $ \surface ->
         fmap (map showElement) (windowAt surface array m (Position 6 5))
           `shouldBe` Just ["A^2", "A", "A^2", "1"]
     it "wrap on the torus, and are absent where they stick out of the sheet" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       m <- right (rectangle (Shape 2 2))
       windowAt Torus array m (Position 14 16)
         `shouldBe` Just

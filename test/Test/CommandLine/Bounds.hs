@@ -41,14 +41,14 @@ spec = do
           ]
         windowed = take 6 chosen ++ ["--window", "1x4096"]
     forM_
-      ["array", "prove", "table", "certificate", "locate", "sequence", "rates", "profile"]
+      (words "array prove table certificate locate sequence rates profile")
       $ \name ->
         atOnce $
           complains (name : windowed ++ ["0" | name == "locate"]) "2^5000 - 1"
     atOnce (complains ("prove" : chosen) "5000 cells")
     atOnce (complains ("sequence" : take 4 chosen) "2^5000 - 1")
   it "a shape that is no shape of the array, of whatever size, in a line that can be read" $
-    forM_ ["array", "prove", "table", "certificate"] $ \name -> atOnce $ do
+    forM_ (words "array prove table certificate") $ \name -> atOnce $ do
       let huge = replicate 5000 '9'
       (status, out, err) <-
         pra

@@ -8,10 +8,10 @@ import Data.Aeson (Value (..))
 import Data.List (intercalate)
 import System.Directory (createFileLink, doesPathExist)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Files (createLink)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -95,7 +95,7 @@ spec = do
       complains (small folder "mine" ++ ["--keep-whole"]) "first line"
       writeFile (folder </> "other.csv") checked
       complains
-        ["census", "--q", "2", "--degree", "4", "--output", folder </> "other.csv", "--keep-whole"]
+        (words "census --q 2 --degree 4 --output" ++ [folder </> "other.csv", "--keep-whole"])
         "not an unfinished file"
       readFile (folder </> "other.csv") `shouldReturn` checked
   it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $
@@ -168,7 +168,7 @@ spec = do
           (status, length (lines err)) `shouldBe` (2, 1)
           readFile file `shouldReturn` content
       writeFile file whole
-      complains ["census", "--q", "4", "--degree", "3", "--output", file] "not an unfinished file"
+      complains (words "census --q 4 --degree 3 --output" ++ [file]) "not an unfinished file"
       complains (census folder "other" ++ ["--shard", "1/2"]) "not an unfinished file"
   it "merge: shards in any order are the census in one run, byte by byte" $
     inFolder $ \folder -> do
@@ -189,7 +189,7 @@ spec = do
         pra (census folder ("part" ++ show i) ++ ["--shard", show i ++ "/3"])
       complains ["merge", file "part1", file "part3"] "128 of 384 entries are missing"
       complains ["merge", file "part1", file "part2", file "part3", file "part2"] "entry 1 is in"
-      _ <- pra ["census", "--q", "2", "--degree", "4", "--output", file "other"]
+      _ <- pra (words "census --q 2 --degree 4 --output" ++ [file "other"])
       complains ["merge", file "part1", file "other"] "different censuses"
       part <- readFile (file "part1")
       writeFile (file "cut") (take (length part - 3) part)
@@ -202,23 +202,23 @@ spec = do
   it "census: an impossible scope is status 2 with the reason" $
     inFolder $ \folder -> do
       complains
-        ["census", "--q", "6", "--degree", "2", "--output", folder </> "x"]
+        (words "census --q 6 --degree 2 --output" ++ [folder </> "x"])
         "6 is not a prime power"
-      complains ["census", "--q", "4", "--degree", "0", "--output", folder </> "x"] "degree 0"
+      complains (words "census --q 4 --degree 0 --output" ++ [folder </> "x"]) "degree 0"
       complains
-        ["census", "--q", "4", "--modulus", "1,0,1", "--degree", "2", "--output", folder </> "x"]
+        (words "census --q 4 --modulus 1,0,1 --degree 2 --output" ++ [folder </> "x"])
         "factors"
       complains
-        ["census", "--q", "2", "--degree", "3", "--output", folder </> "no" </> "x"]
+        (words "census --q 2 --degree 3 --output" ++ [folder </> "no" </> "x"])
         "cannot write"
       complains
-        ["census", "--q", "2", "--degree", "1000000", "--output", folder </> "x"]
+        (words "census --q 2 --degree 1000000 --output" ++ [folder </> "x"])
         "2^1000000 - 1"
       complains
-        ["census", "--q", "4", "--degree", "100", "--output", folder </> "x"]
+        (words "census --q 4 --degree 100 --output" ++ [folder </> "x"])
         "524288 divisors"
       doesPathExist (folder </> "x") `shouldReturn` False
-      forM_ ["0/2", "3/2", "1", "a/b"] $ \shard -> do
+      forM_ (words "0/2 3/2 1 a/b") $ \shard -> do
         (status, out, _) <- pra (census folder "x" ++ ["--shard", shard])
         (status, out) `shouldBe` (2, "")
   where
@@ -234,7 +234,6 @@ spec = do
     census folder name =
       words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output"
         ++ [folder </> name]
-    inFolder = withSystemTempDirectory "pra-tactile"
     fields line = words' (map (\c -> if c == ',' then ';' else c) line)
     words' text = case break (== ';') text of
       (field, _ : rest) -> field : words' rest

@@ -18,11 +18,11 @@ import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)
 import System.Directory (doesFileExist)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcess)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -33,7 +33,7 @@ spec = do
 memorySpec :: Spec
 memorySpec =
   it "200 presses are evaluated in 24 MB" $ do
-    (status, out, err) <- praUnder "-A1m -M24m" ["evaluate", "--presses", "200", "--seed", "1"] ""
+    (status, out, err) <- praUnder "-A1m -M24m" (words "evaluate --presses 200 --seed 1") ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
 
 countSpec :: Spec
@@ -101,7 +101,7 @@ progressSpec = do
       take 1 (reverse steps) `shouldBe` [searchLength]
   for_ work $ \(name, arguments, shown) -> do
     it (name ++ " tells it on a terminal") $
-      withSystemTempDirectory "pra-tactile" $ \folder -> do
+      inFolder $ \folder -> do
         let command =
               "timeout 4 pra-tactile "
                 ++ arguments
@@ -118,7 +118,7 @@ progressSpec = do
     told `shouldSatisfy` ("6/6" `isInfixOf`)
     reverse (take 4 (reverse told)) `shouldBe` "\r\ESC[K"
   it "nothing is told where the standard error is no terminal" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    inFolder $ \folder -> do
       (_, _, evaluated) <- pra ["evaluate", "--presses", "6"]
       (_, _, tabled) <- pra (words table ++ ["--output", folder </> "table.csv"])
       (_, _, designed) <- pra ["shapes", "--design", "--output", folder </> "shapes.txt"]

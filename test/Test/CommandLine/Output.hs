@@ -14,13 +14,13 @@ import Readers
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Files
 import System.Posix.User (getEffectiveUserID)
 import System.Process (callProcess, readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
+import Test.Support
 import Visible
 
 spec :: Spec
@@ -41,9 +41,6 @@ scripted folder script = do
       ["20", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
       ""
   pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
-
-inFolder :: (FilePath -> IO a) -> IO a
-inFolder = withSystemTempDirectory "pra-tactile"
 
 -- | Nothing on the standard output, one line with this in it, status 2.
 refuses :: Outcome -> String -> Expectation
@@ -244,7 +241,7 @@ foldersSpec = describe "a folder of frames" $ do
       createDirectory (folder </> "empty")
       createDirectory (folder </> "empty2")
       createSymbolicLink "empty2" (folder </> "link")
-      for_ ["new", "deep/er", "empty", "link"] $ \name -> do
+      for_ (words "new deep/er empty link") $ \name -> do
         (status, _, err) <- scripted folder ("pra probe --object cube --seed 1 --output " ++ name)
         (name, status, err) `shouldBe` (name, 0, "")
         there <- doesFileExist (folder </> name </> "manifest.csv")
@@ -253,7 +250,7 @@ foldersSpec = describe "a folder of frames" $ do
       writeFile (folder </> "file") "file"
       createNamedPipe (folder </> "pipe") 0o600
       createSymbolicLink "file" (folder </> "toFile")
-      for_ ["new", "file", "pipe", "toFile"] $ \name -> do
+      for_ (words "new file pipe toFile") $ \name -> do
         outcome <- scripted folder ("pra probe --object cube --seed 1 --output " ++ name)
         outcome `refuses` "name a folder that is new or empty"
       readFile (folder </> "file") `shouldReturn` "file"
@@ -304,7 +301,7 @@ argumentsSpec = describe "arguments" $ do
   it "a number with a point likewise" $
     property (\x -> readDecimal (show (x :: Double)) === Right x)
   it "a patch that the shell took apart is told so" $ do
-    outcome <- pra ["locate", "3", "2", "/", "3", "1"]
+    outcome <- pra (words "locate 3 2 / 3 1")
     outcome
       `refuses` "pra-tactile: a patch is one argument; write it between quotation marks: '3 2 / 3 \
                 \1'"

@@ -83,7 +83,7 @@ spec = describe "placement" $ do
               [solid_]
               [Laying topFace (Position 0 0) (Shape 4 5)]
           )
-          $ \it_ -> do
+          >>= \it_ -> do
             whereabouts it_ canonicalWindow (Position 0 4) `shouldBe` OnNoObject
             whereabouts it_ canonicalWindow (Position 3 0) `shouldBe` OnNoObject
             whereabouts it_ (Shape 4 5) (Position 0 0) `shouldSatisfy` isOnFace
