@@ -50,23 +50,20 @@ codeSpec = describe "the code" $ do
     let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)
     (status, length cells, map length cells) `shouldBe` (0, 15, replicate 15 17)
     [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` (words "3 2 3 1")
-  it
-    "prove --json: the canonical array by both roads; a refuted window with its collision and \
-    \status 1"
-    $ do
-      (proved, out, _) <- pra ["prove", "--json"]
-      proved `shouldBe` 0
-      map
-        (`key` out)
-        [["proved"], ["enumeration"], ["rank_road"], ["rank"], ["needed"], ["windows"], ["surface"]]
-        `shouldBe` map
-          Just
-          [Bool True, Bool True, Bool True, Number 4, Number 4, Number 255, "torus"]
-      (refuted, out', _) <-
-        pra
-          (words "prove --json --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x2")
-      (refuted, key ["proved"] out') `shouldBe` (1, Just (Bool False))
-      key ["collision"] out' `shouldSatisfy` maybe False (/= Null)
+  it "prove --json: the canonical array; a refuted window with its collision, status 1" $ do
+    (proved, out, _) <- pra ["prove", "--json"]
+    proved `shouldBe` 0
+    map
+      (`key` out)
+      [["proved"], ["enumeration"], ["rank_road"], ["rank"], ["needed"], ["windows"], ["surface"]]
+      `shouldBe` map
+        Just
+        [Bool True, Bool True, Bool True, Number 4, Number 4, Number 255, "torus"]
+    (refuted, out', _) <-
+      pra
+        (words "prove --json --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x2")
+    (refuted, key ["proved"] out') `shouldBe` (1, Just (Bool False))
+    key ["collision"] out' `shouldSatisfy` maybe False (/= Null)
   it "prove --surface sheet: 224 windows" $ do
     (_, out, _) <- pra (words "prove --json --surface sheet")
     key ["windows"] out `shouldBe` Just (Number 224)

@@ -69,66 +69,57 @@ spec = do
     forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
       void (judged "binary" binary size (Damage 0.1 0.2))
     forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
-  it
-    "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
-    \errors"
-    $ do
-      shelf <- paperBook Torus
-      let cases =
-            [ (Shape 2 2, Damage 0.02 0),
-              (Shape 3 3, Damage 0.1 0),
-              (Shape 3 4, Damage 0.1 0),
-              (Shape 3 3, Damage 0.05 0.2)
-            ]
-      forM_ cases $ \(size, damage) -> do
-        m <- right (rectangle size)
+  it "hard decoding is as right and wrong as the weights say, to 4 standard errors" $ do
+    shelf <- paperBook Torus
+    let cases =
+          [ (Shape 2 2, Damage 0.02 0),
+            (Shape 3 3, Damage 0.1 0),
+            (Shape 3 4, Damage 0.1 0),
+            (Shape 3 3, Damage 0.05 0.2)
+          ]
+    forM_ cases $ \(size, damage) -> do
+      m <- right (rectangle size)
+      place <- right (ground shelf size)
+      exact <-
+        maybe
+          (expectationFailure "nothing" >> fail "nothing")
+          pure
+          (exactRates Guaranteed shelf m damage)
+      let found = hardRates (simulate Guaranteed place damage trials 1)
+      forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+        abs (rate found - rate exact)
+          `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
+  it "a stated radius: as the weights say; beyond the guaranteed one more is wrong" $ do
+    shelf <- paperBook Torus
+    m <- right (rectangle (Shape 4 4))
+    place <- right (ground shelf (Shape 4 4))
+    let damage = Damage 0.2 0
+        found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
+    forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
+      exact <-
+        maybe
+          (expectationFailure "nothing" >> fail "nothing")
+          pure
+          (exactRates (UpTo e) shelf m damage)
+      forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+        abs (rate rates - rate exact)
+          `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
+    exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
+    exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
+    and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
+    and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
+  it "soft decoding errs as often as its doubts add up to, to 4 standard errors" $ do
+    shelf <- paperBook Torus
+    forM_
+      [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
+      $ \(size, damage) -> do
         place <- right (ground shelf size)
-        exact <-
-          maybe
-            (expectationFailure "nothing" >> fail "nothing")
-            pure
-            (exactRates Guaranteed shelf m damage)
-        let found = hardRates (simulate Guaranteed place damage trials 1)
-        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
-          abs (rate found - rate exact)
-            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
-  it
-    "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
-    \right, and more are wrong"
-    $ do
-      shelf <- paperBook Torus
-      m <- right (rectangle (Shape 4 4))
-      place <- right (ground shelf (Shape 4 4))
-      let damage = Damage 0.2 0
-          found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
-      forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
-        exact <-
-          maybe
-            (expectationFailure "nothing" >> fail "nothing")
-            pure
-            (exactRates (UpTo e) shelf m damage)
-        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
-          abs (rate rates - rate exact)
-            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
-      exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
-      exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
-      and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
-      and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
-  it
-    "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
-    \threshold"
-    $ do
-      shelf <- paperBook Torus
-      forM_
-        [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
-        $ \(size, damage) -> do
-          place <- right (ground shelf size)
-          let tally = simulate Guaranteed place damage trials 2
-          forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
-            let Calibration answers expected wrong = calibration tolerated tally
-            abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
-            expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
-          calibratedAnswers (calibration 1 tally) `shouldBe` trials
+        let tally = simulate Guaranteed place damage trials 2
+        forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
+          let Calibration answers expected wrong = calibration tolerated tally
+          abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
+          expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
+        calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
     shelf <- paperBook Torus
     place <- right (ground shelf (Shape 3 3))
@@ -137,17 +128,14 @@ spec = do
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
-  it
-    "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
-    \gives all"
-    $ do
-      shelf <- paperBook Torus
-      place <- right (ground shelf (Shape 2 2))
-      let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
-          Rates none none' all' = softRatesAtMost 0 tally
-          Rates a b c = softRatesAtMost 1 tally
-      (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
-      (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it "soft decoding as wrong as no answers gives none, as wrong as all gives all" $ do
+    shelf <- paperBook Torus
+    place <- right (ground shelf (Shape 2 2))
+    let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
+        Rates none none' all' = softRatesAtMost 0 tally
+        Rates a b c = softRatesAtMost 1 tally
+    (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
+    (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
     shelf <- paperBook Torus
     place <- right (ground shelf (Shape 3 3))

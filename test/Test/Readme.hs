@@ -20,10 +20,8 @@ spec = beforeAll (library <$> readText "README.md") $ do
       writeFile (folder </> "Readme.hs") (unlines program)
       cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
         `shouldReturn` (ExitSuccess, unlines (indented rest), "")
-  it
-    "a package with the lines for cabal.project and build-depends is planned with the libraries \
-    \that they name"
-    $ \text -> inFolder $ \folder -> do
+  it "a package with the lines for cabal.project is planned with these libraries" $
+    \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
       let (project, rest) = fenced "```cabal-project" text
           (depends, _) = fenced "```cabal" rest

@@ -61,10 +61,8 @@ damageSpec ::
   Spec
 damageSpec alphabetOfAll layout net array mask = do
   describe "missing symbols" $ do
-    it
-      "of a 3 x 3 block any four may be missing that leave four independent ones; without, the \
-      \answer is refused"
-      $ for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
+    it "of a 3 x 3 block any four may be missing that leave four independent ones" $
+      for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
         for_ (choose4 [0 .. 8]) $ \gone -> do
           let kept = [o | (i, o) <- zip [0 :: Int ..] offsets3, i `notElem` gone]
           let damaged = removing gone (cells 3 3 place)
@@ -88,10 +86,8 @@ damageSpec alphabetOfAll layout net array mask = do
           length (catMaybes (concat (windowClasses (foundWindow found)))) `shouldBe` 2
         _ -> expectationFailure "not located"
   describe "wrong symbols" $ do
-    it
-      "of a 3 x 3 block, whose distance is 4, any one may be any other symbol, or lie upside \
-      \down: it is named"
-      $ for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
+    it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
+      for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
         for_ [0 .. 8] $ \i -> for_ wrongs $ \change -> do
           let damaged = changing i change (cells 3 3 place)
           recognition <- recognised damaged
@@ -206,22 +202,18 @@ damageSpec alphabetOfAll layout net array mask = do
                 <$> recognisedWith standardTolerance [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
               `shouldBe` (cut, Just (sort (blockOf 2 2 place)))
-    it
-      "they are not counted among the symbols that the network knows, and a flat place is none"
-      $ do
-        recognition <-
-          recognisedWith
-            standardTolerance
-            [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
-        (length (recognisedSymbols recognition), length (recognisedParts recognition))
-          `shouldBe` (2, 2)
-        map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
-        flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
-        length (recognisedParts flat) `shouldBe` 0
-    it
-      "of a part the likeliest shape is one that has that part, whatever rectangle of it was \
-      \touched"
-      $ for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
+    it "they are not counted among the symbols known, and a flat place is none" $ do
+      recognition <-
+        recognisedWith
+          standardTolerance
+          [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
+      (length (recognisedSymbols recognition), length (recognisedParts recognition))
+        `shouldBe` (2, 2)
+      map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
+      flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
+      length (recognisedParts flat) `shouldBe` 0
+    it "of any rectangle of a symbol the likeliest shape is one that has it" $
+      for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
         for_
           [ (l, t, r, b)
             | l <- [0, 2, 4],

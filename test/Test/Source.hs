@@ -45,13 +45,11 @@ bytesSpec = do
   it "a name that leads out of the folder is refused, even if there are bytes for it" $
     [folderFrames (Folder (manifest [name]) (Map.singleton name flat)) | name <- elsewhere]
       `shouldBe` map (Left . ImageElsewhere) elsewhere
-  it
-    "an image that is not there, or none, is refused by its name; and so is what is no manifest"
-    $ do
-      folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
-      folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
-        `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
-      folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
+  it "an image that is not there, or none, is refused by its name; so is a manifest" $ do
+    folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
+    folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
+      `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
+    folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
   it "the images to be read are those in the folder, each once" $ do
     namedImages (manifest (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
       `shouldBe` ["b.pgm", "sub/a.pgm"]
@@ -110,18 +108,15 @@ diskSpec = do
 
 decodeSpec :: Spec
 decodeSpec = do
-  it
-    "the paper's worked example: from the frames, and from the composite, (6, 5) at corner C2 of \
-    \C1 C2 C3 C4"
-    $ do
-      folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
-      image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
-      let decodings =
-            [ canonicalDecoder >>= (`decodeFolder` folder),
-              canonicalDecoder >>= (`decodeImage` image)
-            ]
-      map (fmap place) decodings
-        `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
+  it "the paper's worked example: (6, 5) at corner C2 of C1 C2 C3 C4" $ do
+    folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
+    image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
+    let decodings =
+          [ canonicalDecoder >>= (`decodeFolder` folder),
+            canonicalDecoder >>= (`decodeImage` image)
+          ]
+    map (fmap place) decodings
+      `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalDecoder >>= (`decodeImage` flat))
       `shouldBe` Right ["refused: no-symbols"]

@@ -41,10 +41,8 @@ spec = describe "create" $ do
       profileIn path `shouldReturn` Right "two"
       pathIsSymbolicLink link `shouldReturn` True
       sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "link"]
-  it
-    "refuses a text file, an empty one, one that begins as a database, and another database; they \
-    \stay to the byte"
-    $ placed $ \folder place -> do
+  it "refuses a text file, an empty one and other databases; they stay to the byte" $
+    placed $ \folder place -> do
       let path = folder </> "mine"
       execute (folder </> "other") "CREATE TABLE metadata (schema_version INTEGER, profile TEXT)"
       execute (folder </> "wal") "PRAGMA journal_mode = WAL"
@@ -65,10 +63,8 @@ spec = describe "create" $ do
           Bytes.readFile path `shouldReturn` content
           removeLink (path ++ ".link")
       sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
-  it
-    "refuses a folder, a pipe, a device, a link to any of them and a link to nothing, and opens \
-    \none"
-    $ placed $ \folder place -> do
+  it "refuses a folder, a pipe, a device, a link to them or to nothing; opens none" $
+    placed $ \folder place -> do
       createDirectory (folder </> "folder")
       createNamedPipe (folder </> "pipe") 0o600
       createFileLink (folder </> "pipe") (folder </> "to-pipe")

@@ -135,10 +135,8 @@ manualSpec = describe "manual pages" $
 
 installSpec :: Spec
 installSpec = describe "installing" $
-  it
-    "puts the program, its pages and completions under DESTDIR and PREFIX; uninstalling leaves no \
-    \file"
-    $ inFolder $ \folder -> do
+  it "puts program, pages and completions under DESTDIR and PREFIX; and takes them away" $
+    inFolder $ \folder -> do
       program <- fromMaybe "pra-tactile" <$> findExecutable "pra-tactile"
       let run what =
             readProcessWithExitCode

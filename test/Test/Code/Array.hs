@@ -71,20 +71,18 @@ spec = do
             `shouldBe` [ [cellAt array (Position r c) | c <- [0 .. columns shape - 1]]
                          | r <- [0 .. rows shape - 1]
                        ]
-    it
-      "row-major, a[r][c] = s(n2 r + c), one past the last column being the next row's column 0"
-      $ do
-        h <- paperPrimitive
-        array <- right (folded RowMajor (Shape 15 17) h)
-        [cellAt array (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
-          `shouldBe` take 255 (mSequence h (canonicalState h))
-        let offending =
-              [ ()
-                | r <- [0 .. 14],
-                  c <- [0 .. 16],
-                  cellAt array (Position r (c + 17)) /= cellAt array (Position (r + 1) c)
-              ]
-        offending `shouldBe` []
+    it "row-major, a[r][c] = s(n2 r + c); past the last column comes the next row" $ do
+      h <- paperPrimitive
+      array <- right (folded RowMajor (Shape 15 17) h)
+      [cellAt array (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
+        `shouldBe` take 255 (mSequence h (canonicalState h))
+      let offending =
+            [ ()
+              | r <- [0 .. 14],
+                c <- [0 .. 16],
+                cellAt array (Position r (c + 17)) /= cellAt array (Position (r + 1) c)
+            ]
+      offending `shouldBe` []
     it "positionOfIndex and sequenceIndex are inverse, for both foldings" $ do
       h <- paperPrimitive
       forM_ [Diagonal, RowMajor] $ \folding -> do
@@ -96,15 +94,13 @@ spec = do
       array <- right (fold Diagonal (Shape 15 17) h state)
       [cellAt array (positionOfIndex array i) | i <- [0 .. 254]]
         `shouldBe` take 255 (mSequence h state)
-    it
-      "refuses the paper's larger example, 15 x 273: gcd 3, of 4095 cells the fold reaches 1365"
-      $ do
-        h <- firstOver gf4 6
-        (() <$ folded Diagonal (Shape 15 273) h) `shouldBe` Left (NotCoprime 15 273 3)
-        Set.size (Set.fromList [(i `mod` 15, i `mod` 273) | i <- [0 .. 4094 :: Int]])
-          `shouldBe` 1365
-        isRight (folded RowMajor (Shape 15 273) h) `shouldBe` True
-        isRight (folded Diagonal (Shape 63 65) h) `shouldBe` True
+    it "refuses the paper's 15 x 273: gcd 3, of 4095 cells the fold reaches 1365" $ do
+      h <- firstOver gf4 6
+      (() <$ folded Diagonal (Shape 15 273) h) `shouldBe` Left (NotCoprime 15 273 3)
+      Set.size (Set.fromList [(i `mod` 15, i `mod` 273) | i <- [0 .. 4094 :: Int]])
+        `shouldBe` 1365
+      isRight (folded RowMajor (Shape 15 273) h) `shouldBe` True
+      isRight (folded Diagonal (Shape 63 65) h) `shouldBe` True
     it "on the diagonal succeeds exactly where gcd (q^k1 - 1, k2) = 1" $
       forM_
         [ (2, 4, 2),
@@ -172,10 +168,8 @@ gridSpec = do
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2]) `shouldBe` Left (GridCells 3)
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2, 4])
       `shouldBe` Left (GridCode (Position 1 1) 4)
-  it
-    "canonicalPosition on the torus is the remainder by the sides; on the twisted one the \
-    \remainder of the index"
-    $ property $ \r c -> forAll (choose (1, 9)) $ \h -> forAll (choose (1, 9)) $ \w ->
+  it "canonicalPosition is a remainder by the sides, or on the twisted torus of the index" $
+    property $ \r c -> forAll (choose (1, 9)) $ \h -> forAll (choose (1, 9)) $ \w ->
       let shape = Shape (fromInteger h) (fromInteger w)
           position i j = Just (Position (fromInteger i) (fromInteger j))
           (r', c') = ((r * w + c) `mod` (h * w)) `divMod` w

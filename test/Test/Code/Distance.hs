@@ -41,21 +41,19 @@ spec = do
       array <- paperArray
       m <- right (rectangle (Shape 1 2))
       minimumDistance array m `shouldBe` Right (Distance 0 [])
-    it
-      "is that of the windows of the array: the lightest of them, and no two differ in fewer cells"
-      $ do
-        array <- paperArray
-        holds 100 $
-          forAll genMask $ \m ->
-            fmap distance (minimumDistance array m) === Right (lightestWindow array m)
-        m <- right (rectangle (Shape 3 2))
-        let windows = allWindows array m
-        minimum
-          [ length (filter id (zipWith (/=) a b))
-            | (i, a) <- zip [0 :: Int ..] windows,
-              b <- drop (i + 1) windows
-          ]
-          `shouldBe` 2
+    it "is the weight of the lightest window, and no two windows differ in fewer cells" $ do
+      array <- paperArray
+      holds 100 $
+        forAll genMask $ \m ->
+          fmap distance (minimumDistance array m) === Right (lightestWindow array m)
+      m <- right (rectangle (Shape 3 2))
+      let windows = allWindows array m
+      minimum
+        [ length (filter id (zipWith (/=) a b))
+          | (i, a) <- zip [0 :: Int ..] windows,
+            b <- drop (i + 1) windows
+        ]
+        `shouldBe` 2
     it "of other fields, likewise" $ do
       forM_
         [ (2, 6, Shape 7 9),
@@ -123,15 +121,13 @@ spec = do
             ]
       seen `shouldSatisfy` (not . null)
   describe "weights" $ do
-    it
-      "are those of the windows, each as often as the positions repeat it, and of the zero window"
-      $ do
-        array <- paperArray
-        holds 100 $
-          forAll genMask $ \m ->
-            let repeated = 4 ^ (4 - windowRank array m)
-             in fmap (Map.map (* repeated)) (weightEnumerator array m)
-                  === Right (Map.insertWith (+) 0 1 (windowWeights array m))
+    it "are those of the windows, as often as positions repeat them, and of zero" $ do
+      array <- paperArray
+      holds 100 $
+        forAll genMask $ \m ->
+          let repeated = 4 ^ (4 - windowRank array m)
+           in fmap (Map.map (* repeated)) (weightEnumerator array m)
+                === Right (Map.insertWith (+) 0 1 (windowWeights array m))
     it "of n cells of rank n: binomially many" $ do
       h <- firstOver gf2 16
       array <- right (folded Diagonal (Shape 255 257) h)

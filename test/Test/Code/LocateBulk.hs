@@ -25,10 +25,8 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it
-    "every packed window of every small array, on every surface and under both packings, as the \
-    \table has it"
-    $ forM_ smallArrays $ \(q, n, shape, window) ->
+  it "every packed window of every small array, surface and packing is as in the table" $
+    forM_ smallArrays $ \(q, n, shape, window) ->
       overField q $ \(k :: Proxy k) -> do
         h <- firstOver k n
         m <- right (rectangle window)
@@ -72,29 +70,26 @@ spec = do
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
     foundWhereItStands gf4 6 (Shape 63 65) (Shape 3 2)
     foundWhereItStands gf2 12 (Shape 63 65) (Shape 6 2)
-  it
-    "every window of 3 x 5461 cells over GF(4), for any mask and surface, is where its cells are \
-    \read one by one"
-    $ do
-      h <- firstOver gf4 7
-      holds 20 $
-        forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
-          forAll
-            (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
-            $ \(folding, surface) ->
-              ioProperty $ do
-                m <- right (mask offsets)
-                array <- right (folded folding (Shape 3 5461) h)
-                table <- right (buildTable LeastSignificantFirst surface array m)
-                let standing =
-                      [ (pack LeastSignificantFirst 4 (map toCode content), p)
-                        | p <- places (Shape 3 5461),
-                          Just content <- [windowAt surface array m p]
-                      ]
-                pure
-                  ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
-                      === Map.fromList (tableEntries table)
-                  )
+  it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are" $ do
+    h <- firstOver gf4 7
+    holds 20 $
+      forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
+        forAll
+          (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
+          $ \(folding, surface) ->
+            ioProperty $ do
+              m <- right (mask offsets)
+              array <- right (folded folding (Shape 3 5461) h)
+              table <- right (buildTable LeastSignificantFirst surface array m)
+              let standing =
+                    [ (pack LeastSignificantFirst 4 (map toCode content), p)
+                      | p <- places (Shape 3 5461),
+                        Just content <- [windowAt surface array m p]
+                    ]
+              pure
+                ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
+                    === Map.fromList (tableEntries table)
+                )
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
     memory <- paperMemory Torus
     let beyond =

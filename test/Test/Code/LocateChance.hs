@@ -43,10 +43,8 @@ spec = do
                              ]
                          )
                      )
-  it
-    "of more cells than are counted in whole numbers the share is the same to nine digits, for an \
-    \array of any size"
-    $ forM_
+  it "of very many cells the share is the same to nine digits, for arrays of any size" $
+    forM_
       [ (q, m, n, r)
         | (q, m) <- [(2, 4200), (3, 4100), (256, 5000)],
           n <- [1, 4 ^ (30 :: Int) - 1, 2 ^ (1500 :: Int)],

@@ -25,70 +25,62 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  describe
-    "every pattern of errors within the guaranteed radius and just beyond it, on the paper's array"
-    $ do
-      -- The code is linear: adding a codeword moves the received word and every codeword alike, so
-      -- that the patterns around one position stand for those around all; only the place that the
-      -- zero word would have moves. Likewise the multiples of a pattern stand for each other, so
-      -- that at one position only those are tried whose first error adds 1. The smaller windows are
-      -- exhausted at all 255 positions none the less.
-      forM_
-        [(2, 3, 0, 255), (3, 2, 0, 255), (3, 3, 1, 255), (3, 4, 2, 5), (4, 4, 4, 1)]
-        $ \(h, w, t, places) ->
-          it
-            ( show (h, w) ++ " cells, " ++ show t
-                ++ " errors corrected, more refused or decoded as "
-                ++ ("the comparison says, at " ++ show places ++ " positions")
-            )
-            $ do
-              shelf <- paperBook Torus
-              m <- right (rectangle (Shape h w))
-              d <- right (minimumDistance (bookArray shelf) m)
-              guaranteedRadius (distance d) `shouldBe` fromIntegral t
-              sums <-
-                mapM
-                  (patterns shelf (Shape h w) t (t + 1) (places == 1))
-                  (take places (everyPosition 7))
-              [bad | bad : _ <- sums] `shouldBe` []
-      it "3x4: every pattern of at most 2 errors is corrected at all 255 positions" $ do
-        shelf <- paperBook Torus
-        sums <- mapM (patterns shelf (Shape 3 4) 2 2 False) (everyPosition 0)
-        [bad | bad : _ <- sums] `shouldBe` []
-      it "4x4: every pattern of at most 2 errors is corrected at 30 positions" $ do
-        shelf <- paperBook Torus
-        sums <- mapM (patterns shelf (Shape 4 4) 4 2 False) (take 30 (everyPosition 3))
-        [bad | bad : _ <- sums] `shouldBe` []
+  describe "every pattern of errors within the guaranteed radius and just beyond it" $ do
+    -- The code is linear: adding a codeword moves the received word and every codeword alike, so
+    -- that the patterns around one position stand for those around all; only the place that the
+    -- zero word would have moves. Likewise the multiples of a pattern stand for each other, so
+    -- that at one position only those are tried whose first error adds 1. The smaller windows are
+    -- exhausted at all 255 positions none the less.
+    forM_
+      [(2, 3, 0, 255), (3, 2, 0, 255), (3, 3, 1, 255), (3, 4, 2, 5), (4, 4, 4, 1)]
+      $ \(h, w, t, places) ->
+        it
+          ( show (h, w) ++ " cells, " ++ show t
+              ++ " errors corrected, more refused or decoded as "
+              ++ ("the comparison says, at " ++ show places ++ " positions")
+          )
+          $ do
+            shelf <- paperBook Torus
+            m <- right (rectangle (Shape h w))
+            d <- right (minimumDistance (bookArray shelf) m)
+            guaranteedRadius (distance d) `shouldBe` fromIntegral t
+            sums <-
+              mapM
+                (patterns shelf (Shape h w) t (t + 1) (places == 1))
+                (take places (everyPosition 7))
+            [bad | bad : _ <- sums] `shouldBe` []
+    it "3x4: every pattern of at most 2 errors is corrected at all 255 positions" $ do
+      shelf <- paperBook Torus
+      sums <- mapM (patterns shelf (Shape 3 4) 2 2 False) (everyPosition 0)
+      [bad | bad : _ <- sums] `shouldBe` []
+    it "4x4: every pattern of at most 2 errors is corrected at 30 positions" $ do
+      shelf <- paperBook Torus
+      sums <- mapM (patterns shelf (Shape 4 4) 4 2 False) (take 30 (everyPosition 3))
+      [bad | bad : _ <- sums] `shouldBe` []
   describe "the linearity that lets one position stand for all" $ do
-    it
-      "decoding commutes with adding a codeword: around every position an error leads to the same \
-      \neighbours"
-      $ do
-        shelf <- paperBook Torus
-        holds 2000 $
-          forAll
-            ((,,) <$> genOffsets <*> genPlaces <*> vectorOf 16 (genElement :: Gen (GF GF4)))
-            $ \(offsets, (p, p'), noise) ->
-              let led = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p))
-                  led' = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p'))
-                  relative place (e, found) =
-                    (e, sort (map (map toCode . (`minus` contentAt shelf offsets place)) found))
-               in relative p led === relative p' led'
-    it
-      "decoding commutes with scaling: the multiple of a patch leads to the multiples of its \
-      \neighbours"
-      $ do
-        shelf <- paperBook Torus
-        holds 2000 $
-          forAll
-            ((,,) <$> genOffsets <*> vectorOf 16 (genElement :: Gen (GF GF4)) <*> genElement)
-            $ \(offsets, drawn, a) ->
-              let received = zipWith const drawn offsets
-                  scaled (e, found) = (e, sort (map (map (toCode . (a *))) found))
-                  plain (e, found) = (e, sort (map (map toCode) found))
-               in a /= 0
-                    ==> plain (neighbours shelf offsets (map (a *) received))
-                      === scaled (neighbours shelf offsets received)
+    it "neighbours (word + codeword) = neighbours word + codeword" $ do
+      shelf <- paperBook Torus
+      holds 2000 $
+        forAll
+          ((,,) <$> genOffsets <*> genPlaces <*> vectorOf 16 (genElement :: Gen (GF GF4)))
+          $ \(offsets, (p, p'), noise) ->
+            let led = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p))
+                led' = neighbours shelf offsets (zipWith (+) noise (contentAt shelf offsets p'))
+                relative place (e, found) =
+                  (e, sort (map (map toCode . (`minus` contentAt shelf offsets place)) found))
+             in relative p led === relative p' led'
+    it "neighbours (a word) = a (neighbours word)" $ do
+      shelf <- paperBook Torus
+      holds 2000 $
+        forAll
+          ((,,) <$> genOffsets <*> vectorOf 16 (genElement :: Gen (GF GF4)) <*> genElement)
+          $ \(offsets, drawn, a) ->
+            let received = zipWith const drawn offsets
+                scaled (e, found) = (e, sort (map (map (toCode . (a *))) found))
+                plain (e, found) = (e, sort (map (map toCode) found))
+             in a /= 0
+                  ==> plain (neighbours shelf offsets (map (a *) received))
+                    === scaled (neighbours shelf offsets received)
   it "the distance of the observed cells is that of the mask" $ do
     shelf <- paperBook Torus
     holds 300 $

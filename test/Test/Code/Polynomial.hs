@@ -23,15 +23,11 @@ spec = do
   describe "the greatest common divisor over an extension field" $ do
     -- In a well-known library Euclid's algorithm does not end over GF(4): a remainder that is a
     -- constant other than 1 is never recognised as the last one.
-    it
-      "ends for all pairs up to degree 2 over GF(4), degree 1 over GF(9), and is the largest \
-      \monic common divisor"
-      $ forM_ [(4, 2), (9, 1)] $ \(q, top) -> overField q $ \k ->
+    it "ends for all pairs of small degree, and is the largest monic common divisor" $
+      forM_ [(4, 2), (9, 1)] $ \(q, top) -> overField q $ \k ->
         (q, take 1 (wrongDivisors k top)) `shouldBe` (q, [])
-    it
-      "is 1 where a remainder is a constant other than 1, the order of the arguments \
-      \notwithstanding"
-      $ forM_ [4, 9, 16, 25] $ \q -> overField q $ \k ->
+    it "is 1 where a remainder is a constant other than 1, in either order" $
+      forM_ [4, 9, 16, 25] $ \q -> overField q $ \k ->
         ( q,
           [ c
             | c <- drop 1 (elementsIn k),
@@ -61,10 +57,8 @@ spec = do
             (q, n, fromIntegral (length (irreducible k n)))
               `shouldBe` (q, n, gauss (fromIntegral q) n)
   describe "powers modulo h" $
-    it
-      "unboxed, and packed over GF(2), are those by long division, at degrees about a machine \
-      \word too"
-      $ forM_
+    it "unboxed, and packed over GF(2), are those by long division at any degree" $
+      forM_
         [ (2, [1, 2, 5, 63, 64, 65, 127, 128, 129]),
           (3, [1, 2, 7, 20]),
           (4, [1, 3, 32]),
@@ -157,10 +151,8 @@ ringSpec _ = do
       Just (quotient, remainder) ->
         a === b * quotient + remainder
           .&&. property (polynomialDegree remainder < polynomialDegree b)
-  it
-    "the greatest common divisor divides both and is monic; that of a c and b c is that of a and \
-    \b, times c"
-    $ forAll2 $ \a b ->
+  it "gcd divides both and is monic, and gcd (a c) (b c) = c gcd a b, made monic" $
+    forAll2 $ \a b ->
       let g = greatestCommonDivisor a b
           divides x = if g == 0 then x == 0 else fmap snd (quotientRemainder x g) == Just 0
           c = variable + 1

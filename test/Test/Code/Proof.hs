@@ -22,26 +22,24 @@ import Test.QuickCheck hiding (elements)
 spec :: Spec
 spec = do
   describe "the paper's array, 15 x 17 with 2 x 2 windows" $ do
-    it
-      "is proved on the torus by both roads: 255 distinct windows, none of them zero, rank 4 of 4"
-      $ do
-        array <- paperArray
-        m <- right (rectangle (Shape 2 2))
-        (verdict, witness) <- right (prove Torus array m)
-        verdict
-          `shouldBe` Verdict
-            { proved = True,
-              enumeration = Just True,
-              rankRoad = Just True,
-              rank = Just 4,
-              needed = Just 4,
-              distinctWindows = Just 255,
-              surface = Torus,
-              collision = Nothing,
-              zeroWindow = Nothing
-            }
-        fmap (\w -> (provedMask w, provedSurface w, arrayShape (provedArray w))) witness
-          `shouldBe` Just (m, Torus, Shape 15 17)
+    it "is proved on the torus by both methods: 255 distinct windows, rank 4 of 4" $ do
+      array <- paperArray
+      m <- right (rectangle (Shape 2 2))
+      (verdict, witness) <- right (prove Torus array m)
+      verdict
+        `shouldBe` Verdict
+          { proved = True,
+            enumeration = Just True,
+            rankRoad = Just True,
+            rank = Just 4,
+            needed = Just 4,
+            distinctWindows = Just 255,
+            surface = Torus,
+            collision = Nothing,
+            zeroWindow = Nothing
+          }
+      fmap (\w -> (provedMask w, provedSurface w, arrayShape (provedArray w))) witness
+        `shouldBe` Just (m, Torus, Shape 15 17)
     it "has 224 windows on the sheet, distinct as well" $ do
       (verdict, _) <- verdictOn Sheet (rectangle (Shape 2 2))
       (proved verdict, distinctWindows verdict, rank verdict) `shouldBe` (True, Just 224, Just 4)
@@ -56,17 +54,14 @@ spec = do
         (\(a, b) -> (a == b, windowAt Torus array m a == windowAt Torus array m b))
         (collision verdict)
         `shouldBe` Just (False, True)
-    it
-      "the mask (0,0), (0,9), (11,8) has rank 3, is refuted on the torus, and proved on the sheet \
-      \by visiting its 32 windows"
-      $ do
-        (onTorus, _) <- verdictOn Torus awkward
-        (proved onTorus, rankRoad onTorus, rank onTorus, distinctWindows onTorus)
-          `shouldBe` (False, Just False, Just 3, Just 64)
-        (onSheet, witness) <- verdictOn Sheet awkward
-        (proved onSheet, rankRoad onSheet, rank onSheet, distinctWindows onSheet)
-          `shouldBe` (True, Nothing, Just 3, Just 32)
-        isJust witness `shouldBe` True
+    it "a mask of rank 3 is refuted on the torus and proved on the sheet by visiting" $ do
+      (onTorus, _) <- verdictOn Torus awkward
+      (proved onTorus, rankRoad onTorus, rank onTorus, distinctWindows onTorus)
+        `shouldBe` (False, Just False, Just 3, Just 64)
+      (onSheet, witness) <- verdictOn Sheet awkward
+      (proved onSheet, rankRoad onSheet, rank onSheet, distinctWindows onSheet)
+        `shouldBe` (True, Nothing, Just 3, Just 32)
+      isJust witness `shouldBe` True
   describe "other arrays" $ do
     it "of all 32 primitive quartics over GF(4): 255 distinct windows that are not zero" $ do
       found <- right (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4])
@@ -79,15 +74,12 @@ spec = do
     it "63 x 65 with 3 x 2 windows is proved on the torus" $ do
       (verdict, _) <- ofDegree6 Diagonal (Shape 63 65) (Shape 3 2) Torus
       (proved verdict, rank verdict, distinctWindows verdict) `shouldBe` (True, Just 6, Just 4095)
-    it
-      "15 x 273 row by row with 2 x 3 windows is proved on the twisted torus, and not with plain \
-      \wrapping: 4065"
-      $ do
-        (twisted, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) TwistedTorus
-        (proved twisted, rank twisted, distinctWindows twisted) `shouldBe` (True, Just 6, Just 4095)
-        (plain, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) Torus
-        (proved plain, rankRoad plain, rank plain, distinctWindows plain)
-          `shouldBe` (False, Nothing, Nothing, Just 4065)
+    it "15 x 273 row by row is proved on the twisted torus, not with plain wrapping" $ do
+      (twisted, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) TwistedTorus
+      (proved twisted, rank twisted, distinctWindows twisted) `shouldBe` (True, Just 6, Just 4095)
+      (plain, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) Torus
+      (proved plain, rankRoad plain, rank plain, distinctWindows plain)
+        `shouldBe` (False, Nothing, Nothing, Just 4065)
     it "of every small size that folds: n1 = q^k1 - 1, k1 x k2 windows (MacWilliams and Sloane)" $
       forM_
         [ (2, 2, 2),
@@ -135,12 +127,9 @@ spec = do
       (() <$ prove Sheet array m)
         `shouldBe` Left (ArrayTooLarge (TooManyCells (area shape) largestGrid))
   describe "the rank road" $ do
-    it
-      "agrees with visiting, for any mask on the torus: distinct iff rank n; q^r windows for rank \
-      \r < n"
-      $ do
-        array <- paperArray
-        holds 100 $ forAllShrink genMask shrinkOffsets $ agree Torus array
+    it "agrees with visiting, for any mask: distinct iff rank n; else q^rank windows" $ do
+      array <- paperArray
+      holds 100 $ forAllShrink genMask shrinkOffsets $ agree Torus array
     it "agrees on the twisted torus" $ do
       array <- paperPrimitive >>= right . folded RowMajor (Shape 15 17)
       holds 100 $ forAllShrink genMask shrinkOffsets $ agree TwistedTorus array
@@ -211,14 +200,11 @@ spec = do
       grid <- right (gridFromRows 2 [[0, 1, 0]])
       m <- right (rectangle (Shape 2 1))
       proveGrid Sheet grid m `shouldBe` Left NoWindowOnSheet
-    it
-      "refuses many windows of many cells that the first cells do not tell apart, instead of \
-      \comparing them all for hours"
-      $ do
-        grid <- right (gridFromRows 2 (replicate 1024 (replicate 1024 0)))
-        m <- right (rectangle (Shape 64 64))
-        proveGrid Torus grid m
-          `shouldBe` Left (WindowsTooMany (2 ^ (4096 :: Int)) (2 ^ (20 :: Int)))
+    it "refuses many windows that the first cells do not tell apart, without comparing" $ do
+      grid <- right (gridFromRows 2 (replicate 1024 (replicate 1024 0)))
+      m <- right (rectangle (Shape 64 64))
+      proveGrid Torus grid m
+        `shouldBe` Left (WindowsTooMany (2 ^ (4096 :: Int)) (2 ^ (20 :: Int)))
   where
     awkward = mask [(0, 0), (0, 9), (11, 8)]
     verdictOn on m = do

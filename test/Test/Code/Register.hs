@@ -96,12 +96,9 @@ spec = do
               else
                 expectationFailure
                   (show (q, h, synthesisLength result, synthesisPolynomial result))
-    it
-      "finds a shortest register, and says when it is the only one: all sequences of up to 7 bits \
-      \and 5 trits, against trying them all"
-      $ do
-        sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
-        sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
+    it "finds a shortest register, and whether it is the only one: all short sequences" $ do
+      sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
+      sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
     it "one 1 after k zeros needs k + 1 stages" $
       forM_ [0 .. 20] $ \k ->
         synthesisLength (synthesise (replicate k 0 ++ [1 :: GF GF4])) `shouldBe` k + 1
@@ -109,10 +106,8 @@ spec = do
       synthesisLength (synthesise (replicate 9 (0 :: GF GF9))) `shouldBe` 0
       synthesisLength (synthesise ([] :: [GF GF9])) `shouldBe` 0
       synthesisPolynomial (synthesise ([] :: [GF GF9])) `shouldBe` 1
-    it
-      "what it finds puts out the terms, whatever they are; and with 2 L <= N - 1 one term less \
-      \finds it too"
-      $ conjoin
+    it "what it finds puts out the terms; with 2 L <= N - 1 one term less finds it" $
+      conjoin
         [ counterexample (show q) (putsOut k)
           | (q, SomeField k) <- [f | f <- everyField, fst f `elem` [2, 3, 4, 5, 8, 9, 251, 256]]
         ]

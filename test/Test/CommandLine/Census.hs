@@ -47,10 +47,8 @@ spec = do
         (status, _, _) <- pra (census folder "cut.csv")
         again <- readFile file
         (end, status, again == whole) `shouldBe` (end, 0, True)
-  it
-    "census, merge: a row says yes,yes,yes; changed to no,yes,yes it is refused, in a new file \
-    \and in an old one"
-    $ inFolder $ \folder -> do
+  it "census, merge: a row changed from yes,yes,yes to no,yes,yes is refused" $
+    inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
       forM_
@@ -66,10 +64,8 @@ spec = do
           complains ["merge", file] "line 3"
           complains (small folder name) "line 3"
           readFile file `shouldReturn` changed
-  it
-    "census --keep-whole: damaged, lost, swapped and repeated lines are made good, in the file's \
-    \own form"
-    $ inFolder $ \folder -> do
+  it "census --keep-whole: damaged lines are made good, in the file's own form" $
+    inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       checked <- readFile (folder </> "c.csv")
       forM_ [checked, olden checked] $ \whole -> do
@@ -120,10 +116,8 @@ spec = do
       complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
       (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
       (status, out, length (lines err)) `shouldBe` (0, whole, 1)
-  it
-    "merge: old files, without checks, are read and said to be unchecked; with new ones they make \
-    \an old one"
-    $ inFolder $ \folder -> do
+  it "merge: old files, without checks, are read and said to be unchecked" $
+    inFolder $ \folder -> do
       let file name = folder </> name
       forM_ [1, 2 :: Int] $ \i ->
         pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])

@@ -19,9 +19,8 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  it
-    "whichever way the image is turned, the place is the same and the turn is told"
-    $ inFolder $ \folder ->
+  it "however the image is turned, the place is the same" $
+    inFolder $ \folder ->
       for_
         [(90, quarterTurn), (180, halfTurn), (270, halfTurn . quarterTurn)]
         $ \(degrees, turn) -> do

@@ -28,14 +28,12 @@ spec = do
           ("log", "[null,0,1,2]")
         ]
         $ \(name, expected) -> (name, key [name] out) `shouldBe` (name, decode expected)
-    it
-      "--modulus: GF(9) with A^2 = -1, where the root of the modulus is not primitive and 1 + A is"
-      $ do
-        (status, out, _) <- pra (words "field --q 9 --modulus 1,0,1 --json")
-        status `shouldBe` 0
-        (key ["modulus"] out, key ["primitive"] out) `shouldBe` (decode "[1,0,1]", Just (Number 4))
-        -- (1 + A)^2 = 2 A, (1 + A)^4 = -1.
-        key ["powers"] out `shouldBe` decode "[1,4,6,7,2,8,3,5]"
+    it "--modulus: GF(9) with A^2 = -1, whose root is not primitive; 1 + A is" $ do
+      (status, out, _) <- pra (words "field --q 9 --modulus 1,0,1 --json")
+      status `shouldBe` 0
+      (key ["modulus"] out, key ["primitive"] out) `shouldBe` (decode "[1,0,1]", Just (Number 4))
+      -- (1 + A)^2 = 2 A, (1 + A)^4 = -1.
+      key ["powers"] out `shouldBe` decode "[1,4,6,7,2,8,3,5]"
     it "for people: every element, and the tables of a small field" $ do
       (status, out, _) <- pra ["field", "--q", "4"]
       status `shouldBe` 0
@@ -51,28 +49,23 @@ spec = do
       complains (words "field --q 4 --modulus 1,2,1") "not below p = 2"
       complains (words "field --q 4 --modulus 1,1,0") "not monic"
   describe "polynomials" $ do
-    it
-      "--primitive: the 32 quartics over GF(4), the paper's first, each accepted by --polynomial"
-      $ do
-        (status, out, err) <- pra (words "polynomials --q 4 --degree 4 --primitive")
-        (status, err, take 1 (lines out), length (lines out)) `shouldBe` (0, "", ["3,2,1,0,1"], 32)
-        (proved, _, _) <-
-          pra ["prove", "--q", "4", "--polynomial", last (lines out), "--shape", "15x17"]
-        proved `shouldBe` 0
-    it
-      "--count, --first, --fewest-terms: 60 irreducible quartics over GF(4), 32 primitive; x^4 + \
-      \x + 1 over GF(2)"
-      $ do
-        prints (words "polynomials --q 4 --degree 4 --count") ["32"]
-        prints (words "polynomials --q 4 --degree 4 --irreducible --count") ["60"]
-        prints (words "polynomials --q 4 --degree 4 --first") ["3,2,1,0,1"]
-        prints (words "polynomials --q 2 --degree 4 --fewest-terms") ["1,1,0,0,1"]
-        prints
-          (words "polynomials --q 2 --degree 4 --irreducible")
-          ["1,1,0,0,1", "1,0,0,1,1", "1,1,1,1,1"]
-        prints
-          (words "polynomials --q 3 --degree 1 --irreducible --fewest-terms")
-          ["0,1"]
+    it "--primitive: the 32 quartics over GF(4), each accepted by --polynomial" $ do
+      (status, out, err) <- pra (words "polynomials --q 4 --degree 4 --primitive")
+      (status, err, take 1 (lines out), length (lines out)) `shouldBe` (0, "", ["3,2,1,0,1"], 32)
+      (proved, _, _) <-
+        pra ["prove", "--q", "4", "--polynomial", last (lines out), "--shape", "15x17"]
+      proved `shouldBe` 0
+    it "--count, --first, --fewest-terms: 60 irreducible quartics over GF(4), 32 primitive" $ do
+      prints (words "polynomials --q 4 --degree 4 --count") ["32"]
+      prints (words "polynomials --q 4 --degree 4 --irreducible --count") ["60"]
+      prints (words "polynomials --q 4 --degree 4 --first") ["3,2,1,0,1"]
+      prints (words "polynomials --q 2 --degree 4 --fewest-terms") ["1,1,0,0,1"]
+      prints
+        (words "polynomials --q 2 --degree 4 --irreducible")
+        ["1,1,0,0,1", "1,0,0,1,1", "1,1,1,1,1"]
+      prints
+        (words "polynomials --q 3 --degree 1 --irreducible --fewest-terms")
+        ["0,1"]
     it "--random: one of them, the same for the same seed" $ do
       (_, everything, _) <- pra (words "polynomials --q 3 --degree 4")
       drawn <-

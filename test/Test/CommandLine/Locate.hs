@@ -188,69 +188,66 @@ spec = do
     complains
       (words "locate --orientation turned --road table --radius 1" ++ [spelled upright])
       "--radius"
-  it
-    "locate takes several patches with their displacements, as text and as JSON, and names those \
-    \that do not belong"
-    $ do
-      (_, array, _) <- pra ["array", "--format", "csv"]
-      let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
-          text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
-          astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
-      locates ["locate", text] ["row 6, column 4"]
-      (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
-      (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
-      locates ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
-      locates ["locate", "--road", "algebra", text] ["row 6, column 4"]
-      locates ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
-      (status, out, _) <- pra ["locate", "--json", astray]
-      (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
-      (_, explained, _) <- pra ["locate", "--explain", astray]
-      filter ("does not belong" `isInfixOf`) (lines explained) `shouldSatisfy` ((== 1) . length)
-      let patches =
-            object
-              [ "patches"
-                  .= [ object ["cells" .= codesOf (cut array (6, 5) (2, 2))],
-                       object
-                         [ "at" .= [1, 1 :: Int],
-                           "cells" .= codesOf (disturbed (cut array (7, 6) (2, 2)))
-                         ],
-                       object ["at" .= [0, 4 :: Int], "cells" .= codesOf (cut array (6, 9) (2, 3))]
-                     ]
-              ]
-      (located, found, _) <- pra ["locate", "--json", encoded patches]
-      ( located,
-        key ["position", "row"] found,
-        key ["disputed"] found,
-        fmap inconsistent (key ["patches"] found)
-        )
-        `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
-      let chances =
-            object
-              [ "patches"
-                  .= [ object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]],
-                       object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]
-                     ]
-              ]
-      locates ["locate", encoded chances] ["row 6, column 5"]
-      (batched, lines', _) <-
-        praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
-      (batched, map (key ["outcome"]) (lines lines'))
-        `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
-      for_
-        [ ("3 2 / 3 1 ;", "patch 2"),
-          ("x,1: 3 2 / 3 1", "displacement"),
-          ("1: 3 2", "displacement"),
-          ("3 2 / 3 1 ; 0,3: 7", "patch 2"),
-          ("999999999,0: 3 2 / 3 1 ; 3", "rectangle"),
-          ("{\"patches\": []}", "no cells"),
-          ("{\"patches\": 1}", "list"),
-          ("{}", "patches"),
-          ("{", "JSON"),
-          ("{\"patches\": [{\"at\": [0.5, 0], \"cells\": [[1]]}]}", "displacement"),
-          ("{\"patches\": [{\"at\": [0, 0]}]}", "cells"),
-          ("{\"patches\": [{\"cell\": [[1]]}]}", "alone")
-        ]
-        $ \(patch, about) -> complains ["locate", patch] about
+  it "locate takes several patches and names those that do not belong" $ do
+    (_, array, _) <- pra ["array", "--format", "csv"]
+    let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
+        text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
+        astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
+    locates ["locate", text] ["row 6, column 4"]
+    (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
+    (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
+    locates ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
+    locates ["locate", "--road", "algebra", text] ["row 6, column 4"]
+    locates ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
+    (status, out, _) <- pra ["locate", "--json", astray]
+    (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
+    (_, explained, _) <- pra ["locate", "--explain", astray]
+    filter ("does not belong" `isInfixOf`) (lines explained) `shouldSatisfy` ((== 1) . length)
+    let patches =
+          object
+            [ "patches"
+                .= [ object ["cells" .= codesOf (cut array (6, 5) (2, 2))],
+                     object
+                       [ "at" .= [1, 1 :: Int],
+                         "cells" .= codesOf (disturbed (cut array (7, 6) (2, 2)))
+                       ],
+                     object ["at" .= [0, 4 :: Int], "cells" .= codesOf (cut array (6, 9) (2, 3))]
+                   ]
+            ]
+    (located, found, _) <- pra ["locate", "--json", encoded patches]
+    ( located,
+      key ["position", "row"] found,
+      key ["disputed"] found,
+      fmap inconsistent (key ["patches"] found)
+      )
+      `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
+    let chances =
+          object
+            [ "patches"
+                .= [ object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]],
+                     object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]
+                   ]
+            ]
+    locates ["locate", encoded chances] ["row 6, column 5"]
+    (batched, lines', _) <-
+      praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
+    (batched, map (key ["outcome"]) (lines lines'))
+      `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
+    for_
+      [ ("3 2 / 3 1 ;", "patch 2"),
+        ("x,1: 3 2 / 3 1", "displacement"),
+        ("1: 3 2", "displacement"),
+        ("3 2 / 3 1 ; 0,3: 7", "patch 2"),
+        ("999999999,0: 3 2 / 3 1 ; 3", "rectangle"),
+        ("{\"patches\": []}", "no cells"),
+        ("{\"patches\": 1}", "list"),
+        ("{}", "patches"),
+        ("{", "JSON"),
+        ("{\"patches\": [{\"at\": [0.5, 0], \"cells\": [[1]]}]}", "displacement"),
+        ("{\"patches\": [{\"at\": [0, 0]}]}", "cells"),
+        ("{\"patches\": [{\"cell\": [[1]]}]}", "alone")
+      ]
+      $ \(patch, about) -> complains ["locate", patch] about
   it "locate knows orientations and several patches beyond 2^20 cells" $ do
     array <- arrayOver gf4 12 Diagonal (Shape 4095 4097)
     chosenPolynomial <-

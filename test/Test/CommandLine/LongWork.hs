@@ -93,12 +93,10 @@ progressSpec = do
     fmap (\a -> length (stepsDone (trainingRounds short a 1))) paperAlphabet
       `shouldBe` Right (regimenRounds short)
     regimenRounds short `shouldBe` 5
-  it
-    "the search for shapes goes forward, and where it finds nothing to the length that it announced"
-    $ do
-      let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
-      zipWith (<) steps (drop 1 steps) `shouldSatisfy` and
-      take 1 (reverse steps) `shouldBe` [searchLength]
+  it "the search for shapes goes forward, to the length announced where it finds nothing" $ do
+    let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
+    zipWith (<) steps (drop 1 steps) `shouldSatisfy` and
+    take 1 (reverse steps) `shouldBe` [searchLength]
   for_ work $ \(name, arguments, shown) -> do
     it (name ++ " tells it on a terminal") $
       inFolder $ \folder -> do

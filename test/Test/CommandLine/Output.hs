@@ -305,10 +305,8 @@ argumentsSpec = describe "arguments" $ do
     outcome
       `refuses` "pra-tactile: a patch is one argument; write it between quotation marks: '3 2 / 3 \
                 \1'"
-  it
-    "a name that cannot be printed, with line ends, or of 5000 characters, is shown on one line, \
-    \under every locale"
-    $ inFolder $ \folder ->
+  it "a name that cannot be printed, or of 5000 characters, is one line in every locale" $
+    inFolder $ \folder ->
       for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
         named <- scripted folder (locale ++ " pra-tactile decode \"$(printf 'a\\nb\\377.pgm')\"")
         named `refuses` "there is no file or folder a\\nb\\xff.pgm"
@@ -355,10 +353,8 @@ inputSpec = describe "the standard input" $ do
         (status, err) `shouldBe` (2, "")
         map (key ["outcome"]) (lines out)
           `shouldBe` map (Just . String) ["located", "invalid", "located", "located"]
-  it
-    "locate --batch: a line beyond 1 MiB is invalid and says how long it is, however it arrives; \
-    \the others are answered"
-    $ inFolder $ \folder -> do
+  it "locate --batch: a line beyond 1 MiB is invalid; the others are answered" $
+    inFolder $ \folder -> do
       (status, out, _) <-
         scripted
           folder

@@ -17,9 +17,8 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  it
-    "a picture whose name says that it is none of SVG is refused, before any work is done"
-    $ inFolder $ \folder -> do
+  it "a picture whose name is none of SVG is refused before any work" $
+    inFolder $ \folder -> do
       for_ ["picture.png", "picture.PDF", "picture.svg.png"] $ \name -> do
         -- The input is not even looked for.
         complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
@@ -69,9 +68,8 @@ spec = do
         (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
         (line, status, err) `shouldBe` (line, 0, "")
         doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
-  it
-    "a region that is not on the face: how large it is, where, and how large the face is"
-    $ inFolder $ \folder -> do
+  it "a region off the face: how large it is, where, and how large the face is" $
+    inFolder $ \folder -> do
       let press =
             [ "probe",
               "--object",
@@ -91,9 +89,8 @@ spec = do
       complains (press ++ ["--size", "60x70"]) "95.25 x 111.12 mm"
       -- Turned by a quarter, it lies across.
       complains (press ++ words "--size 80x20 --turn 90") "31.75 x 127 mm"
-  it
-    "probe --truth, decode, compare: an answer agrees with its own truth and with no other"
-    $ inFolder $ \folder -> do
+  it "probe --truth, decode, compare: an answer agrees with its own truth only" $
+    inFolder $ \folder -> do
       for_ [0, 90, 180, 270 :: Int] $ \degrees -> do
         let file name = folder </> name ++ show degrees
         (probed, _, _) <-
@@ -147,19 +144,16 @@ spec = do
       none `shouldBe` 1
       complains ["compare", folder </> "truth0", folder </> "answer0"] "schema"
       complains ["compare", worked, folder </> "truth0"] "not one answer"
-  it
-    "the window's centre in the robot's coordinates: where the composite shows it, in millimetres \
-    \from the first pixel's centre"
-    $ do
-      (_, out, _) <- pra ["decode", "--json", worked]
-      case (key ["windows"] out, key ["robot_mm"] out) of
-        (Just windows, Just there) -> case fromJSON windows of
-          Success (window : _) | Success (x, y) <- fromJSON there -> do
-            let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
-            pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
-            pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
-          _ -> expectationFailure "no window"
-        other -> expectationFailure (show other)
+  it "the window's centre in the robot's coordinates is where the composite shows it" $ do
+    (_, out, _) <- pra ["decode", "--json", worked]
+    case (key ["windows"] out, key ["robot_mm"] out) of
+      (Just windows, Just there) -> case fromJSON windows of
+        Success (window : _) | Success (x, y) <- fromJSON there -> do
+          let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
+          pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
+          pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
+        _ -> expectationFailure "no window"
+      other -> expectationFailure (show other)
   where
     worked = "data/worked-example/composite.pgm"
     moved prefix argument =

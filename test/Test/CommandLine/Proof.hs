@@ -160,23 +160,20 @@ certificateSpec = describe "certificate and check" $ do
           forM_ python $ \executable ->
             readProcessWithExitCode executable [checker, file] ""
               `shouldReturn` (ExitSuccess, "good\n", "")
-  it
-    "without --output it is the standard output; refuted and undecided ones are status 1, \
-    \impossible arrays 2"
-    $ do
-      (status, out, _) <- pra ["certificate"]
-      (status, key ["schema"] out) `shouldBe` (0, Just "pra-tactile/certificate/1")
-      forM_
-        [ ["--mask", "##"],
-          words "--mask ## --surface sheet",
-          ["--rank", "--surface", "twisted-torus"]
-        ]
-        $ \options -> do
-          (refuted, nothing, err) <- pra ("certificate" : options)
-          (refuted, nothing, length (lines err)) `shouldBe` (1, "", 1)
-      complains
-        (words "certificate --q 4 --polynomial 1,0,0,0,1 --shape 15x17")
-        "not primitive"
+  it "without --output on the standard output; refuted is status 1, impossible 2" $ do
+    (status, out, _) <- pra ["certificate"]
+    (status, key ["schema"] out) `shouldBe` (0, Just "pra-tactile/certificate/1")
+    forM_
+      [ ["--mask", "##"],
+        words "--mask ## --surface sheet",
+        ["--rank", "--surface", "twisted-torus"]
+      ]
+      $ \options -> do
+        (refuted, nothing, err) <- pra ("certificate" : options)
+        (refuted, nothing, length (lines err)) `shouldBe` (1, "", 1)
+    complains
+      (words "certificate --q 4 --polynomial 1,0,0,0,1 --shape 15x17")
+      "not primitive"
   it "every command of proofs shows an example with --help" $
     forM_ (words "prove certificate check census merge") $ \name -> do
       (status, out, _) <- pra [name, "--help"]

@@ -30,18 +30,15 @@ spec = do
     [take 3 (words l) | l <- lines out, any (`isPrefixOf` l) ["2x2 ", "2x3 "]]
       `shouldBe` cases ++ cases
     maximum (map length (lines out)) `shouldSatisfy` (<= 140)
-  it
-    "rates: one seed, one result, whatever the number of cores; a line is the same in any table; \
-    \another seed is another result"
-    $ do
-      let arguments = words "rates --trials 2500 --errors 5 --erasures 15 --format csv"
-      (_, out, _) <- pra (arguments ++ words "--size 2x2 --size 3x3")
-      (_, onOneCore, _) <- praUnder "-N1" (arguments ++ words "--size 2x2 --size 3x3") ""
-      onOneCore `shouldBe` out
-      (_, alone, _) <- pra (arguments ++ words "--size 3x3")
-      drop 2 (lines out) `shouldBe` drop 1 (lines alone)
-      (_, other, _) <- pra (arguments ++ words "--size 3x3 --seed 2")
-      lines other `shouldNotBe` lines alone
+  it "rates: one seed, one result, on any number of cores and in any table" $ do
+    let arguments = words "rates --trials 2500 --errors 5 --erasures 15 --format csv"
+    (_, out, _) <- pra (arguments ++ words "--size 2x2 --size 3x3")
+    (_, onOneCore, _) <- praUnder "-N1" (arguments ++ words "--size 2x2 --size 3x3") ""
+    onOneCore `shouldBe` out
+    (_, alone, _) <- pra (arguments ++ words "--size 3x3")
+    drop 2 (lines out) `shouldBe` drop 1 (lines alone)
+    (_, other, _) <- pra (arguments ++ words "--size 3x3 --seed 2")
+    lines other `shouldNotBe` lines alone
   it "rates --radius: the guaranteed one is the default; beyond it there are no exact rates" $ do
     let csv radius =
           (\(_, out, _) -> lines out)
@@ -127,10 +124,8 @@ spec = do
         ["soft_999_calibration", "wrong_counted"]
       ]
       $ \path -> (path, found path) `shouldSatisfy` (isJust . snd)
-  it
-    "rates --plot: an SVG file beside the same table; where it cannot be written, that is said \
-    \before the work"
-    $ inFolder $ \folder -> do
+  it "rates --plot: an SVG file beside the same table; refused before the work" $
+    inFolder $ \folder -> do
       let arguments = words "rates --trials 50 --size 2x2 --size 4x4 --erasures 0 --erasures 5"
           file = folder </> "rates.svg"
       table <- pra arguments

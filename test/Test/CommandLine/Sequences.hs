@@ -95,40 +95,37 @@ spec = do
       let options = maybe [] elementsOf (key ["possible"] out)
       map (at "shape") options `shouldContain` [Just (toJSON [63, 65 :: Int])]
       map (at "arrays") options `shouldSatisfy` all (== Just (Number 1))
-    it
-      "explains that 15x273 is not coprime, and offers what works instead: 63x65 with 3x2, row by \
-      \row with 2x3, three of 15x91 with 2x3"
-      $ do
-        (status, out, _) <-
-          pra
-            (words "advise --rows 15 --columns 273 --q 4 --window 2x3 --json")
-        status `shouldBe` 0
-        let refused =
-              [ o
-                | o <- maybe [] elementsOf (key ["impossible"] out),
-                  at "reason" o == Just "not-coprime"
-              ]
-            windows o = map (at "window") (maybe [] elementsOf (at "windows" o))
-            instead = concatMap (maybe [] elementsOf . at "instead") refused
-        map (at "shape") refused `shouldBe` [Just (toJSON [15, 273 :: Int])]
-        map (at "divisor") refused `shouldBe` [Just (Number 3)]
-        [(at "layout" o, at "arrays" o, at "shape" o, take 1 (windows o)) | o <- instead]
-          `shouldBe` [ ( Just "diagonal",
-                         Just (Number 1),
-                         Just (toJSON [63, 65 :: Int]),
-                         [Just (toJSON [3, 2 :: Int])]
-                       ),
-                       ( Just "row-major",
-                         Just (Number 1),
-                         Just (toJSON [15, 273 :: Int]),
-                         [Just (toJSON [2, 3 :: Int])]
-                       ),
-                       ( Just "joint",
-                         Just (Number 3),
-                         Just (toJSON [15, 91 :: Int]),
-                         [Just (toJSON [2, 3 :: Int])]
-                       )
-                     ]
+    it "explains that 15x273 is not coprime, and offers what works instead" $ do
+      (status, out, _) <-
+        pra
+          (words "advise --rows 15 --columns 273 --q 4 --window 2x3 --json")
+      status `shouldBe` 0
+      let refused =
+            [ o
+              | o <- maybe [] elementsOf (key ["impossible"] out),
+                at "reason" o == Just "not-coprime"
+            ]
+          windows o = map (at "window") (maybe [] elementsOf (at "windows" o))
+          instead = concatMap (maybe [] elementsOf . at "instead") refused
+      map (at "shape") refused `shouldBe` [Just (toJSON [15, 273 :: Int])]
+      map (at "divisor") refused `shouldBe` [Just (Number 3)]
+      [(at "layout" o, at "arrays" o, at "shape" o, take 1 (windows o)) | o <- instead]
+        `shouldBe` [ ( Just "diagonal",
+                       Just (Number 1),
+                       Just (toJSON [63, 65 :: Int]),
+                       [Just (toJSON [3, 2 :: Int])]
+                     ),
+                     ( Just "row-major",
+                       Just (Number 1),
+                       Just (toJSON [15, 273 :: Int]),
+                       [Just (toJSON [2, 3 :: Int])]
+                     ),
+                     ( Just "joint",
+                       Just (Number 3),
+                       Just (toJSON [15, 91 :: Int]),
+                       [Just (toJSON [2, 3 :: Int])]
+                     )
+                   ]
     it "in words ends with a command that proves the first of them" $ do
       (_, out, _) <-
         pra (words "advise --rows 15 --columns 273 --q 4 --window 2x3")
@@ -157,20 +154,17 @@ spec = do
       (_, profile, _) <- pra ["profile", "--folding", "row-major"]
       (key ["folding"] profile, key ["surface"] profile)
         `shouldBe` (Just "row-major", Just "twisted-torus")
-    it
-      "prove: 15x273 with 2x3 windows on the twisted torus; with plain wrapping 4065 contents and \
-      \two places that agree"
-      $ do
-        let large =
-              words "prove --json --q 4 --polynomial 2,1,1,0,0,0,1 --shape 15x273"
-        (proved, out, _) <- pra (large ++ ["--folding", "row-major"])
-        (proved, key ["surface"] out, key ["windows"] out)
-          `shouldBe` (0, Just "twisted-torus", Just (Number 4095))
-        (refuted, plain, _) <- pra (large ++ words "--folding row-major --surface torus")
-        (refuted, key ["proved"] plain, key ["windows"] plain)
-          `shouldBe` (1, Just (Bool False), Just (Number 4065))
-        fmap (length . elementsOf) (key ["collision"] plain) `shouldBe` Just 2
-        complains (filter (/= "--json") large) "divisible by 3"
+    it "prove: 15x273 with 2x3 windows on the twisted torus; plain wrapping collides" $ do
+      let large =
+            words "prove --json --q 4 --polynomial 2,1,1,0,0,0,1 --shape 15x273"
+      (proved, out, _) <- pra (large ++ ["--folding", "row-major"])
+      (proved, key ["surface"] out, key ["windows"] out)
+        `shouldBe` (0, Just "twisted-torus", Just (Number 4095))
+      (refuted, plain, _) <- pra (large ++ words "--folding row-major --surface torus")
+      (refuted, key ["proved"] plain, key ["windows"] plain)
+        `shouldBe` (1, Just (Bool False), Just (Number 4065))
+      fmap (length . elementsOf) (key ["collision"] plain) `shouldBe` Just 2
+      complains (filter (/= "--json") large) "divisible by 3"
     it "locate: the window at (6, 5) of the row-major array, across the seam too" $ do
       (_, out, _) <- pra (words "array --folding row-major --format csv")
       let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)

@@ -25,16 +25,19 @@ import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Classify.Network.File
+import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Grid (gridRows)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
+import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Probe.Manifest
 import PraTactile.Profile
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Symmetry
+import PraTactile.Truth
 import PraTactile.Window
 import PraTactile.Window.Proof
 import Test.Hostile.Census
@@ -52,14 +55,16 @@ data Kind = Kind
 
 kinds :: [Kind]
 kinds =
-  [ Kind "PGM files" 140 pgms judgedPgm,
+  [ Kind "PGM files" 120 pgms judgedPgm,
     Kind "manifests" 110 manifests judgedManifest,
     Kind "patches" 160 patches judgedPatch,
     Kind "patches in unknown orientation" 40 patches judgedTurned,
     Kind "certificates" 110 certificates judgedCertificate,
     Kind "census files" 50 censuses judgedCensus,
     Kind "shards of a census" 30 (take 1 shards) judgedShard,
-    Kind "profiles" 100 profiles judgedProfile,
+    Kind "profiles" 80 profiles judgedProfile,
+    Kind "truths" 20 truths judgedTruth,
+    Kind "answers to compare" 20 claims judgedClaim,
     Kind "arrays as CSV" 70 grids judgedGrid,
     Kind "networks" 20 networks judgedNetwork,
     Kind "drawings of shapes" 20 drawings judgedDrawing
@@ -203,6 +208,40 @@ judgedProfile bytes = case decodeProfile bytes of
             )
           ]
           (profileText profile)
+
+judgedTruth :: ByteString -> Judged
+judgedTruth bytes = case decodeTruth bytes of
+  Left why -> Refused (formatMessage "it" "a truth" why)
+  Right truth ->
+    Accepted
+      [ ( "decode . encode is the identity, but for rounding",
+          either (const False) (same truth) (decodeTruth (encodeTruth truth))
+        )
+      ]
+      (show truth)
+  where
+    same a b =
+      (truthFace a, truthOrigin a, whole a) == (truthFace b, truthOrigin b, whole b)
+        && and (zipWith close (corner a) (corner b))
+    whole truth =
+      let Region _ _ wide high turns = truthRegion truth
+       in (wide, high, turns)
+    corner truth = let (x, y) = regionCorner (truthRegion truth) in [x, y]
+    close x y = x == y || abs (x - y) <= 1e-12 * abs x
+
+-- | An answer, compared with a truth.
+judgedClaim :: ByteString -> Judged
+judgedClaim bytes = case decodeClaim bytes of
+  Left why -> Refused (formatMessage "it" "an answer" why)
+  Right claim ->
+    Accepted
+      [("the orientation is a quarter turn", all ((`elem` [0, 90 .. 270]) . claimDegrees) claim)]
+      ( show
+          [ (c, compared canonicalPitch truth c)
+            | Right truth <- map decodeTruth truths,
+              Just c <- [claim]
+          ]
+      )
 
 -- | An array, and the verdict on its windows of 2 x 2.
 judgedGrid :: ByteString -> Judged

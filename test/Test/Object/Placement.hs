@@ -72,10 +72,8 @@ spec = describe "placement" $ do
             for_ everyPosition $ \at ->
               (window, at, whereabouts it_ window at)
                 `shouldBe` (window, at, expectedWhereabouts window at)
-    it
-      "a cell at the array's edge is not beside the one at the opposite edge of a face that spans \
-      \it"
-      $ theCube $ \solid_ ->
+    it "a cell at the array's edge has no neighbour beyond it, on a face that spans it" $
+      theCube $ \solid_ ->
         right
           ( placement
               (Shape 4 5)

@@ -71,9 +71,8 @@ spec = describe "winged-edge models" $ do
     it "any one face reversed is refused" $
       for_ [0 .. 5] $ \k ->
         solid (reversing [k] cubeDescription) `shouldSatisfy` either isDisagreement (const False)
-    prop
-      "does not depend on where a face's walk starts, on the order of the faces, on place or size"
-      $ forAll (shuffle (describedFaces cubeDescription)) $
+    prop "does not depend on where a face's walk starts, order, place or size" $
+      forAll (shuffle (describedFaces cubeDescription)) $
         \shuffled
          (Positive size)
          (dx, dy, dz)
