@@ -279,24 +279,9 @@ badInputSpec = describe "bad input: one line, status 2, nothing written" $ do
     (status, out, _) <- pra ["--version"]
     (status, "pra-tactile " `isPrefixOf` out) `shouldBe` (0, True)
     for_
-      [ "array",
-        "prove",
-        "locate",
-        "table",
-        "probe",
-        "stitch",
-        "train",
-        "decode",
-        "compare",
-        "evaluate",
-        "objects",
-        "profile",
-        "shapes",
-        "sequence",
-        "synthesise",
-        "advise",
-        "rates"
-      ]
+      ( words "array prove locate table probe stitch train decode compare evaluate objects"
+          ++ words "profile shapes sequence synthesise advise rates"
+      )
       $ \name -> do
         (helped, text, _) <- pra [name, "--help"]
         (helped, "Example" `isInfixOf` text) `shouldBe` (0, True)
