@@ -49,7 +49,7 @@ codeSpec = describe "the code" $ do
     (status, out, _) <- pra ["array", "--format", "csv"]
     let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)
     (status, length cells, map length cells) `shouldBe` (0, 15, replicate 15 17)
-    [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` (words "3 2 3 1")
+    [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` words "3 2 3 1"
   it "prove --json: the canonical array; a refuted window with its collision, status 1" $ do
     (proved, out, _) <- pra ["prove", "--json"]
     proved `shouldBe` 0

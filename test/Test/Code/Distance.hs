@@ -142,7 +142,6 @@ spec = do
   it "corrects e errors and s erasures iff 2 e + s < d" $
     [(e, s) | e <- [0 .. 3], s <- [0 .. 5], corrects 4 e s]
       `shouldBe` [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1)]
-  where
 
 -- | A mask of up to 9 cells near each other, in any order.
 genMask :: Gen Mask

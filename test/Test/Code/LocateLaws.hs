@@ -1,7 +1,7 @@
 -- | When what a decoder answers is what the definition says.
 module Test.Code.LocateLaws (asDefined, alike, asPromised, asBayes, asSymbols) where
 
-import Data.List (sort)
+import Data.List (sort, transpose)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
@@ -221,7 +221,7 @@ asBayes decoder on@(surface, array, _) possible tolerated patches =
     beliefs = map (fmap (fmap Probabilities)) patches
     (shape, looks) = looksByDefinition patches
     disputed several =
-      all (== 0) (foldr1 (zipWith (*)) (map (Primitive.toList . probabilities) several))
+      all ((== 0) . product) (transpose (map (Primitive.toList . probabilities) several))
     known = [(at, b) | (at, several) <- looks, not (disputed several), b <- several]
     exact = posteriorByDefinition surface array possible shape known
 

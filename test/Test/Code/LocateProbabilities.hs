@@ -3,7 +3,7 @@
 module Test.Code.LocateProbabilities (spec) where
 
 import Control.Monad (forM_)
-import Data.Maybe (fromMaybe)
+import Data.Maybe (catMaybes, fromMaybe)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
@@ -113,7 +113,7 @@ largeSpec = describe "on 2^60 cells" $ do
         ((,) <$> choose (0, 4 ^ (15 :: Int) - 2) <*> vectorOf 64 (vectorOf 4 (choose (0, 100))))
         $ \(r, noise) ->
           let place = Position (fromInteger r) 77
-              cells = [a | Just a <- concat (look array (Shape 8 8) place)]
+              cells = catMaybes (concat (look array (Shape 8 8) place))
               -- About 5 cells are said to be another symbol than they are.
               misled = zipWith (\a numbers -> if sum numbers < 130 then a + 1 else a) cells noise
               decided most read' answer =
