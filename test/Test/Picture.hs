@@ -344,7 +344,7 @@ only name drawing = extentOf [Mark name (unstroked form) | Mark _ form <- named 
       Rectangle paint e -> Rectangle paint {strokeWidth = 0} e
       other -> other
 
--- | In units of which the reference is so many wide, from its upper left corner.
+-- | In units of which the reference is this many wide, from its upper left corner.
 within :: Extent -> Double -> Extent -> Extent
 within reference size (Extent l t r b) = Extent (across l) (down t) (across r) (down b)
   where

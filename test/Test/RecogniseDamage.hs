@@ -344,7 +344,7 @@ damageSpec alphabetOfAll layout net array mask = do
             v
         _ -> 0
 
--- | Two images side by side, so many blank columns between them.
+-- | Two images side by side, with this many blank columns between them.
 beside :: Int -> Raster -> Raster -> Raster
 beside gap a b =
   generate (rasterWidth a + gap + rasterWidth b) (max (rasterHeight a) (rasterHeight b)) $ \x y ->

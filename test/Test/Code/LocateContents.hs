@@ -133,7 +133,7 @@ everyArray =
          (16, 1, 2)
        ]
 
--- | Of so many cells in all.
+-- | Of this many cells in all.
 shapesOf :: Natural -> [Shape]
 shapesOf cells = [Shape r (cells `div` r) | r <- takeWhile (<= cells) [1 ..], cells `mod` r == 0]
 

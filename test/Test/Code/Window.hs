@@ -77,13 +77,13 @@ spec = do
     it "the first cell is the most significant digit, or the least" $ do
       pack MostSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 * 64 + 2 * 16 + 3 * 4 + 1
       pack LeastSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 + 2 * 4 + 3 * 16 + 1 * 64
-    it "unpack . pack is the identity" $
+    it "unpack . pack = Right" $
       forAllShrink genCodes shrinkCodes $ \(q, codes) ->
         conjoin
           [ unpack packing q (length codes) (pack packing q codes) === Right codes
             | packing <- [minBound .. maxBound]
           ]
-    it "pack . unpack is the identity on the numbers below q^cells, exhaustively for small ones" $
+    it "pack . unpack = id on the numbers below q^cells, exhaustively for small ones" $
       [ (packing, q, cells, n)
         | packing <- [minBound .. maxBound],
           q <- [2 .. 5],

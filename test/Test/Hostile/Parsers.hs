@@ -75,7 +75,7 @@ judgedPgm bytes = case decodePgm bytes of
   Left why -> Refused (imageMessage why)
   Right image ->
     Accepted
-      [ ("decode . encode is the identity", decodePgm (encodePgm format image) == Right image)
+      [ ("decode . encode = Right", decodePgm (encodePgm format image) == Right image)
         | format <- [Plain, Binary]
       ]
       (show image)
@@ -85,7 +85,7 @@ judgedManifest bytes = case parseManifest bytes of
   Left why -> Refused (manifestMessage why)
   Right entries ->
     Accepted
-      [("parse . render is the identity", parseManifest (renderManifest entries) == Right entries)]
+      [("parse . render = Right", parseManifest (renderManifest entries) == Right entries)]
       (show entries)
 
 -- | A text as the command line has it.
@@ -115,7 +115,7 @@ patchJudge possible = (`asText` answered)
             Left why -> Refused why
             Right (written, said) ->
               Accepted
-                [ ( "read . render is the identity",
+                [ ( "read . render = Right",
                     fmap shown (readPatches (Text.pack (rendered written)) `asTypeOf` Right written)
                       == Right (shown written)
                   )
@@ -175,7 +175,7 @@ judgedCertificate bytes = case decodeCertificate bytes of
     Right () ->
       Accepted
         [ ("all windows are distinct", windowsAreDistinct certificate),
-          ( "decode . encode is the identity",
+          ( "decode . encode = Right",
             fmap fileCertificate (decodeCertificate (encodeCertificate certificate))
               == Right certificate
           )
@@ -203,7 +203,7 @@ judgedProfile bytes = case decodeProfile bytes of
       Left why -> Refused (profileMessage why)
       Right () ->
         Accepted
-          [ ( "decode . encode is the identity",
+          [ ( "decode . encode = Right",
               decodeProfile (encodeProfile profile) == Right profile
             )
           ]
@@ -214,7 +214,7 @@ judgedTruth bytes = case decodeTruth bytes of
   Left why -> Refused (formatMessage "it" "a truth" why)
   Right truth ->
     Accepted
-      [ ( "decode . encode is the identity, but for rounding",
+      [ ( "decode . encode = Right, but for rounding",
           either (const False) (same truth) (decodeTruth (encodeTruth truth))
         )
       ]
@@ -249,7 +249,7 @@ judgedGrid bytes = case parseGrid Nothing bytes of
   Left why -> Refused why
   Right grid ->
     Accepted
-      [ ( "parse . render is the identity",
+      [ ( "parse . render = Right",
           parseGrid Nothing (Bytes8.pack (unlines (map csv (gridRows grid)))) == Right grid
         )
       ]
@@ -266,7 +266,7 @@ judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text)
   Left why -> Refused (networkMessage why)
   Right found ->
     Accepted
-      [("parse . render is the identity", parseNetwork (renderNetwork found) == Right found)]
+      [("parse . render = Right", parseNetwork (renderNetwork found) == Right found)]
       (Text.unpack (renderNetwork found))
 
 judgedDrawing :: ByteString -> Judged
@@ -274,5 +274,5 @@ judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text
   Left why -> Refused (shapeMessage why)
   Right found ->
     Accepted
-      [("parse . render is the identity", parseAlphabet (renderAlphabet found) == Right found)]
+      [("parse . render = Right", parseAlphabet (renderAlphabet found) == Right found)]
       (Text.unpack (renderAlphabet found))
