@@ -24,8 +24,8 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate (Table, buildTable)
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Polynomial
 import PraTactile.Window
 import Test.Code.Generators
@@ -47,7 +47,7 @@ paperWindow = right (rectangle (Shape 2 2))
 paperTable :: Surface -> IO (Table GF4)
 paperTable = onPaper (buildTable MostSignificantFirst)
 
-paperBook :: Surface -> IO (Book GF4)
+paperBook :: Surface -> IO (Codebook GF4)
 paperBook = onPaper book
 
 paperAlgebra :: Surface -> IO (Algebra GF4)

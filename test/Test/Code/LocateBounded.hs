@@ -9,9 +9,9 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.InformationSet
 import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Window
 import PraTactile.Window.Distance

@@ -15,11 +15,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Locate.Definition
-import PraTactile.Locate.Nearest
 import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Polynomial
 import PraTactile.Window
@@ -90,7 +90,7 @@ spec = do
     p <- right (patch [replicate 21 (Just 1)])
     searchPatch TwistedTorus array m p
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
-    (() <$ book TwistedTorus array m)
+    (() <$ buildCodebook TwistedTorus array m)
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
 
 -- | The field's order, the degree, a shape of q^n - 1 cells, and a window: with the window
@@ -171,7 +171,7 @@ everyContent allOf h shape masks =
         forM_ masks $ \offsets -> do
           m <- right (maskFrom offsets)
           table <- right (buildTable MostSignificantFirst surface array m)
-          shelf <- right (book surface array m)
+          shelf <- right (buildCodebook surface array m)
           algebra <- right (prepareAlgebra surface array m)
           let occurring = map fst (tableEntries table)
               contents
@@ -208,7 +208,7 @@ alike ::
   KnownField k =>
   (Patch (GF k) -> Either LocateError (Outcome Position)) ->
   Table k ->
-  Book k ->
+  Codebook k ->
   Algebra k ->
   Patch (GF k) ->
   [Position] ->

@@ -10,9 +10,9 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Window
 import PraTactile.Window.Distance
@@ -42,7 +42,7 @@ spec = do
           $ do
             shelf <- paperBook Torus
             m <- right (rectangle (Shape h w))
-            d <- right (minimumDistance (bookArray shelf) m)
+            d <- right (minimumDistance (codebookArray shelf) m)
             guaranteedRadius (distance d) `shouldBe` fromIntegral t
             sums <-
               mapM
@@ -86,7 +86,7 @@ spec = do
     holds 300 $
       forAll genOffsets $ \offsets ->
         whenRight (maskFrom offsets) $ \m ->
-          fmap distance (minimumDistance (bookArray shelf) m)
+          fmap distance (minimumDistance (codebookArray shelf) m)
             === Right (observedDistance shelf offsets)
   it "the zero word is refused: zero-window" $ do
     shelf <- paperBook Torus
@@ -96,7 +96,7 @@ spec = do
     decisionOutcome (nearest shelf Guaranteed none) `shouldBe` Refused TooFewCells
   it "where the surface is not the array's own, no distance is promised and nothing corrected" $ do
     shelf <- paperBook TwistedTorus
-    observedDistance shelf (maskOffsets (bookMask shelf)) `shouldBe` 0
+    observedDistance shelf (maskOffsets (codebookMask shelf)) `shouldBe` 0
     p <- right (patch (map (map Just) [[0, 1, 2, 3], [0, 1, 2, 2], [0, 1, 2, 3], [0, 1, 2, 3]]))
     correctionRadius (decisionDistances (nearest shelf Guaranteed p)) `shouldBe` 0
 
@@ -109,7 +109,7 @@ everyPosition start =
 -- the first: those whose decision is not what it should be. What it should be is found by other
 -- means: two bits a cell, and counting the cells in which two windows differ by bit operations.
 patterns ::
-  Book GF4 ->
+  Codebook GF4 ->
   Shape ->
   Int ->
   Int ->
@@ -153,7 +153,7 @@ patterns shelf size t most upToFactor place = do
 
 -- | The least distance of a word from the contents of these cells, and the contents that have it,
 -- each once: zero, which stands nowhere, among them, so that they are a linear code.
-neighbours :: Book GF4 -> [Position] -> [GF GF4] -> (Natural, [[GF GF4]])
+neighbours :: Codebook GF4 -> [Position] -> [GF GF4] -> (Natural, [[GF GF4]])
 neighbours shelf offsets received =
   case atLeast <$> nearestDistance (decisionDistances decision) of
     Just e
@@ -171,9 +171,9 @@ neighbours shelf offsets received =
     weight = fromIntegral (length (filter (/= 0) received))
     zeros = map (const 0) offsets
 
-contentAt :: Book GF4 -> [Position] -> Position -> [GF GF4]
+contentAt :: Codebook GF4 -> [Position] -> Position -> [GF GF4]
 contentAt shelf offsets (Position r c) =
-  [cellAt (bookArray shelf) (Position (r + i) (c + j)) | Position i j <- offsets]
+  [cellAt (codebookArray shelf) (Position (r + i) (c + j)) | Position i j <- offsets]
 
 minus :: [GF GF4] -> [GF GF4] -> [GF GF4]
 minus = zipWith (-)

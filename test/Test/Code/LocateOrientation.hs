@@ -8,7 +8,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Definition
 import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Locate.Separation
@@ -38,7 +38,7 @@ distanceSpec = do
     shelf <- paperBook Torus
     forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) -> do
       let size = Shape side side
-      byDefinition (bookArray shelf) possible size (cellsOf size)
+      byDefinition (codebookArray shelf) possible size (cellsOf size)
         `shouldBe` orientedDistance shelf possible side
   it "is, for cells of any shape, the least number in which two of all candidates differ" $
     forM_ small $ \(q, n, shape) ->

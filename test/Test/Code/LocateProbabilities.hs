@@ -8,10 +8,10 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.List (listPatch, standardListing)
+import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Definition
-import PraTactile.Locate.OrderedStatistics (listPatch, standardListing)
-import PraTactile.Locate.Soft
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Asking

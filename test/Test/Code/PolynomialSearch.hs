@@ -97,7 +97,7 @@ spec = do
       [ (q, n, h :: String)
         | (q, SomeField k) <- everyField,
           n <- [1 .. 33],
-          let run = barrenRun k n,
+          let run = reducibleRun k n,
           run > 0,
           (fromIntegral q :: Natural) ^ run <= 5000,
           h <- map show (filter isIrreducible (take (q ^ run) (monicIn k (fromIntegral n))))
@@ -133,7 +133,7 @@ spec = do
           (q, height, any isIrreducible (affine k p height))
             `shouldBe` (q, height, height <= 1 || p == 2 && height == 2)
     it "what is left out: three coefficients over GF(2^m) in degree 8 m', else two" $
-      [ (q, [barrenRun k n | n <- [1 .. 28]])
+      [ (q, [reducibleRun k n | n <- [1 .. 28]])
         | (q, SomeField k) <- everyField,
           q `elem` [2, 256, 3, 5, 243]
       ]
