@@ -15,8 +15,9 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Drawing (hundredths)
 import Graphics.Svg
-import Json (shapeText)
 import PraTactile.Array (Shape)
+import PraTactile.Format.Name (shapeText)
+import PraTactile.Format.Rates
 import PraTactile.Locate.Rates
 import PraTactile.Rates
 import RatesTable
@@ -48,9 +49,9 @@ ratesSvg seed table = renderBS root <> "\n"
           (trialsText ++ "; what never happened in them is not drawn")
       ]
         ++ concat
-          [ panel table (columnAt i) (rowAt j) (i == 0) size what
+          [ panel (Panel table (columnAt i) (rowAt j) size what) column
             | (j, what) <- zip [0 ..] [NotRight, Wrong],
-              (i, size) <- zip [0 :: Int ..] sizes
+              (i, size, column) <- zip3 [0 :: Int ..] sizes (Leftmost : repeat Inner)
           ]
         ++ [text (wide / 2) (bottom + 38) "middle" "ink" "wrong symbols among the observed ones, %"]
         ++ legend table (bottom + 62)
@@ -82,13 +83,13 @@ style =
     ++ " .line { stroke-width: 2; fill: none; stroke-linejoin: round }"
   where
     rules :: String -> String -> String -> [String] -> String
-    rules paper ink grid colours =
+    rules paper ink lines' colours =
       printf
         ".paper { fill: %s } .ink, .title { fill: %s } .plain { stroke: %s } .grid { stroke: %s }"
         paper
         ink
         ink
-        grid
+        lines'
         ++ concat
           [ printf " .line%d { stroke: %s } .dot%d { fill: %s }" i c i c
             | (i, c) <- zip [0 :: Int ..] colours
@@ -139,68 +140,110 @@ allSeries =
 lowest :: Double
 lowest = -8
 
-panel :: [Line] -> Double -> Double -> Bool -> Shape -> What -> [Element]
-panel table x0 y0 leftmost size what =
+-- | The rates that are drawn in a panel, of the patches of a size, and where its upper left corner
+-- is.
+data Panel = Panel
+  { panelLines :: [Line],
+    panelX :: Double,
+    panelY :: Double,
+    panelSize :: Shape,
+    panelWhat :: What
+  }
+
+-- | The first of a row of panels has its scale beside it.
+data Column = Leftmost | Inner
+  deriving stock (Eq)
+
+-- | A share of wrong symbols, per cent, as an abscissa; the scale is that of the whole table.
+across :: Panel -> Double -> Double
+across p errors =
+  panelX p + 14 + (panelWide - 28) * (log errors - log first) / (log final - log first)
+  where
+    (first, final) = case shownErrors p of
+      [] -> (1, 10)
+      found
+        | minimum found < maximum found -> (minimum found, maximum found)
+        | otherwise -> (minimum found / 2, 2 * maximum found)
+
+shownErrors :: Panel -> [Double]
+shownErrors = filter (> 0) . nub . map lineErrors . panelLines
+
+-- | A power of ten as an ordinate.
+vertical :: Panel -> Double -> Double
+vertical p decade = panelY p + panelHigh * decade / lowest
+
+panel :: Panel -> Column -> [Element]
+panel p column =
   [ rect_
       [ Class_ <<- "grid",
-        X_ <<- number x0,
-        Y_ <<- number y0,
+        X_ <<- number (panelX p),
+        Y_ <<- number (panelY p),
         Width_ <<- number panelWide,
         Height_ <<- number panelHigh
       ]
   ]
-    ++ [ text (x0 + panelWide / 2) (y0 - 10) "middle" "ink" (shapeText size ++ " cells")
-         | what == NotRight
+    ++ [ text (panelX p + panelWide / 2) (panelY p - 10) "middle" "ink" cells
+         | panelWhat p == NotRight
        ]
-    ++ concat [horizontal (vertical (fromIntegral k)) k | k <- [0, -1 .. round lowest :: Int]]
-    ++ concat [upright (across p) p | p <- errors]
+    ++ grid p column
+    ++ concat
+      [ curve p i s e
+        | (i, s) <- zip [0 ..] allSeries,
+          e <- zip [0 ..] (erasuresOf (panelLines p))
+      ]
+  where
+    cells = shapeText (panelSize p) ++ " cells"
+
+-- | The lines of the scales, and what is written at them.
+grid :: Panel -> Column -> [Element]
+grid p column =
+  concat [horizontal (vertical p (fromIntegral k)) k | k <- [0, -1 .. round lowest :: Int]]
+    ++ concat [upright (across p errors) errors | errors <- shownErrors p]
     ++ [ text_
            [ Class_ <<- "ink",
              Text_anchor_ <<- "middle",
-             Transform_
-               <<- ("translate(" <> numbers [x0 - 58, y0 + panelHigh / 2] <> ") rotate(-90)")
+             Transform_ <<- ("translate(" <> numbers beside <> ") rotate(-90)")
            ]
-           (toElement (whatText what))
-         | leftmost
+           (toElement (whatText (panelWhat p)))
+         | column == Leftmost
        ]
-    ++ concat [curve i s e | (i, s) <- zip [0 ..] allSeries, e <- zip [0 ..] (erasuresOf table)]
   where
-    errors = filter (> 0) (nub (map lineErrors table))
-    (first, final) = case errors of
-      [] -> (1, 10)
-      _
-        | minimum errors < maximum errors -> (minimum errors, maximum errors)
-        | otherwise -> (minimum errors / 2, 2 * maximum errors)
-    across p = x0 + 14 + (panelWide - 28) * (log p - log first) / (log final - log first)
-    vertical decade = y0 + panelHigh * decade / lowest
+    (x0, y0) = (panelX p, panelY p)
+    beside = [x0 - 58, y0 + panelHigh / 2]
     horizontal y k =
       path_ [Class_ <<- "grid", D_ <<- ("M" <> numbers [x0, y] <> "h" <> number panelWide)] :
-        [text (x0 - 8) (y + 4) "end" "ink" (decadeText (k + 2)) | leftmost, even k]
-    upright x p =
+        [text (x0 - 8) (y + 4) "end" "ink" (decadeText (k + 2)) | column == Leftmost, even k]
+    upright x errors =
       [ path_ [Class_ <<- "grid", D_ <<- ("M" <> numbers [x, y0 + panelHigh] <> "v5")],
-        text x (y0 + panelHigh + 18) "middle" "ink" (numberText p)
+        text x (y0 + panelHigh + 18) "middle" "ink" (numberText errors)
       ]
-    curve :: Int -> Series -> (Int, Double) -> [Element]
-    curve i series (j, erasures) =
-      [ polyline_
-          ([Class_ <<- ("line " <> lineClass), Points_ <<- Text.unwords (map pair run)] ++ dashes j)
-        | run <- runs (map (point (seriesLine series)) chosen),
-          length run > 1
+
+-- | A way to decode at a share of missing cells, each with its number: its line, and its dots.
+curve :: Panel -> Int -> Series -> (Int, Double) -> [Element]
+curve p i series (j, erasures) =
+  [ polyline_ ([Class_ <<- ("line " <> lineClass), Points_ <<- points run] ++ dashes j)
+    | run <- runs (map (point (seriesLine series)) drawn),
+      length run > 1
+  ]
+    ++ [ dot (if j > 0 then Hollow lineClass else Solid (numbered "dot")) x y
+         | l <- drawn,
+           Just (x, y) <- [point (seriesDots series) l]
+       ]
+  where
+    lineClass = numbered "line"
+    numbered name = name <> Text.pack (show i)
+    points = Text.unwords . map pair
+    pair (x, y) = number x <> "," <> number y
+    drawn =
+      [ l
+        | l <- panelLines p,
+          lineSize l == panelSize p,
+          lineErasures l == erasures,
+          lineErrors l > 0
       ]
-        ++ [ dot (if j > 0 then Hollow lineClass else Solid (numberedClass "dot")) x y
-             | l <- chosen,
-               Just (x, y) <- [point (seriesDots series) l]
-           ]
-      where
-        lineClass = numberedClass "line"
-        numberedClass name = name <> Text.pack (show i)
-        pair (x, y) = number x <> "," <> number y
-        chosen = [l | l <- table, lineSize l == size, lineErasures l == erasures, lineErrors l > 0]
-    point from l = case from what l of
+    point from l = case from (panelWhat p) l of
       Just s
-        | s > 0,
-          logBase 10 s >= lowest ->
-          Just (across (lineErrors l), vertical (logBase 10 s))
+        | s > 0, logBase 10 s >= lowest -> Just (across p (lineErrors l), vertical p (logBase 10 s))
       _ -> Nothing
 
 -- | A dot's class: a ring with paper in it, by the class of a line, or a disc.

@@ -15,7 +15,9 @@ module Readers
 
     -- * Names
     namedReader,
+    namedReaderBy,
     foldingReader,
+    surfaceReader,
   )
 where
 
@@ -23,10 +25,10 @@ import Data.Char (isDigit, isSpace)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Scientific (Scientific, toBoundedRealFloat)
-import Json (foldingName)
 import Numeric.Natural (Natural)
 import Options.Applicative (ReadM, eitherReader)
-import PraTactile.Array (Folding, Position (..), Shape (..))
+import PraTactile.Array (Folding, Position (..), Shape (..), Surface)
+import PraTactile.Format.Name (foldingName, surfaceName)
 import Text.Read (readMaybe)
 import Visible
 
@@ -73,10 +75,9 @@ instance Decimal Double where
       exponential more = case more of
         [] -> True
         e : digits
-          | e `elem` "eE" ->
-            let power =
-                  dropSign "+-" digits
-             in not (null power) && all isDigit power
+          | e `elem` "eE",
+            power <- dropSign "+-" digits ->
+            not (null power) && all isDigit power
         _ -> False
       dropSign signs digits = case digits of
         sign : others | sign `elem` signs -> others
@@ -119,7 +120,11 @@ pairReader separator example = eitherReader $ \text -> case splitOn separator te
 
 -- | One of these by its name; the text says what it would be.
 namedReader :: String -> [(String, a)] -> ReadM a
-namedReader what choices = eitherReader $ \name -> case lookup name choices of
+namedReader = namedReaderBy id
+
+-- | The same where the function has made something of the text.
+namedReaderBy :: (String -> String) -> String -> [(String, a)] -> ReadM a
+namedReaderBy normal what choices = eitherReader $ \name -> case lookup (normal name) choices of
   Just choice -> Right choice
   Nothing -> Left (quoted name ++ " is no " ++ what ++ "; write " ++ alternatives (map fst choices))
   where
@@ -130,6 +135,10 @@ namedReader what choices = eitherReader $ \name -> case lookup name choices of
 -- | A folding's name.
 foldingReader :: ReadM Folding
 foldingReader = namedReader "folding" [(foldingName f, f) | f <- [minBound ..]]
+
+-- | A surface's name.
+surfaceReader :: ReadM Surface
+surfaceReader = namedReader "surface" [(surfaceName s, s) | s <- [minBound ..]]
 
 splitOn :: Char -> String -> NonEmpty String
 splitOn separator text = case break (== separator) text of

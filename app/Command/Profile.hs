@@ -8,7 +8,7 @@ import ArrayChoice
 import Described
 import Ending
 import Message (profileMessage)
-import Options.Applicative hiding (command)
+import Options
 import PraTactile.Format.Profile
 import PraTactile.Profile (withProfile)
 

@@ -4,8 +4,8 @@ module Command.Shapes
   )
 where
 
-import ArrayChoice (intReader)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
@@ -13,7 +13,7 @@ import qualified Data.Text.IO as Text
 import Described
 import Ending
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output (writeWhole)
 import PraTactile.Shape
 import PraTactile.Shape.Design
@@ -46,23 +46,9 @@ command =
           ( long "design"
               <> help "Run the search again (some seconds) and write the alphabet it finds"
           )
-        <*> option
-          intReader
-          ( long "seed"
-              <> metavar "N"
-              <> value paperSeed
-              <> showDefault
-              <> help "Seed of the search"
-          )
+        <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
         <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
-        <*> optional
-          ( strOption
-              ( long "output"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Write to a file instead of the standard output"
-              )
-          )
+        <*> outputFileOption
 
 run :: Options -> IO Ending
 run options
@@ -74,7 +60,7 @@ run options
           0
           (`follow` designSteps (seed options) paperParameters)
     write (renderAlphabet found)
-    maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
+    for_ (output options) (const (Text.putStr (renderReport found report)))
     pure Answered
   | otherwise = do
     shipped <- shippedAlphabet

@@ -4,14 +4,13 @@ module Command.Train
   )
 where
 
-import ArrayChoice (intReader)
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Text.Encoding as Text
 import Described
 import Ending
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output
 import PraTactile.Classify.Network.File (renderNetwork)
 import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
@@ -29,16 +28,8 @@ command =
     \seed gives the shipped weights."
     ["pra-tactile train --output network.txt"]
     ( run
-        <$> option
-          intReader
-          ( long "seed"
-              <> metavar "N"
-              <> value shippedSeed
-              <> showDefault
-              <> help "Seed of every random draw"
-          )
-        <*> strOption
-          (long "output" <> metavar "FILE" <> action "file" <> help "The file of weights")
+        <$> seedOption (value shippedSeed <> showDefault)
+        <*> fileOption "output" "FILE" "The file of weights"
     )
 
 run :: Int -> FilePath -> IO Ending

@@ -10,9 +10,6 @@ module PraTactile.Format.Json
     positionValue,
     positionListValue,
     shapeValue,
-
-    -- * Keys with their values
-    chanceSeries,
   )
 where
 
@@ -23,7 +20,6 @@ import Data.Text.Encoding.Error (lenientDecode)
 import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Locate.Chance (Chance (..))
 
 -- | An object on one line, without its end, its keys in the order given.
 encodeLine :: Series -> Lazy.ByteString
@@ -49,9 +45,3 @@ positionListValue (Position r c) = toJSON [naturalValue r, naturalValue c]
 -- | A shape as @[rows, columns]@.
 shapeValue :: Shape -> Value
 shapeValue (Shape high wide) = toJSON [naturalValue high, naturalValue wide]
-
--- | @chance@ and @chance_is@; both null where no cell was observed.
-chanceSeries :: Maybe Chance -> Series
-chanceSeries known = "chance" .= fmap chanceShare known <> "chance_is" .= fmap bound known
-  where
-    bound found = if chanceExact found then "exact" else "at-most" :: String

@@ -1,0 +1,152 @@
+-- | Options that several commands have, each said once, and how answers are printed.
+module Options
+  ( module Options.Applicative,
+    module Readers,
+
+    -- * Forms of options
+    valued,
+    defaulting,
+    fileOption,
+    outputFileOption,
+    choosing,
+
+    -- * The code
+    orderOption,
+    modulusOption,
+    foldingOption,
+    surfaceOption,
+    radiusOption,
+
+    -- * Simulation
+    seedOption,
+    sizeOption,
+    SensorChoice (..),
+    sensorOptions,
+    chosenSensor,
+
+    -- * Printing
+    AnswerForm (..),
+    jsonSwitch,
+    printAs,
+  )
+where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import Numeric.Natural (Natural)
+import Options.Applicative hiding (columns, command)
+import PraTactile.Array (Folding, Surface)
+import PraTactile.Explore (standardRegionSize)
+import PraTactile.Format.Name
+import PraTactile.Locate (Radius (..))
+import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
+import Readers
+
+-- | An option with its reader, its name, what stands for its value, and its help.
+valued :: ReadM a -> String -> String -> String -> Parser a
+valued reader name meta text = option reader (long name <> metavar meta <> help text)
+
+-- | The same with a value that is taken without it, and shown.
+defaulting :: Show a => a -> ReadM a -> String -> String -> String -> Parser a
+defaulting standard reader name meta text =
+  option reader (long name <> metavar meta <> value standard <> showDefault <> help text)
+
+-- | An option whose value is a file, likewise.
+fileOption :: String -> String -> String -> Parser FilePath
+fileOption name meta text = strOption (long name <> metavar meta <> action "file" <> help text)
+
+-- | @--output FILE@, in place of the standard output.
+outputFileOption :: Parser (Maybe FilePath)
+outputFileOption =
+  optional (fileOption "output" "FILE" "Write to a file instead of the standard output")
+
+-- | An option whose values have names: its reader and these names, its name, what stands for its
+-- value, and its help.
+choosing :: ReadM a -> [String] -> String -> String -> String -> Mod OptionFields a -> Parser a
+choosing reader names name meta text more =
+  option reader (long name <> metavar meta <> completeWith names <> help text <> more)
+
+-- | @--q@.
+orderOption :: Parser Natural
+orderOption = valued naturalReader "q" "Q" "Order of the field GF(q): a prime power up to 256"
+
+-- | @--modulus@.
+modulusOption :: Parser (Maybe [Natural])
+modulusOption =
+  optional . valued numbersReader "modulus" "C0,C1,.." $
+    "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"
+
+-- | @--folding@, with its help.
+foldingOption :: String -> Parser (Maybe Folding)
+foldingOption text =
+  optional (choosing foldingReader (map foldingName [minBound ..]) "folding" "FOLDING" text mempty)
+
+-- | @--surface torus|twisted-torus|sheet@.
+surfaceOption :: Parser (Maybe Surface)
+surfaceOption =
+  optional (choosing surfaceReader (map surfaceName [minBound ..]) "surface" "SURFACE" text mempty)
+  where
+    text = "torus, twisted-torus or sheet (default: the folding's own)"
+
+-- | @--radius N@, with its help; the guaranteed radius without it.
+radiusOption :: String -> Parser Radius
+radiusOption text = maybe Guaranteed UpTo <$> optional (valued naturalReader "radius" "N" text)
+
+-- | @--seed N@, with more of it.
+seedOption :: Mod OptionFields Int -> Parser Int
+seedOption more =
+  option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw" <> more)
+
+-- | @--size WIDTHxHEIGHT@, taxels.
+sizeOption :: Parser (Int, Int)
+sizeOption =
+  option
+    (pairReader 'x' "40x52")
+    ( long "size"
+        <> metavar "WIDTHxHEIGHT"
+        <> value standardRegionSize
+        <> help "The region in taxels (default 40x52)"
+    )
+
+-- | How good the simulated sensor is.
+data SensorChoice = SensorChoice
+  { -- | standard deviation, taxels
+    positionSigma :: Double,
+    -- | standard deviation, of full scale
+    noiseSd :: Double
+  }
+
+-- | @--position-error@ and @--noise@.
+sensorOptions :: Parser SensorChoice
+sensorOptions =
+  SensorChoice
+    <$> defaulting
+      (sensorPositionError standardSensor)
+      decimalReader
+      "position-error"
+      "SIGMA"
+      "Standard deviation of each frame's position, taxels, on both axes"
+    <*> defaulting
+      (sensorNoise standardSensor)
+      decimalReader
+      "noise"
+      "SD"
+      "Standard deviation of the noise, as a share of full scale"
+
+chosenSensor :: SensorChoice -> Sensor
+chosenSensor choice =
+  standardSensor {sensorPositionError = positionSigma choice, sensorNoise = noiseSd choice}
+
+-- | How an answer is printed.
+data AnswerForm = AsText | AsJson
+  deriving stock (Eq, Show)
+
+-- | @--json@, with its help.
+jsonSwitch :: String -> Parser AnswerForm
+jsonSwitch text = flag AsText AsJson (long "json" <> help text)
+
+-- | Print an answer: its text, or its JSON on one line.
+printAs :: AnswerForm -> String -> ByteString -> IO ()
+printAs form text json = case form of
+  AsText -> putStr text
+  AsJson -> Bytes.putStrLn json
