@@ -10,7 +10,7 @@ module ArrayChoice
   )
 where
 
-import Ending
+import ExitStatus
 import FormatFile (readProfile)
 import Message (profileMessage)
 import Numeric.Natural (Natural)

@@ -20,7 +20,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message (gridMessage)
 import Numeric.Natural (Natural)
@@ -88,8 +88,8 @@ data Place
   | -- | a space after its digits
     After
 
--- | The cells of the line with a number, from a byte on and after so many cells, into the vector;
--- to the byte after its end, and how many cells there are then.
+-- | The cells of the line of this number into the vector, from this byte on and after this many
+-- other cells; the byte after its end, and how many cells there are then.
 parseCells ::
   ByteString -> Mutable.MVector s Word8 -> Int -> Int -> Int -> ST s (Either String (Int, Int))
 parseCells bytes codes number start before = go start before Before (0 :: Int)

@@ -11,7 +11,7 @@ where
 
 import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
-import Ending
+import ExitStatus
 import Message (fieldMessage, profileMessage)
 import Numeric.Natural (Natural)
 import Options
@@ -27,7 +27,8 @@ fieldChoice :: Parser FieldChoice
 fieldChoice = FieldChoice <$> orderOption <*> modulusOption
 
 -- | Go on in the chosen field; leaves with status 2 and the reason where there is none.
-withChosenField :: FieldChoice -> (forall k. KnownField k => Proxy k -> IO Ending) -> IO Ending
+withChosenField ::
+  FieldChoice -> (forall k. KnownField k => Proxy k -> IO ExitStatus) -> IO ExitStatus
 withChosenField (FieldChoice q given) use = do
   (_, conway) <- orUnusable fieldMessage (conwayModulus q)
   let modulus = fromMaybe conway given

@@ -9,7 +9,7 @@ where
 import ArrayChoice
 import Data.Bifunctor (first)
 import Data.Maybe (fromMaybe)
-import Ending
+import ExitStatus
 import Json (shapeText)
 import Message (windowMessage)
 import Options

@@ -3,6 +3,9 @@ module Options
   ( module Options.Applicative,
     module Readers,
 
+    -- * Commands
+    subcommand,
+
     -- * Forms of options
     valued,
     defaulting,
@@ -33,14 +36,28 @@ where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
+import ExitStatus
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (columns, command)
+import qualified Options.Applicative as Parser (command)
+import Options.Applicative.Help.Chunk (stringChunk, unChunk, vcatChunks)
 import PraTactile.Array (Folding, Surface)
 import PraTactile.Explore (standardRegionSize)
 import PraTactile.Format.Name
 import PraTactile.Locate (Radius (..))
 import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import Readers
+
+-- | A command: its name, what it does in a sentence, examples of its use, and its options.
+subcommand ::
+  String -> String -> [String] -> Parser (IO ExitStatus) -> Mod CommandFields (IO ExitStatus)
+subcommand name does examples options =
+  Parser.command
+    name
+    (info (options <**> helper) (fullDesc <> progDesc does <> footerDoc (unChunk exampleText)))
+  where
+    exampleText = vcatChunks (map stringChunk (heading : map ("  " ++) examples))
+    heading = if length examples == 1 then "Example:" else "Examples:"
 
 -- | An option with its reader, its name, what stands for its value, and its help.
 valued :: ReadM a -> String -> String -> String -> Parser a

@@ -14,7 +14,7 @@ where
 
 import Data.List (intercalate)
 import Data.Text.Encoding (decodeUtf8')
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Json (shapeText)
 import Message

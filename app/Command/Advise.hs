@@ -5,16 +5,15 @@ module Command.Advise
   )
 where
 
-import Described
-import Ending
+import ExitStatus
 import Message.Advice
 import Options
 import PraTactile.Advise
 import PraTactile.Format (encodeAdvice)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "advise"
     "List the arrays of at least so many rows and columns: what is possible, what is not and why, \
     \in order of size; status 1 if nothing is."
@@ -34,7 +33,7 @@ command =
   where
     least name = valued naturalReader name "NUMBER" ("Least number of " ++ name)
 
-run :: Request -> AnswerForm -> IO Ending
+run :: Request -> AnswerForm -> IO ExitStatus
 run request form = do
   advice <- orUnusable adviceErrorMessage (advise request)
   printAs

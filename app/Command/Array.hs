@@ -12,8 +12,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate, transpose)
 import qualified Data.Vector.Storable as Storable
-import Described
-import Ending
+import ExitStatus
 import Message (foldMessage, imageMessage, profileMessage)
 import Options
 import Output (writeWhole)
@@ -28,9 +27,9 @@ import PraTactile.Profile
 data Format = Text | Csv | Json | Pgm | Svg
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "array"
     "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
     [ "pra-tactile array",
@@ -46,7 +45,7 @@ command =
 -- | The array with each element's code and its name.
 type Cells = [[(Int, String)]]
 
-run :: ArrayChoice -> Format -> Maybe FilePath -> IO Ending
+run :: ArrayChoice -> Format -> Maybe FilePath -> IO ExitStatus
 run choice format output = do
   profile <- chosenProfile choice
   cells <-

@@ -17,8 +17,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Either (rights)
 import Data.Maybe (fromMaybe)
-import Described
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message (censusMessage, proofMessage)
 import Message.Census
@@ -49,9 +48,9 @@ data Asked = Asked
     askedForm :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "census"
     "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
     \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
@@ -97,7 +96,7 @@ shardReader =
       then pure (fromInteger i, fromInteger k)
       else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
-run :: Asked -> IO Ending
+run :: Asked -> IO ExitStatus
 run given = do
   standard <- orUnusable censusMessage (standardScope (askedOrder given) (askedDegree given))
   let scope =

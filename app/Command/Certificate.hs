@@ -11,8 +11,7 @@ import Data.Aeson ((.=))
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
-import Described
-import Ending
+import ExitStatus
 import Json
 import MaskChoice
 import Message
@@ -24,9 +23,9 @@ import PraTactile.Format (encodeCertificate)
 import PraTactile.Profile (Profile (..))
 import PraTactile.Window (Mask)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "certificate"
     "Prove that the content of every window tells its position, and write the proof down so that \
     \a stranger can check it ('pra-tactile check', or data/check_certificate.py, which needs \
@@ -53,7 +52,7 @@ run ::
   Road ->
   Maybe FilePath ->
   AnswerForm ->
-  IO Ending
+  IO ExitStatus
 run choice drawn on evidence output form = do
   (profile, mask) <- chosenMask choice drawn on
   case certify evidence profile mask of

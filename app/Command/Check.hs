@@ -4,8 +4,7 @@ module Command.Check
   )
 where
 
-import Described
-import Ending
+import ExitStatus
 import FormatFile
 import Message (faultMessage)
 import Options
@@ -15,9 +14,9 @@ import PraTactile.Format (CertificateFile (..), encodeCheck)
 import PraTactile.Format.Name (shapeText, surfaceName)
 import PraTactile.Profile
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "check"
     "Check a certificate step by step: the primes, the order of the polynomial's root, the fold, \
     \and the rank or the digest."
@@ -27,7 +26,7 @@ command =
         <*> jsonSwitch "Print the outcome as JSON"
     )
 
-run :: FilePath -> AnswerForm -> IO Ending
+run :: FilePath -> AnswerForm -> IO ExitStatus
 run path form = do
   CertificateFile certificate isSealed <- readCertificate path
   let wrong

@@ -4,8 +4,7 @@ module Command.Compare
   )
 where
 
-import Described
-import Ending
+import ExitStatus
 import FormatFile
 import Message
 import Options
@@ -18,9 +17,9 @@ import PraTactile.Recognise.Summary (turnText, upperLeftVertex)
 import PraTactile.Truth
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "compare"
     "Compare an answer with the truth: is the window's centre where the answer says, and to how \
     \many millimetres?"
@@ -34,7 +33,7 @@ command =
         <*> jsonSwitch "Print the comparison as JSON"
     )
 
-run :: FilePath -> FilePath -> AnswerForm -> IO Ending
+run :: FilePath -> FilePath -> AnswerForm -> IO ExitStatus
 run answerFile truthFile form = do
   claim <- readClaim answerFile
   truth <- readTruth truthFile

@@ -12,8 +12,7 @@ import Control.Monad (unless, when)
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Traversable (for)
-import Described
-import Ending
+import ExitStatus
 import Frames
 import Message
 import Options
@@ -53,9 +52,9 @@ data Sharing
     OneFace
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "decode"
     "Recognise object, face and place from tactile images: PGM files that are whole composites, \
     \folders of frames with their manifest, or frames of such a folder. What was not recognised \
@@ -142,7 +141,7 @@ toleranceComplaint tolerated
   | toleratedDoubt tolerated >= 0 && toleratedDoubt tolerated < 1 = Nothing
   | otherwise = Just "--doubt is a probability below 1"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
   | picture options == Just standardOutput && form options == AsJson =
@@ -169,7 +168,7 @@ run choice options
             decoder [path] [composite]
 
 -- | How composites of one face, given their names, are decoded and the answer is printed.
-decoderOn :: Profile -> Options -> IO ([FilePath] -> [Composite] -> IO Ending)
+decoderOn :: Profile -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
 decoderOn profile options = do
   layout <- placementFor profile
   alphabet <- shippedAlphabet
@@ -208,7 +207,7 @@ decodeWith ::
   Recogniser k ->
   [FilePath] ->
   [Composite] ->
-  IO Ending
+  IO ExitStatus
 decodeWith alphabet profile array options reader from composites = do
   recognition <-
     orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
@@ -220,7 +219,7 @@ decodeWith alphabet profile array options reader from composites = do
       (form options)
       (unlines (recognitionText nameOf from recognition))
       (encodeRecognition (recognitionReport (context recognition) recognition))
-  pure (recognitionEnding recognition)
+  pure (recognitionStatus recognition)
   where
     nameOf = elementNames reader
     page = recognitionPage alphabet nameOf (recogniserPlacement reader) (faceClasses array)

@@ -13,8 +13,7 @@ import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
 import Data.Traversable (for)
-import Described
-import Ending
+import ExitStatus
 import Message
 import Options
 import PraTactile.Evaluate
@@ -42,9 +41,9 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "evaluate"
     "Simulate presses at random places on the faces in turn, and count how many are decoded \
     \right, wrong or refused, with stitching and without."
@@ -70,7 +69,7 @@ command =
         <*> networkOption
         <*> jsonSwitch "Print the counts as JSON"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | presses options < 1 = unusable "--presses is a number from 1 up"
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
@@ -102,7 +101,7 @@ measure ::
   Options ->
   Recogniser k ->
   [(LaidFace, HeightMap)] ->
-  IO Ending
+  IO ExitStatus
 measure profile options reader faces = do
   _ <- orUnusable probeMessage (planScan frameSpacing (0, 0) (size options))
   unless

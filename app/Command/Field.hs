@@ -6,8 +6,7 @@ where
 
 import Data.List (intercalate, transpose)
 import Data.Proxy (Proxy)
-import Described
-import Ending
+import ExitStatus
 import FieldChoice
 import Options
 import PraTactile.Field
@@ -15,9 +14,9 @@ import PraTactile.Field.Structure
 import PraTactile.Format (encodeField)
 import PraTactile.Polynomial (coefficients)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "field"
     "Print a field: its modulus, its elements and what each is, and the tables of sums and \
     \products."
@@ -26,7 +25,7 @@ command =
     ]
     (run <$> fieldChoice <*> jsonSwitch "Print the tables as JSON, codes for elements")
 
-run :: FieldChoice -> AnswerForm -> IO Ending
+run :: FieldChoice -> AnswerForm -> IO ExitStatus
 run choice form = withChosenField choice $ \k -> do
   printAs form (unlines (fieldText k)) (encodeField k)
   pure Answered

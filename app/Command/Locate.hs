@@ -12,8 +12,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Described
-import Ending
+import ExitStatus
 import Explain
 import Lines
 import Message
@@ -44,9 +43,9 @@ data Options = Options
 data Explained = Explained | Unexplained
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "locate"
     "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by \
     \spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may \
@@ -125,7 +124,7 @@ turningOption =
   where
     names = [(turningName how, how) | how <- [minBound ..]]
 
-run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
+run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
 run choice surface options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
   | Just _ <-
@@ -196,7 +195,7 @@ responder options profile on array mask = do
           queryDoubt = doubt options
         }
 
-answering :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
+answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus
 answering profile options respond = case source options of
   Nothing -> batch profile respond
   Just given -> do
@@ -206,7 +205,7 @@ answering profile options respond = case source options of
       (unlines (responseLines response))
       (encodeAnswer (responseReport response))
     when (form options == AsText) (mapM_ warn (weakness (responseAnswer response)))
-    pure (endingOf response)
+    pure (statusOf response)
 
 -- | That random symbols would be located as well.
 weakness :: Answer -> Maybe String
@@ -214,23 +213,23 @@ weakness answer = case answerOutcome answer of
   Unique _ _ -> answerChance answer >>= chanceWarning
   _ -> Nothing
 
--- | One line after another, each answered at once; the worst ending of all.
-batch :: Profile -> (Text -> Either String Response) -> IO Ending
+-- | One line after another, each answered at once; the worst status of all.
+batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus
 batch profile respond = forLines answerLine Answered
   where
     answerLine worst given = do
       let answer = textOf given >>= respond
       Bytes.putStrLn (encodeAnswer (either (invalidReport profile) responseReport answer))
       hFlush stdout
-      pure (max worst (either (const Unusable) endingOf answer))
+      pure (max worst (either (const Unusable) statusOf answer))
     textOf given = case given of
       Line text -> Right text
       NotUtf8 -> Left "the line is not UTF-8 text"
       TooLong size ->
         Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
-endingOf :: Response -> Ending
-endingOf response = case answerOutcome (responseAnswer response) of
+statusOf :: Response -> ExitStatus
+statusOf response = case answerOutcome (responseAnswer response) of
   Unique _ _ -> Answered
   _ -> NotAnswered
 

@@ -10,8 +10,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
-import Described
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message.Census
 import Options
@@ -22,9 +21,9 @@ import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
 import SameFile
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "merge"
     "Put the shards of a census together: the file that the census would be if it had been made \
     \in one run. They must be of one census, complete, undamaged, and have no entry in common. If \
@@ -46,7 +45,7 @@ command =
         <*> jsonSwitch "With --output, tell as JSON what was written"
     )
 
-run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO Ending
+run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO ExitStatus
 run files damage output form = do
   for_ output $ \file -> do
     inputs <- filterM (sameFile file) files

@@ -8,8 +8,7 @@ where
 import ArrayChoice
 import Control.Monad (unless)
 import Data.List (intercalate)
-import Described
-import Ending
+import ExitStatus
 import Json
 import Message
 import Options
@@ -30,9 +29,9 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "objects"
     "List the objects and the place of their faces on the array, look a window's position up, or \
     \write the mapping to an SQLite file."
@@ -63,7 +62,7 @@ command =
           )
         <*> jsonSwitch "Print as JSON"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
   profile <- chosenProfile choice
   layout <- placementFor profile

@@ -9,8 +9,7 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import Data.Proxy (Proxy)
 import Data.Word (Word64)
-import Described
-import Ending
+import ExitStatus
 import FieldChoice
 import Message (polynomialMessage)
 import Numeric.Natural (Natural)
@@ -24,9 +23,9 @@ import System.IO (BufferMode (..), hSetBuffering, stdout)
 data Wanted = All | Count | First | FewestTerms | Random Word64
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "polynomials"
     "Print the primitive or the irreducible polynomials of a degree, one a line: the codes of the \
     \coefficients, constant term first, as --polynomial takes them; in ascending order, the \
@@ -72,7 +71,7 @@ wanted =
 largestDegree :: Natural
 largestDegree = 10000
 
-run :: FieldChoice -> Natural -> PolynomialKind -> Wanted -> AnswerForm -> IO Ending
+run :: FieldChoice -> Natural -> PolynomialKind -> Wanted -> AnswerForm -> IO ExitStatus
 run choice n kind what form
   | n < 1 || n > largestDegree =
     unusable ("the degree is " ++ show n ++ "; it must be 1 to " ++ show largestDegree)
@@ -112,7 +111,7 @@ search k n kind what = case what of
         IrreducibleOnes -> Right (filter isIrreducible candidates)
 
 -- | An order that cannot be factored is no bad input.
-refused :: PolynomialError -> IO Ending
+refused :: PolynomialError -> IO ExitStatus
 refused e = case e of
   OrderNotFactored _ -> warn (polynomialMessage e) >> pure NotAnswered
   _ -> unusable (polynomialMessage e)

@@ -13,9 +13,8 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Tuple (swap)
-import Described
 import Drawing (hundredths)
-import Ending
+import ExitStatus
 import Frames (frameFiles)
 import Message
 import Options
@@ -53,9 +52,9 @@ data Options = Options
 data Announced = Announced | Unannounced
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "probe"
     "Press the simulated 16 x 16 sensor on an object's face and write the frames, as PGM files \
     \with a manifest, into a new folder."
@@ -128,7 +127,7 @@ turnOption =
   where
     names = [(show (90 * turns), turns) | turns <- quarterTurns]
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | not (positionSigma (sensor options) >= 0 && positionSigma (sensor options) < 1000) =
     unusable "--position-error is a number of taxels from 0 up"

@@ -7,8 +7,7 @@ where
 import ArrayChoice
 import CsvGrid (readGrid)
 import Data.Maybe (fromMaybe)
-import Described
-import Ending
+import ExitStatus
 import MaskChoice
 import Message (profileMessage, proofMessage, windowMessage)
 import Numeric.Natural (Natural)
@@ -23,9 +22,9 @@ import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 import Visible
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "prove"
     "Prove or refute that the content of every window tells its position: by visiting every \
     \window, and by the rank of the window's cells. FILE decides any array, whoever made it."
@@ -50,7 +49,7 @@ command =
           )
     )
 
-run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> IO Ending
+run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> IO ExitStatus
 run choice drawn on form source = do
   result <- maybe ofProfile ofFile source choice drawn on
   printAs

@@ -10,8 +10,7 @@ import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
 import Data.Traversable (for)
-import Described
-import Ending
+import ExitStatus
 import Message
 import Options
 import Output
@@ -45,9 +44,9 @@ data Options = Options
     plot :: Maybe FilePath
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "rates"
     "Tell how often damaged patches are located right, wrong, or refused: simulated from a seed, \
     \decoded from symbols to the guaranteed radius, or a stated one (hard) and from probabilities \
@@ -102,7 +101,7 @@ optionsParser =
     percent standard name text = several standard (valued decimalReader name "PERCENT" text)
     formats = [("text", Text), ("csv", Csv), ("json", Json)]
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | trials options < 1 = unusable "--trials is a number from 1 up"
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) =
@@ -130,7 +129,7 @@ data Setting k = Setting
 type role Setting nominal
 
 -- | Check what depends on the array, print the lines as they are made, and draw them.
-table :: KnownField k => Profile -> Options -> Book k -> IO Ending
+table :: KnownField k => Profile -> Options -> Book k -> IO ExitStatus
 table profile options codebook = do
   settings <- settingsOf options codebook
   for_ (plot options) orUnwritable
@@ -151,7 +150,7 @@ table profile options codebook = do
   where
     drawnOnly = plot options == Just standardOutput
     perLine = toInteger (trials options)
-    printing = format options /= Json
+    printing = if format options == Json then NotPrinting else Printing
     report made =
       RatesReport
         { ratesProfile = profile,

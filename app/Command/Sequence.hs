@@ -9,8 +9,7 @@ import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intersperse)
 import qualified Data.Vector.Primitive as Primitive
-import Described
-import Ending
+import ExitStatus
 import Message (profileMessage)
 import Numeric.Natural (Natural)
 import Options
@@ -21,9 +20,9 @@ import PraTactile.Profile
 import PraTactile.Sequence
 import System.IO (stdout)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "sequence"
     "Print terms of the m-sequence as codes: forward from any term, which is jumped to, or from \
     \before the first; --shape may be left out."
@@ -46,7 +45,7 @@ command =
         naturalReader
         (long "length" <> metavar "NUMBER" <> value 40 <> help "How many terms (default: 40)")
 
-run :: ArrayChoice -> Integer -> Natural -> AnswerForm -> IO Ending
+run :: ArrayChoice -> Integer -> Natural -> AnswerForm -> IO ExitStatus
 run choice from count form = do
   profile <- chosenSequence choice
   codes <-

@@ -10,8 +10,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Described
-import Ending
+import ExitStatus
 import Message
 import Options
 import Output (writeWhole)
@@ -28,9 +27,9 @@ data Options = Options
     output :: Maybe FilePath
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "shapes"
     "Draw the four embossed shapes with the table of their distances, or run the search that \
     \designed them."
@@ -50,7 +49,7 @@ command =
         <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
         <*> outputFileOption
 
-run :: Options -> IO Ending
+run :: Options -> IO ExitStatus
 run options
   | designing options = do
     (found, report) <-

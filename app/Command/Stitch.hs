@@ -10,8 +10,7 @@ where
 
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import Described
-import Ending
+import ExitStatus
 import Frames
 import Message
 import Options
@@ -22,9 +21,9 @@ import PraTactile.Probe (Frame)
 import PraTactile.Stitch
 import System.FilePath (takeExtension)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "stitch"
     "Assemble the frames of a folder into one composite image, correcting their positions by \
     \cross-correlation."
@@ -71,7 +70,7 @@ registrationFor sigma noise =
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
 assemble = maybe placeOnly stitch
 
-run :: Assembly -> FilePath -> FilePath -> IO Ending
+run :: Assembly -> FilePath -> FilePath -> IO ExitStatus
 run way folder output = do
   encoder <- case map toLower (takeExtension output) of
     ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)

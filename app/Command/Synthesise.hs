@@ -11,8 +11,7 @@ import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
-import Described
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message (fieldMessage)
 import Numeric.Natural (Natural)
@@ -23,9 +22,9 @@ import PraTactile.Format (SynthesisReport (..), encodeSynthesis)
 import PraTactile.Polynomial
 import PraTactile.Sequence.Synthesis
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "synthesise"
     "Find the shortest shift register that puts out the symbols read from the standard input, \
     \codes or powers parted by spaces, commas or line ends; status 1 if the symbols do not \
@@ -35,7 +34,7 @@ command =
     ]
     (run <$> orderOption <*> modulusOption <*> jsonSwitch "Print the answer as JSON")
 
-run :: Natural -> Maybe [Natural] -> AnswerForm -> IO Ending
+run :: Natural -> Maybe [Natural] -> AnswerForm -> IO ExitStatus
 run q modulusGiven form = do
   text <- readBytes "-" >>= orUnusable (const "the standard input is not UTF-8 text") . decodeUtf8'
   let symbols = words (map (\c -> if c == ',' then ' ' else c) (Text.unpack text))

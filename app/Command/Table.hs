@@ -12,8 +12,7 @@ import Data.Char (toLower)
 import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Vector
-import Described
-import Ending
+import ExitStatus
 import Message
 import Numeric (showHex)
 import Numeric.Natural (Natural)
@@ -31,9 +30,9 @@ import System.IO (stdout)
 data Format = Csv | C | Mem
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "table"
     "Print the memory table: each packed window's position, as CSV, as a C array, or as a memory \
     \image for $readmemh."
@@ -47,7 +46,7 @@ command =
     text = "csv, c or mem (default: csv)"
     formats = [("csv", Csv), ("c", C), ("mem", Mem)]
 
-run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO Ending
+run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus
 run choice chosen format output = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
@@ -56,7 +55,8 @@ run choice chosen format output = do
   (size, rendering) <-
     orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
   (heading, body, end) <- maybe (unusable repeated) pure rendering
-  besideOutput (output `elem` [Nothing, Just "-"]) (toInteger size) $ \tell -> do
+  let meanwhile = if output `elem` [Nothing, Just "-"] then Printing else NotPrinting
+  besideOutput meanwhile (toInteger size) $ \tell -> do
     pieces <- tellingAsRead tell (inPieces body)
     let text = Builder.toLazyByteString heading <> pieces <> Builder.toLazyByteString end
     maybe (Lazy.hPutStr stdout) writeWhole output text

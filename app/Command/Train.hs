@@ -7,8 +7,7 @@ where
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Text.Encoding as Text
-import Described
-import Ending
+import ExitStatus
 import Message
 import Options
 import Output
@@ -20,9 +19,9 @@ import Progress
 import Setup
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "train"
     "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default \
     \seed gives the shipped weights."
@@ -32,7 +31,7 @@ command =
         <*> fileOption "output" "FILE" "The file of weights"
     )
 
-run :: Int -> FilePath -> IO Ending
+run :: Int -> FilePath -> IO ExitStatus
 run seed output = do
   alphabet <- shippedAlphabet
   let training = trainingRounds shippedRegimen alphabet seed

@@ -88,7 +88,7 @@ lettered anchor font (x, y) =
   ]
     ++ [Text_anchor_ <<- "middle" | anchor == FromMiddle]
     ++ [Text_anchor_ <<- "end" | anchor == FromRight]
-    ++ [Font_weight_ <<- "bold" | fontBold font]
+    ++ [Font_weight_ <<- "bold" | fontWeight font == Bold]
 
 painted :: Paint -> [Attribute]
 painted paint =
@@ -103,9 +103,8 @@ painted paint =
 number :: Double -> Text
 number = Text.pack . hundredths
 
--- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square,
--- because not every program that shows SVG can be told to keep them sharp when it enlarges an
--- image.
+-- | A grey image as a data address: PNG, white for 0. Each pixel is this many pixels square: not
+-- every program that shows SVG keeps them sharp when it enlarges an image.
 pngAddress :: Int -> Raster -> Text
 pngAddress side image =
   "data:image/png;base64,"

@@ -114,7 +114,7 @@ symbolMark alphabet nameOf unit felt reading symbol =
   where
     colour = readingColour reading
     surface = filled colour (if felt == Part then 0.2 else 0.4)
-    font = Font (2 * unit) True colour
+    font = Font (2 * unit) Bold colour
     shown = if felt == Part then [readLikeliest symbol] else maybe [] pure (readClass symbol)
     label = maybe "?" (nameOf . snd) (readClass symbol)
     at = centred unit (symbolCentre (readImage symbol))

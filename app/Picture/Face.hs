@@ -107,9 +107,10 @@ vertexMark :: FaceView -> (VertexName, Spot) -> Drawing
 vertexMark view (name, spot) =
   onPaper (Mark "vertex" (Words anchor font (u + right, v + below) (vertexText name)))
   where
+    weight = if name `elem` placeCorners (viewPlace view) then Bold else Regular
     below = if v > 0 then 16 else -5
     (u, v) = units view (spotMillimetres spot)
-    font = plain {fontBold = name `elem` placeCorners (viewPlace view), fontSize = 15}
+    font = plain {fontWeight = weight, fontSize = 15}
     (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
 
 -- | How far the place is from the upper left vertex.

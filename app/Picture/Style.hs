@@ -51,8 +51,8 @@ ink = "#222222"
 pale = "#b8bcc4"
 
 heading, plain :: Font
-heading = Font 16 True ink
-plain = Font 13 False ink
+heading = Font 16 Bold ink
+plain = Font 13 Regular ink
 
 -- | A side of the picture: its heading, a note, what is drawn, and a scale of this many units a
 -- millimetre.

@@ -54,7 +54,11 @@ someAnswer =
     someLikely = (,) <$> someCandidate <*> someReal
     someCandidate = CandidateReport <$> somePosition <*> maybeOf someSymmetry
     someSymmetry = elements symmetries
-    somePatch = PatchReport <$> ((,) <$> someInteger <*> someInteger) <*> maybeOf someInt <*> arbitrary
+    somePatch =
+      PatchReport
+        <$> ((,) <$> someInteger <*> someInteger)
+        <*> maybeOf someInt
+        <*> arbitrary
     someInteger = choose (-(10 ^ (17 :: Int)), 10 ^ (17 :: Int))
 
 someRecognition :: Gen RecognitionReport
@@ -135,7 +139,9 @@ someChance = Chance <$> someReal <*> arbitrary
 
 -- | Finite, of all magnitudes.
 someReal :: Gen Double
-someReal = oneof [choose (0, 1), (\x n -> x * 10 ^^ (n :: Int)) <$> choose (-1, 1) <*> choose (-300, 300)]
+someReal = oneof [choose (0, 1), scaled <$> choose (-1, 1) <*> choose (-300, 300)]
+  where
+    scaled x n = x * 10 ^^ (n :: Int)
 
 somePoint :: Gen (Double, Double)
 somePoint = (,) <$> someReal <*> someReal

@@ -4,6 +4,7 @@
 -- decimal strings, because many readers of JSON hold numbers as IEEE doubles.
 module PraTactile.Format.Json
   ( encodeLine,
+    encodeSchema,
 
     -- * Values
     naturalValue,
@@ -15,6 +16,7 @@ where
 
 import Data.Aeson
 import Data.Aeson.Encoding (encodingToLazyByteString)
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text.Encoding.Error (lenientDecode)
 import qualified Data.Text.Lazy.Encoding as Lazy
@@ -27,6 +29,10 @@ encodeLine = valid . encodingToLazyByteString . pairs
   where
     -- Whatever was in a text, JSON is UTF-8.
     valid = Lazy.encodeUtf8 . Lazy.decodeUtf8With lenientDecode
+
+-- | An object of this schema of ours with these keys, on one line, without its end.
+encodeSchema :: String -> Series -> ByteString
+encodeSchema name keys = Lazy.toStrict (encodeLine ("schema" .= ("pra-tactile/" ++ name) <> keys))
 
 -- | A number, or a decimal string where a double would round it.
 naturalValue :: Natural -> Value

@@ -20,7 +20,6 @@ where
 import Data.Aeson (Value, (.=))
 import qualified Data.Aeson as Aeson
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.String (fromString)
 import PraTactile.Array (Position)
 import PraTactile.Format.Json
@@ -106,21 +105,19 @@ vertex = Codec vertexText (fmap VertexName . readValue text)
 -- | What lies at a position of the array of a profile, on one line, without its end.
 encodeWhereabouts :: Profile -> Position -> Whereabouts -> ByteString
 encodeWhereabouts profile at place =
-  Lazy.toStrict . encodeLine $
-    "schema" .= schema
-      <> "profile" .= profileValue profile
+  encodeSchema schema $
+    "profile" .= profileValue profile
       <> "position" .= positionValue at
       <> series whereaboutsKeys (whereaboutsReport (Just place))
 
 schema :: String
-schema = "pra-tactile/objects/1"
+schema = "objects/1"
 
 -- | The objects and where their faces lie on the array of a profile, on one line, without its end.
 encodeObjects :: Profile -> Placement -> ByteString
 encodeObjects profile layout =
-  Lazy.toStrict . encodeLine $
-    "schema" .= schema
-      <> "profile" .= profileValue profile
+  encodeSchema schema $
+    "profile" .= profileValue profile
       <> "objects" .= map (solidValue layout) (placementSolids layout)
 
 solidValue :: Placement -> Solid -> Value

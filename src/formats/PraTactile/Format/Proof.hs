@@ -11,7 +11,6 @@ where
 
 import Data.Aeson (Series, Value (..), (.=))
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.Maybe (isNothing)
 import PraTactile.Certificate
 import PraTactile.Format.Json
@@ -39,9 +38,8 @@ subjectShape subject = case subject of
 -- without its end.
 encodeProof :: Subject -> Mask -> Verdict -> Maybe Distance -> ByteString
 encodeProof subject mask verdict apart =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/prove/1" :: String)
-      <> subjectSeries subject
+  encodeSchema "prove/1" $
+    subjectSeries subject
       <> "mask" .= maskDrawing mask
       <> "proved" .= proved verdict
       <> "enumeration" .= enumeration verdict
@@ -66,9 +64,8 @@ subjectSeries subject = case subject of
 -- | What is wrong with a certificate, if anything is, on one line, without its end.
 encodeCheck :: Certificate -> Maybe String -> ByteString
 encodeCheck certificate wrong =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/check/1" :: String)
-      <> "good" .= isNothing wrong
+  encodeSchema "check/1" $
+    "good" .= isNothing wrong
       <> "reason" .= wrong
       <> "windows" .= naturalValue (certificateWindows certificate)
       <> "surface" .= surfaceName (profileSurface profile)

@@ -22,7 +22,6 @@ where
 
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Map.Strict as Map
 import Data.String (fromString)
@@ -101,9 +100,8 @@ data RatesReport = RatesReport
 -- | The table on one line, without its end.
 encodeRates :: RatesReport -> ByteString
 encodeRates report =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/rates/1" :: String)
-      <> "profile" .= profileValue (ratesProfile report)
+  encodeSchema "rates/1" $
+    "profile" .= profileValue (ratesProfile report)
       <> "trials" .= ratesTrials report
       <> "seed" .= ratesSeed report
       <> "radius" .= stated
@@ -176,9 +174,8 @@ data EvaluationReport = EvaluationReport
 -- | The counts on one line, without its end.
 encodeEvaluation :: EvaluationReport -> ByteString
 encodeEvaluation report =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/evaluate/1" :: String)
-      <> "profile" .= profileValue (evaluationProfile report)
+  encodeSchema "evaluate/1" $
+    "profile" .= profileValue (evaluationProfile report)
       <> "presses" .= evaluationPresses report
       <> "seed" .= evaluationSeed report
       <> "position_error_taxels" .= evaluationPositionError report

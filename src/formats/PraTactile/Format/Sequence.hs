@@ -26,9 +26,8 @@ import PraTactile.Profile (Profile)
 -- | A field, on one line, without its end: lists are indexed by codes, lists of lists by two.
 encodeField :: forall k. KnownField k => Proxy k -> ByteString
 encodeField k =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/field/1" :: String)
-      <> "q" .= fieldOrder k
+  encodeSchema "field/1" $
+    "q" .= fieldOrder k
       <> "p" .= fieldCharacteristic k
       <> "degree" .= fieldDegree k
       <> "modulus" .= map naturalValue (fieldModulus k)
@@ -109,9 +108,8 @@ data SynthesisReport = SynthesisReport
 -- | The register on one line, without its end.
 encodeSynthesis :: SynthesisReport -> ByteString
 encodeSynthesis found =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/synthesise/1" :: String)
-      <> "q" .= naturalValue (synthesisOrder found)
+  encodeSchema "synthesise/1" $
+    "q" .= naturalValue (synthesisOrder found)
       <> "modulus" .= map naturalValue (synthesisModulus found)
       <> "symbols" .= synthesisSymbols found
       <> "polynomial" .= map naturalValue (synthesisCodes found)

@@ -12,7 +12,6 @@ where
 
 import Data.Aeson ((.=))
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isRight)
 import PraTactile.Explore
 import PraTactile.Format.Error
@@ -82,9 +81,8 @@ claimKeys =
 -- they differ, on one line, without its end.
 encodeComparison :: Truth -> Maybe Claim -> Either (Maybe Difference) Double -> ByteString
 encodeComparison truth claim verdict =
-  Lazy.toStrict . encodeLine $
-    "schema" .= ("pra-tactile/compare/1" :: String)
-      <> "agree" .= isRight verdict
+  encodeSchema "compare/1" $
+    "agree" .= isRight verdict
       <> "difference" .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
       <> "answer_mm" .= fmap claimPlace claim
       <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
