@@ -54,12 +54,10 @@ arrayChoice =
       "Initial state of the shift register as codes (default 0,..,0,1)"
     <*> foldingOption
       "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"
-    <*> optional
-      ( fileOption
-          "profile"
-          "FILE"
-          "Take the profile from a JSON file, as the command 'profile' prints it"
-      )
+    <*> optionalFile
+      "profile"
+      "FILE"
+      "Take the profile from a JSON file, as the command 'profile' prints it"
   where
     numbers name meta = optional . valued numbersReader name meta
     shape name = optional . valued shapeReader name "ROWSxCOLUMNS"

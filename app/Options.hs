@@ -10,8 +10,10 @@ module Options
     valued,
     defaulting,
     fileOption,
+    optionalFile,
     outputFileOption,
     choosing,
+    allNamed,
 
     -- * The code
     orderOption,
@@ -72,16 +74,25 @@ defaulting standard reader name meta text =
 fileOption :: String -> String -> String -> Parser FilePath
 fileOption name meta text = strOption (long name <> metavar meta <> action "file" <> help text)
 
+-- | The same that may be left out.
+optionalFile :: String -> String -> String -> Parser (Maybe FilePath)
+optionalFile name meta = optional . fileOption name meta
+
 -- | @--output FILE@, in place of the standard output.
 outputFileOption :: Parser (Maybe FilePath)
-outputFileOption =
-  optional (fileOption "output" "FILE" "Write to a file instead of the standard output")
+outputFileOption = optionalFile "output" "FILE" "Write to a file instead of the standard output"
 
--- | An option whose values have names: its reader and these names, its name, what stands for its
--- value, and its help.
-choosing :: ReadM a -> [String] -> String -> String -> String -> Mod OptionFields a -> Parser a
-choosing reader names name meta text more =
-  option reader (long name <> metavar meta <> completeWith names <> help text <> more)
+-- | An option whose values have names: what they are, in messages, and these names; then its name,
+-- what stands for its value, its help, and more of it.
+choosing ::
+  String -> [(String, a)] -> String -> String -> String -> Mod OptionFields a -> Parser a
+choosing what choices name meta text more =
+  option (namedReader what choices) $
+    long name <> metavar meta <> completeWith (map fst choices) <> help text <> more
+
+-- | The values of a type by their names.
+allNamed :: (Bounded a, Enum a) => (a -> String) -> [(String, a)]
+allNamed nameOf = [(nameOf a, a) | a <- [minBound ..]]
 
 -- | @--q@.
 orderOption :: Parser Natural
@@ -96,12 +107,12 @@ modulusOption =
 -- | @--folding@, with its help.
 foldingOption :: String -> Parser (Maybe Folding)
 foldingOption text =
-  optional (choosing foldingReader (map foldingName [minBound ..]) "folding" "FOLDING" text mempty)
+  optional (choosing "folding" (allNamed foldingName) "folding" "FOLDING" text mempty)
 
 -- | @--surface torus|twisted-torus|sheet@.
 surfaceOption :: Parser (Maybe Surface)
 surfaceOption =
-  optional (choosing surfaceReader (map surfaceName [minBound ..]) "surface" "SURFACE" text mempty)
+  optional (choosing "surface" (allNamed surfaceName) "surface" "SURFACE" text mempty)
   where
     text = "torus, twisted-torus or sheet (default: the folding's own)"
 

@@ -16,8 +16,6 @@ module Readers
     -- * Names
     namedReader,
     namedReaderBy,
-    foldingReader,
-    surfaceReader,
   )
 where
 
@@ -27,8 +25,7 @@ import Data.List.NonEmpty (NonEmpty (..))
 import Data.Scientific (Scientific, toBoundedRealFloat)
 import Numeric.Natural (Natural)
 import Options.Applicative (ReadM, eitherReader)
-import PraTactile.Array (Folding, Position (..), Shape (..), Surface)
-import PraTactile.Format.Name (foldingName, surfaceName)
+import PraTactile.Array (Position (..), Shape (..))
 import Text.Read (readMaybe)
 import Visible
 
@@ -131,14 +128,6 @@ namedReaderBy normal what choices = eitherReader $ \name -> case lookup (normal 
     alternatives names = case reverse names of
       final : others@(_ : _) -> intercalate ", " (reverse others) ++ " or " ++ final
       _ -> concat names
-
--- | A folding's name.
-foldingReader :: ReadM Folding
-foldingReader = namedReader "folding" [(foldingName f, f) | f <- [minBound ..]]
-
--- | A surface's name.
-surfaceReader :: ReadM Surface
-surfaceReader = namedReader "surface" [(surfaceName s, s) | s <- [minBound ..]]
 
 splitOn :: Char -> String -> NonEmpty String
 splitOn separator text = case break (== separator) text of

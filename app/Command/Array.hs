@@ -37,8 +37,7 @@ command =
     ]
     (run <$> arrayChoice <*> format <*> outputFileOption)
   where
-    format = choosing reader (map fst formats) "format" "FORMAT" text (value Text)
-    reader = namedReader "format" formats
+    format = choosing "format" formats "format" "FORMAT" text (value Text)
     text = "text, csv, json, pgm or svg (default: text)"
     formats = [("text", Text), ("csv", Csv), ("json", Json), ("pgm", Pgm), ("svg", Svg)]
 

@@ -73,12 +73,12 @@ optionsParser =
     <$> surfaceOption
     <*> assemblyOptions
     <*> networkOption
-    <*> file
+    <*> optionalFile
       "database"
       "FILE"
       "Look the position up in a database that 'objects --write' made (default: the mapping in \
       \memory)"
-    <*> file
+    <*> optionalFile
       "picture"
       "FILE.svg"
       "Draw what was felt with the symbols over it, and where on the face that is (one source \
@@ -101,8 +101,6 @@ optionsParser =
               <> help "Images, folders of frames, or frames; - is an image on the standard input"
           )
       )
-  where
-    file name meta = optional . fileOption name meta
 
 -- | @--at@.
 placeOption :: Parser (Double, Double)

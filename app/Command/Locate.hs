@@ -101,28 +101,24 @@ optionsParser =
 decoderOption :: Parser DecoderName
 decoderOption =
   choosing
-    (namedReader "road" names)
-    (map fst names)
+    "road"
+    [(decoderText name, name) | name <- [TableDecoder, AlgebraDecoder, SearchDecoder]]
     "road"
     "table|algebra|search"
     "How to find positions at which all observed cells agree (default: correct errors, by \
     \comparing with every position or, beyond 2^20 cells, by information sets)"
     mempty
-  where
-    names = [(decoderText name, name) | name <- [TableDecoder, AlgebraDecoder, SearchDecoder]]
 
 turningOption :: Parser Turning
 turningOption =
   choosing
-    (namedReader "choice of orientation" names)
-    (map fst names)
+    "choice of orientation"
+    (allNamed turningName)
     "orientation"
     "upright|turned|any"
     "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the \
     \answer then tells the orientation, clockwise, and says where it cannot"
     (value Upright <> showDefaultWith turningName)
-  where
-    names = [(turningName how, how) | how <- [minBound ..]]
 
 run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
 run choice surface options

@@ -36,12 +36,10 @@ command =
           )
         <*> keepWholeSwitch
           "Of damaged files, take the rows that are whole; entries that are then missing are told"
-        <*> optional
-          ( fileOption
-              "output"
-              "FILE"
-              "Write to a file, which is none of the shards, instead of the standard output"
-          )
+        <*> optionalFile
+          "output"
+          "FILE"
+          "Write to a file, which is none of the shards, instead of the standard output"
         <*> jsonSwitch "With --output, tell as JSON what was written"
     )
 

@@ -51,15 +51,12 @@ command =
               "ROW,COLUMN"
               "Tell what lies at the window whose upper left cell is here, counted from 0"
           )
-        <*> optional
-          (fileOption "database" "FILE" "Ask this database instead of the mapping in memory")
-        <*> optional
-          ( fileOption
-              "write"
-              "FILE"
-              "Write the mapping to an SQLite file: a new one, or one that this command made, \
-              \which is replaced"
-          )
+        <*> optionalFile "database" "FILE" "Ask this database instead of the mapping in memory"
+        <*> optionalFile
+          "write"
+          "FILE"
+          "Write the mapping to an SQLite file: a new one, or one that this command made, \
+          \which is replaced"
         <*> jsonSwitch "Print as JSON"
 
 run :: ArrayChoice -> Options -> IO ExitStatus

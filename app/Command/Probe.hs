@@ -96,7 +96,7 @@ optionsParser =
           <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
       )
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
-    <*> optional (fileOption "truth" "FILE" "Write the true place as JSON, for 'compare'")
+    <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
     <*> strOption
       ( long "output"
           <> metavar "FOLDER"
@@ -118,14 +118,12 @@ turnOption =
     )
     <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
     <|> choosing
-      (namedReader "quarter turn" names)
-      (map fst names)
+      "quarter turn"
+      [(show (90 * turns), turns) | turns <- quarterTurns]
       "turn"
       "0|90|180|270"
       "The face lies turned clockwise by so many degrees"
       mempty
-  where
-    names = [(show (90 * turns), turns) | turns <- quarterTurns]
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options

@@ -83,23 +83,19 @@ optionsParser =
     <*> defaulting 10000 intReader "trials" "N" "Trials a line of the table"
     <*> seedOption (value 1 <> showDefault)
     <*> choosing
-      (namedReader "form" formats)
-      (map fst formats)
+      "form"
+      [("text", Text), ("csv", Csv), ("json", Json)]
       "format"
       "text|csv|json"
       "The form of the table (default text)"
       (value Text)
-    <*> optional
-      ( fileOption
-          "plot"
-          "FILE.svg"
-          "Draw the table as well, into an SVG file; - is the standard output, in place of \
-          \the table"
-      )
+    <*> optionalFile
+      "plot"
+      "FILE.svg"
+      "Draw the table as well, into an SVG file; - is the standard output, in place of the table"
   where
     several standard one = some one <|> pure standard
     percent standard name text = several standard (valued decimalReader name "PERCENT" text)
-    formats = [("text", Text), ("csv", Csv), ("json", Json)]
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options

@@ -41,9 +41,15 @@ command =
     ]
     (run <$> arrayChoice <*> surfaceOption <*> format <*> outputFileOption)
   where
-    format = choosing reader (map fst formats) "format" "FORMAT" text (value Csv)
-    reader = namedReaderBy (map toLower) "format" formats
-    text = "csv, c or mem (default: csv)"
+    format =
+      option
+        (namedReaderBy (map toLower) "format" formats)
+        ( long "format"
+            <> metavar "FORMAT"
+            <> completeWith (map fst formats)
+            <> value Csv
+            <> help "csv, c or mem (default: csv)"
+        )
     formats = [("csv", Csv), ("c", C), ("mem", Mem)]
 
 run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus

@@ -12,6 +12,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
@@ -64,7 +65,7 @@ roundTrips = do
   it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
     recognition <- right (canonicalDecoder >>= (`decodeFolder` folder))
-    let context =
+    let source =
           RecognitionContext
             { contextProfile = canonicalProfile,
               contextNames = ["frames"],
@@ -72,7 +73,7 @@ roundTrips = do
               contextElement = show,
               contextRobot = const (1.5, -2.5)
             }
-        report = recognitionReport context recognition
+        report = recognitionReport source recognition
     decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
       `shouldBe` Right (Just (Claim top 0 (25.4, 95.25) (1.5, -2.5)))
@@ -169,7 +170,7 @@ refusals = do
       ]
 
 fields :: ByteString -> Object
-fields = maybe mempty id . decodeStrict
+fields = fromMaybe mempty . decodeStrict
 
 written :: Object -> ByteString
 written = Lazy.toStrict . encode

@@ -11,8 +11,8 @@
 -- >>> certificateWindows . fileCertificate <$> decodeCertificate (encodeCertificate certificate)
 -- Right 255
 --
--- The modules below this one have the pieces: 'PraTactile.Format.Json.encodeLine' for other JSON in
--- the same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
+-- The modules below this one have the pieces: "PraTactile.Format.Json.Codec" for other JSON in the
+-- same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
 -- census files that are not finished.
 module PraTactile.Format
   ( -- * Why a text is not read

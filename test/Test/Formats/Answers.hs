@@ -6,11 +6,9 @@ module Test.Formats.Answers
 where
 
 import PraTactile
-import PraTactile.Array (Position (..))
 import PraTactile.Format
 import PraTactile.Format.Answer
 import PraTactile.Format.Object
-import PraTactile.Format.Outcome
 import PraTactile.Format.Recognition
 import PraTactile.Locate (Chance (..), DecoderName)
 import PraTactile.Object.Placement (Face (..))
