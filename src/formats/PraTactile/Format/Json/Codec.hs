@@ -190,7 +190,8 @@ quarterTurn =
       maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) [0 .. 3])
 
 -- | Keys of an object: what is written for an @r@, in order, and how an @a@ is read from them.
-data Keys r a = Keys (r -> [Item]) (Object -> Either FormatError a)
+-- The items are put in front of others.
+data Keys r a = Keys (r -> [Item] -> [Item]) (Object -> Either FormatError a)
 
 data Item = forall w. ToJSON w => Item Key w
 
@@ -198,13 +199,13 @@ instance Functor (Keys r) where
   fmap f (Keys write decoder) = Keys write (fmap f . decoder)
 
 instance Applicative (Keys r) where
-  pure a = Keys (const []) (const (Right a))
+  pure a = Keys (const id) (const (Right a))
   Keys write decoder <*> Keys write' decoder' =
-    Keys (\r -> write r ++ write' r) (\fields -> decoder fields <*> decoder' fields)
+    Keys (\r -> write r . write' r) (\fields -> decoder fields <*> decoder' fields)
 
 -- | A key that is always there, and the part of the whole that it has.
 key :: Key -> Codec a -> (r -> a) -> Keys r a
-key name (Codec write decoder) part = Keys (\r -> [Item name (write (part r))]) $ \fields ->
+key name (Codec write decoder) part = Keys (\r -> (Item name (write (part r)) :)) $ \fields ->
   case KeyMap.lookup name fields of
     Just value -> within (Key name) (decoder value)
     Nothing -> refuse (MissingKey (Key.toText name))
@@ -215,7 +216,7 @@ optionalKey name codec = optionalKeys name (key name codec id)
 
 -- | Keys that are there together or not at all, by the first of them.
 optionalKeys :: Key -> Keys s a -> (r -> Maybe s) -> Keys r (Maybe a)
-optionalKeys name (Keys write decoder) part = Keys (maybe [] write . part) $ \fields ->
+optionalKeys name (Keys write decoder) part = Keys (maybe id write . part) $ \fields ->
   if KeyMap.member name fields then Just <$> decoder fields else Right Nothing
 
 -- | The keys of a part.
@@ -224,7 +225,7 @@ withKeys part (Keys write decoder) = Keys (write . part) decoder
 
 -- | The key @schema@; another schema than this is refused.
 schemaKey :: String -> Keys r ()
-schemaKey wanted = Keys (const [Item "schema" wanted]) $ \fields -> do
+schemaKey wanted = Keys (const (Item "schema" wanted :)) $ \fields -> do
   given <- readKeys (key "schema" text (const wanted)) fields
   if given == wanted then Right () else refuse (OtherSchema given wanted)
 
@@ -233,10 +234,10 @@ object :: Keys a a -> Codec a
 object keys = Codec (writeObject keys) (objectOf >=> readKeys keys)
 
 writeObject :: Keys r a -> r -> Object
-writeObject (Keys write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r]
+writeObject (Keys write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
 
 series :: Keys r a -> r -> Series
-series (Keys write _) r = mconcat [name .= part | Item name part <- write r]
+series (Keys write _) r = mconcat [name .= part | Item name part <- write r []]
 
 -- | The object on one line, without its end.
 writeLine :: Keys r a -> r -> ByteString
