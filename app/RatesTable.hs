@@ -11,7 +11,7 @@ where
 
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
 import PraTactile.Rates
 import Text.Printf (printf)
 

@@ -39,17 +39,17 @@ command =
     )
   where
     evidence =
-      flag' RankRoad (long "rank" <> help "Show the rank of the window's cells, at any size")
+      flag' RankMethod (long "rank" <> help "Show the rank of the window's cells, at any size")
         <|> flag'
-          EnumerationRoad
+          EnumerationMethod
           (long "enumeration" <> help "Give the digest of all windows, sorted")
-        <|> pure AnyRoad
+        <|> pure AnyMethod
 
 run ::
   ArrayChoice ->
   Maybe Mask ->
   Maybe Surface ->
-  Road ->
+  Method ->
   Maybe FilePath ->
   AnswerForm ->
   IO ExitStatus

@@ -17,8 +17,8 @@ import Output
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Format.Rates
-import PraTactile.Locate.Book
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Profile
 import PraTactile.Rates
 import PraTactile.Window
@@ -109,7 +109,7 @@ run choice options
           either
             (unusable . locateMessage)
             (table profile options)
-            (book (naturalSurface (arrayFolding array)) array mask)
+            (buildCodebook (naturalSurface (arrayFolding array)) array mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
 -- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
@@ -125,7 +125,7 @@ data Setting k = Setting
 type role Setting nominal
 
 -- | Check what depends on the array, print the lines as they are made, and draw them.
-table :: KnownField k => Profile -> Options -> Book k -> IO ExitStatus
+table :: KnownField k => Profile -> Options -> Codebook k -> IO ExitStatus
 table profile options codebook = do
   settings <- settingsOf options codebook
   for_ (plot options) orUnwritable
@@ -171,7 +171,7 @@ lineAs how l = case how of
   Json -> ""
 
 -- | All lines, size by size.
-settingsOf :: KnownField k => Options -> Book k -> IO [Setting k]
+settingsOf :: KnownField k => Options -> Codebook k -> IO [Setting k]
 settingsOf options codebook = do
   unless (all (\p -> p >= 0 && p < chance) (errors options)) (unusable tooWrong)
   concat <$> for (sizes options) withSize
@@ -182,7 +182,7 @@ settingsOf options codebook = do
       let exact = exactRates (radius options) codebook mask
       pure [Setting place size exact p s | s <- erasures options, p <- errors options]
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
-    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (bookArray codebook)))
+    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray codebook)))
     tooWrong =
       "--errors is a share from 0 to below "
         ++ numberText chance

@@ -34,7 +34,7 @@ import Graphics.Svg
 import PraTactile.Array (Shape)
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
 import PraTactile.Rates
 import RatesTable
 

@@ -30,8 +30,8 @@ import PraTactile.Evaluate (Tally (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 import PraTactile.Format.Profile
+import PraTactile.LinearCode.Rates (Rates (..))
 import PraTactile.Locate (Radius (..))
-import PraTactile.Locate.Rates (Rates (..))
 import PraTactile.Profile (Profile)
 import PraTactile.Rates (Calibration (..))
 
