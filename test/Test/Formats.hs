@@ -12,6 +12,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
+import Data.Foldable (fold)
 import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
@@ -151,7 +152,7 @@ refusals = do
       ]
 
 fields :: ByteString -> Object
-fields = maybe mempty id . decodeStrict
+fields = fold . decodeStrict
 
 written :: Object -> ByteString
 written = Lazy.toStrict . encode

@@ -25,7 +25,7 @@ import Control.Monad (when)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
-import Data.List (find, intercalate)
+import Data.List (find)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding, Shape (..), area)
 import PraTactile.Census
@@ -120,7 +120,7 @@ keyFields scope entries entry =
       shapeText (entryWindow entry)
     ]
   where
-    codes = intercalate " " . map show
+    codes = unwords . map show
 
 -- | A row's body as it stands in a file of a form.
 inForm :: Form -> ByteString -> ByteString
