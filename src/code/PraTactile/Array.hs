@@ -34,14 +34,14 @@ where
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
-import PraTactile.Array.Laid
+import PraTactile.Array.Fill
 import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Polynomial
 import PraTactile.Sequence
 
--- | How the sequence is laid into the rectangle.
+-- | How the sequence is folded into the rectangle.
 data Folding
   = -- | a[i mod n1][i mod n2] = s(i), on the torus.
     Diagonal
@@ -142,7 +142,7 @@ toGrid array
     cells = case arrayFolding array of
       RowMajor ->
         sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
-      Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
+      Diagonal -> filled (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
 
 -- | The whole array, row by row. Refuses as 'toGrid' does.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]

@@ -27,7 +27,7 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Array.Laid
+import PraTactile.Array.Fill
 import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
@@ -112,7 +112,7 @@ codeGrid code j
     g = codeArrays code
     (u, v) = diagonalWeights n1 n2
     start = j `mod` g
-    cells = laid h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
+    cells = filled h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
 
 -- | The rank over GF(q) of the alpha^e, e the indices of the mask's cells from the cell of s(0).
 -- The windows of all arrays together are distinct iff it is n: moving a window by one term of the

@@ -1,8 +1,7 @@
--- |
--- Primes and factors of integers, as far as the order of a root of h asks for them:
--- h is primitive when its root has order exactly q^n - 1, which is decided from the
--- primes that divide q^n - 1. Every answer is proved; where the effort allowed does not
--- suffice, the answer is a refusal. Imports base only.
+-- | Primes and factors of integers, as far as the order of a root of h asks for them: h is
+-- primitive when its root has order exactly q^n - 1, which is decided from the primes that divide
+-- q^n - 1. Every answer is proved; where the effort allowed does not suffice, the answer is a
+-- refusal. Imports base only.
 module PraTactile.Factorisation
   ( -- * Factorisation
     factorise,
@@ -15,6 +14,7 @@ module PraTactile.Factorisation
     -- * Primality
     isPrime,
     millerRabinDomain,
+    isPocklingtonWitness,
 
     -- * Euler's function
     totient,

@@ -112,11 +112,12 @@ fieldModulus :: forall k proxy. KnownField k => proxy k -> [Natural]
 fieldModulus _ = tableModulus (tables @k)
 
 {- Note [Rows of 256]
-   The product of codes a and b is entry 256 a + b of a table of 65536. As a and b are
-   bytes, every index is within the table whatever the bytes are, so that leaving out the
-   bounds check is safe by the types alone, and no invariant has to be kept elsewhere. Rows of q
-   would save memory for small fields but tie safety to the constructor being used well, and
-   need q in the inner loop; a row of a small field touches only the cache lines that it uses. -}
+   ~~~~~~~~~~~~~~~~~~
+   The product of codes a and b is entry 256 a + b of a table of 65536. As a and b are bytes, every
+   index is within the table whatever the bytes are, so that leaving out the bounds check is safe by
+   the types alone, and no invariant has to be kept elsewhere. Rows of q would save memory for small
+   fields but tie safety to the constructor being used well, and need q in the inner loop; a row of
+   a small field touches only the cache lines that it uses. -}
 
 -- | Index by two bytes; the table has 65536 entries.
 at2 :: Primitive.Vector Word8 -> Word8 -> Word8 -> Word8

@@ -50,12 +50,12 @@ module PraTactile.Polynomial
     randomMonics,
     ascendingCandidates,
     fewestTermsCandidates,
-    barrenRun,
+    reducibleRun,
   )
 where
 
-import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
+import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 import PraTactile.Polynomial.Search

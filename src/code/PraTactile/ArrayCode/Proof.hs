@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | The window property of an array code: no content occurs twice in all its arrays together. By
--- visiting every window of every array, and by the rank of the mask; where both roads are open they
--- are compared.
+-- visiting every window of every array, and by the rank of the mask; where both methods are
+-- possible they are compared.
 module PraTactile.ArrayCode.Proof
   ( proveCode,
     ProvedCode,
@@ -42,7 +42,7 @@ data CodeVerdict = CodeVerdict
 -- | Why there is no verdict.
 newtype CodeProofError
   = -- | Visiting and rank contradict each other, which a theorem forbids.
-    CodeRoadsDisagree CodeVerdict
+    CodeMethodsDisagree CodeVerdict
   deriving stock (Eq, Show)
 
 -- | A code with a mask whose windows have been shown to be distinct. Only 'proveCode' makes one.
@@ -64,7 +64,7 @@ proveCode ::
   Mask ->
   Either CodeProofError (CodeVerdict, Maybe (ProvedCode k))
 proveCode code mask = case visits of
-  Just seen | allDistinct seen /= byRank -> Left (CodeRoadsDisagree verdict)
+  Just seen | allDistinct seen /= byRank -> Left (CodeMethodsDisagree verdict)
   _ -> Right (verdict, if byRank then Just (ProvedCode code mask) else Nothing)
   where
     r = codeRank code mask

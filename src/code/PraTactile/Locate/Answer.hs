@@ -15,6 +15,7 @@ module PraTactile.Locate.Answer
     Answer (..),
     Distances (..),
     Posterior (..),
+    impossible,
     PatchVerdict (..),
     Known (..),
     atLeast,
@@ -172,6 +173,21 @@ data Posterior place = Posterior
     posteriorWords :: Int
   }
   deriving stock (Eq, Show, Functor)
+
+-- | No place is possible, of all that there are.
+impossible :: Posterior place
+impossible =
+  Posterior
+    { posteriorBest = Nothing,
+      posteriorDoubt = 1,
+      posteriorEqual = [],
+      posteriorMany = Nothing,
+      posteriorEqualDoubt = 1,
+      posteriorMargin = Nothing,
+      posteriorRanking = [],
+      posteriorUnlisted = Nothing,
+      posteriorWords = 0
+    }
 
 -- | What is said of one of several patches.
 data PatchVerdict = PatchVerdict

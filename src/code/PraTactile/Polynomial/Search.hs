@@ -23,9 +23,9 @@ import Data.Proxy (Proxy (..))
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Field
-import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
+import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 
 -- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
@@ -34,9 +34,9 @@ monicPolynomials :: KnownField k => Natural -> [Polynomial k]
 monicPolynomials = monicFrom 0
 
 -- | 'monicPolynomials' without those at the beginning that are known not to be irreducible
--- ('barrenRun').
+-- ('reducibleRun').
 ascendingCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
-ascendingCandidates n = monicFrom (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+ascendingCandidates n = monicFrom (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
 -- | The monic polynomials of a degree, ascending, from x^n + x^i on; all of them for i = 0.
 monicFrom :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
@@ -54,7 +54,7 @@ monicByTerms = byTerms 0
 
 -- | 'monicByTerms' without those that 'ascendingCandidates' leaves out.
 fewestTermsCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
-fewestTermsCandidates n = byTerms (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+fewestTermsCandidates n = byTerms (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
 -- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them
 -- for i = 0.

@@ -154,13 +154,15 @@ combinations a b = Primitive.create $ do
     forM_ elements $ \y -> Mutable.write table (256 * toCode x + toCode y) (a * x + b * y)
   pure table
 
-{- Note [Eight terms at a time] In characteristic 2 a code is the vector of its coefficients over
-   GF(2), and a sum is exclusive or, of eight codes in one machine word as of one. A factor c = c0 +
-   c1 A + ... (A the modulus's root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's
-   rule all the terms wanted times A^b are added up, the sum multiplied by A, those wanted times
-   A^(b-1) added, and so on: m - 1 multiplications by A whatever the number of terms. Multiplication
-   by A moves each code up one bit and takes the modulus from those that reach degree m. No byte
-   sees another, so that the order of the bytes in a word does not matter. -}
+{- Note [Eight terms at a time]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   In characteristic 2 a code is the vector of its coefficients over GF(2), and a sum is exclusive
+   or, of eight codes in one machine word as of one. A factor c = c0 + c1 A + ... (A the modulus's
+   root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's rule all the terms wanted
+   times A^b are added up, the sum multiplied by A, those wanted times A^(b-1) added, and so on: m -
+   1 multiplications by A whatever the number of terms. Multiplication by A moves each code up one
+   bit and takes the modulus from those that reach degree m. No byte sees another, so that the order
+   of the bytes in a word does not matter. -}
 
 -- | The same sum of words of eight terms, all lags being multiples of 8. See
 -- Note [Eight terms at a time].

@@ -19,9 +19,9 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Extension
 import PraTactile.Field
+import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Window
-import PraTactile.Window.Elimination
 
 -- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
 -- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n.

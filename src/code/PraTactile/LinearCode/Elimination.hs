@@ -1,7 +1,7 @@
 -- |
 -- Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square one.
 -- Internal; the rank of a mask, its distance and its certificate stand on it.
-module PraTactile.Window.Elimination
+module PraTactile.LinearCode.Elimination
   ( -- * Rows
     Row,
     rowFromList,

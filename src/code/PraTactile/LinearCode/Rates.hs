@@ -9,7 +9,7 @@
 -- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). A window is any of the words but zero,
 -- all equally often, so that of the other words that an error can lead to, one in (number of
 -- windows) is zero, which is refused.
-module PraTactile.Locate.Rates
+module PraTactile.LinearCode.Rates
   ( -- * Rates
     Rates (..),
     decodingRates,
@@ -25,7 +25,7 @@ where
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Locate.Punctured
+import PraTactile.LinearCode.Punctured
 
 -- | Probabilities that add up to 1.
 data Rates = Rates
