@@ -1,6 +1,6 @@
 -- | Which arrays are there? Given an alphabet, the least numbers of rows and columns, and perhaps a
 -- window: what is possible, and what is not and why, in order of size. Pseudorandom arrays exist in
--- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays together.
+-- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays.
 module PraTactile.Advise
   ( -- * Asking
     Request (..),
@@ -83,8 +83,8 @@ data Option = Option
 
 -- | A combination that does not work, and why.
 data Obstacle
-  = -- | For this degree, q^n - 1, the second number, is not a product of as many rows and
-    -- columns as wanted, or more.
+  = -- | For this degree, q^n - 1, the second number, is not a product of as many rows and columns
+    -- as wanted, or more.
     NoSuchShape Natural Natural
   | -- | For this degree, the sides n1 and n2 have a common divisor, so that the diagonal reaches
     -- only a part of the cells and no linear array of the shape exists on the torus; but something

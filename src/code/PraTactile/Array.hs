@@ -1,5 +1,4 @@
--- |
--- Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
+-- | Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
 -- paper). Along the diagonal, a[i mod n1][i mod n2] = s(i), which fills the rectangle exactly when
 -- gcd(n1, n2) = 1, by the Chinese remainder theorem; or row by row, a[r][c] = s(n2 r + c).
 module PraTactile.Array

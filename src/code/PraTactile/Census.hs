@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
 -- | All arrays of a size, one after another: for an alphabet and a degree n, every primitive
--- polynomial, every shape that its sequence fills, and every window worth asking about; whether the
+-- polynomial, every shape that its sequence fills, and every window of interest; whether the
 -- windows are distinct, by both methods, and how many errors they forgive.
 module PraTactile.Census
   ( -- * What is asked
@@ -115,8 +115,8 @@ scopeShapes folding factors =
     coprime (Shape n1 n2) = gcd n1 n2 == 1
 
 -- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles
--- of n cells, the fewest that can tell all positions, and those with one row or column more, which
--- forgive something.
+-- of n cells, the fewest that can determine all positions, and those with one row or column more,
+-- which forgive something.
 --
 -- >>> let shown (Shape a b) = show a ++ "x" ++ show b
 -- >>> map shown . (`scopeWindowsOf` Shape 15 17) <$> standardScope 4 4

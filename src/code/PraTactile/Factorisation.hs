@@ -26,8 +26,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
--- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and
--- numbers left with two prime factors of more than about 20 digits.
+-- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
+-- with two prime factors of more than about 20 digits.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]

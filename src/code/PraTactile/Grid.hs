@@ -1,6 +1,5 @@
--- |
--- Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how
--- rows and columns continue at their edges.
+-- | Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how rows
+-- and columns continue at their edges.
 module PraTactile.Grid
   ( -- * Shapes and positions
     Shape (..),

@@ -1,7 +1,6 @@
--- |
--- Polynomials over GF(q), and which of them are primitive: those whose root alpha
--- generates GF(q^n), so that the shift register of the paper's section II runs through
--- all q^n - 1 non-zero states.
+-- | Polynomials over GF(q), and which of them are primitive: those whose root alpha generates
+-- GF(q^n), so that the shift register of the paper's section II runs through all q^n - 1 non-zero
+-- states.
 module PraTactile.Polynomial
   ( -- * Polynomials
     Polynomial,

@@ -1,4 +1,4 @@
--- | Windows: the few neighbouring cells by whose content a position is told (section II of the
+-- | Windows: the few neighbouring cells by whose content a position is known (section II of the
 -- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
 -- is its upper left corner, the cell from which the offsets count, observed or not.
 module PraTactile.Window

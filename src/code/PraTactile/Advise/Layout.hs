@@ -17,11 +17,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Array.Remainder
 
--- | How a sequence is laid.
+-- | How a sequence is folded.
 data Layout
   = -- | Into one array: along the diagonal of the torus, or row by row on the twisted torus.
     Single Folding
-  | -- | Into so many arrays, each along the diagonal of a torus, which share the window property:
+  | -- | Into this many arrays, each along the diagonal of a torus, which share the window property:
     -- see "PraTactile.ArrayCode".
     Joint Natural
   deriving stock (Eq, Ord, Show)

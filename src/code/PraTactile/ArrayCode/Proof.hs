@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The window property of an array code: no content occurs twice in all its arrays together. By
--- visiting every window of every array, and by the rank of the mask; where both methods are
--- possible they are compared.
+-- | The window property of an array code: no content occurs twice in all its arrays. By visiting
+-- every window of every array, and by the rank of the mask; where both methods are possible they
+-- are compared.
 module PraTactile.ArrayCode.Proof
   ( proveCode,
     ProvedCode,
@@ -26,7 +26,7 @@ import PraTactile.Window.Enumeration (largestSpan)
 import PraTactile.Window.Seen
 import PraTactile.Window.Visit
 
--- | What is known of the windows of all arrays together, each on its torus.
+-- | What is known of the windows of all arrays, each on its torus.
 data CodeVerdict = CodeVerdict
   { -- | whether all windows are distinct
     codeProved :: Bool,
@@ -55,9 +55,9 @@ data ProvedCode (k :: Field) = ProvedCode
 
 type role ProvedCode nominal
 
--- | Decide whether the windows of all arrays together are distinct: by the rank, and by visiting
--- them all if there are not more than 2^30 possible contents and the arrays fit into memory one by
--- one. Refuses when the two disagree.
+-- | Decide whether the windows of all arrays are distinct: by the rank, and by visiting them all if
+-- there are not more than 2^30 possible contents and the arrays fit into memory one by one. Refuses
+-- when the two disagree.
 proveCode ::
   KnownField k =>
   ArrayCode k ->

@@ -1,6 +1,5 @@
--- |
--- Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the
--- arithmetic that it helps to check. Internal.
+-- | Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the arithmetic
+-- that it helps to check. Internal.
 module PraTactile.Certificate.Residue
   ( Modulus,
     modulusFrom,
@@ -25,10 +24,10 @@ type role Modulus nominal
 
 -- | The polynomial with these coefficients, constant term first, if it is such a one.
 modulusFrom :: [GF k] -> Maybe (Modulus k)
-modulusFrom told = case (told, reverse told) of
+modulusFrom stated = case (stated, reverse stated) of
   (constantTerm : _ : _, leading : _)
     | leading == one && constantTerm /= zero ->
-      Just (Modulus (rowFromList (take (length told - 1) told)))
+      Just (Modulus (rowFromList (take (length stated - 1) stated)))
   _ -> Nothing
 
 -- | x^n h(1/x) / h(0).

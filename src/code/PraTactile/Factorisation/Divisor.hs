@@ -1,9 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Divisors of composite numbers: trial division, then Pollard's rho, then Lenstra's
--- elliptic curves, each with a stated effort. Nothing here has to be believed: that a
--- divisor divides is checked before it is given out. Imports base only.
+-- | Divisors of composite numbers: trial division, then Pollard's rho, then Lenstra's elliptic
+-- curves, each with a stated effort. Nothing here has to be believed: that a divisor divides is
+-- checked before it is given out. Imports base only.
 module PraTactile.Factorisation.Divisor
   ( -- * Small primes
     smallPrimes,
@@ -84,7 +83,7 @@ rho n c = tortoise (1 :: Int) 2
          in case g of
               1 -> batch r x (foldl' (\_ z -> z) y points) (left - size)
               _ -> oneByOne x points
-    -- Some difference of the batch has a factor in common with n: the first one tells.
+    -- Some difference of the batch has a factor in common with n: the first one shows it.
     oneByOne x points = fromMaybe n (find (/= 1) (map (gcd n . distance x) points))
     distance a b = if a > b then a - b else b - a
 

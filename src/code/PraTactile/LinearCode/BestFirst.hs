@@ -1,6 +1,5 @@
 -- | The words of independent letters in the order of their probability, the likeliest first, made
 -- one at a time: each option of each letter costs something, and what a word costs is the sum.
--- Internal.
 module PraTactile.LinearCode.BestFirst
   ( bestFirst,
   )

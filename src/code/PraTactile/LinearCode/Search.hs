@@ -36,7 +36,7 @@ import PraTactile.LinearCode.Packed
    disjoint. So a codeword that is seen at none of the levels w(1), w(2), ... of the sets differs
    from y in at least
 
-     sum of max 0 (w(j) + 1 - d(j))
+   sum of max 0 (w(j) + 1 - d(j))
 
    places, and all codewords that differ in fewer have been seen (for y = 0, lightest codewords:
    K.-H. Zimmermann 1996; M. Grassl in "Discovering Mathematics with Magma", 2006). At level k of

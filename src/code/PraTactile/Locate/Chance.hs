@@ -6,8 +6,8 @@
 --
 -- of the q^m words of m cells. With N positions that is N V(r) / q^m of all: exactly, while 2 r is
 -- less than the minimum distance, when no two spheres meet; and never more (R. W. Hamming 1950; F.
--- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). That share of random
--- symbols is taken for cells of the array.
+-- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). That share of random symbols is
+-- taken for cells of the array.
 module PraTactile.Locate.Chance
   ( -- * The share
     Chance (..),

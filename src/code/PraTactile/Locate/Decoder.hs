@@ -118,7 +118,7 @@ prepared packing surface array mask =
 -- | A decoder of symbols.
 data SymbolDecoder (k :: Field) = SymbolDecoder
   { symbolName :: !DecoderName,
-    -- | Where an upright patch is, of which that many cells may be wrong.
+    -- | Where an upright patch is, with this radius.
     symbolDecide :: Radius -> Patch (GF k) -> Either LocatorError (Decision Position),
     -- | In how many cells candidates in these symmetries differ; 'Nothing' where it is as each
     -- 'Decision' has it.

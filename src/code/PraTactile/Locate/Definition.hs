@@ -111,9 +111,9 @@ looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscL
 
 -- | The place of a patch, by comparing every observed cell at every position. The mask is the
 -- array's window: it takes no part in the comparison, but the windows of the patch are named as the
--- support of an answer, and decide the reason of a refusal, as in "PraTactile.Locate". Unlike
--- the table, the search also uses patches in which no window is complete; 'TooFewCells' is the
--- answer to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
+-- support of an answer, and decide the reason of a refusal, as in "PraTactile.Locate". Unlike the
+-- table, the search also uses patches in which no window is complete; 'TooFewCells' is the answer
+-- to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
 searchPatch ::
   KnownField k =>
   Surface ->

@@ -1,7 +1,6 @@
 {-# LANGUAGE DeriveTraversable #-}
 
--- |
--- Patches: what was observed in the cells of a rectangle, and which of them were not observed.
+-- | Patches: what was observed in the cells of a rectangle, and which of them were not observed.
 module PraTactile.Locate.Patch
   ( -- * Patches
     Patch,

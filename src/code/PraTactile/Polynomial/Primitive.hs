@@ -1,6 +1,5 @@
--- |
--- Primitive polynomials over GF(q), and the check that makes one. Internal; "PraTactile.Polynomial"
--- exports all but the constructor and the modulus.
+-- | Primitive polynomials over GF(q), and the check that makes one. Internal;
+-- "PraTactile.Polynomial" exports all but the constructor and the modulus.
 module PraTactile.Polynomial.Primitive
   ( Primitive (Primitive),
     primitivePolynomial,
@@ -149,11 +148,11 @@ mayBePrimitive h = case polynomialDegree h of
    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
    If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1 distinct units: all non-zero
    residues. So the ring is a field and h irreducible, without a test of its own; irreducibility is
-   tested only to tell why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n -
+   tested only to say why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n -
    1, and x^(N/l) /= 1 for each prime l that divides N. -}
 
--- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See
--- Note [Primitive without irreducible].
+-- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See Note
+-- [Primitive without irreducible].
 rootGenerates :: KnownField k => [(Natural, Natural)] -> Modulus k -> Bool
 rootGenerates factors modulus =
   rootPowerIsOne modulus full && not (any (rootPowerIsOne modulus . (full `div`) . fst) factors)

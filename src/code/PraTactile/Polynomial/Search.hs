@@ -65,8 +65,8 @@ byTerms i n
   where
     withTerms terms =
       [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
-    -- So many coefficients, highest first, of which so many, the last among them, are not 0; and
-    -- whether those before them are 0.
+    -- A number of coefficients, highest first, of which some, the last among them, are not 0; how
+    -- many; and whether those before them are 0.
     choose :: Bool -> Int -> Int -> [[GF k]]
     choose alone size terms
       | terms == 0 || terms > size = []

@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is made
--- once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
+-- | Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is
+-- made once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
 module PraTactile.Sequence.Jump
   ( jump,
     generalJump,

@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
+-- | Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
 -- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.
 module PraTactile.Window.Contents
   ( Contents,

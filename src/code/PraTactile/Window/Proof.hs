@@ -1,4 +1,4 @@
--- | The window property: every window has a content of its own, so that the content tells the
+-- | The window property: every window has a content of its own, so that the content determines the
 -- position (MacWilliams and Sloane 1976; section II of the paper). Two methods lead to one verdict:
 -- visiting every window, and the rank of the mask. Where both are possible they are compared.
 module PraTactile.Window.Proof
@@ -104,8 +104,8 @@ prove on array mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
     (Left reason, Nothing) -> Left reason
-    (Right seen, Just told)
-      | (allDistinct seen, differentWindows seen) /= told -> Left (MethodsDisagree verdict)
+    (Right seen, Just byTheorem)
+      | (allDistinct seen, differentWindows seen) /= byTheorem -> Left (MethodsDisagree verdict)
     _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
   where
     visits = visitedShape on (arrayShape array) mask
@@ -116,7 +116,8 @@ prove on array mask
     r = windowRank array mask
     n = fromIntegral (primitiveDegree (arrayPrimitive array))
     ownSurface = on == naturalSurface (arrayFolding array)
-    -- Whether all windows are distinct, and how many contents there are, as far as the rank tells.
+    -- Whether all windows are distinct, and how many contents there are, as far as the rank
+    -- decides.
     byRank
       | ownSurface = Just (r == n, windowsOfRank array r)
       | on == Sheet && r == n = Just (True, area visits)

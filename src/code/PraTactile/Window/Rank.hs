@@ -1,8 +1,7 @@
--- |
--- The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
+-- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
 -- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,
--- which tells all of them apart iff the alpha^e(i, j) span GF(q^n) over GF(q).
+-- which is injective iff the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,

@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
+-- | Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
 -- enumeration and the memory table.
 module PraTactile.Window.Visit
   ( Visit,

@@ -89,8 +89,7 @@ prepareAlgebra surface array mask
 data Listed = Listed [Position] | More
   deriving stock (Eq, Show)
 
--- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' has the
--- number.
+-- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' has the number.
 largestListing :: Natural
 largestListing = 1024
 

@@ -76,7 +76,7 @@ data Solutions k
     Solutions [GF k] [[GF k]]
   deriving stock (Eq, Show)
 
--- | The solutions of equations in so many unknowns, by elimination.
+-- | The solutions of equations in this many unknowns, by elimination.
 solve :: KnownField k => Int -> [Equation k] -> Solutions k
 solve n given
   | n `Map.member` pivoted = Inconsistent

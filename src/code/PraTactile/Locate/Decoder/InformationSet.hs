@@ -98,8 +98,8 @@ decoder effort algebra offsets = do
   pure (Decoder effort code d (informationSets (length offsets) (codeRows code)))
 
 -- | The nearest position within the radius, by the 'standardEffort'. The outcomes are those of
--- 'nearest'; where more than 'largestListing' positions are equally near, because the cells do not
--- tell them apart, 'AmbiguousMany'.
+-- 'nearest'; where more than 'largestListing' positions are equally near, having the same content,
+-- 'AmbiguousMany'.
 decodePatch ::
   KnownField k => Algebra k -> Radius -> Patch (GF k) -> Either DecodingError (Decision Position)
 decodePatch algebra radius observed

@@ -1,10 +1,10 @@
 -- | Locating from probabilities on arrays of any size: what "PraTactile.Locate.Decoder.Posterior"
 -- finds by comparing with every position, found in a list of likely words (M. P. C. Fossorier and
 -- S. Lin 1995). The surest independent cells are an information set; its contents are gone through
--- from the likeliest on, each determines all other cells, and so how likely it is altogether.
--- Further sets, of the cells left, do likewise. How likely all positions together are that are not
--- in the list is bounded, so that the doubt is never given too small: Note [What is not in the
--- list] in "PraTactile.Locate.Decoder.List.Bounds".
+-- from the likeliest on, each determines all other cells, and so how likely the whole word is.
+-- Further sets, of the cells left, do likewise. How likely all positions are that are not in the
+-- list is bounded, so that the doubt is never given too small: Note [What is not in the list] in
+-- "PraTactile.Locate.Decoder.List.Bounds".
 module PraTactile.Locate.Decoder.List
   ( listPatch,
     standardListing,

@@ -98,7 +98,7 @@ ranked placeAt logs
 
 -- | @decide tolerated found@: the likeliest place, if the probability that it is another one is at
 -- most as large as tolerated; then of many answers at most that share is wrong, if the
--- probabilities are honest. Several places equally likely, of which the same holds together, are
+-- probabilities are honest. Several places equally likely, of which the same holds jointly, are
 -- ambiguous. Else 'BelowThreshold'; 'Contradiction' where no place is possible.
 decide :: Double -> Posterior place -> Outcome place
 decide tolerated found

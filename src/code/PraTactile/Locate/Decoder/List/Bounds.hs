@@ -30,10 +30,10 @@ import PraTactile.Symmetry
    The likelihood of a word is the product of the probabilities of its letters. Let B be an
    information set, P(u) the product for the letters u at B, and R the product for all other
    letters. Over all u the P(u) add up to 1, because each u stands for exactly one word. If the u
-   that were gone through add up to M, the words that are not listed have together a likelihood of
-   at most
+   that were gone through add up to M, the words that are not listed have in all a likelihood of at
+   most
 
-     (1 - M) times the largest possible R,
+   (1 - M) times the largest possible R,
 
    and R is at most the product of the largest probability of each other cell. With further
    information sets C, ..., disjoint from B and each other, the largest possible R is smaller: a
@@ -90,7 +90,7 @@ branchOf symmetry ordered code =
     sets = filter ((== 0) . setDeficit) (informationSets (length ordered) (codeRows code))
     taken = concatMap (Primitive.toList . setPlaces) sets
 
--- | Of what is not listed: the logarithms of the likelihood of all words together, and of the
+-- | Of what is not listed: the logarithms of the likelihood of all words added up, and of the
 -- likeliest one, at most.
 data Bounds = Bounds {massBound :: !Double, wordBound :: !Double}
 
@@ -110,7 +110,7 @@ branchBounds branch
     sources = branchSources branch
     outside = branchOutside branch
 
--- | What is not listed of several symmetries together.
+-- | What is not listed of several symmetries.
 allBounds :: [Bounds] -> Maybe Bounds
 allBounds several = case several of
   [] -> Nothing
