@@ -18,7 +18,6 @@ module PraTactile.Locate.Chance
     Spheres (..),
     spheres,
     correcting,
-    correctingNothing,
     amongCells,
     sphereVolume,
   )
@@ -98,10 +97,6 @@ spheres surface array possible shape offsets
 -- candidates being d at least.
 correcting :: Natural -> Natural -> Spheres -> Spheres
 correcting d r around = around {sphereDistance = d, sphereRadius = r}
-
--- | For a decoder that corrects nothing; given whether any two candidates differ.
-correctingNothing :: Bool -> Spheres -> Spheres
-correctingNothing differ = correcting (if differ then 1 else 0) 0
 
 -- | For a decoder that holds only this many of the cells to what the array has: it may refuse for
 -- the others' sake, so that no distance is promised.

@@ -64,17 +64,17 @@ byTerms i n
   | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. fromIntegral n]
   where
     withTerms terms =
-      [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
-    -- A number of coefficients, highest first, of which some, the last among them, are not 0; how
-    -- many; and whether those before them are 0.
-    choose :: Bool -> Int -> Int -> [[GF k]]
-    choose alone size terms
-      | terms == 0 || terms > size = []
-      | alone && size <= i = []
+      [polynomial (reverse (one : lower)) | lower <- choose i (fromIntegral n) terms]
+    -- @choose least size terms@: coefficients, highest first, this many; those that are not 0 are as
+    -- many as the terms, the last coefficient among them, and the first of them is followed by as
+    -- many as the least or more.
+    choose :: Int -> Int -> Int -> [[GF k]]
+    choose least size terms
+      | terms == 0 || terms > size || size <= least = []
       | size == 1 = map (: []) units
       | otherwise =
-        map (zero :) (choose alone (size - 1) terms)
-          ++ [c : rest | c <- units, rest <- choose False (size - 1) (terms - 1)]
+        map (zero :) (choose least (size - 1) terms)
+          ++ [c : rest | c <- units, rest <- choose 0 (size - 1) (terms - 1)]
     units = drop 1 elements
 
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The

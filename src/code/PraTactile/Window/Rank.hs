@@ -5,7 +5,6 @@
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
-    windowExponents,
     windowsOfRank,
     rankOf,
   )
@@ -29,10 +28,6 @@ windowRank array mask =
   fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
   where
     n = primitiveDegree (arrayPrimitive array)
-
--- | The e(i, j), below the period, for the cells of the mask in reading order.
-windowExponents :: KnownField k => PseudorandomArray k -> Mask -> [Natural]
-windowExponents array = map (sequenceIndex array) . maskOffsets
 
 -- | The alpha^e(i, j), each by its n coordinates in the basis 1, alpha, ..., for the cells of the
 -- mask in reading order.
