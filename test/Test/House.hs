@@ -60,7 +60,7 @@ spec = describe "the house" $
               not (ofFactorisation name)
           ]
             `shouldBe` []
-    it "the linear codes know nothing of arrays: of the code they see fields only" $ \(house, _) -> do
+    it "the linear codes know nothing of arrays: of the code they import fields" $ \(house, _) -> do
       let linear = filter (below "PraTactile.LinearCode" . sourceName) house
           others =
             [ (sourceName one, name)

@@ -65,9 +65,9 @@ byTerms i n
   where
     withTerms terms =
       [polynomial (reverse (one : lower)) | lower <- choose i (fromIntegral n) terms]
-    -- @choose least size terms@: coefficients, highest first, this many; those that are not 0 are as
-    -- many as the terms, the last coefficient among them, and the first of them is followed by as
-    -- many as the least or more.
+    -- @choose least size terms@: coefficients, highest first, this many; those that are not 0 are
+    -- as many as the terms, the last coefficient among them, and the first of them is followed by
+    -- as many as the least or more.
     choose :: Int -> Int -> Int -> [[GF k]]
     choose least size terms
       | terms == 0 || terms > size || size <= least = []
