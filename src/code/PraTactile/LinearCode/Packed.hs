@@ -30,6 +30,7 @@ packed rows =
     width = (maximum (0 : map Primitive.length rows) + each - 1) `div` each
     machineWord x i = Primitive.ifoldl' place 0 (Primitive.take each (Primitive.drop (i * each) x))
     place acc j a = acc .|. fromIntegral (toCode a) `unsafeShiftL` (j * bits)
+{-# INLINE packed #-}
 
 -- | In how many elements one word, by its index, differs from the single one; counted on only until
 -- it is more than the limit.

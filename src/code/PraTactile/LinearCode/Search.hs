@@ -146,8 +146,8 @@ addRows scan !w !from chosen !rest
   | w == 1 = addLastRow scan from chosen rest
   | otherwise = go from 0
   where
-    set = scanSet scan
-    many = factorsAfter scan chosen
+    !set = scanSet scan
+    !many = factorsAfter scan chosen
     go !i !s near
       | i > setSize set - w = near
       | s >= many = go (i + 1) 0 near
@@ -160,12 +160,12 @@ addRows scan !w !from chosen !rest
 addLastRow :: KnownField k => Scan k -> Int -> [(Int, GF k)] -> Vector (GF k) -> Near k -> Near k
 addLastRow scan !from chosen !rest = go from 0
   where
-    set = scanSet scan
-    size = setSize set
-    multiples = setMultiples set
-    packedRest = packed [rest]
-    factors = scanFactors scan
-    many = factorsAfter scan chosen
+    !set = scanSet scan
+    !size = setSize set
+    !multiples = setMultiples set
+    !packedRest = packed [rest]
+    !factors = scanFactors scan
+    !many = factorsAfter scan chosen
     go !i !s near@(Near most _)
       | i >= size = near
       | s >= many = go (i + 1) 0 near
