@@ -115,29 +115,15 @@ classesOf n unit counts =
 classAt :: Int -> Int -> Int -> Int
 classAt n m c = (m * (n + 2) + c) * (n + 2)
 
--- | What is counted in, one visit of all sets long.
-data Scratch s = Scratch
-  { -- | The numbers of all classes.
-    scratchCounts :: !(MVector s Int),
-    -- | Row k: the weights of all words in the first k cells, as far as these are observed.
-    scratchWeights :: !(MVector s Word64),
-    -- | How many words of one set have each weight: two tallies in turn.
-    scratchTally :: !(MVector s Int)
-  }
+-- | What is counted in: the numbers of all classes; in row k the weights of all words in the first
+-- k cells, as far as these are observed; and how many words of one set have each weight, in two
+-- tallies.
+data Scratch s = Scratch !(MVector s Int) !(MVector s Word64) !(MVector s Int)
 
--- | What is the same for all sets.
-data Words = Words
-  { -- | n.
-    wordCells :: !Int,
-    -- | How many words one that is visited stands for.
-    wordUnit :: !Int,
-    -- | How many machine words a row has.
-    rowSize :: !Int,
-    -- | How many bytes of the last of these belong to no word.
-    rowSpare :: !Int,
-    -- | Row k: whether each word is not zero in the cell k.
-    cellRows :: !(Vector Word64)
-  }
+-- | What is the same for all sets: n; how many words one that is visited stands for; how many
+-- machine words a row has; how many bytes of the last of these belong to no word; and in row k,
+-- whether each word is not zero in the cell k.
+data Words = Words !Int !Int !Int !Int !(Vector Word64)
 
 -- | @countSets n unit count cells@: the numbers of all classes, of words that stand for as many as
 -- the unit each, given for each cell as whether each is not zero there. Depth first, a cell taken
@@ -145,52 +131,48 @@ data Words = Words
 -- a time.
 countSets :: Int -> Int -> Int -> [Vector Word64] -> Vector Int
 countSets n unit count cells = Primitive.create $ do
-  scratch <-
-    Scratch
-      <$> Mutable.replicate (classAt n n (n + 2)) 0
-      <*> Mutable.replicate ((n + 1) * wide) 0
-      <*> Mutable.replicate 512 0
-  visit (Words n unit wide (8 * wide - count) (Primitive.concat cells)) scratch 0 0
-  pure (scratchCounts scratch)
+  counts <- Mutable.replicate (classAt n n (n + 2)) 0
+  weights <- Mutable.replicate ((n + 1) * wide) 0
+  tally <- Mutable.replicate 512 0
+  let given = Words n unit wide (8 * wide - count) (Primitive.concat cells)
+  visit given (Scratch counts weights tally) 0 0
+  pure counts
   where
     wide = (count + 7) `div` 8
 
 -- | @visit given scratch k m@: all sets with the same first k cells, m of them observed.
 visit :: Words -> Scratch s -> Int -> Int -> ST s ()
-visit given scratch !k !m
-  | k == wordCells given = leaf given scratch m
+visit given@(Words n _ size _ ones) scratch@(Scratch _ weights _) !k !m
+  | k == n = leaf given scratch m
   | otherwise = do
-    along (\i -> Mutable.unsafeRead weights (at k i) >>= Mutable.unsafeWrite weights (at (k + 1) i))
+    forBelow size $ \i ->
+      Mutable.unsafeRead weights (from + i) >>= Mutable.unsafeWrite weights (to + i)
     visit given scratch (k + 1) m
-    along
-      (\i -> Mutable.unsafeModify weights (+ Primitive.unsafeIndex ones (at k i)) (at (k + 1) i))
+    forBelow size $ \i -> do
+      x <- Mutable.unsafeRead weights (to + i)
+      Mutable.unsafeWrite weights (to + i) (x + Primitive.unsafeIndex ones (from + i))
     visit given scratch (k + 1) (m + 1)
   where
-    weights = scratchWeights scratch
-    ones = cellRows given
-    at row i = row * rowSize given + i
-    along = forBelow (rowSize given)
+    !from = k * size
+    !to = from + size
 
 -- | A set of m cells: count it, and the weights of all words in it.
 leaf :: Words -> Scratch s -> Int -> ST s ()
-leaf given scratch m = do
+leaf (Words n unit size spare _) (Scratch counts weights tally) !m = do
   Mutable.set (Mutable.unsafeTake (2 * n + 2) tally) 0
   -- The bytes that belong to no word have the weight 0.
-  Mutable.unsafeWrite tally 0 (negate (rowSpare given))
-  forBelow (rowSize given) $ \i ->
-    Mutable.unsafeRead (scratchWeights scratch) (n * rowSize given + i) >>= tallyBytes tally
+  Mutable.unsafeWrite tally 0 (negate spare)
+  forBelow size $ \i -> Mutable.unsafeRead weights (from + i) >>= tallyBytes tally
   least <- firstFrom 0
   zeros <- tallied 0
-  let loneZero = least == 0 && wordUnit given * zeros == 1
-      class' = classAt n m (if loneZero then n + 1 else least)
+  let loneZero = least == 0 && unit * zeros == 1
+      !class' = classAt n m (if loneZero then n + 1 else least)
   Mutable.unsafeModify counts (+ 1) class'
   forBelow (n + 1 - least) $ \i -> do
     words' <- tallied (least + i)
     Mutable.unsafeModify counts (+ words') (class' + least + i + 1)
   where
-    n = wordCells given
-    counts = scratchCounts scratch
-    tally = scratchTally scratch
+    !from = n * size
     tallied w = (+) <$> Mutable.unsafeRead tally (2 * w) <*> Mutable.unsafeRead tally (2 * w + 1)
     -- There is a word, and its weight is at most n.
     firstFrom !w

@@ -148,7 +148,10 @@ packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >
         !a = from j t0
         loop !t
           | t >= t1 = pure ()
-          | otherwise = Mutable.unsafeModify keys (\key -> key * q + code (a + t)) t >> loop (t + 1)
+          | otherwise = do
+            key <- Mutable.unsafeRead keys t
+            Mutable.unsafeWrite keys t (key * q + code (a + t))
+            loop (t + 1)
     appendFour j t0 t1 = loop t0
       where
         !a0 = from j t0
@@ -158,9 +161,10 @@ packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >
         loop !t
           | t >= t1 = pure ()
           | otherwise = do
+            key <- Mutable.unsafeRead keys t
             let upper = code (a0 + t) * q + code (a1 + t)
                 lower = code (a2 + t) * q + code (a3 + t)
-            Mutable.unsafeModify keys (\key -> key * fourth + upper * square + lower) t
+            Mutable.unsafeWrite keys t (key * fourth + upper * square + lower)
             loop (t + 1)
     code i = fromIntegral (Primitive.unsafeIndex codes i) :: Int
     !codes = gridCells (visitGrid windows)
@@ -176,7 +180,7 @@ between size edges act = case filter (< size) edges of
   inside ->
     let bounds = [0] ++ sort (filter (> 0) inside) ++ [size]
      in zipWithM_ act bounds (drop 1 bounds)
-{-# INLINE between #-}
+{-# NOINLINE between #-}
 
 -- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
