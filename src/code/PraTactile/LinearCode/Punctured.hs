@@ -135,26 +135,30 @@ countSets n unit count cells = Primitive.create $ do
   weights <- Mutable.replicate ((n + 1) * wide) 0
   tally <- Mutable.replicate 512 0
   let given = Words n unit wide (8 * wide - count) (Primitive.concat cells)
-  visit given (Scratch counts weights tally) 0 0
+  visit given (Scratch counts weights tally)
   pure counts
   where
     wide = (count + 7) `div` 8
 
--- | @visit given scratch k m@: all sets with the same first k cells, m of them observed.
-visit :: Words -> Scratch s -> Int -> Int -> ST s ()
-visit given@(Words n _ size _ ones) scratch@(Scratch _ weights _) !k !m
-  | k == n = leaf given scratch m
-  | otherwise = do
-    forBelow size $ \i ->
-      Mutable.unsafeRead weights (from + i) >>= Mutable.unsafeWrite weights (to + i)
-    visit given scratch (k + 1) m
-    forBelow size $ \i -> do
-      x <- Mutable.unsafeRead weights (to + i)
-      Mutable.unsafeWrite weights (to + i) (x + Primitive.unsafeIndex ones (from + i))
-    visit given scratch (k + 1) (m + 1)
+-- | Visit all sets, depth first.
+visit :: forall s. Words -> Scratch s -> ST s ()
+visit given@(Words n _ size _ ones) scratch@(Scratch _ weights _) = go 0 0
   where
-    !from = k * size
-    !to = from + size
+    -- Of the first k cells m are observed.
+    go :: Int -> Int -> ST s ()
+    go !k !m
+      | k == n = leaf given scratch m
+      | otherwise = do
+        forBelow size $ \i ->
+          Mutable.unsafeRead weights (k * size + i)
+            >>= Mutable.unsafeWrite weights ((k + 1) * size + i)
+        go (k + 1) m
+        forBelow size $ \i ->
+          Mutable.unsafeModify
+            weights
+            (+ Primitive.unsafeIndex ones (k * size + i))
+            ((k + 1) * size + i)
+        go (k + 1) (m + 1)
 
 -- | A set of m cells: count it, and the weights of all words in it.
 leaf :: Words -> Scratch s -> Int -> ST s ()
@@ -166,7 +170,7 @@ leaf (Words n unit size spare _) (Scratch counts weights tally) !m = do
   least <- firstFrom 0
   zeros <- tallied 0
   let loneZero = least == 0 && unit * zeros == 1
-      !class' = classAt n m (if loneZero then n + 1 else least)
+      class' = classAt n m (if loneZero then n + 1 else least)
   Mutable.unsafeModify counts (+ 1) class'
   forBelow (n + 1 - least) $ \i -> do
     words' <- tallied (least + i)
@@ -180,6 +184,7 @@ leaf (Words n unit size spare _) (Scratch counts weights tally) !m = do
       | otherwise = do
         words' <- tallied w
         if words' > 0 then pure w else firstFrom (w + 1)
+{-# INLINE leaf #-}
 
 -- | Count the eight bytes of a machine word, in two tallies in turn: neighbours are often equal,
 -- and one number cannot be counted up twice at once.
