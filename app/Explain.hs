@@ -11,7 +11,7 @@ import Message.Chance (shareText)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Equations
+import PraTactile.Locate.Decoder.Equations
 import PraTactile.Polynomial (primitiveDegree)
 import PraTactile.Symmetry
 import PraTactile.Window

@@ -17,7 +17,7 @@ import Drawing (hundredths)
 import Graphics.Svg
 import Json (shapeText)
 import PraTactile.Array (Shape)
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
 import PraTactile.Rates
 import RatesTable
 import Text.Printf (printf)

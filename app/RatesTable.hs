@@ -25,7 +25,7 @@ import Data.List (intercalate)
 import Data.String (fromString)
 import Json
 import PraTactile.Array (Shape)
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
 import PraTactile.Rates
 import Text.Printf (printf)
 

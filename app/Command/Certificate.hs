@@ -48,13 +48,13 @@ command =
     )
   where
     road =
-      flag' RankRoad (long "rank" <> help "Show the rank of the window's cells, at any size")
+      flag' RankMethod (long "rank" <> help "Show the rank of the window's cells, at any size")
         <|> flag'
-          EnumerationRoad
+          EnumerationMethod
           (long "enumeration" <> help "Give the digest of all windows, sorted")
-        <|> pure AnyRoad
+        <|> pure AnyMethod
 
-run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> Road -> Maybe FilePath -> Bool -> IO Ending
+run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> Method -> Maybe FilePath -> Bool -> IO Ending
 run choice drawn on road output asJson = do
   (profile, mask) <- chosenMask choice drawn on
   case certify road profile mask of

@@ -114,7 +114,9 @@ verdictText (Subject shape _ apart) mask verdict =
         then "proved: every " ++ window ++ " window on the " ++ place ++ " has a content of its own"
         else "refuted: some " ++ window ++ " windows on the " ++ place ++ " have the same content",
       "  by visiting every window: " ++ road (enumeration verdict),
-      "  by rank:                  " ++ road (rankRoad verdict) ++ maybe "" ofNeeded (rank verdict)
+      "  by rank:                  "
+        ++ road (rankDecision verdict)
+        ++ maybe "" ofNeeded (rank verdict)
     ]
       ++ ["  different windows:        " ++ show n | Just n <- [distinctWindows verdict]]
       ++ [ "  minimum distance:         " ++ show d ++ forgiven d cells
@@ -148,7 +150,7 @@ verdictJson (Subject _ subject apart) mask verdict =
     <> "mask" .= maskDrawing mask
     <> "proved" .= proved verdict
     <> "enumeration" .= enumeration verdict
-    <> "rank_road" .= rankRoad verdict
+    <> "rank_road" .= rankDecision verdict
     <> "rank" .= fmap naturalValue (rank verdict)
     <> "needed" .= fmap naturalValue (needed verdict)
     <> "windows" .= fmap naturalValue (distinctWindows verdict)

@@ -20,8 +20,8 @@ import Output
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Format.Profile
-import PraTactile.Locate.Book
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Profile
 import PraTactile.Rates
 import PraTactile.Window
@@ -141,11 +141,11 @@ run choice options
           either
             (unusable . locateMessage)
             (tables profile options)
-            (book (naturalSurface (arrayFolding array)) array mask)
+            (buildCodebook (naturalSurface (arrayFolding array)) array mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
 -- | Check what depends on the array, print the lines as they are made, and draw them.
-tables :: KnownField k => Profile -> Options -> Book k -> IO Ending
+tables :: KnownField k => Profile -> Options -> Codebook k -> IO Ending
 tables profile options shelf = do
   forM_ (errors options) $ \p -> if p >= 0 && p < chance then pure () else unusable tooWrong
   grounds <- forM (sizes options) $ \size -> do
@@ -198,7 +198,7 @@ tables profile options shelf = do
       Guaranteed -> Nothing
       UpTo e -> Just (naturalValue e)
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
-    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (bookArray shelf)))
+    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray shelf)))
     tooWrong =
       "--errors is a share from 0 to below "
         ++ numberText chance

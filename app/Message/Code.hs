@@ -193,7 +193,7 @@ proofMessage e = case e of
       ++ " contents at "
       ++ numeral places
       ++ " positions), and the rank decides nothing here"
-  RoadsDisagree verdict ->
+  MethodsDisagree verdict ->
     "enumeration and rank contradict each other on the "
       ++ surfaceName (surface verdict)
       ++ ": a defect of this program; please report it"

@@ -6,8 +6,8 @@ import Data.List (nub, sort, unfoldr)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Locate.Book
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
 import PraTactile.Rates.Ground
@@ -59,12 +59,12 @@ spec = do
       right (firstPrimitive 4)
         >>= right . folded Diagonal (Shape 3 5)
         >>= bookOn Torus ::
-        IO (Book GF2)
+        IO (Codebook GF2)
     ternary <-
       right (firstPrimitive 4)
         >>= right . folded RowMajor (Shape 8 10)
         >>= bookOn TwistedTorus ::
-        IO (Book GF3)
+        IO (Codebook GF3)
     forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
       void (judged "binary" binary size (Damage 0.1 0.2))
     forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
@@ -179,10 +179,10 @@ spec = do
         (Just . drawTrial place (noiseOf place damage) (damageErasures damage))
         (mkStdGen seed)
     noiseOf place damage =
-      noiseFor (fieldOrder (bookArray (groundBook place))) (damageErrors damage)
+      noiseFor (fieldOrder (codebookArray (groundBook place))) (damageErrors damage)
 
-paperBook :: IO (Book GF4)
+paperBook :: IO (Codebook GF4)
 paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus
 
-bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Book k)
-bookOn surface array = right (rectangle (Shape 2 2)) >>= right . book surface array
+bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
+bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array

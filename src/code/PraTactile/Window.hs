@@ -40,7 +40,7 @@ import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (displaced, raggedRow)
+import PraTactile.Grid (displaced, extentOf, raggedRow)
 
 -- | Why there is no such window.
 data WindowError
@@ -100,8 +100,7 @@ maskSize (Mask offsets) = length offsets
 
 -- | The smallest rectangle that holds the cells and the window's position.
 maskExtent :: Mask -> Shape
-maskExtent (Mask offsets) =
-  Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
+maskExtent = extentOf . maskOffsets
 
 -- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for
 -- others.

@@ -3,11 +3,11 @@
 -- without its end, except census files.
 --
 -- >>> import PraTactile.Array (Shape (..))
--- >>> import PraTactile.Certificate (Road (..), certificateWindows, certify)
+-- >>> import PraTactile.Certificate (Method (..), certificateWindows, certify)
 -- >>> import PraTactile.Profile (canonicalProfile)
 -- >>> import PraTactile.Window (rectangle)
 -- >>> let Right window = rectangle (Shape 2 2)
--- >>> let Right certificate = certify RankRoad canonicalProfile window
+-- >>> let Right certificate = certify RankMethod canonicalProfile window
 -- >>> certificateWindows . fileCertificate <$> decodeCertificate (encodeCertificate certificate)
 -- Right 255
 --

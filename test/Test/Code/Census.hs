@@ -71,7 +71,7 @@ spec = do
       forM_ entries $ \e -> do
         verdict <- right (entryVerdict e)
         found <- right (entryDistance e)
-        (enumeration verdict, rankRoad verdict)
+        (enumeration verdict, rankDecision verdict)
           `shouldBe` (Just (distance found > 0), Just (distance found > 0))
         proved verdict `shouldBe` (distance found > 0)
   it "in parts is the same" $ do

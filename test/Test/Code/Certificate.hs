@@ -57,10 +57,10 @@ spec = do
     it "of the mask of rank 3 whose 32 windows on the sheet differ: by enumeration only" $ do
       let m = mask [(0, 0), (0, 9), (11, 8)]
           sheet = canonicalProfile {profileSurface = Sheet}
-      c <- made AnyRoad sheet m
+      c <- made AnyMethod sheet m
       (checkCertificate c, certificateWindows c, isRank c) `shouldBe` (Right (), 32, False)
-      certified RankRoad sheet m >>= (`shouldSatisfy` isLeft)
-      certified AnyRoad canonicalProfile m >>= (`shouldSatisfy` isLeft)
+      certified RankMethod sheet m >>= (`shouldSatisfy` isLeft)
+      certified AnyMethod canonicalProfile m >>= (`shouldSatisfy` isLeft)
     it
       "row by row on the twisted torus, with the reciprocal reading, other packing, other states, \
       \other fields"
@@ -108,7 +108,7 @@ spec = do
                   (Just window)
                   Nothing
               )
-          c <- made AnyRoad profile (rectangle window)
+          c <- made AnyMethod profile (rectangle window)
           (checkCertificate c, map shownPrime (certificatePrimes c))
             `shouldBe` (Right (), [2 ^ n - 1 | n == 89])
           forM_ (certificatePrimes c) $ \proof -> do
@@ -119,7 +119,7 @@ spec = do
             isShownPrime [] proof {shownPrime = shownPrime proof + 2} `shouldBe` False
   describe "a certificate that is changed is found bad, with the reason" $ do
     it "every field of one by rank" $ do
-      c <- made RankRoad canonicalProfile (rectangle (Shape 2 2))
+      c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
       let p = certificateProfile c
           ofProfile change = c {certificateProfile = change}
           ofFactor change = c {certificateFactors = mapFirst change (certificateFactors c)}
@@ -185,7 +185,7 @@ spec = do
             InverseFault
           ]
     it "one by enumeration" $ do
-      c <- made EnumerationRoad canonicalProfile (rectangle (Shape 2 2))
+      c <- made EnumerationMethod canonicalProfile (rectangle (Shape 2 2))
       let digest = [d | ByEnumeration d <- [certificateEvidence c]]
           p = certificateProfile c
           refuses changed = case checkCertificate changed of
@@ -213,7 +213,7 @@ spec = do
     it
       "is not accepted in the place of one: the 28 irreducible quartics over GF(4) that are not"
       $ do
-        c <- made RankRoad canonicalProfile (rectangle (Shape 2 2))
+        c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
         let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
         length irreducible `shouldBe` 28
         forM_ irreducible $ \codes ->
@@ -231,10 +231,14 @@ spec = do
     notPrimitive = maybe False (isLeft . checkPrimitive) . over
     isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
 
-certified :: Road -> Profile -> Either WindowError Mask -> IO (Either CertificateError Certificate)
+certified ::
+  Method ->
+  Profile ->
+  Either WindowError Mask ->
+  IO (Either CertificateError Certificate)
 certified road profile window = certify road profile <$> right window
 
-made :: Road -> Profile -> Either WindowError Mask -> IO Certificate
+made :: Method -> Profile -> Either WindowError Mask -> IO Certificate
 made road profile window = certified road profile window >>= right
 
 -- A number below 256 as a position is digested.

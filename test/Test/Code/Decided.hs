@@ -31,10 +31,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field (GF, KnownField)
 import PraTactile.Locate
-import PraTactile.Locate.Algebra (Algebra, algebraArray, algebraMask, algebraSurface)
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision (Decision (..))
-import PraTactile.Locate.OrderedStatistics (listPatch)
+import PraTactile.Locate.Decoder.Algebra (Algebra, algebraArray, algebraMask, algebraSurface)
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.List (listPatch)
 import PraTactile.Symmetry
 import PraTactile.Window (Mask, Packing (..))
 
@@ -87,14 +87,20 @@ ask decoder (surface, array, mask) possible radius tolerated given =
 alone :: Patch a -> [((Integer, Integer), Patch a)]
 alone p = [((0, 0), p)]
 
-ofBook :: Book k -> (Surface, PseudorandomArray k, Mask)
-ofBook shelf = (bookSurface shelf, bookArray shelf, bookMask shelf)
+ofBook :: Codebook k -> (Surface, PseudorandomArray k, Mask)
+ofBook shelf = (codebookSurface shelf, codebookArray shelf, codebookMask shelf)
 
 symbols :: [((Integer, Integer), Patch (GF k))] -> [((Integer, Integer), Patch (Cell k))]
 symbols = map (fmap (fmap Symbol))
 
 -- | A patch of symbols by the codebook; an error is a refusal for which it has no reason.
-nearestIn :: KnownField k => Book k -> [Symmetry] -> Radius -> Patch (GF k) -> Decision Candidate
+nearestIn ::
+  KnownField k =>
+  Codebook k ->
+  [Symmetry] ->
+  Radius ->
+  Patch (GF k) ->
+  Decision Candidate
 nearestIn shelf possible radius p =
   either
     (const (Decision (Refused BelowThreshold) (Distances [] Nothing Nothing (Exactly 0) 0)))
@@ -122,7 +128,7 @@ boundedIn algebra possible radius p =
 -- | By the definition.
 searchIn ::
   KnownField k =>
-  Book k ->
+  Codebook k ->
   [Symmetry] ->
   Patch (GF k) ->
   Either LocatorError (Outcome Candidate)
@@ -131,7 +137,7 @@ searchIn shelf possible p =
     <$> ask (Just SearchDecoder) (ofBook shelf) possible Guaranteed 0 (symbols (alone p))
 
 -- | A patch of probabilities by the codebook.
-posteriorIn :: KnownField k => Book k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
+posteriorIn :: KnownField k => Codebook k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
 posteriorIn shelf possible p =
   either
     (const (Posterior Nothing 0 [] Nothing 0 Nothing [] Nothing 0))
@@ -141,7 +147,7 @@ posteriorIn shelf possible p =
 -- | Several patches of symbols by the codebook.
 nearestJoint ::
   KnownField k =>
-  Book k ->
+  Codebook k ->
   [Symmetry] ->
   Radius ->
   [((Integer, Integer), Patch (GF k))] ->
@@ -152,7 +158,7 @@ nearestJoint shelf possible radius =
 -- | And of probabilities.
 posteriorJoint ::
   KnownField k =>
-  Book k ->
+  Codebook k ->
   [Symmetry] ->
   Double ->
   [((Integer, Integer), Patch (Belief k))] ->

@@ -82,7 +82,7 @@ bothRoads k1 k2 h = do
       (verdict, witness) <- right (prove on array m)
       ( proved verdict,
         enumeration verdict,
-        rankRoad verdict,
+        rankDecision verdict,
         distinctWindows verdict,
         zeroWindow verdict,
         isJust witness
@@ -100,7 +100,7 @@ everyShape k n = do
       forM_ (sureWindows q n (Single folding) shape) $ \window -> do
         m <- right (rectangle window)
         (verdict, _) <- right (prove (naturalSurface folding) array m)
-        (shape, window, proved verdict, enumeration verdict, rankRoad verdict)
+        (shape, window, proved verdict, enumeration verdict, rankDecision verdict)
           `shouldBe` (shape, window, True, Just True, Just True)
   where
     q = fromIntegral (fieldOrder k) :: Natural

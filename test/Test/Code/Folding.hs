@@ -9,7 +9,7 @@ import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Array.Laid
+import PraTactile.Array.Fill
 import PraTactile.Grid
 import PraTactile.Polynomial
 import PraTactile.Sequence

@@ -10,11 +10,11 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
-import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Rank
@@ -331,7 +331,7 @@ content array place = map (cellFrom array place)
 asNearest :: KnownField k => Int -> Surface -> PseudorandomArray k -> Shape -> Expectation
 asNearest count surface array window = do
   m <- right (rectangle window)
-  shelf <- right (book surface array m)
+  shelf <- right (buildCodebook surface array m)
   algebra <- right (prepareAlgebra surface array m)
   holds count $
     forAll

@@ -9,9 +9,9 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Decided

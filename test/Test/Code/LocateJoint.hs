@@ -6,7 +6,7 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Decided
@@ -125,7 +125,7 @@ spec = do
             corners = [(0, 0), (0, 5), (5, 0), (6, 6), (3, 3)]
             content (i, j) =
               [ [ cellAt
-                    (bookArray shelf)
+                    (codebookArray shelf)
                     (Position (6 + i + a + (if (i, j) == (3, 3) then 1 else 0)) (5 + j + b))
                   | b <- [0, 1]
                 ]
@@ -150,7 +150,7 @@ spec = do
           right
             ( ask
                 (Just AlgebraDecoder)
-                (Torus, bookArray shelf, bookMask shelf)
+                (Torus, codebookArray shelf, codebookMask shelf)
                 rotations
                 Guaranteed
                 0
@@ -207,7 +207,7 @@ spec = do
         ( patch
             [ [ Just
                   ( cellAt
-                      (bookArray shelf)
+                      (codebookArray shelf)
                       (Position (r + fromInteger (i + a)) (c + fromInteger (j + b)))
                       + (if (a, b) == (2, 2) then 1 else 0)
                   )
@@ -238,12 +238,14 @@ spec = do
         >>= either (Left . show) Right . patch
 
 -- | The 2 x 2 patch at a displacement from a position, that much added to its first cell.
-seen :: Book GF4 -> Position -> (Integer, Integer) -> Integer -> IO (Patch (GF GF4))
+seen :: Codebook GF4 -> Position -> (Integer, Integer) -> Integer -> IO (Patch (GF GF4))
 seen shelf (Position r c) (i, j) e =
   right
     ( patch
         [ [ Just
-              ( cellAt (bookArray shelf) (Position (wrapped 15 r (i + a)) (wrapped 17 c (j + b)))
+              ( cellAt
+                  (codebookArray shelf)
+                  (Position (wrapped 15 r (i + a)) (wrapped 17 c (j + b)))
                   + (if (a, b) == (0, 0) then fromInteger e else 0)
               )
             | b <- [0, 1]
@@ -254,8 +256,8 @@ seen shelf (Position r c) (i, j) e =
   where
     wrapped n from by = fromInteger ((toInteger from + by) `mod` n)
 
-paperBook :: IO (Book GF4)
+paperBook :: IO (Codebook GF4)
 paperBook = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
-  right (book Torus array m)
+  right (buildCodebook Torus array m)

@@ -11,10 +11,10 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
-import PraTactile.Locate.OrderedStatistics (standardListing)
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.List (standardListing)
+import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Window
 import Test.Code.Decided
 import Test.Code.Generators
@@ -36,7 +36,7 @@ spec = do
   it "a list that may be as long as need be is as good as the posterior" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
-    shelf <- right (book Torus array m)
+    shelf <- right (buildCodebook Torus array m)
     algebra <- right (prepareAlgebra Torus array m)
     holds 800 $
       forAll
@@ -153,7 +153,7 @@ spec = do
 asPosterior :: KnownField k => Int -> Surface -> PseudorandomArray k -> Shape -> Expectation
 asPosterior count surface array window = do
   m <- right (rectangle window)
-  shelf <- right (book surface array m)
+  shelf <- right (buildCodebook surface array m)
   algebra <- right (prepareAlgebra surface array m)
   holds count $
     forAll

@@ -10,9 +10,9 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Decided
@@ -133,7 +133,7 @@ spec = do
             (Just . distance)
             ( either
                 (const (Left ()))
-                (either (const (Left ())) Right . minimumDistance (bookArray shelf))
+                (either (const (Left ())) Right . minimumDistance (codebookArray shelf))
                 (maskFrom offsets)
             )
             === Just (observedDistance shelf offsets)
@@ -149,7 +149,7 @@ spec = do
     $ do
       array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
       m <- right (rectangle (Shape 2 2))
-      shelf <- right (book TwistedTorus array m)
+      shelf <- right (buildCodebook TwistedTorus array m)
       observedDistance shelf (maskOffsets m) `shouldBe` 0
       p <-
         right
@@ -162,14 +162,15 @@ spec = do
           )
       decisionRadius (nearest shelf Guaranteed p) `shouldBe` 0
 
-paperBook :: Surface -> IO (Book GF4)
+paperBook :: Surface -> IO (Codebook GF4)
 paperBook surface = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
-  right (book surface array m)
+  right (buildCodebook surface array m)
 
-minimumDistance' :: Book GF4 -> Shape -> IO Distance
-minimumDistance' shelf size = right (rectangle size) >>= right . minimumDistance (bookArray shelf)
+minimumDistance' :: Codebook GF4 -> Shape -> IO Distance
+minimumDistance' shelf size =
+  right (rectangle size) >>= right . minimumDistance (codebookArray shelf)
 
 -- | All positions of the paper's array, in a scattered order.
 everyPosition :: Int -> [Position]
@@ -183,7 +184,7 @@ everyPosition start =
 -- first: those whose decision is not what it should be. What it should be is found by other means:
 -- two bits a cell, and counting the cells in which two windows differ by bit operations.
 patterns ::
-  Book GF4 ->
+  Codebook GF4 ->
   Shape ->
   Int ->
   Int ->
@@ -194,7 +195,7 @@ patterns shelf size t most upToFactor place = do
   m <- right (rectangle size)
   let offsets = maskOffsets m
       count = length offsets
-      array = bookArray shelf
+      array = codebookArray shelf
       content (Position r c) =
         [cellAt array (Position ((r + i) `mod` 15) ((c + j) `mod` 17)) | Position i j <- offsets]
       packed = foldl' (\n a -> n `shiftL` 2 .|. toCode a) (0 :: Int) :: [GF GF4] -> Int
@@ -244,7 +245,7 @@ patterns shelf size t most upToFactor place = do
 
 -- | The least distance of a word from the contents of these cells, and the contents that have it,
 -- each once: zero, which stands nowhere, among them, so that they are a linear code.
-neighbours :: Book GF4 -> [Position] -> [GF GF4] -> (Natural, [[GF GF4]])
+neighbours :: Codebook GF4 -> [Position] -> [GF GF4] -> (Natural, [[GF GF4]])
 neighbours shelf offsets received = case patch
   [[lookup (Position i j) cells | j <- [0 .. 3]] | i <- [0 .. 3]] of
   Left _ -> (0, [])
@@ -266,9 +267,9 @@ neighbours shelf offsets received = case patch
   where
     cells = zip offsets received
 
-contentAt :: Book GF4 -> [Position] -> Position -> [GF GF4]
+contentAt :: Codebook GF4 -> [Position] -> Position -> [GF GF4]
 contentAt shelf offsets (Position r c) =
-  [cellAt (bookArray shelf) (Position (r + i) (c + j)) | Position i j <- offsets]
+  [cellAt (codebookArray shelf) (Position (r + i) (c + j)) | Position i j <- offsets]
 
 minus :: [GF GF4] -> [GF GF4] -> [GF GF4]
 minus = zipWith (-)
@@ -286,7 +287,7 @@ rowsOf w cells = case splitAt w cells of
 
 type Cells = [[Maybe (GF GF4)]]
 
-genDamaged :: Book GF4 -> Gen Cells
+genDamaged :: Codebook GF4 -> Gen Cells
 genDamaged shelf = do
   h <- choose (1, 4)
   w <- choose (1, 4)
@@ -299,9 +300,9 @@ genDamaged shelf = do
       b <- genElement
       pure (if fate < 15 then Nothing else if fate < 30 then Just b else Just a)
 
-seen :: Book GF4 -> Position -> Integer -> Integer -> [[GF GF4]]
+seen :: Codebook GF4 -> Position -> Integer -> Integer -> [[GF GF4]]
 seen shelf (Position r c) h w =
-  [ [ cellAt (bookArray shelf) (Position (r + fromInteger i) (c + fromInteger j))
+  [ [ cellAt (codebookArray shelf) (Position (r + fromInteger i) (c + fromInteger j))
       | j <- [0 .. w - 1]
     ]
     | i <- [0 .. h - 1]
@@ -309,7 +310,7 @@ seen shelf (Position r c) h w =
 
 -- | A patch with holes and as many errors as are promised to be corrected: its position, the wrong
 -- cells, the patch.
-genWithin :: Book GF4 -> Gen (Position, [Position], Cells)
+genWithin :: Codebook GF4 -> Gen (Position, [Position], Cells)
 genWithin shelf = do
   h <- choose (2, 5)
   w <- choose (2, 5)
@@ -350,18 +351,18 @@ genOffsets = do
   if null offsets then genOffsets else pure offsets
 
 -- | Count, at every position, the observed cells that differ.
-asDefined :: Book GF4 -> Natural -> Cells -> Property
+asDefined :: Codebook GF4 -> Natural -> Cells -> Property
 asDefined shelf e cells = case patch cells of
   Left complaint -> counterexample (show complaint) False
   Right p ->
     let decision = nearest shelf (UpTo e) p
         observed = [(i, j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
         fits (Position r c) =
-          bookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
+          codebookSurface shelf /= Sheet || and [r + i < 15 && c + j < 17 | (i, j, _) <- observed]
         differing (Position r c) =
           [ Position i j
             | (i, j, a) <- observed,
-              cellAt (bookArray shelf) (Position (r + i) (c + j)) /= a
+              cellAt (codebookArray shelf) (Position (r + i) (c + j)) /= a
           ]
         counted =
           [ (fromIntegral (length (differing place)), place)

@@ -12,11 +12,11 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Posterior (decide)
 import PraTactile.Locate.Separation
-import PraTactile.Locate.Soft (decide)
 import PraTactile.Polynomial
 import PraTactile.Symmetry
 import PraTactile.Window
@@ -42,7 +42,7 @@ spec = do
       shelf <- paperBook Torus
       forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) ->
         byDefinition
-          (bookArray shelf)
+          (codebookArray shelf)
           possible
           (Shape side side)
           [Position i j | i <- below side, j <- below side]
@@ -63,7 +63,7 @@ spec = do
       let distanceOn surface =
             candidateDistance
               surface
-              (bookArray shelf)
+              (codebookArray shelf)
               rotations
               (Shape 4 4)
               [Position i j | i <- [0 .. 3], j <- [0 .. 3]]
@@ -248,9 +248,9 @@ genObserved most = do
 
 type Cells = [[Maybe (GF GF4)]]
 
-look :: Book GF4 -> Shape -> Position -> Cells
+look :: Codebook GF4 -> Shape -> Position -> Cells
 look shelf (Shape h w) (Position r c) =
-  [[Just (cellAt (bookArray shelf) (Position (r + i) (c + j))) | j <- below w] | i <- below h]
+  [[Just (cellAt (codebookArray shelf) (Position (r + i) (c + j))) | j <- below w] | i <- below h]
 
 -- | Another symbol in that cell.
 changed :: Position -> Cells -> Cells
@@ -262,7 +262,7 @@ changed place cells =
 everywhere :: [Position]
 everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
 
-genDamaged :: Book GF4 -> Gen Cells
+genDamaged :: Codebook GF4 -> Gen Cells
 genDamaged shelf = do
   h <- choose (1, 4)
   w <- choose (1, 4)
@@ -277,12 +277,12 @@ genDamaged shelf = do
 
 -- | A patch on the surface with holes and as many errors as are promised to be corrected in any of
 -- the four rotations: where and how it is seen, the wrong cells, the patch.
-genWithin :: Book GF4 -> Gen (Candidate, [Position], Cells)
+genWithin :: Codebook GF4 -> Gen (Candidate, [Position], Cells)
 genWithin shelf = do
   side <- QuickCheck.elements [4, 5]
   o <- QuickCheck.elements rotations
-  r <- choose (0, if bookSurface shelf == Sheet then 15 - side else 14)
-  c <- choose (0, if bookSurface shelf == Sheet then 17 - side else 16)
+  r <- choose (0, if codebookSurface shelf == Sheet then 15 - side else 14)
+  c <- choose (0, if codebookSurface shelf == Sheet then 17 - side else 16)
   gone <- vectorOf 25 ((< 8) <$> choose (0, 99 :: Int))
   let size = Shape (fromInteger side) (fromInteger side)
       place = Position (fromInteger r) (fromInteger c)
@@ -294,7 +294,13 @@ genWithin shelf = do
       t =
         fromIntegral
           ( guaranteedRadius
-              (candidateDistance (bookSurface shelf) (bookArray shelf) rotations size observed)
+              ( candidateDistance
+                  (codebookSurface shelf)
+                  (codebookArray shelf)
+                  rotations
+                  size
+                  observed
+              )
           ) ::
           Int
   count <- choose (0, t)
@@ -314,8 +320,8 @@ genWithin shelf = do
         ]
   pure (Candidate o place, wrong, damaged)
 
-paperBook :: Surface -> IO (Book GF4)
+paperBook :: Surface -> IO (Codebook GF4)
 paperBook surface = do
   array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
   m <- right (rectangle (Shape 2 2))
-  right (book surface array m)
+  right (buildCodebook surface array m)

@@ -9,12 +9,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
+import PraTactile.LinearCode.Punctured
+import PraTactile.LinearCode.Rates
 import PraTactile.Locate
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Punctured
-import PraTactile.Locate.Rates
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Window
 import PraTactile.Window.Distance
@@ -148,7 +148,7 @@ spec = do
 asDecided :: KnownField k => PseudorandomArray k -> Shape -> Expectation
 asDecided array size = do
   m <- right (rectangle size)
-  shelf <- right (book Torus array m)
+  shelf <- right (buildCodebook Torus array m)
   let n = maskSize m
       q = fieldOrder array
       Shape high wide = arrayShape array

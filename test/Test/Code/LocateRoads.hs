@@ -15,11 +15,11 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Locate.Definition
-import PraTactile.Locate.Nearest
 import PraTactile.Polynomial
 import PraTactile.Window
 import Test.Code.Generators
@@ -39,7 +39,7 @@ spec = do
             forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
               m <- right (rectangle window)
               table <- right (buildTable MostSignificantFirst surface array m)
-              shelf <- right (book surface array m)
+              shelf <- right (buildCodebook surface array m)
               algebra <- right (prepareAlgebra surface array m)
               let contents =
                     [ grid
@@ -64,7 +64,7 @@ spec = do
                   forM_ (masksFor (fromIntegral n) shape) $ \offsets -> do
                     m <- right (maskFrom offsets)
                     table <- right (buildTable MostSignificantFirst surface array m)
-                    shelf <- right (book surface array m)
+                    shelf <- right (buildCodebook surface array m)
                     algebra <- right (prepareAlgebra surface array m)
                     -- Every content for the first polynomial; for the others all that occur
                     -- and as many that may not.
@@ -117,7 +117,7 @@ spec = do
       m <- right (rectangle (Shape 2 2))
       forM_ [Torus, Sheet] $ \surface -> do
         table <- right (buildTable MostSignificantFirst surface array m)
-        shelf <- right (book surface array m)
+        shelf <- right (buildCodebook surface array m)
         algebra <- right (prepareAlgebra surface array m)
         holds 1500 $
           forAll (genPatch array) $ \cells -> agree surface array m table shelf algebra cells
@@ -183,7 +183,7 @@ spec = do
     p <- right (patch [replicate 21 (Just 1)])
     searchPatch TwistedTorus array m p
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
-    (() <$ book TwistedTorus array m)
+    (() <$ buildCodebook TwistedTorus array m)
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
 
 -- | The field's order, the degree, a shape of q^n - 1 cells, and a window: with the window
@@ -273,7 +273,7 @@ alike ::
   PseudorandomArray k ->
   Mask ->
   Table k ->
-  Book k ->
+  Codebook k ->
   Algebra k ->
   [[Maybe (GF k)]] ->
   [Position] ->
@@ -307,7 +307,7 @@ agree ::
   PseudorandomArray k ->
   Mask ->
   Table k ->
-  Book k ->
+  Codebook k ->
   Algebra k ->
   [[Maybe (GF k)]] ->
   Bool

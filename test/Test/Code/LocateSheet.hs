@@ -10,11 +10,11 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Grid
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
-import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Locate.Patch (uprightAs)
 import PraTactile.Symmetry
 import PraTactile.Window
@@ -28,7 +28,7 @@ spec :: Spec
 spec = do
   it "the nearest position and the next one, compared with all" $ do
     (array, grid, window) <- binary
-    shelf <- right (book Sheet array window)
+    shelf <- right (buildCodebook Sheet array window)
     holds 150 $
       forAll genRadius $ \radius -> forPatches grid $ \p ->
         let decision = nearest shelf radius p
@@ -40,7 +40,7 @@ spec = do
                 ]
   it "in unknown orientation, too" $ do
     (array, grid, window) <- binary
-    shelf <- right (book Sheet array window)
+    shelf <- right (buildCodebook Sheet array window)
     holds 60 $
       forAll genRadius $ \radius -> forPatches grid $ \p ->
         let decision = nearestIn shelf rotations radius p

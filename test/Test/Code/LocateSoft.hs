@@ -8,10 +8,10 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Book
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest
+import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
@@ -22,7 +22,7 @@ spec = do
   it "of symbols beyond doubt it locates as the exact comparison does" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
-    shelf <- right (book Torus array m)
+    shelf <- right (buildCodebook Torus array m)
     holds 300 $
       forAll
         ((,,) <$> choose (0, 14) <*> choose (0, 16) <*> vectorOf 6 genElement')
@@ -52,7 +52,7 @@ spec = do
   it "a position is told only if the doubt is tolerated" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
-    shelf <- right (book Torus array m)
+    shelf <- right (buildCodebook Torus array m)
     [sure, unsure] <- mapM right [belief [0, 0, 0, 1], belief [0.1, 0, 0, 0.9]]
     [two, one'] <- mapM (\code -> certainly <$> right (fromCode code)) [2, 1]
     p <- right (patch [[Just unsure, Just two], [Just sure, Just one']])
@@ -66,7 +66,7 @@ spec = do
   it "an array can be impossible" $ do
     array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
     m <- right (rectangle (Shape 2 2))
-    shelf <- right (book Torus array m)
+    shelf <- right (buildCodebook Torus array m)
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
     decide 0.5 (posterior shelf p) `shouldBe` Refused Contradiction
   it "numbers that are no probabilities are refused" $ do

@@ -31,7 +31,7 @@ spec = do
           `shouldBe` Verdict
             { proved = True,
               enumeration = Just True,
-              rankRoad = Just True,
+              rankDecision = Just True,
               rank = Just 4,
               needed = Just 4,
               distinctWindows = Just 255,
@@ -60,10 +60,10 @@ spec = do
       \by visiting its 32 windows"
       $ do
         (onTorus, _) <- verdictOn Torus awkward
-        (proved onTorus, rankRoad onTorus, rank onTorus, distinctWindows onTorus)
+        (proved onTorus, rankDecision onTorus, rank onTorus, distinctWindows onTorus)
           `shouldBe` (False, Just False, Just 3, Just 64)
         (onSheet, witness) <- verdictOn Sheet awkward
-        (proved onSheet, rankRoad onSheet, rank onSheet, distinctWindows onSheet)
+        (proved onSheet, rankDecision onSheet, rank onSheet, distinctWindows onSheet)
           `shouldBe` (True, Nothing, Just 3, Just 32)
         isJust witness `shouldBe` True
   describe "other arrays" $ do
@@ -85,7 +85,7 @@ spec = do
         (twisted, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) TwistedTorus
         (proved twisted, rank twisted, distinctWindows twisted) `shouldBe` (True, Just 6, Just 4095)
         (plain, _) <- ofDegree6 RowMajor (Shape 15 273) (Shape 2 3) Torus
-        (proved plain, rankRoad plain, rank plain, distinctWindows plain)
+        (proved plain, rankDecision plain, rank plain, distinctWindows plain)
           `shouldBe` (False, Nothing, Nothing, Just 4065)
     it "of every small size that folds: n1 = q^k1 - 1, k1 x k2 windows (MacWilliams and Sloane)" $
       forM_
@@ -119,7 +119,7 @@ spec = do
       (verdict, witness) <- right (prove Torus array m)
       ( proved verdict,
         enumeration verdict,
-        rankRoad verdict,
+        rankDecision verdict,
         distinctWindows verdict,
         isJust witness
         )

@@ -82,10 +82,10 @@ certificates :: [ByteString]
 certificates =
   [ encodeCertificate found
     | (road, Right given) <-
-        [ (RankRoad, smallProfile),
-          (EnumerationRoad, smallProfile),
-          (RankRoad, Right canonicalProfile),
-          (EnumerationRoad, Right onSheet)
+        [ (RankMethod, smallProfile),
+          (EnumerationMethod, smallProfile),
+          (RankMethod, Right canonicalProfile),
+          (EnumerationMethod, Right onSheet)
         ],
       Right mask <- [rectangle (profileWindow given)],
       Right found <- [certify road given mask]

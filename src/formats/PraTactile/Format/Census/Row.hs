@@ -91,7 +91,7 @@ rowBody scope entries entry = line <$> entryVerdict entry
               Bytes.pack
               [ yesOrNo (Just (proved verdict)),
                 yesOrNo (enumeration verdict),
-                yesOrNo (rankRoad verdict),
+                yesOrNo (rankDecision verdict),
                 maybe "" show (rank verdict),
                 maybe "" show (needed verdict),
                 show (area (entryShape entry)),
