@@ -216,7 +216,10 @@ damaged = map one' [0 .. 999]
   where
     one' i =
       [ ( ( toCode
-              (cellAt (codebookArray shelf) (Position (fromIntegral (r + a)) (fromIntegral (c + b))))
+              ( cellAt
+                  (codebookArray shelf)
+                  (Position (fromIntegral (r + a)) (fromIntegral (c + b)))
+              )
               + wrong (4 * a + b)
           )
             `mod` 4,

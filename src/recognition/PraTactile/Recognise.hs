@@ -94,9 +94,9 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Refuses what 'book' refuses,
--- classes that are not one an element, and a placement on an array of another shape or with symbols
--- at another pitch than 'canonicalPitch', at which they are read.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses what 'buildCodebook'
+-- refuses, classes that are not one an element, and a placement on an array of another shape or
+-- with symbols at another pitch than 'canonicalPitch', at which they are read.
 recogniser ::
   KnownField k =>
   Surface ->

@@ -94,7 +94,13 @@ symbols :: [((Integer, Integer), Patch (GF k))] -> [((Integer, Integer), Patch (
 symbols = map (fmap (fmap Symbol))
 
 -- | A patch of symbols by the codebook; an error is a refusal for which it has no reason.
-nearestIn :: KnownField k => Codebook k -> [Symmetry] -> Radius -> Patch (GF k) -> Decision Candidate
+nearestIn ::
+  KnownField k =>
+  Codebook k ->
+  [Symmetry] ->
+  Radius ->
+  Patch (GF k) ->
+  Decision Candidate
 nearestIn shelf possible radius p =
   either
     (const (Decision (Refused BelowThreshold) (Distances [] Nothing Nothing (Exactly 0) 0)))

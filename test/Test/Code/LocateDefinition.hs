@@ -3,7 +3,7 @@
 module Test.Code.LocateDefinition (spec) where
 
 import Control.Monad (forM_)
-import Data.List (sort, sortOn)
+import Data.List (sort, sortOn, transpose)
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import Data.Proxy (Proxy (..))
@@ -197,7 +197,7 @@ asBayes decoder on@(surface, array, _) possible tolerated given = case ask
   where
     (shape, looks) = looksByDefinition given
     disputed several =
-      all (== 0) (foldr1 (zipWith (*)) (map (Primitive.toList . probabilities) several))
+      all ((== 0) . product) (transpose (map (Primitive.toList . probabilities) several))
     known = [(at, b) | (at, several) <- looks, not (disputed several), b <- several]
     exact = posteriorByDefinition surface array possible shape known
     of' candidate = fromRational (fromMaybe 0 (lookup candidate exact)) :: Double

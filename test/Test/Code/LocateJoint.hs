@@ -160,9 +160,9 @@ spec = do
   describe "probabilities" $ do
     it "that contradict each other make a disputed cell, which counts as not observed" $ do
       shelf <- paperBook
-      a <- certain <$> seen shelf (Position 6 5) (0, 0) 0 >>= right
-      b <- certain <$> seen shelf (Position 6 5) (1, 1) 1 >>= right
-      c <- certain <$> seen shelf (Position 6 5) (0, 4) 0 >>= right
+      a <- seen shelf (Position 6 5) (0, 0) 0 >>= right . certain
+      b <- seen shelf (Position 6 5) (1, 1) 1 >>= right . certain
+      c <- seen shelf (Position 6 5) (0, 4) 0 >>= right . certain
       found <- right (posteriorJoint shelf [identity] 0.001 [((0, 0), a), ((1, 1), b), ((0, 4), c)])
       ( candidatePosition <$> posteriorBest (jointPosterior found),
         answerDisputed found,
@@ -243,7 +243,9 @@ seen shelf (Position r c) (i, j) e =
   right
     ( patch
         [ [ Just
-              ( cellAt (codebookArray shelf) (Position (wrapped 15 r (i + a)) (wrapped 17 c (j + b)))
+              ( cellAt
+                  (codebookArray shelf)
+                  (Position (wrapped 15 r (i + a)) (wrapped 17 c (j + b)))
                   + (if (a, b) == (0, 0) then fromInteger e else 0)
               )
             | b <- [0, 1]

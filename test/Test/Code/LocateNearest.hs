@@ -169,7 +169,8 @@ paperBook surface = do
   right (buildCodebook surface array m)
 
 minimumDistance' :: Codebook GF4 -> Shape -> IO Distance
-minimumDistance' shelf size = right (rectangle size) >>= right . minimumDistance (codebookArray shelf)
+minimumDistance' shelf size =
+  right (rectangle size) >>= right . minimumDistance (codebookArray shelf)
 
 -- | All positions of the paper's array, in a scattered order.
 everyPosition :: Int -> [Position]

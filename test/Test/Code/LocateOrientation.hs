@@ -294,7 +294,13 @@ genWithin shelf = do
       t =
         fromIntegral
           ( guaranteedRadius
-              (candidateDistance (codebookSurface shelf) (codebookArray shelf) rotations size observed)
+              ( candidateDistance
+                  (codebookSurface shelf)
+                  (codebookArray shelf)
+                  rotations
+                  size
+                  observed
+              )
           ) ::
           Int
   count <- choose (0, t)

@@ -41,7 +41,7 @@ import PraTactile.Window (rectangle)
 -- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
 pgms :: [ByteString]
 pgms =
-  ("P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :)
+  "P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n" :
     [ encodePgm format image
       | (w, h) <- [(5, 3), (16, 16)],
         format <- [Plain, Binary],

@@ -1,7 +1,7 @@
 -- | Writing a folded sequence into memory in the order of its cells. Internal: arrays and array
 -- codes are made into grids by it.
-module PraTactile.Array.Laid
-  ( laid,
+module PraTactile.Array.Fill
+  ( filled,
     minimalPolynomialOfPower,
     codes,
   )
@@ -21,17 +21,18 @@ import PraTactile.Sequence.Jump
 import PraTactile.Sequence.Recurrence
 import PraTactile.Sequence.Synthesis
 
-{- Note [Rows and columns obey recurrences] To write s(i) into cell (i mod n1, i mod n2) for i = 0,
-   1, 2, ... leaps from row to row, out of the cache at every step. But where the cell (r, c) holds
-   s(r u + c v), each row runs through the sequence in steps of v, and so obeys the recurrence of
-   the minimal polynomial of alpha^v; each column that of alpha^u. So a few rows are run along from
-   their first terms, and all further rows are combinations of those before them, whole row by whole
-   row. -}
+{- Note [Rows and columns obey recurrences]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   To write s(i) into cell (i mod n1, i mod n2) for i = 0, 1, 2, ... leaps from row to row, out of
+   the cache at every step. But where the cell (r, c) holds s(r u + c v), each row runs through the
+   sequence in steps of v, and so obeys the recurrence of the minimal polynomial of alpha^v; each
+   column that of alpha^u. So a few rows are run along from their first terms, and all further rows
+   are combinations of those before them, whole row by whole row. -}
 
--- | @laid h s (u, v) shape@ is the cells row by row, s(r u + c v) in the cell (r, c), given the
+-- | @filled h s (u, v) shape@ is the cells row by row, s(r u + c v) in the cell (r, c), given the
 -- sequence's terms, below the period, by a function. See Note [Rows and columns obey recurrences].
-laid :: KnownField k => Primitive k -> (Natural -> GF k) -> Weights -> Shape -> Vector (GF k)
-laid h s (u, v) (Shape n1 n2) = Primitive.create $ do
+filled :: KnownField k => Primitive k -> (Natural -> GF k) -> Weights -> Shape -> Vector (GF k)
+filled h s (u, v) (Shape n1 n2) = Primitive.create $ do
   cells <- Mutable.new (height * width)
   forM_ [0 .. seeds - 1] $ \r -> do
     -- A row of its own, because within the cells it would not begin at a whole word.

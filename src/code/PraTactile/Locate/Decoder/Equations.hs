@@ -3,7 +3,7 @@
 -- With alpha^t = x0 + x1 alpha + ... + x(n-1) alpha^(n-1) that is x0 s(e) + x1 s(e + 1) + ... +
 -- x(n-1) s(e + n - 1), because s(t) is a linear function of alpha^t. So n independent cells give
 -- alpha^t, and the others must agree.
-module PraTactile.Locate.Equations
+module PraTactile.Locate.Decoder.Equations
   ( -- * Equations
     Equation (..),
     equations,
@@ -25,10 +25,10 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Extension
 import PraTactile.Field
+import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
-import PraTactile.Window.Elimination
 import PraTactile.Window.Rank
 
 -- | Of one observed cell: its offset, the factors of x0, ..., x(n-1), and the element observed.
@@ -76,7 +76,7 @@ data Solutions k
     Solutions [GF k] [[GF k]]
   deriving stock (Eq, Show)
 
--- | The solutions of equations in so many unknowns, by elimination.
+-- | The solutions of equations in this many unknowns, by elimination.
 solve :: KnownField k => Int -> [Equation k] -> Solutions k
 solve n given
   | n `Map.member` pivoted = Inconsistent

@@ -1,12 +1,12 @@
--- |
--- Locating from probabilities: of each cell is known how likely each symbol is, and what follows is
--- how likely each position is (Bayes' theorem). Exact: the patch is compared with every position.
+-- | Locating from probabilities: how likely each symbol is in each cell is given, and what follows
+-- is how likely each position is (Bayes' theorem). Exact: the patch is compared with every
+-- position.
 --
 -- A cell's probabilities are those that a classifier gives on seeing its image when all symbols are
 -- equally frequent, independently of other cells'; all positions are equally likely beforehand.
 -- Then the probability of a position is proportional to the product of the probabilities of the
 -- symbols that it would have in the observed cells.
-module PraTactile.Locate.Soft
+module PraTactile.Locate.Decoder.Posterior
   ( posterior,
     posteriorAmong,
     likelihoods,
@@ -21,21 +21,21 @@ import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Grid
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 
--- | How likely each position of the book is in each of these symmetries, all of them being equally
--- likely beforehand; on the sheet those with which all observed cells lie on it.
-posteriorAmong :: Book k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
-posteriorAmong shelf possible observed = case comparisons of
+-- | How likely each position of the codebook is in each of these symmetries, all of them being
+-- equally likely beforehand; on the sheet those with which all observed cells lie on it.
+posteriorAmong :: Codebook k -> [Symmetry] -> Patch (Belief k) -> Posterior Candidate
+posteriorAmong codebook possible observed = case comparisons of
   [(o, only)] -> ranked (Candidate o . comparedPosition only) (comparedTotals only)
   _ ->
     ranked (`candidateIn` comparisons) (Primitive.concat (map (comparedTotals . snd) comparisons))
   where
     -- In every symmetry the cells are added up in the same order, so that what is equally likely is
     -- found equal.
-    comparisons = [(o, likelihoods shelf (seenCells o)) | o <- possible]
+    comparisons = [(o, likelihoods codebook (seenCells o)) | o <- possible]
     seenCells o =
       [ (onPosition (invert o) (patchShape observed) offset, b)
         | (offset, b) <- observedCells observed
@@ -52,24 +52,24 @@ candidateIn i comparisons = case comparisons of
   -- Without symmetries there are no indices.
   [] -> Candidate identity (Position 0 0)
 
--- | How likely each position of the book is; on the sheet those at which all observed cells lie on
--- it.
-posterior :: Book k -> Patch (Belief k) -> Posterior Position
-posterior shelf observed = ranked (comparedPosition comparison) (comparedTotals comparison)
+-- | How likely each position of the codebook is; on the sheet those at which all observed cells lie
+-- on it.
+posterior :: Codebook k -> Patch (Belief k) -> Posterior Position
+posterior codebook observed = ranked (comparedPosition comparison) (comparedTotals comparison)
   where
-    comparison = likelihoods shelf (observedCells observed)
+    comparison = likelihoods codebook (observedCells observed)
 
 -- | The logarithms of what the probabilities of positions are proportional to, given what is known
 -- of cells by their offsets.
-likelihoods :: Book k -> [(Position, Belief k)] -> Comparison Double
-likelihoods shelf known =
-  compareWith shelf [(offset, Primitive.map log (probabilities b)) | (offset, b) <- known]
+likelihoods :: Codebook k -> [(Position, Belief k)] -> Comparison Double
+likelihoods codebook known =
+  compareWith codebook [(offset, Primitive.map log (probabilities b)) | (offset, b) <- known]
 
 -- | How likely places are, given by their indices, from the logarithms of what their probabilities
 -- are proportional to.
 ranked :: (Int -> place) -> Primitive.Vector Double -> Posterior place
 ranked placeAt logs
-  | count == 0 || isInfinite best = Posterior Nothing 1 [] Nothing 1 Nothing [] Nothing 0
+  | count == 0 || isInfinite best = impossible
   | otherwise =
     Posterior
       { posteriorBest = Just (placeAt bestIndex),
@@ -98,7 +98,7 @@ ranked placeAt logs
 
 -- | @decide tolerated found@: the likeliest place, if the probability that it is another one is at
 -- most as large as tolerated; then of many answers at most that share is wrong, if the
--- probabilities are honest. Several places equally likely, of which the same holds together, are
+-- probabilities are honest. Several places equally likely, of which the same holds jointly, are
 -- ambiguous. Else 'BelowThreshold'; 'Contradiction' where no place is possible.
 decide :: Double -> Posterior place -> Outcome place
 decide tolerated found

@@ -1,7 +1,7 @@
 -- | What the observed cells can hold, at all positions of the array, is a linear code, zero left
 -- out: the images of alpha^t under the equations of the cells. This is that code of a set of cells,
--- by their offsets, for decoding where there are too many positions to visit. Internal.
-module PraTactile.Locate.ObservedCode
+-- by their offsets, for decoding where there are too many positions to visit.
+module PraTactile.Locate.Decoder.ObservedCode
   ( -- * Codes
     ObservedCode,
     observedCode,
@@ -25,10 +25,10 @@ import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Equations
+import PraTactile.LinearCode.Elimination
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Equations
 import PraTactile.Polynomial
-import PraTactile.Window.Elimination
 
 -- | Of an array and the offsets of some cells.
 data ObservedCode (k :: Field) = ObservedCode
@@ -57,8 +57,8 @@ observedCode algebra offsets = do
   pure
     (ObservedCode algebra offsets given [x | (i, x) <- zip [0 ..] spanning, i `elem` independent])
 
--- | The dimension of the code: n where the cells tell all positions apart on the array's own
--- surface.
+-- | The dimension of the code: n where no two positions of the array's own surface have the same
+-- content.
 codeRank :: ObservedCode k -> Int
 codeRank = length . codeRows
 

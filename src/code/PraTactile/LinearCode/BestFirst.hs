@@ -1,7 +1,6 @@
 -- | The words of independent letters in the order of their probability, the likeliest first, made
 -- one at a time: each option of each letter costs something, and what a word costs is the sum.
--- Internal.
-module PraTactile.Locate.BestFirst
+module PraTactile.LinearCode.BestFirst
   ( bestFirst,
   )
 where
@@ -9,13 +8,15 @@ where
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
 
-{- Note [Each word once] Let the letters stand in the order of what their second option costs, so
-   that to change a later letter instead of an earlier one never costs less. A word in which some
-   letters are changed, the last of them letter i, comes from exactly one other: where i has its
-   third option or a later one, from that with the option before; else from that in which i is not
-   changed, if the letter before i is; and else from that in which the letter before i is changed to
-   its second option instead. None of these costs more, and so all words come out in order when each
-   brings those that come from it (E. L. Lawler 1972). -}
+{- Note [Each word once]
+   ~~~~~~~~~~~~~~~~~~~~~
+   Let the letters stand in the order of what their second option costs, so that to change a later
+   letter instead of an earlier one never costs less. A word in which some letters are changed, the
+   last of them letter i, comes from exactly one other: where i has its third option or a later one,
+   from that with the option before; else from that in which i is not changed, if the letter before
+   i is; and else from that in which the letter before i is changed to its second option instead.
+   None of these costs more, and so all words come out in order when each brings those that come
+   from it (E. L. Lawler 1972). -}
 
 -- | For each letter, by its number, the costs of its options: ascending, the first one 0. All
 -- words, the cheapest first, each with its cost and the letters that do not have their first

@@ -1,8 +1,8 @@
--- | The algebra road from observed cells to position: solve "PraTactile.Locate.Equations" for
--- alpha^t, take the discrete logarithm t, and fold. It needs no table, and so no limit to the
+-- | From observed cells to position by algebra: solve "PraTactile.Locate.Decoder.Equations" for
+-- alpha^t, take the discrete logarithm t, and fold. There is no table, and so no limit to the
 -- array's size but that of the logarithm; and any n independent cells do, whatever their shape.
-module PraTactile.Locate.Algebra
-  ( -- * The road
+module PraTactile.Locate.Decoder.Algebra
+  ( -- * The decoder
     Algebra,
     prepareAlgebra,
     algebraSurface,
@@ -31,11 +31,10 @@ import PraTactile.Array
 import PraTactile.DiscreteLog
 import PraTactile.Extension (Residue)
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition)
+import PraTactile.Grid (admissible, displaced, extentOf)
 import PraTactile.Locate.Answer
-import PraTactile.Locate.Compare (comparedShape, extentOf)
+import PraTactile.Locate.Decoder.Equations
 import PraTactile.Locate.Definition (nowhere)
-import PraTactile.Locate.Equations
 import PraTactile.Locate.Patch
 import PraTactile.Polynomial
 import PraTactile.Window
@@ -49,8 +48,8 @@ data AlgebraError
     AlgebraLogarithm LogarithmError
   | -- | There are too many observed cells.
     AlgebraCells WindowError
-  | -- | So many positions of the array agree, too many to tell which of them lie on the sheet with
-    -- all cells.
+  | -- | This many positions of the array agree, too many to find which of them lie on the sheet
+    -- with all cells.
     AlgebraSheet Natural
   deriving stock (Eq, Show)
 
@@ -90,8 +89,7 @@ prepareAlgebra surface array mask
 data Listed = Listed [Position] | More
   deriving stock (Eq, Show)
 
--- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' tells the
--- number.
+-- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' has the number.
 largestListing :: Natural
 largestListing = 1024
 
@@ -138,8 +136,8 @@ algebraVisits algebra offsets solutions =
   min (solutionCount solutions) (area (algebraPositions algebra offsets))
 
 -- | The same as a list, or that they are more than 'largestListing'. Where not all of the solutions
--- lie on the sheet, which is told only by looking at them or at its positions, two of many must be
--- found there: else 'AlgebraSheet'.
+-- lie on the sheet, which takes a look at them or at its positions, two of many must be found
+-- there: else 'AlgebraSheet'.
 algebraListing ::
   KnownField k =>
   Algebra k ->
@@ -176,14 +174,11 @@ largestVisit = 2 ^ (14 :: Int)
 -- | The rows and columns of the positions at which cells lie on the surface.
 algebraPositions :: Algebra k -> [Position] -> Shape
 algebraPositions algebra offsets =
-  comparedShape (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
+  admissible (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
 
 -- | These positions, row by row.
 positionsOf :: Algebra k -> [Position] -> [Position]
-positionsOf algebra offsets = [Position r c | r <- below high, c <- below wide]
-  where
-    Shape high wide = algebraPositions algebra offsets
-    below n = takeWhile (< n) [0 ..]
+positionsOf algebra = shapeCells . algebraPositions algebra
 
 -- | Whether all cells agree with the array when the patch is there.
 agreesAt :: KnownField k => Algebra k -> [(Position, GF k)] -> Position -> Bool
@@ -197,21 +192,17 @@ agreesAt algebra cells place =
 algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position
 algebraPlace algebra offsets x = case logarithmFrom (algebraLogarithms algebra) x of
   Right t
-    | let place =
-            positionOfIndex (algebraArray algebra) t,
+    | let place = positionOfIndex (algebraArray algebra) t,
       all (isJust . cellFrom algebra place) offsets ->
       Just place
   -- Only zero has no logarithm, and it is no solution.
   _ -> Nothing
 
+-- | The cell at an offset from a position.
 cellFrom :: Algebra k -> Position -> Position -> Maybe Position
-cellFrom algebra (Position r c) (Position i j) =
-  canonicalPosition
-    (algebraSurface algebra)
-    (arrayShape (algebraArray algebra))
-    (toInteger (r + i))
-    (toInteger (c + j))
+cellFrom algebra = displaced (algebraSurface algebra) (arrayShape (algebraArray algebra))
 
+-- | The solutions for observed cells.
 solved :: KnownField k => Algebra k -> [(Position, GF k)] -> Either AlgebraError (Solutions k)
 solved algebra cells =
   either

@@ -1,7 +1,6 @@
--- |
--- Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square one.
--- Internal; the rank of a mask, its distance and its certificate stand on it.
-module PraTactile.Window.Elimination
+-- | Elimination over GF(q): which rows of a matrix are independent, and the inverse of a square
+-- one.
+module PraTactile.LinearCode.Elimination
   ( -- * Rows
     Row,
     rowFromList,
@@ -66,8 +65,8 @@ basisSize (Basis pivoted) = length pivoted
 basisRows :: Basis k -> [(Int, Row k)]
 basisRows (Basis pivoted) = pivoted
 
--- | The row less its components along the basis: zero at every pivot, and zero altogether exactly
--- when the basis spans the row.
+-- | The row less its components along the basis: zero at every pivot, and all zeros exactly when
+-- the basis spans the row.
 reduced :: KnownField k => Basis k -> Row k -> Row k
 reduced (Basis pivoted) given = foldl' without given pivoted
   where
@@ -88,7 +87,7 @@ extend preferred basis@(Basis pivoted) given = case filter preferred support ++ 
     support = [i | (i, a) <- zip [0 ..] (Primitive.toList rest), a /= zero]
     inverted = either (const zero) id . inverse
 
--- | The indices, ascending, of the rows that those before them do not span, at most so many.
+-- | The indices, ascending, of the rows that those before them do not span, at most this many.
 independentRows :: KnownField k => Int -> [Row k] -> [Int]
 independentRows most = go emptyBasis . zip [0 ..]
   where

@@ -9,7 +9,7 @@
 -- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). A window is any of the words but zero,
 -- all equally often, so that of the other words that an error can lead to, one in (number of
 -- windows) is zero, which is refused.
-module PraTactile.Locate.Rates
+module PraTactile.LinearCode.Rates
   ( -- * Rates
     Rates (..),
     decodingRates,
@@ -25,7 +25,7 @@ where
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Locate.Punctured
+import PraTactile.LinearCode.Punctured
 
 -- | Probabilities that add up to 1.
 data Rates = Rates
@@ -39,10 +39,10 @@ data Rates = Rates
 mostCells :: Natural
 mostCells = 1000
 
--- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, with so many
--- words of each weight, zero among them; decoded to the radius t, which must be a guaranteed one (2
--- t less than the least weight, or 0); each cell wrong with probability p. Every word but zero must
--- be one position, as where the cells have rank n. At most 'mostCells'.
+-- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, given the number
+-- of words of each weight, zero among them; decoded to the radius t, which must be a guaranteed one
+-- (2 t less than the least weight, or 0); each cell wrong with probability p. Every word but zero
+-- must be one position, as where the cells have rank n. At most 'mostCells'.
 decodingRates :: Int -> Int -> Map Natural Natural -> Int -> Double -> Rates
 decodingRates q n weights t p =
   radiusRates
@@ -54,11 +54,11 @@ decodingRates q n weights t p =
     others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
     windows = fromIntegral (sum (Map.elems weights))
 
--- | Of all that an error can lead to, the part that is a position: of so many words but zero.
+-- | Of all that an error can lead to, the part that is a position, given the number of these.
 misled :: Double -> [Double] -> Double
 misled positions reached = sum reached * (1 - 1 / positions)
 
--- | The rates of decoding n cells to the radius t, when so often an answer is wrong. What is
+-- | The rates of decoding n cells to the radius t, given how often an answer is wrong. What is
 -- refused is added up by itself, as the difference of 1 and the others would lose it where it is
 -- small.
 radiusRates :: Int -> Int -> Double -> Double -> Rates
@@ -96,8 +96,8 @@ data ErasureRule
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | @erasedRates rule q code p s@: as 'decodingRates' when each of the cells is also missing with
--- probability s, independently. Observed cells that do not tell all positions apart are refused,
--- but for zeros that occur at one position only.
+-- probability s, independently. Observed cells that are alike at two positions are refused, but for
+-- zeros that occur at one position only.
 erasedRates :: ErasureRule -> Int -> Punctured -> Double -> Double -> Rates
 erasedRates rule q code p s = Rates (total rateRight) (total rateWrong) (total rateRefused)
   where
