@@ -1,8 +1,8 @@
 -- | How a command ends: the exit statuses, which scripts rely on, and the one form of a complaint.
-module Ending
+module ExitStatus
   ( -- * Exit statuses
-    Ending (..),
-    finish,
+    ExitStatus (..),
+    leave,
 
     -- * Bad usage and bad input
     unusable,
@@ -11,7 +11,7 @@ module Ending
     systemReason,
 
     -- * Running a program
-    ending,
+    runToExit,
   )
 where
 
@@ -24,7 +24,7 @@ import System.IO (hFlush, hPutStrLn, stderr, stdout)
 import Visible
 
 -- | The exit status.
-data Ending
+data ExitStatus
   = -- | 0
     Answered
   | -- | 1: well formed, but refused, ambiguous or refuted
@@ -33,16 +33,16 @@ data Ending
     Unusable
   deriving stock (Eq, Ord, Show)
 
--- | Leave with the status of an ending.
-finish :: Ending -> IO a
-finish how = exitWith $ case how of
+-- | Leave with a status.
+leave :: ExitStatus -> IO a
+leave status = exitWith $ case status of
   Answered -> ExitSuccess
   NotAnswered -> ExitFailure 1
   Unusable -> ExitFailure 2
 
 -- | Say on the standard error what is wrong and what to do, and leave with status 2.
 unusable :: String -> IO a
-unusable message = warn message >> finish Unusable
+unusable message = warn message >> leave Unusable
 
 -- | The value, or 'unusable' with the error in words.
 orUnusable :: (e -> String) -> Either e a -> IO a
@@ -64,10 +64,10 @@ systemReason problem = case ioe_description problem of
 
 -- | Run a command to its end and leave with its status; with status 2 and a line where its output
 -- cannot be written to the end, or where something happens that should not.
-ending :: IO Ending -> IO a
-ending command =
-  (command <* hFlush stdout >>= finish) `catch` \problem -> case fromException problem of
-    Just status -> hFlush stdout `catch` outputLost >> throwIO (status :: ExitCode)
+runToExit :: IO ExitStatus -> IO a
+runToExit command =
+  (command <* hFlush stdout >>= leave) `catch` \problem -> case fromException problem of
+    Just code -> hFlush stdout `catch` outputLost >> throwIO (code :: ExitCode)
     Nothing
       | Just asynchronous <- fromException problem -> throwIO (asynchronous :: SomeAsyncException)
       | Just io <- fromException problem, ioe_handle io == Just stdout -> outputLost io
