@@ -52,6 +52,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.Documents
+import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -110,6 +111,7 @@ specs = do
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
     describe "Certificates" Test.Code.Certificate.spec
+    describe "Forged certificates" Test.ForgedCertificates.spec
     describe "Census" Test.Code.Census.spec
     describe "Exhaustive proofs" Test.Code.Exhaustive.spec
     describe "Locating" Test.Code.Locate.spec

@@ -16,14 +16,14 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
-import PraTactile.Locate.Algebra
-import PraTactile.Locate.Book
-import PraTactile.Locate.BoundedDistance
 import PraTactile.Locate.Bulk
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Nearest
-import PraTactile.Locate.OrderedStatistics
-import PraTactile.Locate.Soft
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.List
+import PraTactile.Locate.Decoder.Nearest
+import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Symmetry
@@ -206,8 +206,8 @@ located outcome = case outcome of
   _ -> 1000
 
 -- | The paper's array with all that is known of it before the first patch.
-shelf :: Book GF4
-shelf = sure (book Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
+shelf :: Codebook GF4
+shelf = sure (buildCodebook Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
 
 -- | 1000 patches of 4 x 4 cells of the paper's array, by their codes, with 0 ... 4 wrong cells;
 -- then a number for each cell.
@@ -216,7 +216,10 @@ damaged = map one' [0 .. 999]
   where
     one' i =
       [ ( ( toCode
-              (cellAt (bookArray shelf) (Position (fromIntegral (r + a)) (fromIntegral (c + b))))
+              ( cellAt
+                  (codebookArray shelf)
+                  (Position (fromIntegral (r + a)) (fromIntegral (c + b)))
+              )
               + wrong (4 * a + b)
           )
             `mod` 4,

@@ -57,6 +57,17 @@ spec = describe "the house" $
               not (ofFactorisation name)
           ]
             `shouldBe` []
+    it "the linear codes know nothing of arrays: of the code they import fields" $ \(house, _) -> do
+      let linear = filter (below "PraTactile.LinearCode" . sourceName) house
+          others =
+            [ (sourceName one, name)
+              | one <- linear,
+                name <- sourceImports one,
+                below "PraTactile" name,
+                not (any (`below` name) ["PraTactile.Field", "PraTactile.LinearCode"])
+            ]
+      length linear `shouldSatisfy` (> 1)
+      others `shouldBe` []
     it "of the code, the objects see positions and shapes only" $ \(house, _) ->
       [ (sourceName one, name)
         | one <- house,
@@ -93,7 +104,8 @@ spec = describe "the house" $
             (\letter -> if isAlphaNum letter || letter `elem` "_'" then letter else ' ')
             text
         )
-    impure name = any (\folder -> name == folder || (folder ++ ".") `isPrefixOf` name) world
+    impure name = any (`below` name) world
+    below folder name = name == folder || (folder ++ ".") `isPrefixOf` name
 
 -- | The wings that a wing may import.
 known :: Wing -> [Wing]

@@ -90,7 +90,7 @@ drawingSpec = describe "drawings" $ do
     \(ws :: [NonEmptyList Letter])
      (Positive room) ->
         let content = unwords (map (map letter . getNonEmpty) ws)
-            font = Font 12 False "black"
+            font = Font 12 Regular "black"
             found = wrapped room font content
          in words (unwords found) === words content
               .&&. counterexample
@@ -102,7 +102,7 @@ drawingSpec = describe "drawings" $ do
             ( svgFile
                 0
                 "a < b"
-                [Mark "text" (Words FromLeft (Font 12 False "black") (0, 0) "<script>&")]
+                [Mark "text" (Words FromLeft (Font 12 Regular "black") (0, 0) "<script>&")]
             )
     file `shouldSatisfy` ("&lt;script&gt;&amp;" `isInfixOf`)
     file `shouldSatisfy` (not . ("<script" `isInfixOf`))

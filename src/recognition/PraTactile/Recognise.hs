@@ -51,7 +51,7 @@ import PraTactile.Classify.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder, toCode)
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Locate (LocateError, Reason (..), reasonName, reasons)
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement
   ( Pitch,
@@ -74,7 +74,7 @@ import PraTactile.Window (Mask, maskExtent)
 -- | All that recognition needs: the array with all its positions, the placement of the faces, the
 -- shapes and the trained network.
 data Recogniser k = Recogniser
-  { recogniserBook :: Book k,
+  { recogniserBook :: Codebook k,
     recogniserWindow :: Shape,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
@@ -94,9 +94,9 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Refuses what 'book' refuses,
--- classes that are not one an element, and a placement on an array of another shape or with symbols
--- at another pitch than 'canonicalPitch', at which they are read.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses what 'buildCodebook'
+-- refuses, classes that are not one an element, and a placement on an array of another shape or
+-- with symbols at another pitch than 'canonicalPitch', at which they are read.
 recogniser ::
   KnownField k =>
   Surface ->
@@ -113,7 +113,7 @@ recogniser surface array window layout alphabetOfAll network
   | placementPitch layout /= canonicalPitch =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | otherwise = do
-    shelf <- either (Left . RecogniserArray) Right (book surface array window)
+    shelf <- either (Left . RecogniserArray) Right (buildCodebook surface array window)
     pure (Recogniser shelf (maskExtent window) layout (Reader (templates alphabetOfAll) network))
   where
     q = fieldOrder array
@@ -307,7 +307,7 @@ foundAt reader judgement position = do
       }
   where
     cells = judgedCells judgement
-    array = bookArray (recogniserBook reader)
+    array = codebookArray (recogniserBook reader)
     place0 = cellFrom (recogniserBook reader) position
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
     -- Cells with a symbol that the network knows as what the array has there.

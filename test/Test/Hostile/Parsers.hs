@@ -11,14 +11,11 @@ import AnswerText
 import CsvGrid
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes8
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector.Primitive as Primitive
 import Explain
-import Json
-import Json.Answer
 import Message
 import PatchText
 import PraTactile.Array
@@ -113,14 +110,17 @@ patchJudge possible = (`asText` answered)
        in \text -> case readPatches (Text.pack text) >>= \written ->
             (,) written <$> located array mask made written of
             Left why -> Refused why
-            Right (written, said) ->
+            Right (written, (said, report)) ->
               Accepted
                 [ ( "read . render = Right",
                     fmap shown (readPatches (Text.pack (rendered written)) `asTypeOf` Right written)
                       == Right (shown written)
+                  ),
+                  ( "decode . encode of the answer is the identity",
+                    decodeAnswer (encodeAnswer report) == Right report
                   )
                 ]
-                said
+                (unlines [said, Bytes8.unpack (encodeAnswer report)])
     located array mask made written = do
       let asked = Asked possible (writtenDisplaced written)
           displacements = map fst (writtenPatches written)
@@ -128,15 +128,8 @@ patchJudge possible = (`asText` answered)
       answer <- either (Left . locatorMessage) Right (locate made query)
       seen <- either (Left . locatorMessage) Right (agreedSymbols query)
       let explained = explainAnswer array mask asked displacements seen 0.001 answer
-      pure
-        ( unlines
-            [ answerText asked answer,
-              Lazy8.unpack
-                ( encodeLine
-                    (answerJson canonicalProfile asked displacements (Just explained) answer)
-                )
-            ]
-        )
+          report = reportOf canonicalProfile asked displacements (Just explained) answer
+      pure (answerText asked answer, report)
 
 -- | Patches in the form in which they can be read again.
 rendered :: Written k -> String

@@ -9,10 +9,10 @@ import Data.Bits (bit, (.|.))
 import Data.List (foldl')
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Locate.Book
-import PraTactile.Locate.Punctured
+import PraTactile.LinearCode.Punctured
+import PraTactile.LinearCode.Rates
+import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
-import PraTactile.Locate.Rates
 import PraTactile.Rates.Damage
 import PraTactile.Window
 import PraTactile.Window.Distance
@@ -22,7 +22,7 @@ import PraTactile.Window.Distance
 -- seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
 -- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
 -- where a stated radius is more than is guaranteed, or some cells are missing.
-exactRates :: KnownField k => Radius -> Book k -> Mask -> Damage -> Maybe Rates
+exactRates :: KnownField k => Radius -> Codebook k -> Mask -> Damage -> Maybe Rates
 exactRates stated shelf mask = \damage -> do
   guard (fromIntegral n <= mostCells)
   guard $ case stated of
@@ -35,7 +35,7 @@ exactRates stated shelf mask = \damage -> do
         <$> holed
     else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
   where
-    array = bookArray shelf
+    array = codebookArray shelf
     q = fieldOrder array
     n = maskSize mask
     windowDistance = observedDistance shelf (maskOffsets mask)
@@ -51,5 +51,5 @@ exactRates stated shelf mask = \damage -> do
     contents =
       [ content
         | position <- shapeCells (arrayShape array),
-          Just content <- [windowAt (bookSurface shelf) array mask position]
+          Just content <- [windowAt (codebookSurface shelf) array mask position]
       ]

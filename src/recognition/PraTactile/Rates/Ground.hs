@@ -33,12 +33,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (codeAt, displaced)
-import PraTactile.Locate.Book
+import PraTactile.Locate.Decoder.Codebook
 
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
 data Ground (k :: Field) = Ground
   { -- | The array on its surface.
-    groundBook :: !(Book k),
+    groundBook :: !(Codebook k),
     -- | The rows and columns of a patch.
     groundShape :: !Shape,
     -- | The cells of a patch.
@@ -75,7 +75,7 @@ largestGround = 2 ^ (25 :: Int)
 
 -- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
 -- cells again.
-ground :: forall k. KnownField k => Book k -> Shape -> Either GroundError (Ground k)
+ground :: forall k. KnownField k => Codebook k -> Shape -> Either GroundError (Ground k)
 ground shelf shape
   | surface == Sheet = Left GroundSheet
   | area shape == 0 = Left GroundEmpty
@@ -98,9 +98,9 @@ ground shelf shape
           groundSupports = Primitive.generate (positions * limbs) (limb (/= 0))
         }
   where
-    surface = bookSurface shelf
+    surface = codebookSurface shelf
     cells = area shape * positionCount
-    positionCount = area (arrayShape (bookArray shelf))
+    positionCount = area (arrayShape (codebookArray shelf))
     positions = fromIntegral positionCount
     n = fromIntegral (area shape) :: Int
     q = fieldOrder (Proxy :: Proxy k)
@@ -111,9 +111,9 @@ ground shelf shape
         (positions * n)
         (concatMap (contentAt . positionOf shelf) [0 .. positions - 1])
     contentAt position = map (codeOn . displacedFrom position) (shapeCells shape)
-    displacedFrom = displaced surface (arrayShape (bookArray shelf))
+    displacedFrom = displaced surface (arrayShape (codebookArray shelf))
     -- A torus has no place that is none.
-    codeOn place = maybe 0 fromIntegral (place >>= codeAt (bookGrid shelf)) :: Int32
+    codeOn place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid shelf)) :: Int32
     limb :: (Int32 -> Bool) -> Int -> Word64
     limb holds i =
       foldl'
@@ -127,6 +127,6 @@ ground shelf shape
         (position, from) = (* 64) <$> (i `divMod` limbs)
 
 -- | The position with this index, row by row.
-positionOf :: Book k -> Int -> Position
+positionOf :: Codebook k -> Int -> Position
 positionOf shelf i =
-  uncurry Position (fromIntegral i `divMod` columns (arrayShape (bookArray shelf)))
+  uncurry Position (fromIntegral i `divMod` columns (arrayShape (codebookArray shelf)))

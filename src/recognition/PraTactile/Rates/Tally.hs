@@ -23,7 +23,7 @@ where
 import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import PraTactile.Locate.Rates
+import PraTactile.LinearCode.Rates
 import PraTactile.Rates.Verdict
 
 -- | Counts of trials.

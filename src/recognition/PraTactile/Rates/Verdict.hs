@@ -28,8 +28,8 @@ import PraTactile.Locate
     patch,
   )
 import PraTactile.Locate.Decision (Decision (..))
-import PraTactile.Locate.Nearest (nearest)
-import PraTactile.Locate.Soft (posterior)
+import PraTactile.Locate.Decoder.Nearest (nearest)
+import PraTactile.Locate.Decoder.Posterior (posterior)
 import PraTactile.Rates.Ground
 import PraTactile.Rates.Trial
 

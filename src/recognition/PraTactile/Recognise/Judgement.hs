@@ -30,11 +30,11 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate hiding (Cell)
-import PraTactile.Locate.Book
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision (Decision (..))
-import PraTactile.Locate.Nearest (nearest)
-import PraTactile.Locate.Soft (posterior)
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.Nearest (nearest)
+import PraTactile.Locate.Decoder.Posterior (posterior)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell)
@@ -101,7 +101,7 @@ data Ruling
 
 -- | Judge a grid of symbols of one axis. The dissenters are symbols of the other axis that the
 -- network knows all the same.
-judge :: forall k. KnownField k => Book k -> Tolerance -> [ReadSymbol] -> FaceGrid -> Judgement
+judge :: forall k. KnownField k => Codebook k -> Tolerance -> [ReadSymbol] -> FaceGrid -> Judgement
 judge shelf tolerance dissenters grid = Judgement orientation cells evidence ruling
   where
     q = fieldOrder (Proxy :: Proxy k)
@@ -151,8 +151,8 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
               here <- either (const Nothing) Just likely
               around <-
                 spheres
-                  (bookSurface shelf)
-                  (bookArray shelf)
+                  (codebookSurface shelf)
+                  (codebookArray shelf)
                   [identity]
                   (patchShape here)
                   (map fst (observedCells here))
@@ -205,16 +205,16 @@ judge shelf tolerance dissenters grid = Judgement orientation cells evidence rul
       Just (Unique place _) -> Just place
       _ -> Nothing
     among numbers = filter ((`Set.member` numbers) . readNumber)
-    codeAt place cell = toCode . cellAt (bookArray shelf) <$> cellFrom shelf place cell
+    codeAt place cell = toCode . cellAt (codebookArray shelf) <$> cellFrom shelf place cell
     offset (i, j) = Position (fromIntegral i) (fromIntegral j)
 
 -- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
 -- 'Nothing' beyond the sheet.
-cellFrom :: Book k -> Position -> Cell -> Maybe Position
+cellFrom :: Codebook k -> Position -> Cell -> Maybe Position
 cellFrom shelf (Position r c) (i, j) =
   canonicalPosition
-    (bookSurface shelf)
-    (arrayShape (bookArray shelf))
+    (codebookSurface shelf)
+    (arrayShape (codebookArray shelf))
     (toInteger r + toInteger i)
     (toInteger c + toInteger j)
 

@@ -1,0 +1,134 @@
+-- | How often decoding to the guaranteed radius is right, wrong and refused, from the weights of a
+-- code, when each observed cell is wrong with the same probability, every wrong symbol being
+-- equally likely. With A(w) words of weight w and P(w) the probability that an error takes a word
+-- within the radius t of a given word w cells away,
+--
+-- > right = sum_(e <= t) C(n, e) p^e (1 - p)^(n - e)
+-- > wrong + refused as zero = sum_(w > 0) A(w) P(w)
+--
+-- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). A window is any of the words but zero,
+-- all equally often, so that of the other words that an error can lead to, one in (number of
+-- windows) is zero, which is refused.
+module PraTactile.LinearCode.Rates
+  ( -- * Rates
+    Rates (..),
+    decodingRates,
+    reachProbability,
+    mostCells,
+
+    -- * With erasures
+    erasedRates,
+    ErasureRule (..),
+  )
+where
+
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Numeric.Natural (Natural)
+import PraTactile.LinearCode.Punctured
+
+-- | Probabilities that add up to 1.
+data Rates = Rates
+  { rateRight :: Double,
+    rateWrong :: Double,
+    rateRefused :: Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 1000: the most cells of a word for which all numbers here stay within a double's range.
+mostCells :: Natural
+mostCells = 1000
+
+-- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, given the number
+-- of words of each weight, zero among them; decoded to the radius t, which must be a guaranteed one
+-- (2 t less than the least weight, or 0); each cell wrong with probability p. Every word but zero
+-- must be one position, as where the cells have rank n. At most 'mostCells'.
+decodingRates :: Int -> Int -> Map Natural Natural -> Int -> Double -> Rates
+decodingRates q n weights t p =
+  radiusRates
+    n
+    t
+    p
+    (misled (windows - 1) [reachProbability q n t p w * fromIntegral k | (w, k) <- others])
+  where
+    others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
+    windows = fromIntegral (sum (Map.elems weights))
+
+-- | Of all that an error can lead to, the part that is a position, given the number of these.
+misled :: Double -> [Double] -> Double
+misled positions reached = sum reached * (1 - 1 / positions)
+
+-- | The rates of decoding n cells to the radius t, given how often an answer is wrong. What is
+-- refused is added up by itself, as the difference of 1 and the others would lose it where it is
+-- small.
+radiusRates :: Int -> Int -> Double -> Double -> Rates
+radiusRates n t p wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
+  where
+    upTo k = sum [binomialProbability n p e | e <- [0 .. k]]
+    beyond = sum [binomialProbability n p e | e <- [t + 1 .. n]]
+
+-- | @reachProbability q n t p w@: that an error on n cells ends within t of one given word that
+-- differs in w of them. It stays away from it by those of these w cells that do not turn into just
+-- this word's symbols, and by those of the others that are wrong.
+reachProbability :: Int -> Int -> Int -> Double -> Int -> Double
+reachProbability q n t p w =
+  sum
+    [ binomialProbability w hit (w - apart) * binomialProbability (n - w) p wrong
+      | apart <- [0 .. min t w],
+        wrong <- [0 .. min (t - apart) (n - w)]
+    ]
+  where
+    hit = p / fromIntegral (q - 1)
+
+-- | That of n independent events of probability p, k happen.
+binomialProbability :: Int -> Double -> Int -> Double
+binomialProbability n p k =
+  fromInteger (choices `div` product [1 .. toInteger k]) * p ^ k * (1 - p) ^ (n - k)
+  where
+    choices = product [toInteger (n - k + 1) .. toInteger n]
+
+-- | How far words with erasures are decoded.
+data ErasureRule
+  = -- | To the radius of the cells that were observed.
+    ByObserved
+  | -- | To what the whole window promises: with distance d and s erasures, all e with 2 e + s < d.
+    ByWindow
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | @erasedRates rule q code p s@: as 'decodingRates' when each of the cells is also missing with
+-- probability s, independently. Observed cells that are alike at two positions are refused, but for
+-- zeros that occur at one position only.
+erasedRates :: ErasureRule -> Int -> Punctured -> Double -> Double -> Rates
+erasedRates rule q code p s = Rates (total rateRight) (total rateWrong) (total rateRefused)
+  where
+    total rate =
+      sum
+        [ chance (classCells c) * fromIntegral (classSets c) * rate (classRates c)
+          | c <- puncturedClasses code
+        ]
+    chance m = (1 - s) ^ m * s ^ (puncturedCells code - m)
+    positions = fromIntegral (puncturedWords code)
+    classRates c = case radiusOf c of
+      Just t -> radiusRates m t p (misled positions (reached t))
+      -- Only zeros are an answer, in which a word of weight w ends with the probability of reaching
+      -- a word as far away.
+      Nothing | classLoneZero c && m > 0 -> case splitAt 1 (reached 0) of
+        (lone, others) -> certain (sum lone / positions) (sum others / positions)
+      Nothing -> Rates 0 0 1
+      where
+        m = classCells c
+        -- Of one set, on the average over those of the class.
+        reached t =
+          [ reachProbability q m t p w * fromIntegral k / fromIntegral (classSets c)
+            | (w, k) <- classWeights c
+          ]
+        certain right wrong = Rates right wrong (1 - right - wrong)
+    radiusOf c
+      | classDistance c == 0 = Nothing
+      | otherwise = case rule of
+        ByObserved -> Just ((classDistance c - 1) `div` 2)
+        ByWindow | missing < whole -> Just ((whole - missing - 1) `div` 2)
+        ByWindow -> Nothing
+      where
+        whole = puncturedDistance code
+        missing = puncturedCells code - classCells c
