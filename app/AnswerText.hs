@@ -3,6 +3,7 @@ module AnswerText
   ( Asked (..),
     upright,
     answerText,
+    reportOf,
     candidatesOf,
     orientationText,
     pairText,
@@ -11,8 +12,10 @@ where
 
 import Data.List (intercalate, nub, sort)
 import Message
+import PraTactile.Format (AnswerContext (..), AnswerReport, answerReport)
 import PraTactile.Locate
 import PraTactile.Position
+import PraTactile.Profile (Profile)
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Symmetry
 
@@ -26,6 +29,25 @@ data Asked = Asked
 -- | Whether patches are seen upright, so that there is nothing to say of orientations.
 upright :: Asked -> Bool
 upright asked = askedSymmetries asked == [identity]
+
+-- | The answer as its JSON has it, given the displacements of the patches and the sentences that
+-- explain it, if they are wanted.
+reportOf ::
+  Profile -> Asked -> [(Integer, Integer)] -> Maybe [String] -> Answer -> AnswerReport
+reportOf profile asked displacements explanation answer = answerReport context answer
+  where
+    context =
+      AnswerContext
+        { answerProfile = profile,
+          answerSymmetries = askedSymmetries asked,
+          answerDisplacements = if askedDisplaced asked then Just displacements else Nothing,
+          answerMessage = message,
+          answerExplanation = explanation
+        }
+    message = case answerOutcome answer of
+      Unique _ _ -> "located: " ++ answerText asked answer
+      Refused reason -> reasonMessage reason
+      _ -> answerText asked answer
 
 -- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
 answerText :: Asked -> Answer -> String

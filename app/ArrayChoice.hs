@@ -1,33 +1,22 @@
 -- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window
 -- --state@, or @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
 module ArrayChoice
-  ( module Readers,
-
-    -- * The choice
-    ArrayChoice,
+  ( ArrayChoice,
     arrayChoice,
     chosenProfile,
     chosenSequence,
     chosenProfileFor,
     choiceBesideFile,
-
-    -- * Options of several commands
-    orderOption,
-    modulusOption,
-    radiusOption,
   )
 where
 
-import Ending
+import ExitStatus
 import FormatFile (readProfile)
-import Json (foldingName)
 import Message (profileMessage)
 import Numeric.Natural (Natural)
-import Options.Applicative
+import Options
 import PraTactile.Array (Folding, Shape (..))
-import PraTactile.Locate (Radius (..))
 import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
-import Readers
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
@@ -50,70 +39,28 @@ arrayChoice :: Parser ArrayChoice
 arrayChoice =
   ArrayChoice
     <$> optional orderOption
-    <*> optional modulusOption
-    <*> optional
-      ( option
-          numbersReader
-          ( long "polynomial"
-              <> metavar "C0,C1,.."
-              <> help
-                "Primitive characteristic polynomial over GF(q) as codes, constant term first, \
-                \monic"
-          )
-      )
-    <*> optional
-      (option shapeReader (long "shape" <> metavar "ROWSxCOLUMNS" <> help "Shape of the array"))
-    <*> optional
-      ( option
-          shapeReader
-          ( long "window"
-              <> metavar "ROWSxCOLUMNS"
-              <> help "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"
-          )
-      )
-    <*> optional
-      ( option
-          numbersReader
-          ( long "state"
-              <> metavar "S0,S1,.."
-              <> help "Initial state of the shift register as codes (default 0,..,0,1)"
-          )
-      )
-    <*> optional
-      ( option
-          foldingReader
-          ( long "folding"
-              <> metavar "FOLDING"
-              <> completeWith (map foldingName [minBound ..])
-              <> help
-                "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"
-          )
-      )
-    <*> optional
-      ( strOption
-          ( long "profile"
-              <> metavar "FILE"
-              <> action "file"
-              <> help "Take the profile from a JSON file, as the command 'profile' prints it"
-          )
-      )
-
--- | @--q@.
-orderOption :: Parser Natural
-orderOption =
-  option
-    naturalReader
-    (long "q" <> metavar "Q" <> help "Order of the field GF(q): a prime power up to 256")
-
--- | @--modulus@.
-modulusOption :: Parser [Natural]
-modulusOption =
-  option
-    numbersReader
-    ( long "modulus"
-        <> metavar "C0,C1,.."
-        <> help "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"
-    )
+    <*> modulusOption
+    <*> numbers
+      "polynomial"
+      "C0,C1,.."
+      "Primitive characteristic polynomial over GF(q) as codes, constant term first, monic"
+    <*> shape "shape" "Shape of the array"
+    <*> shape
+      "window"
+      "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"
+    <*> numbers
+      "state"
+      "S0,S1,.."
+      "Initial state of the shift register as codes (default 0,..,0,1)"
+    <*> foldingOption
+      "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"
+    <*> optionalFile
+      "profile"
+      "FILE"
+      "Take the profile from a JSON file, as the command 'profile' prints it"
+  where
+    numbers name meta = optional . valued numbersReader name meta
+    shape name = optional . valued shapeReader name "ROWSxCOLUMNS"
 
 -- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
 chosenProfile :: ArrayChoice -> IO Profile
@@ -178,9 +125,3 @@ chosenSequence choice = case choice of
             choiceWindow = Just (Shape 1 1)
           }
   _ -> chosenProfile choice
-
--- | @--radius N@, with what it says of itself; the guaranteed radius without it.
-radiusOption :: String -> Parser Radius
-radiusOption said =
-  maybe Guaranteed UpTo
-    <$> optional (option naturalReader (long "radius" <> metavar "N" <> help said))

@@ -32,7 +32,7 @@ import qualified Command.Table
 import qualified Command.Train
 import Data.Char (isLower)
 import Data.Version (showVersion)
-import Ending
+import ExitStatus
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
 import Options.Applicative
 import Options.Applicative.Help (renderHelp)
@@ -51,7 +51,7 @@ main = do
   hSetEncoding stderr lenient
   -- As cat does, end quietly where nobody reads on.
   _ <- installHandler sigPIPE Default Nothing
-  ending $ do
+  runToExit $ do
     arguments <- getArgs
     name <- getProgName
     case execParserPure preferences commandLine arguments of
@@ -96,7 +96,7 @@ misunderstood name failure = case execFailure failure name of
         (all (\c -> isLower c || c == '-'))
         (drop 1 (words (renderHelp 100000 mempty {helpUsage = usage})))
 
-commandLine :: ParserInfo (IO Ending)
+commandLine :: ParserInfo (IO ExitStatus)
 commandLine =
   info (commands <**> helper <**> versionOption) $
     fullDesc
@@ -111,7 +111,7 @@ versionOption :: Parser (a -> a)
 versionOption =
   infoOption ("pra-tactile " ++ showVersion version) (long "version" <> help "Show the version")
 
-commands :: Parser (IO Ending)
+commands :: Parser (IO ExitStatus)
 commands =
   subparser
     ( commandGroup "The code:" <> metavar "COMMAND"

@@ -20,7 +20,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message (gridMessage)
 import Numeric.Natural (Natural)
@@ -40,6 +40,45 @@ parseGrid q bytes = do
   when (maybe False (> 256) q) (Left ("an alphabet has 2 to 256 symbols, not " ++ maybe "" show q))
   either (Left . gridMessage) Right (gridFromVector (maybe inferred fromIntegral q) shape codes)
 
+-- | The shape and the codes. A number has no more bytes than the text, and each is followed by at
+-- least one other.
+parseCodes :: ByteString -> Either String (Shape, Primitive.Vector Word8)
+parseCodes bytes = runST $ do
+  codes <- Mutable.new (Bytes.length bytes `div` 2 + 1)
+  parseLines bytes codes >>= traverse (filled codes)
+  where
+    filled codes (high, wide) =
+      (,) (Shape (fromIntegral high) (fromIntegral wide))
+        <$> Primitive.freeze (Mutable.take (high * wide) codes)
+
+-- | All lines into the vector; how many there are, and how many cells each has.
+parseLines :: ByteString -> Mutable.MVector s Word8 -> ST s (Either String (Int, Int))
+parseLines bytes codes = go 0 (1 :: Int) 0 0
+  where
+    -- Where a line begins, its number, how many cells there were before, and how many the first
+    -- line has.
+    go start number cells width
+      | byteAt bytes (skip start) == 10 = pure (end start number cells width)
+      | otherwise = parseCells bytes codes number start cells >>= either (pure . Left) next
+      where
+        next (start', cells')
+          | number > 1 && cells' - cells /= width =
+            pure . Left $
+              "line "
+                ++ show number
+                ++ " has "
+                ++ show (cells' - cells)
+                ++ " cells, the first has "
+                ++ show width
+          | otherwise = go start' (number + 1) cells' (if number == 1 then cells' else width)
+    -- A line without cells ends the text.
+    end start number cells width
+      | not (Bytes.all (\c -> space c || c == 10) (Bytes.drop start bytes)) =
+        Left ("line " ++ show number ++ " is empty")
+      | cells == 0 = Left "there are no cells"
+      | otherwise = Right (number - 1, width)
+    skip i = if i < Bytes.length bytes && space (byteAt bytes i) then skip (i + 1) else i
+
 -- | What surrounds a byte.
 data Place
   = -- | no digit of the cell yet
@@ -49,79 +88,36 @@ data Place
   | -- | a space after its digits
     After
 
--- | The shape and the codes. A number has no more bytes than the text, and each is followed by at
--- least one other.
-parseCodes :: ByteString -> Either String (Shape, Primitive.Vector Word8)
-parseCodes bytes = runST $ do
-  codes <- Mutable.new (size `div` 2 + 1)
-  outcome <- line codes 0 1 0 0
-  case outcome of
-    Left why -> pure (Left why)
-    Right (height, width) -> do
-      filled <- Primitive.freeze (Mutable.take (height * width) codes)
-      pure (Right (Shape (fromIntegral height) (fromIntegral width), filled))
+-- | The cells of the line of this number into the vector, from this byte on and after this many
+-- other cells; the byte after its end, and how many cells there are then.
+parseCells ::
+  ByteString -> Mutable.MVector s Word8 -> Int -> Int -> Int -> ST s (Either String (Int, Int))
+parseCells bytes codes number start before = go start before Before (0 :: Int)
   where
-    size = Bytes.length bytes
-    at i = if i < size then Bytes.unsafeIndex bytes i else 10
-    -- A line: where it begins, its number, how many cells there were before, and how many the first
-    -- line has.
-    line :: Mutable.MVector s Word8 -> Int -> Int -> Int -> Int -> ST s (Either String (Int, Int))
-    line codes start number cells width
-      | blank start = pure $ case () of
-        _
-          | not (restIsBlank start) -> Left ("line " ++ show number ++ " is empty")
-          | cells == 0 -> Left "there are no cells"
-          | otherwise -> Right (number - 1, width)
-      | otherwise = do
-        outcome <- cellsOf codes start number cells Before 0
-        case outcome of
-          Left why -> pure (Left why)
-          Right (next, cells')
-            | number > 1 && cells' - cells /= width ->
-              pure
-                ( Left
-                    ( "line "
-                        ++ show number
-                        ++ " has "
-                        ++ show (cells' - cells)
-                        ++ " cells, the first has "
-                        ++ show width
-                    )
-                )
-            | otherwise ->
-              line codes next (number + 1) cells' (if number == 1 then cells' - cells else width)
-    -- The cells of a line, to the byte after its end.
-    cellsOf ::
-      Mutable.MVector s Word8 ->
-      Int ->
-      Int ->
-      Int ->
-      Place ->
-      Int ->
-      ST s (Either String (Int, Int))
-    cellsOf codes = go
+    go !i !cells place !value = case (byteAt bytes i, place) of
+      (c, Before) | digit c -> go (i + 1) cells Within (fromIntegral c - 48)
+      (c, Within)
+        | digit c ->
+          let value' = 10 * value + fromIntegral c - 48
+           in if value' > 255
+                then wrong "is more than 255, the largest code"
+                else go (i + 1) cells Within value'
+      (c, Before) | space c -> go (i + 1) cells Before 0
+      (c, _) | space c -> go (i + 1) cells After value
+      (44, Before) -> wrong "is empty"
+      (10, Before) -> wrong "is empty"
+      (44, _) -> put >> go (i + 1) (cells + 1) Before 0
+      (10, _) -> put >> pure (Right (i + 1, cells + 1))
+      _ -> wrong "is not a code 0, 1, 2, ..."
       where
-        go !i !number !cells place !value = case (at i, place) of
-          (c, Before) | digit c -> go (i + 1) number cells Within (fromIntegral c - 48)
-          (c, Within)
-            | digit c ->
-              let value' = 10 * value + fromIntegral c - 48
-               in if value' > 255
-                    then wrong "is more than 255, the largest code"
-                    else go (i + 1) number cells Within value'
-          (c, Before) | space c -> go (i + 1) number cells Before 0
-          (c, _) | space c -> go (i + 1) number cells After value
-          (44, Before) -> wrong "is empty"
-          (10, Before) -> wrong "is empty"
-          (44, _) -> put >> go (i + 1) number (cells + 1) Before 0
-          (10, _) -> put >> pure (Right (i + 1, cells + 1))
-          _ -> wrong "is not a code 0, 1, 2, ..."
-          where
-            put =
-              when (cells < Mutable.length codes) (Mutable.write codes cells (fromIntegral value))
-            wrong why = pure (Left ("line " ++ show number ++ ": a cell " ++ why))
+        put = when (cells < Mutable.length codes) (Mutable.write codes cells (fromIntegral value))
+    wrong why = pure (Left ("line " ++ show number ++ ": a cell " ++ why))
     digit c = 48 <= c && c <= 57
-    space c = c == 32 || c == 9 || c == 13
-    blank i = at (skip i) == 10
-    skip i = if i < size && space (at i) then skip (i + 1) else i
-    restIsBlank i = Bytes.all (\c -> space c || c == 10) (Bytes.drop i bytes)
+
+-- | A byte of a text that ends with the end of a line.
+byteAt :: ByteString -> Int -> Word8
+byteAt bytes i = if i < Bytes.length bytes then Bytes.unsafeIndex bytes i else 10
+
+-- | Spaces, tabulators, and the first half of an end of line.
+space :: Word8 -> Bool
+space c = c == 32 || c == 9 || c == 13

@@ -16,6 +16,7 @@ module Drawing
     outlined,
     filled,
     Font (..),
+    Weight (..),
     Anchor (..),
     markExtent,
 
@@ -97,17 +98,27 @@ data Paint = Paint
 
 -- | A line of a colour and a width, nothing within.
 outlined :: Text -> Double -> Paint
-outlined colour thickness = Paint "none" colour thickness False 1
+outlined colour thickness = (filled "none" 1) {strokeColour = colour, strokeWidth = thickness}
 
 -- | A surface of a colour, and how opaque it is.
 filled :: Text -> Double -> Paint
-filled colour = Paint colour "none" 0 False
+filled colour opaque =
+  Paint
+    { fillColour = colour,
+      strokeColour = "none",
+      strokeWidth = 0,
+      dashed = False,
+      opacity = opaque
+    }
 
 data Font = Font
   { fontSize :: !Double,
-    fontBold :: !Bool,
+    fontWeight :: !Weight,
     fontColour :: !Text
   }
+  deriving stock (Eq, Show)
+
+data Weight = Regular | Bold
   deriving stock (Eq, Show)
 
 -- | Which end of a line of text its point is.
@@ -196,7 +207,7 @@ flowing gap room = above gap . rows []
 -- is among the widest, average less.
 textWidth :: Font -> String -> Double
 textWidth font words' =
-  fontSize font * (if fontBold font then 0.7 else 0.62) * fromIntegral (length words')
+  fontSize font * (if fontWeight font == Bold then 0.7 else 0.62) * fromIntegral (length words')
 
 -- | Text in lines that are no wider than the width, where its words allow.
 wrapped :: Double -> Font -> String -> [String]

@@ -31,7 +31,7 @@ explainAnswer ::
   [String]
 explainAnswer array mask asked displacements seen tolerated answer =
   maybe [] explainedDistances (answerDistances answer)
-    ++ maybe [] (explainPosterior asked plain tolerated) (answerPosterior answer)
+    ++ maybe [] (explainPosterior asked terms tolerated) (answerPosterior answer)
     ++ explainWindows (answerOutcome answer)
     ++ (if askedDisplaced asked then explainPatches displacements answer else [])
     ++ maybe [] explainChance (answerChance answer)
@@ -43,14 +43,16 @@ explainAnswer array mask asked displacements seen tolerated answer =
       )
         ++ ( if null (observedCells seen)
                then []
-               else explainDistances asked plain (answerDecoder answer) distances
+               else explainDistances asked terms (answerDecoder answer) distances
            )
-    -- Of one upright patch, and of several where not all positions are compared, the words are
-    -- those of positions.
-    plain =
-      upright asked
-        && not
-          (askedDisplaced asked && answerDecoder answer `elem` [NearestDecoder, PosteriorDecoder])
+    severalCompared =
+      askedDisplaced asked && answerDecoder answer `elem` [NearestDecoder, PosteriorDecoder]
+    terms = if upright asked && not severalCompared then OfPositions else OfCandidates
+
+-- | In which words: of one upright patch, and of several where not all positions are compared, in
+-- those of positions.
+data Terms = OfPositions | OfCandidates
+  deriving stock (Eq)
 
 -- | The equations of the cells in the one orientation that is left, or upright.
 explainSeen ::
@@ -90,47 +92,54 @@ explainCells array mask cells = case equations array cells of
         ++ show n
         ++ " independent ones tell a position.",
       "With alpha a root of the array's polynomial and alpha^t = "
-        ++ intercalate " + " (map unknown [0 .. n - 1])
+        ++ intercalate " + " (map summand [0 .. n - 1])
         ++ " at the patch's upper left cell, they say:"
     ]
-      ++ map equation given
-      ++ [leaves (solve n given)]
+      ++ map equationText given
+      ++ [solutionText n (solve n given)]
   where
     n = primitiveDegree (arrayPrimitive array)
-    unknown i = variable i ++ (case i of 0 -> ""; 1 -> " alpha"; _ -> " alpha^" ++ show i)
-    variable i = "x" ++ show (i :: Int)
-    equation e =
-      "  cell "
-        ++ place (equationOffset e)
-        ++ ": "
-        ++ combination (equationFactors e)
-        ++ " = "
-        ++ showElement (equationValue e)
-    combination factors = case [term a i | (a, i) <- zip factors [0 ..], a /= zero] of
-      [] -> "0"
-      terms -> intercalate " + " terms
-    term a i = (if a == one then "" else showElement a ++ " ") ++ variable i
-    leaves solutions = case solutions of
-      Inconsistent -> "These contradict each other: at least one cell is wrong."
-      Solutions x []
-        | all (== zero) x ->
-          "Their only solution is zero, which is no power of alpha: the zero window stands nowhere."
-        | otherwise ->
-          "Their solution: "
-            ++ intercalate ", " [variable i ++ " = " ++ showElement a | (i, a) <- zip [0 ..] x]
-            ++ "."
-      Solutions _ directions ->
-        "They leave "
-          ++ show (length directions)
-          ++ " of the "
-          ++ show n
-          ++ " unknowns open: "
-          ++ show (solutionCount solutions)
-          ++ " positions."
+    summand i = unknown i ++ (case i of 0 -> ""; 1 -> " alpha"; _ -> " alpha^" ++ show i)
+
+-- | The coefficient of a power of alpha.
+unknown :: Int -> String
+unknown i = "x" ++ show i
+
+equationText :: KnownField k => Equation k -> String
+equationText e =
+  "  cell "
+    ++ place (equationOffset e)
+    ++ ": "
+    ++ (if null terms then "0" else intercalate " + " terms)
+    ++ " = "
+    ++ showElement (equationValue e)
+  where
+    terms = [term a i | (a, i) <- zip (equationFactors e) [0 ..], a /= zero]
+    term a i = (if a == one then "" else showElement a ++ " ") ++ unknown i
+
+-- | What this many unknowns are.
+solutionText :: KnownField k => Int -> Solutions k -> String
+solutionText n solutions = case solutions of
+  Inconsistent -> "These contradict each other: at least one cell is wrong."
+  Solutions x []
+    | all (== zero) x ->
+      "Their only solution is zero, which is no power of alpha: the zero window stands nowhere."
+    | otherwise ->
+      "Their solution: "
+        ++ intercalate ", " [unknown i ++ " = " ++ showElement a | (i, a) <- zip [0 ..] x]
+        ++ "."
+  Solutions _ directions ->
+    "They leave "
+      ++ show (length directions)
+      ++ " of the "
+      ++ show n
+      ++ " unknowns open: "
+      ++ show (solutionCount solutions)
+      ++ " positions."
 
 -- | How near the nearest candidates are.
-explainDistances :: Asked -> Bool -> DecoderName -> Distances -> [String]
-explainDistances asked plain decoder distances
+explainDistances :: Asked -> Terms -> DecoderName -> Distances -> [String]
+explainDistances asked terms decoder distances
   | decoder `notElem` [NearestDecoder, InformationSetDecoder] = []
   | otherwise =
     [ differ
@@ -140,46 +149,42 @@ explainDistances asked plain decoder distances
         ++ show (correctionRadius distances)
         ++ " are."
     ]
-      ++ nearestOne
+      ++ explainNearest terms distances
       ++ [ "Wrong are then the cells " ++ unwords (map place wrong) ++ "."
            | wrong@(_ : _) <- [corrected distances]
          ]
   where
     d = atLeast (codeDistance distances)
-    differ
-      | plain = "Windows of these cells differ in at least " ++ show d ++ " cells" ++ searched
-      | otherwise =
-        ( if upright asked
-            then "Positions"
-            else "Candidates, positions in the orientations in question,"
-        )
-          ++ " differ in at least "
-          ++ show d
-          ++ " of these cells"
+    differ = case terms of
+      OfPositions -> "Windows of these cells differ in at least " ++ show d ++ " cells" ++ searched
+      OfCandidates -> subject ++ " differ in at least " ++ show d ++ " of these cells"
+    subject
+      | upright asked = "Positions"
+      | otherwise = "Candidates, positions in the orientations in question,"
     searched = case codeDistance distances of
       Exactly _ -> ""
       AtLeast _ -> ", perhaps in more, for which the search would have been too long"
-    nearestOne = case nearestDistance distances of
-      Just (Exactly e) ->
-        [ "The nearest "
-            ++ (if plain then "position" else "one")
-            ++ " differs in "
-            ++ show e
-            ++ " cells"
-            ++ maybe "" next (runnerUpDistance distances)
-            ++ "."
-        ]
-      Just (AtLeast e) | plain -> ["Every position differs in at least " ++ show e ++ " cells."]
-      _ -> []
-    next known = case known of
-      Exactly e -> ", the next one in " ++ show e
-      AtLeast e -> if plain then ", any other one in at least " ++ show e else ""
+
+-- | The distance of the nearest candidate, and of the next one.
+explainNearest :: Terms -> Distances -> [String]
+explainNearest terms distances = case (nearestDistance distances, terms) of
+  (Just (Exactly e), _) ->
+    ["The nearest " ++ what ++ " differs in " ++ show e ++ " cells" ++ foldMap next second ++ "."]
+  (Just (AtLeast e), OfPositions) -> ["Every position differs in at least " ++ show e ++ " cells."]
+  _ -> []
+  where
+    what = if terms == OfPositions then "position" else "one"
+    second = runnerUpDistance distances
+    next known = case (known, terms) of
+      (Exactly e, _) -> ", the next one in " ++ show e
+      (AtLeast e, OfPositions) -> ", any other one in at least " ++ show e
+      _ -> ""
 
 -- | How likely the likeliest candidates are.
-explainPosterior :: Asked -> Bool -> Double -> Posterior Candidate -> [String]
-explainPosterior asked plain tolerated found = case posteriorBest found of
-  Nothing -> []
-  Just _ ->
+explainPosterior :: Asked -> Terms -> Double -> Posterior Candidate -> [String]
+explainPosterior asked terms tolerated found
+  | null (posteriorBest found) = []
+  | otherwise =
     heading :
     [ "  " ++ candidateText candidate ++ ": " ++ bound ++ printf "%.6g" chance
       | (candidate, chance) <- take 3 (posteriorRanking found)
@@ -197,21 +202,22 @@ explainPosterior asked plain tolerated found = case posteriorBest found of
              tolerated
          ]
   where
-    isList = posteriorUnlisted found /= Nothing
-    heading
-      | isList =
-        "The likeliest contents of the surest independent cells were gone through, "
-          ++ show (posteriorWords found)
-          ++ " of them; the "
-          ++ candidates
-          ++ ", with their probabilities:"
-      | plain = "The probabilities of the positions:"
-      | otherwise = "The probabilities of the candidates, positions in orientations:"
     candidates = if upright asked then "positions" else "candidates" :: String
-    bound = if isList then "at least " else ""
-    probability = if isList then "a probability of at most" else "probability" :: String
+    -- A list of likely positions gives bounds.
+    (bound, probability, heading) = case (posteriorUnlisted found, terms) of
+      (Just _, _) ->
+        ( "at least ",
+          "a probability of at most" :: String,
+          "The likeliest contents of the surest independent cells were gone through, "
+            ++ show (posteriorWords found)
+            ++ " of them; the "
+            ++ candidates
+            ++ ", with their probabilities:"
+        )
+      (_, OfPositions) -> ("", "probability", "The probabilities of the positions:")
+      _ -> ("", "probability", "The probabilities of the candidates, positions in orientations:")
     candidateText (Candidate o at)
-      | plain = place at
+      | terms == OfPositions = place at
       | otherwise = pairText at ++ " " ++ orientationText o
 
 -- | The windows that stand for the outcome.
@@ -251,7 +257,7 @@ explainPatches displacements answer =
       (Nothing, True) -> Just "it does not belong where the others are"
       (Nothing, False) -> Nothing
 
--- | How little an answer may be worth.
+-- | How often random cells would be located.
 explainChance :: Chance -> [String]
 explainChance found =
   [ "Of all contents of the observed cells " ++ (if chanceExact found then "" else "at most ")

@@ -9,13 +9,12 @@ module FieldChoice
   )
 where
 
-import ArrayChoice (modulusOption, orderOption)
 import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy)
-import Ending
+import ExitStatus
 import Message (fieldMessage, profileMessage)
 import Numeric.Natural (Natural)
-import Options.Applicative
+import Options
 import PraTactile.Field
 import PraTactile.Field.Named (conwayModulus, modulusDegrees)
 import PraTactile.Profile (ProfileError (ModulusDegree))
@@ -25,14 +24,15 @@ data FieldChoice = FieldChoice Natural (Maybe [Natural])
 
 -- | The options; the modulus is optional.
 fieldChoice :: Parser FieldChoice
-fieldChoice = FieldChoice <$> orderOption <*> optional modulusOption
+fieldChoice = FieldChoice <$> orderOption <*> modulusOption
 
 -- | Go on in the chosen field; leaves with status 2 and the reason where there is none.
-withChosenField :: FieldChoice -> (forall k. KnownField k => Proxy k -> IO Ending) -> IO Ending
-withChosenField (FieldChoice q chosen) use = do
+withChosenField ::
+  FieldChoice -> (forall k. KnownField k => Proxy k -> IO ExitStatus) -> IO ExitStatus
+withChosenField (FieldChoice q given) use = do
   (_, conway) <- orUnusable fieldMessage (conwayModulus q)
-  let modulus = fromMaybe conway chosen
-  (p, given, needed) <- orUnusable fieldMessage (modulusDegrees q modulus)
-  if given /= needed
-    then unusable (profileMessage (ModulusDegree given needed))
+  let modulus = fromMaybe conway given
+  (p, degree, needed) <- orUnusable fieldMessage (modulusDegrees q modulus)
+  if degree /= needed
+    then unusable (profileMessage (ModulusDegree degree needed))
     else either (unusable . fieldMessage) id (withField p modulus use)

@@ -9,7 +9,7 @@ where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import Ending
+import ExitStatus
 import Message.Files (filesMessage)
 import PraTactile.Files (FilesError (TooLarge), largestInput, readUpTo)
 import System.IO (stdin)
@@ -18,7 +18,7 @@ import System.IO (stdin)
 readBytes :: FilePath -> IO ByteString
 readBytes = readBytesUpTo largestInput
 
--- | A file's bytes, if there are not more than so many; otherwise leaves with status 2.
+-- | A file's bytes; leaves with status 2 if there are more than this many.
 readBytesUpTo :: Int -> FilePath -> IO ByteString
 readBytesUpTo limit "-" = do
   bytes <- Lazy.toStrict <$> Lazy.hGet stdin (limit + 1)

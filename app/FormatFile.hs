@@ -9,7 +9,7 @@ module FormatFile
 where
 
 import Data.ByteString (ByteString)
-import Ending
+import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, profileMessage)
 import PraTactile.Format

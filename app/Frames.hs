@@ -18,7 +18,7 @@ import Data.ByteString (ByteString)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Message
 import PraTactile.Files
@@ -94,7 +94,8 @@ loadSources assemble given = do
         ]
   forM_ (nub (map takeDirectory lone)) $ \folder -> do
     hasManifest <- doesFileExist (folder </> manifestName)
-    warn (loneFramesMessage folder hasManifest (length (filter ((== folder) . takeDirectory) lone)))
+    let presence = if hasManifest then WithManifest else WithoutManifest
+    warn (loneFramesMessage folder presence (length (filter ((== folder) . takeDirectory) lone)))
   pure composites
   where
     frameSized image = rasterWidth image == sensorSide && rasterHeight image == sensorSide
@@ -102,14 +103,14 @@ loadSources assemble given = do
 -- | The composite of one source.
 loadSource :: ([Frame] -> Either StitchError Composite) -> Source -> IO Composite
 loadSource assemble source = case source of
-  FrameFolder folder -> together folder (const True)
-  Chosen folder names -> together folder (`elem` names)
+  FrameFolder folder -> assembled folder (const True)
+  Chosen folder names -> assembled folder (`elem` names)
   CompositeFile "-" ->
     readBytes "-" >>= orUnusable (fileMessage "the standard input") . imageComposite
   CompositeFile file ->
     readImage file >>= orUnusable filesMessage >>= orUnusable (fileMessage file) . imageComposite
   where
-    together folder wanted = do
+    assembled folder wanted = do
       content <- readChosen wanted folder >>= orUnusable filesMessage
       frames <- orUnusable (sourceMessage folder) (chosenFrames wanted content)
       orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assemble frames)

@@ -1,16 +1,28 @@
--- | Results printed as JSON, and the pieces that they are made of.
+-- | What is printed as JSON: answers on one line, and notices of files that were written.
 module Json
-  ( printJson,
-    module PraTactile.Format.Json,
+  ( module PraTactile.Format.Json,
     module PraTactile.Format.Name,
+    sayWrittenAs,
   )
 where
 
-import Data.Aeson (Series)
+import Control.Monad (unless)
+import Data.Aeson (Series, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.String (fromString)
+import Options (AnswerForm (..))
+import Output (sayWritten)
 import PraTactile.Format.Json
 import PraTactile.Format.Name
+import Visible (nameInJson)
 
--- | Print one object on one line.
-printJson :: Series -> IO ()
-printJson = Lazy.putStrLn . encodeLine
+-- | Say on the standard output that a file was written, and what is in it: in words, or as JSON of
+-- this schema with these keys; nothing where the file is the standard output.
+sayWrittenAs :: AnswerForm -> FilePath -> String -> String -> Series -> IO ()
+sayWrittenAs form file inWords schema keys = case form of
+  AsText -> sayWritten file inWords
+  AsJson ->
+    unless (file == "-") . Lazy.putStrLn . encodeLine $
+      fromString "schema" .= ("pra-tactile/" ++ schema)
+        <> fromString "file" .= nameInJson file
+        <> keys

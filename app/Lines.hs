@@ -18,7 +18,7 @@ data Line
   = Line Text
   | -- | it holds bytes that are no UTF-8
     NotUtf8
-  | -- | it has so many bytes, more than 'largestLine'
+  | -- | it has this many bytes, more than 'largestLine'
     TooLong Integer
   deriving stock (Eq, Show)
 

@@ -1,18 +1,18 @@
 -- | Choosing the cells of a window: @--mask@ draws them, @--window@ is a full rectangle.
 module MaskChoice
   ( maskOption,
-    surfaceOption,
     chosenMask,
     maskText,
   )
 where
 
 import ArrayChoice
+import Data.Bifunctor (first)
 import Data.Maybe (fromMaybe)
-import Ending
-import Json (shapeText, surfaceName)
+import ExitStatus
+import Json (shapeText)
 import Message (windowMessage)
-import Options.Applicative
+import Options
 import PraTactile.Array (Surface)
 import PraTactile.Profile
 import PraTactile.Window
@@ -20,34 +20,9 @@ import PraTactile.Window
 -- | @--mask '##./.##'@.
 maskOption :: Parser (Maybe Mask)
 maskOption =
-  optional
-    ( option
-        (eitherReader reading)
-        ( long "mask" <> metavar "DRAWING"
-            <> help
-              "The window's cells, instead of a rectangle: # observed, . not, rows parted by / \
-              \(as in '##./.##')"
-        )
-    )
-  where
-    reading drawing = either (Left . windowMessage) Right (maskFromDrawing drawing)
-
--- | @--surface torus|twisted-torus|sheet@.
-surfaceOption :: Parser (Maybe Surface)
-surfaceOption =
-  optional
-    ( option
-        (eitherReader surfaceNamed)
-        ( long "surface"
-            <> metavar "SURFACE"
-            <> completeWith (map surfaceName [minBound ..])
-            <> help "torus, twisted-torus or sheet (default: the folding's own)"
-        )
-    )
-  where
-    surfaceNamed name = case [s | s <- [minBound ..], surfaceName s == name] of
-      s : _ -> Right s
-      [] -> Left (show name ++ " is not a surface; choose torus, twisted-torus or sheet")
+  optional . valued (eitherReader (first windowMessage . maskFromDrawing)) "mask" "DRAWING" $
+    "The window's cells, instead of a rectangle: # observed, . not, rows parted by / (as in \
+    \'##./.##')"
 
 -- | The profile and the mask that are chosen, on the surface chosen; the profile's window is the
 -- extent of the mask.

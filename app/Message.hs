@@ -5,6 +5,7 @@ module Message
     module Message.Code,
     module Message.Files,
     module Message.Format,
+    module Message.Locate,
     module Message.Objects,
     module Message.Touch,
   )
@@ -15,5 +16,6 @@ import Message.Chance
 import Message.Code
 import Message.Files
 import Message.Format
+import Message.Locate
 import Message.Objects
 import Message.Touch

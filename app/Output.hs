@@ -24,7 +24,7 @@ import Control.Monad (forM_, unless, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
-import Ending
+import ExitStatus
 import GHC.IO.Handle (LockMode (..), hTryLock)
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, isRelative, takeDirectory, (</>))
@@ -107,7 +107,7 @@ writtenTo :: FilePath -> (Handle -> IO a) -> IO a
 writtenTo name write = do
   target <- targetOf name >>= orUnusable id
   case target of
-    -- What goes wrong there is told where the program ends.
+    -- Where the program ends it is said what went wrong there.
     StandardOutput -> write stdout <* hFlush stdout
     Stream file -> guarded (bracket (openBinaryFile file WriteMode) hClose write)
     Regular file status -> guarded $ do

@@ -51,7 +51,8 @@ recognitionPage alphabet nameOf layout classesOf composite recognition =
     felt = compositePanel alphabet nameOf composite recognition
     face =
       concat
-        [ beside 48 felt (facePanel alphabet layout laid (classesOf laid) composite found place)
+        [ beside 48 felt . facePanel $
+            FaceView alphabet layout laid (classesOf laid) composite found place
           | Right (Found found) <- [recognisedAnswer recognition],
             OnFace place <- [windowWhereabouts (foundWindow found)],
             Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]
@@ -118,9 +119,9 @@ legend room recognition = flowing 10 room (map entry (readings ++ answers))
     box name paint = [Mark name (Rectangle paint (Extent 0 0 24 13))]
     readings =
       [ (box "legend" (readingPaint reading), readingWords likeliest reading)
-        | reading <- sort (nub (read' False recognisedSymbols ++ read' True recognisedParts))
+        | reading <- sort (nub (read' Whole recognisedSymbols ++ read' Part recognisedParts))
       ]
-    read' isPart symbols = map (readingOf recognition isPart) (symbols recognition)
+    read' felt symbols = map (readingOf recognition felt) (symbols recognition)
     likeliest = case recognisedAnswer recognition of
       Right (Found _) -> "the place"
       _ -> "the likeliest place"

@@ -3,6 +3,7 @@ module Progress
   ( withProgress,
     follow,
     tellingAsRead,
+    Meanwhile (..),
     besideOutput,
   )
 where
@@ -16,8 +17,8 @@ import PraTactile.Steps (Steps (..))
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr, stdout)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
--- | Run an action that tells, each time something more is done, how much is done of so much; so
--- much was done before.
+-- | Run an action, which calls its argument with how much is done each time something more is;
+-- given how much there is to do in all, and how much was done before.
 withProgress :: Integer -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
 withProgress total before action = do
   shown <- hIsTerminalDevice stderr
@@ -34,11 +35,15 @@ withProgress total before action = do
   when shown (draw (bar total before before 0))
   action tell `finally` when shown (draw "")
 
--- | Likewise, but without a bar if this is so and the standard output is a terminal too: lines and
--- a bar on one terminal would run into each other.
-besideOutput :: Bool -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
-besideOutput printing total action = do
-  mixed <- if printing then hIsTerminalDevice stdout else pure False
+-- | Whether lines go to the standard output at the same time.
+data Meanwhile = Printing | NotPrinting
+  deriving stock (Eq)
+
+-- | Likewise, but without a bar where lines are printed to a terminal: they and the bar would run
+-- into each other.
+besideOutput :: Meanwhile -> Integer -> ((Integer -> IO ()) -> IO a) -> IO a
+besideOutput meanwhile total action = do
+  mixed <- (meanwhile == Printing &&) <$> hIsTerminalDevice stdout
   if mixed then action (const (pure ())) else withProgress total 0 action
 
 -- | Pieces of output as one, each telling how much is done when it comes to be written.

@@ -15,7 +15,7 @@ module Readers
 
     -- * Names
     namedReader,
-    foldingReader,
+    namedReaderBy,
   )
 where
 
@@ -23,10 +23,9 @@ import Data.Char (isDigit, isSpace)
 import Data.List (intercalate)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Scientific (Scientific, toBoundedRealFloat)
-import Json (foldingName)
 import Numeric.Natural (Natural)
 import Options.Applicative (ReadM, eitherReader)
-import PraTactile.Array (Folding, Position (..), Shape (..))
+import PraTactile.Array (Position (..), Shape (..))
 import Text.Read (readMaybe)
 import Visible
 
@@ -73,10 +72,9 @@ instance Decimal Double where
       exponential more = case more of
         [] -> True
         e : digits
-          | e `elem` "eE" ->
-            let power =
-                  dropSign "+-" digits
-             in not (null power) && all isDigit power
+          | e `elem` "eE",
+            power <- dropSign "+-" digits ->
+            not (null power) && all isDigit power
         _ -> False
       dropSign signs digits = case digits of
         sign : others | sign `elem` signs -> others
@@ -119,17 +117,17 @@ pairReader separator example = eitherReader $ \text -> case splitOn separator te
 
 -- | One of these by its name; the text says what it would be.
 namedReader :: String -> [(String, a)] -> ReadM a
-namedReader what choices = eitherReader $ \name -> case lookup name choices of
+namedReader = namedReaderBy id
+
+-- | The same where the function has made something of the text.
+namedReaderBy :: (String -> String) -> String -> [(String, a)] -> ReadM a
+namedReaderBy normal what choices = eitherReader $ \name -> case lookup (normal name) choices of
   Just choice -> Right choice
   Nothing -> Left (quoted name ++ " is no " ++ what ++ "; write " ++ alternatives (map fst choices))
   where
     alternatives names = case reverse names of
       final : others@(_ : _) -> intercalate ", " (reverse others) ++ " or " ++ final
       _ -> concat names
-
--- | A folding's name.
-foldingReader :: ReadM Folding
-foldingReader = namedReader "folding" [(foldingName f, f) | f <- [minBound ..]]
 
 splitOn :: Char -> String -> NonEmpty String
 splitOn separator text = case break (== separator) text of

@@ -1,7 +1,7 @@
 -- | A recognition in words, and its windows looked up in the database.
 module Recognised
   ( recognitionText,
-    recognitionEnding,
+    recognitionStatus,
     recognitionMessage,
     elementNames,
     orientationText,
@@ -13,7 +13,7 @@ where
 
 import Data.Bifunctor (first)
 import Data.List (intercalate)
-import Ending
+import ExitStatus
 import Message
 import PraTactile.Array (Position (..), Shape)
 import PraTactile.Field (GF, KnownField, fromCode, showElement)
@@ -31,8 +31,8 @@ elementNames reader = either (const "?") showElement . elementIn reader
     elementIn _ = first (const ()) . fromCode
 
 -- | The exit status: 0 where a position was found.
-recognitionEnding :: Recognition -> Ending
-recognitionEnding recognition = case recognisedAnswer recognition of
+recognitionStatus :: Recognition -> ExitStatus
+recognitionStatus recognition = case recognisedAnswer recognition of
   Right (Found _) -> Answered
   _ -> NotAnswered
 

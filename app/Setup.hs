@@ -14,11 +14,11 @@ where
 
 import Data.List (intercalate)
 import Data.Text.Encoding (decodeUtf8')
-import Ending
+import ExitStatus
 import Files (readBytes)
 import Json (shapeText)
 import Message
-import Options.Applicative
+import Options
 import PraTactile.Classify.Network (Network, NetworkError (..))
 import PraTactile.Classify.Network.File (parseNetwork, shippedNetwork)
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -34,14 +34,8 @@ shippedAlphabet = orUnusable shapeMessage paperAlphabet
 -- | @--network FILE@.
 networkOption :: Parser (Maybe FilePath)
 networkOption =
-  optional
-    ( strOption
-        ( long "network"
-            <> metavar "FILE"
-            <> action "file"
-            <> help "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
-        )
-    )
+  optional . fileOption "network" "FILE" $
+    "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
 
 -- | The network in the file, or the shipped one.
 chosenNetwork :: Maybe FilePath -> IO Network

@@ -7,7 +7,7 @@ where
 
 import Control.Monad (when)
 import Data.Char (toLower)
-import Ending
+import ExitStatus
 import Output
 import System.FilePath (takeExtension)
 import Visible

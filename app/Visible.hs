@@ -50,7 +50,7 @@ visibleLine = cut 2000 80 . concatMap shorter . pieces . visible
     pieces text = case text of
       [] -> []
       c : _ -> let (piece, others) = span ((== isSpace c) . isSpace) text in piece : pieces others
-    -- At most so many characters, the last so many of them from the end.
+    -- At most this many characters, of which the second number from the end.
     cut most end text
       | null (drop most text) = text
       | otherwise =

@@ -39,8 +39,8 @@ done
 extensions=$(tools/extensions.sh)
 # shellcheck disable=SC2086
 tools/quietly.sh dist-newstyle/lint-pure.log "linting what is pure" \
-  hlint $extensions --hint=.hlint.yaml --hint=tools/pure.hlint.yaml --no-summary -j $pure
+  hlint $extensions -XExplicitForAll --hint=.hlint.yaml --hint=tools/pure.hlint.yaml --no-summary -j $pure
 # shellcheck disable=SC2086
 tools/quietly.sh dist-newstyle/lint.log "linting the rest" \
-  hlint $extensions --hint=.hlint.yaml --no-summary -j app bench test tools $other
+  hlint $extensions -XExplicitForAll --hint=.hlint.yaml --no-summary -j app bench test tools $other
 mv -f "$passed.part" "$passed"

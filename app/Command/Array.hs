@@ -8,21 +8,18 @@ where
 
 import ArrayChoice
 import Codec.Picture (Image (..), Pixel8)
-import Data.Aeson ((.=))
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.List (intercalate, transpose)
 import qualified Data.Vector.Storable as Storable
-import Described
-import Ending
-import Json
+import ExitStatus
 import Message (foldMessage, imageMessage, profileMessage)
-import Options.Applicative hiding (command)
+import Options
 import Output (writeWhole)
 import Picture.Array (arraySvg)
 import PraTactile.Array (Shape (..), toRows)
 import PraTactile.Field (showElement, toCode)
-import PraTactile.Format.Profile
+import PraTactile.Format (encodeArray)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgm8)
 import PraTactile.Profile
 
@@ -30,48 +27,24 @@ import PraTactile.Profile
 data Format = Text | Csv | Json | Pgm | Svg
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "array"
     "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
     [ "pra-tactile array",
       "pra-tactile array --format csv --q 2 --polynomial 1,1,0,0,1 --shape 3x5"
     ]
-    ( run
-        <$> arrayChoice
-        <*> format
-        <*> optional
-          ( strOption
-              ( long "output"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Write to a file instead of the standard output"
-              )
-          )
-    )
+    (run <$> arrayChoice <*> format <*> outputFileOption)
   where
-    format =
-      option
-        (eitherReader formatNamed)
-        ( long "format"
-            <> metavar "FORMAT"
-            <> completeWith ["text", "csv", "json", "pgm", "svg"]
-            <> value Text
-            <> help "text, csv, json, pgm or svg (default: text)"
-        )
-    formatNamed name = case name of
-      "text" -> Right Text
-      "csv" -> Right Csv
-      "json" -> Right Json
-      "pgm" -> Right Pgm
-      "svg" -> Right Svg
-      _ -> Left (show name ++ " is not a format; choose text, csv, json, pgm or svg")
+    format = choosing "format" formats "format" "FORMAT" text (value Text)
+    text = "text, csv, json, pgm or svg (default: text)"
+    formats = [("text", Text), ("csv", Csv), ("json", Json), ("pgm", Pgm), ("svg", Svg)]
 
 -- | The array with each element's code and its name.
 type Cells = [[(Int, String)]]
 
-run :: ArrayChoice -> Format -> Maybe FilePath -> IO Ending
+run :: ArrayChoice -> Format -> Maybe FilePath -> IO ExitStatus
 run choice format output = do
   profile <- chosenProfile choice
   cells <-
@@ -88,18 +61,7 @@ render :: Format -> Profile -> Cells -> IO Lazy.ByteString
 render format profile cells = case format of
   Text -> pure (Lazy8.pack (unlines (alignedRows (map (map snd) cells))))
   Csv -> pure (Lazy8.pack (unlines (map (intercalate "," . map show) codes)))
-  Json ->
-    pure
-      ( encodeLine
-          ( "schema"
-              .= ("pra-tactile/array/1" :: String)
-              <> "profile"
-              .= profileValue profile
-              <> "rows"
-              .= codes
-          )
-          <> "\n"
-      )
+  Json -> pure (encodeArray profile codes <> "\n")
   Pgm ->
     Lazy.fromStrict . encodePgm Binary
       <$> orUnusable

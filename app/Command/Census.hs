@@ -7,25 +7,22 @@ module Command.Census
   )
 where
 
-import ArrayChoice
+import CensusChoice
 import Control.Exception (try)
-import Control.Monad (foldM, unless, when)
+import Control.Monad (foldM, when)
 import Control.Parallel.Strategies (parBuffer, rdeepseq, withStrategy)
-import Data.Aeson ((.=))
 import Data.Bifunctor (first)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Either (rights)
 import Data.Maybe (fromMaybe)
-import Described
-import Ending
+import ExitStatus
 import Files (readBytes)
-import Json
 import Message (censusMessage, proofMessage)
 import Message.Census
 import Numeric.Natural (Natural)
-import Options.Applicative hiding (command)
+import Options
 import Output
 import PraTactile.Array (Folding, Shape)
 import PraTactile.Census
@@ -37,7 +34,6 @@ import PraTactile.Window.Proof (Verdict (..))
 import Progress
 import System.Directory (doesPathExist)
 import System.IO
-import Visible
 
 -- | What the command line says.
 data Asked = Asked
@@ -47,14 +43,14 @@ data Asked = Asked
     askedFolding :: Maybe Folding,
     askedWindows :: [Shape],
     askedShard :: (Natural, Natural),
-    askedKeepWhole :: Bool,
+    askedDamage :: Damage,
     askedOutput :: FilePath,
-    askedJson :: Bool
+    askedForm :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "census"
     "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
     \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
@@ -65,55 +61,33 @@ command =
       "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv"
     ]
     (run <$> asked)
-  where
-    asked =
-      Asked
-        <$> orderOption
-        <*> optional modulusOption
-        <*> option
-          naturalReader
-          ( long "degree"
-              <> metavar "N"
-              <> help "Degree n of the polynomials: arrays of q^n - 1 cells"
-          )
-        <*> optional
-          ( option
-              foldingReader
-              ( long "folding"
-                  <> metavar "FOLDING"
-                  <> completeWith (map foldingName [minBound ..])
-                  <> help "diagonal or row-major (default: both)"
-              )
-          )
-        <*> many
-          ( option
-              shapeReader
-              ( long "window"
-                  <> metavar "ROWSxCOLUMNS"
-                  <> help
-                    "A window, instead of all rectangles of n cells and those with one row or \
-                    \column more; may be repeated"
-              )
-          )
-        <*> option
-          shardReader
-          ( long "shard"
-              <> metavar "I/K"
-              <> value (1, 1)
-              <> help "Only the I-th of K parts, which 'merge' puts together"
-          )
-        <*> switch
-          ( long "keep-whole"
-              <> help
-                "Continue a damaged file too: rows that are whole are kept, the others made again"
-          )
-        <*> strOption
-          ( long "output"
-              <> metavar "FILE"
-              <> action "file"
-              <> help "The file to write or to continue"
-          )
-        <*> switch (long "json" <> help "Tell as JSON what was written")
+
+asked :: Parser Asked
+asked =
+  Asked
+    <$> orderOption
+    <*> modulusOption
+    <*> valued naturalReader "degree" "N" "Degree n of the polynomials: arrays of q^n - 1 cells"
+    <*> foldingOption "diagonal or row-major (default: both)"
+    <*> many
+      ( valued
+          shapeReader
+          "window"
+          "ROWSxCOLUMNS"
+          "A window, instead of all rectangles of n cells and those with one row or column more; \
+          \may be repeated"
+      )
+    <*> option
+      shardReader
+      ( long "shard"
+          <> metavar "I/K"
+          <> value (1, 1)
+          <> help "Only the I-th of K parts, which 'merge' puts together"
+      )
+    <*> keepWholeSwitch
+      "Continue a damaged file too: rows that are whole are kept, the others made again"
+    <*> fileOption "output" "FILE" "The file to write or to continue"
+    <*> jsonSwitch "Tell as JSON what was written"
 
 shardReader :: ReadM (Natural, Natural)
 shardReader =
@@ -122,43 +96,44 @@ shardReader =
       then pure (fromInteger i, fromInteger k)
       else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
-run :: Asked -> IO Ending
-run asked = do
-  standard <- orUnusable censusMessage (standardScope (askedOrder asked) (askedDegree asked))
+run :: Asked -> IO ExitStatus
+run given = do
+  standard <- orUnusable censusMessage (standardScope (askedOrder given) (askedDegree given))
   let scope =
         standard
-          { scopeModulus = fromMaybe (scopeModulus standard) (askedModulus asked),
-            scopeFoldings = maybe (scopeFoldings standard) pure (askedFolding asked),
-            scopeWindows = askedWindows asked
+          { scopeModulus = fromMaybe (scopeModulus standard) (askedModulus given),
+            scopeFoldings = maybe (scopeFoldings standard) pure (askedFolding given),
+            scopeWindows = askedWindows given
           }
-      (i, k) = askedShard asked
+      (i, k) = askedShard given
   entries <- orUnusable censusMessage (censusSize scope)
   found <- orUnusable censusMessage (census (\number -> number `mod` k == i - 1) scope)
   let shardSize = if entries < i then 0 else (entries - i) `div` k + 1
-      rendered = [(entry, rowBody scope entries entry) | entry <- found]
-  target <- targetOf (askedOutput asked) >>= orUnusable id
-  kept <- case target of
-    Regular _ _ ->
-      continued (askedKeepWhole asked) (askedOutput asked) (Wanted scope entries rendered)
-    _ -> pure (Kept Checked 0 0 0)
-  let made =
-        withStrategy
-          (parBuffer 64 rdeepseq)
-          [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body
-            | (entry, body) <- drop (keptCount kept) rendered
-          ]
-      writing = case target of
-        Regular _ _ -> append
-        _ -> const . writtenTo
-  provedOnes <- writing (askedOutput asked) kept (rowsAfter (toInteger shardSize) kept made)
-  report asked shardSize provedOnes
-  pure Answered
+      wanted = Wanted scope entries [(entry, rowBody scope entries entry) | entry <- found]
+  target <- targetOf (askedOutput given) >>= orUnusable id
+  (kept, writing) <- case target of
+    Regular _ _ -> do
+      kept <- continued (askedDamage given) (askedOutput given) wanted
+      pure (kept, append (askedOutput given) kept)
+    _ -> pure (Kept Checked 0 0 0, writtenTo (askedOutput given))
+  provedOnes <- writing (rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept))
+  Answered <$ sayCensus (askedForm given) (askedOutput given) shardSize provedOnes
+
+-- | The rows after those that are kept, made on all cores, each with whether it says that the
+-- windows are distinct.
+rowsToMake :: Wanted -> Kept -> [Either String (Bool, ByteString)]
+rowsToMake wanted kept =
+  withStrategy
+    (parBuffer 64 rdeepseq)
+    [ (\row -> (isProved entry, inForm (keptForm kept) row)) <$> first proofMessage body
+      | (entry, body) <- drop (keptCount kept) (wantedInOrder wanted)
+    ]
 
 -- | What is in the file already: nothing, or the first of the rows that it is to have. Leaves with
 -- status 2 if it is anything else, and does not touch it; unless it is damaged and what is whole is
 -- to be kept: then the damaged rows are made again first.
-continued :: Bool -> FilePath -> Wanted -> IO Kept
-continued keepWhole file wanted = do
+continued :: Damage -> FilePath -> Wanted -> IO Kept
+continued damage file wanted = do
   there <- doesPathExist file
   bytes <- if there then readBytes file else pure ""
   if not there || beginsHeader bytes
@@ -167,7 +142,7 @@ continued keepWhole file wanted = do
       contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
       kept <- case keptInOrder wanted bytes contents of
         Right kept -> pure kept
-        Left _ | keepWhole -> repaired file wanted contents
+        Left _ | damage == Repaired -> repaired file wanted contents
         Left fault -> unusable (censusFileMessage file fault)
       kept <$ when (keptForm kept == Unchecked) (warn (uncheckedMessage file))
 
@@ -198,8 +173,8 @@ append file kept write = do
       write handle
   either (unusable . writeMessage file) pure outcome
 
--- | Write the rows after those that are kept, each at once and whole; the number of rows, of so
--- many in all, that say that the windows are distinct.
+-- | Write the rows after those that are kept, each at once and whole, given how many there are in
+-- all; the number of rows that say that the windows are distinct.
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
   when (keptBytes kept == 0) (Bytes.hPutStr handle (headerOf (keptForm kept) <> "\n"))
@@ -211,17 +186,3 @@ rowsAfter total kept made handle = do
           tell (done + 1)
           pure $! ((,) $! done + 1) $! if yes then provedOnes + 1 else provedOnes
     snd <$> foldM put (toInteger (keptCount kept), keptProved kept) made
-
-report :: Asked -> Natural -> Int -> IO ()
-report asked entries provedOnes
-  | askedJson asked =
-    unless (askedOutput asked == "-") $
-      printJson
-        ( "schema" .= ("pra-tactile/census/1" :: String) <> "file" .= nameInJson (askedOutput asked)
-            <> "entries" .= naturalValue entries
-            <> "proved" .= provedOnes
-        )
-  | otherwise =
-    sayWritten
-      (askedOutput asked)
-      (": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")

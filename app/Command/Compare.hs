@@ -1,19 +1,15 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile compare@: an answer of @decode@ beside the truth that @probe@ wrote.
 module Command.Compare
   ( command,
   )
 where
 
-import Data.Aeson ((.=))
-import Described
-import Ending
+import ExitStatus
 import FormatFile
-import Json
 import Message
-import Options.Applicative hiding (command)
+import Options
 import PraTactile.Explore
+import PraTactile.Format (encodeComparison)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
@@ -21,9 +17,9 @@ import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Truth
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "compare"
     "Compare an answer with the truth: is the window's centre where the answer says, and to how \
     \many millimetres?"
@@ -34,40 +30,20 @@ command =
     ( run
         <$> strArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
         <*> strArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
-        <*> switch (long "json" <> help "Print the comparison as JSON")
+        <*> jsonSwitch "Print the comparison as JSON"
     )
 
-run :: FilePath -> FilePath -> Bool -> IO Ending
-run answerFile truthFile asJson = do
+run :: FilePath -> FilePath -> AnswerForm -> IO ExitStatus
+run answerFile truthFile form = do
   claim <- readClaim answerFile
   truth <- readTruth truthFile
   pitch <- placementPitch <$> orUnusable placementMessage canonicalPlacement
   let verdict = maybe (Left Nothing) (either (Left . Just) Right . compared pitch truth) claim
-  if asJson
-    then
-      printJson
-        ( "schema" .= ("pra-tactile/compare/1" :: String)
-            <> "agree" .= either (const False) (const True) verdict
-            <> "difference"
-              .= either (Just . maybe "no-place" differenceName) (const Nothing) verdict
-            <> "answer_mm" .= fmap claimPlace claim
-            <> "truth_mm" .= fmap (truePlace truth . claimSeenAt) claim
-            <> "distance_mm" .= distance verdict
-        )
-    else putStr (unlines (comparison truth claim ++ [verdictText verdict]))
+  printAs
+    form
+    (unlines (comparison truth claim ++ [verdictText verdict]))
+    (encodeComparison truth claim verdict)
   pure (either (const NotAnswered) (const Answered) verdict)
-  where
-    distance verdict = case verdict of
-      Right far -> Just far
-      Left (Just (Elsewhere far)) -> Just far
-      Left _ -> Nothing
-
--- | The name of a difference, as JSON has it.
-differenceName :: Difference -> String
-differenceName difference = case difference of
-  OtherFace -> "other-face"
-  OtherWayUp -> "other-orientation"
-  Elsewhere _ -> "elsewhere"
 
 verdictText :: Either (Maybe Difference) Double -> String
 verdictText verdict = case verdict of

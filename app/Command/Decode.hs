@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile decode@: tactile images in, object, face and place out.
 module Command.Decode
   ( command,
@@ -9,24 +7,21 @@ module Command.Decode
 where
 
 import ArrayChoice
-import Command.Prove (surfaceOption)
 import Command.Stitch (Assembly, assemble, assemblyOptions)
-import Control.Monad (forM, unless)
-import qualified Data.ByteString.Char8 as Bytes
+import Control.Monad (unless, when)
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, listToMaybe)
-import Described
-import Ending
+import Data.Traversable (for)
+import ExitStatus
 import Frames
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
-import PraTactile.Array (Surface)
+import PraTactile.Array (PseudorandomArray, Surface)
 import PraTactile.Field (KnownField)
-import PraTactile.Format (RecognitionReport (..), encodeRecognition)
+import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
 import PraTactile.Format.Profile (profileText)
-import PraTactile.Object.Placement (LaidFace)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief (faceClasses)
@@ -44,15 +39,22 @@ data Options = Options
     database :: Maybe FilePath,
     picture :: Maybe FilePath,
     tolerance :: Tolerance,
-    together :: Bool,
+    sharing :: Sharing,
     places :: [(Double, Double)],
-    asJson :: Bool,
+    form :: AnswerForm,
     paths :: [FilePath]
   }
 
-command :: Mod CommandFields (IO Ending)
+-- | What the sources show.
+data Sharing
+  = EachItsOwn
+  | -- | one face, in the robot's coordinates
+    OneFace
+  deriving stock (Eq)
+
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "decode"
     "Recognise object, face and place from tactile images: PGM files that are whole composites, \
     \folders of frames with their manifest, or frames of such a folder. What was not recognised \
@@ -63,59 +65,53 @@ command =
       "pra-tactile decode frames --picture recognised.svg",
       "pra-tactile decode --together left.pgm right.pgm --at 0,0 --at 76.2,0"
     ]
-    (run <$> arrayChoice <*> options)
+    (run <$> arrayChoice <*> optionsParser)
+
+optionsParser :: Parser Options
+optionsParser =
+  Options
+    <$> surfaceOption
+    <*> assemblyOptions
+    <*> networkOption
+    <*> optionalFile
+      "database"
+      "FILE"
+      "Look the position up in a database that 'objects --write' made (default: the mapping in \
+      \memory)"
+    <*> optionalFile
+      "picture"
+      "FILE.svg"
+      "Draw what was felt with the symbols over it, and where on the face that is (one source \
+      \only); - is the standard output, in place of the answer"
+    <*> toleranceOptions
+    <*> flag
+      EachItsOwn
+      OneFace
+      ( long "together"
+          <> help
+            "All sources show one face, in the robot's coordinates: give one answer from all of \
+            \them"
+      )
+    <*> many placeOption
+    <*> jsonSwitch "Print one JSON answer a line"
+    <*> some
+      ( strArgument
+          ( metavar "PATH..."
+              <> action "file"
+              <> help "Images, folders of frames, or frames; - is an image on the standard input"
+          )
+      )
+
+-- | @--at@.
+placeOption :: Parser (Double, Double)
+placeOption =
+  valued
+    millimetres
+    "at"
+    "X,Y"
+    "With --together: where the upper left pixel of a whole image is, in millimetres; once for \
+    \each whole image, in order"
   where
-    options =
-      Options
-        <$> surfaceOption
-        <*> assemblyOptions
-        <*> networkOption
-        <*> optional
-          ( strOption
-              ( long "database"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help
-                    "Look the position up in a database that 'objects --write' made (default: the \
-                    \mapping in memory)"
-              )
-          )
-        <*> optional
-          ( strOption
-              ( long "picture"
-                  <> metavar "FILE.svg"
-                  <> action "file"
-                  <> help
-                    "Draw what was felt with the symbols over it, and where on the face that is \
-                    \(one source only); - is the standard output, in place of the answer"
-              )
-          )
-        <*> toleranceOptions
-        <*> switch
-          ( long "together"
-              <> help
-                "All sources show one face, in the robot's coordinates: give one answer from all \
-                \of them"
-          )
-        <*> many
-          ( option
-              millimetres
-              ( long "at"
-                  <> metavar "X,Y"
-                  <> help
-                    "With --together: where the upper left pixel of a whole image is, in \
-                    \millimetres; once for each whole image, in order"
-              )
-          )
-        <*> switch (long "json" <> help "Print one JSON answer a line")
-        <*> some
-          ( strArgument
-              ( metavar "PATH..."
-                  <> action "file"
-                  <> help
-                    "Images, folders of frames, or frames; - is an image on the standard input"
-              )
-          )
     millimetres = do
       (x, y) <- pairReader ',' "76.2,0"
       if all finite [x, y]
@@ -127,67 +123,59 @@ command =
 toleranceOptions :: Parser Tolerance
 toleranceOptions =
   Tolerance
-    <$> option
+    <$> defaulting
+      (toleratedDoubt standardTolerance)
       decimalReader
-      ( long "doubt"
-          <> metavar "P"
-          <> value (toleratedDoubt standardTolerance)
-          <> showDefault
-          <> help "The probability of a wrong answer that is tolerated"
-      )
+      "doubt"
+      "P"
+      "The probability of a wrong answer that is tolerated"
     <*> radiusOption
       "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
       \ones guarantee to be corrected)"
 
 -- | What is wrong with a choice of these.
 toleranceComplaint :: Tolerance -> Maybe String
-toleranceComplaint chosen
-  | toleratedDoubt chosen >= 0 && toleratedDoubt chosen < 1 = Nothing
+toleranceComplaint tolerated
+  | toleratedDoubt tolerated >= 0 && toleratedDoubt tolerated < 1 = Nothing
   | otherwise = Just "--doubt is a probability below 1"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
-  | picture options == Just standardOutput && asJson options =
+  | picture options == Just standardOutput && form options == AsJson =
     unusable "--picture - and --json both take the standard output; name a file for the picture"
   | otherwise = do
     for_ (picture options) orNotSvg
     profile <- chosenProfile choice
-    layout <- placementFor profile
-    alphabet <- shippedAlphabet
-    net <- chosenNetwork (network options)
-    let on = fromMaybe (profileSurface profile) (surface options)
-    readAs <-
-      orUnusable recogniserMessage
-        =<< orUnusable
-          profileMessage
-          ( withProfile
-              profile
-              ( \array mask ->
-                  decodeWith alphabet profile (faceClasses array) options
-                    <$> recogniser on array mask layout alphabet net
-              )
-          )
+    decoder <- decoderOn profile options
     found <- sources (paths options)
-    case (found, picture options) of
-      (_ : _ : _, Just _) -> unusable "--picture draws one composite; give one source"
-      _ -> pure ()
+    let several = not (null (drop 1 found))
+    when
+      (several && picture options /= Nothing)
+      (unusable "--picture draws one composite; give one source")
     composites <- loadSources (assemble (assembly options)) found
-    if together options
-      then placed (places options) (zip found composites) >>= readAs (map sourcePath found)
-      else do
+    case sharing options of
+      OneFace -> placed (places options) (zip found composites) >>= decoder (map sourcePath found)
+      EachItsOwn -> do
         unless
           (null (places options))
           (unusable "--at is for whole images that are decoded --together")
-        maximum . (Answered :)
-          <$> forM
-            (zip (map sourcePath found) composites)
-            ( \(path, composite) -> do
-                case found of
-                  _ : _ : _ | not (asJson options) -> putStrLn (visibleName path ++ ":")
-                  _ -> pure ()
-                readAs [path] [composite]
-            )
+        fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
+          \(path, composite) -> do
+            when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
+            decoder [path] [composite]
+
+-- | How composites of one face, given their names, are decoded and the answer is printed.
+decoderOn :: Profile -> Options -> IO ([FilePath] -> [Composite] -> IO ExitStatus)
+decoderOn profile options = do
+  layout <- placementFor profile
+  alphabet <- shippedAlphabet
+  net <- chosenNetwork (network options)
+  let on = fromMaybe (profileSurface profile) (surface options)
+      made array mask =
+        decodeWith alphabet profile array options
+          <$> recogniser on array mask layout alphabet net
+  orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
 -- | The composites, whole images at the places given for them; frames know their own.
 placed :: [(Double, Double)] -> [(Source, Composite)] -> IO [Composite]
@@ -212,45 +200,33 @@ decodeWith ::
   KnownField k =>
   Alphabet ->
   Profile ->
-  (LaidFace -> [[Int]]) ->
+  PseudorandomArray k ->
   Options ->
   Recogniser k ->
   [FilePath] ->
   [Composite] ->
-  IO Ending
-decodeWith alphabet profile classesOf options reader from composites = do
+  IO ExitStatus
+decodeWith alphabet profile array options reader from composites = do
   recognition <-
     orUnusable networkMessage (recogniseWith (tolerance options) reader composites)
       >>= maybe pure lookedUp (database options)
   for_ ((,) <$> picture options <*> listToMaybe composites) $ \(file, composite) ->
-    writeWhole
-      file
-      ( pageSvg
-          ( recognitionPage
-              alphabet
-              nameOf
-              (recogniserPlacement reader)
-              classesOf
-              composite
-              recognition
-          )
-      )
-  case () of
-    _
-      | picture options == Just standardOutput -> pure ()
-      | asJson options ->
-        Bytes.putStrLn (encodeRecognition (report (listToMaybe composites) recognition))
-      | otherwise -> putStr (unlines (recognitionText nameOf from recognition))
-  pure (recognitionEnding recognition)
+    writeWhole file (pageSvg (page composite recognition))
+  unless (picture options == Just standardOutput) $
+    printAs
+      (form options)
+      (unlines (recognitionText nameOf from recognition))
+      (encodeRecognition (recognitionReport (context recognition) recognition))
+  pure (recognitionStatus recognition)
   where
     nameOf = elementNames reader
-    report composite recognition =
-      RecognitionReport
-        { reportProfile = profile,
-          reportSources = map nameInJson from,
-          reportMessage = recognitionMessage recognition,
-          reportElement = nameOf,
-          reportRobot = maybe id compositePosition composite,
-          reportRecognition = recognition
+    page = recognitionPage alphabet nameOf (recogniserPlacement reader) (faceClasses array)
+    context recognition =
+      RecognitionContext
+        { contextProfile = profile,
+          contextNames = map nameInJson from,
+          contextMessage = recognitionMessage recognition,
+          contextElement = nameOf,
+          contextRobot = maybe id compositePosition (listToMaybe composites)
         }
     lookedUp file = fromDatabase file (profileText profile) (profileWindow profile)

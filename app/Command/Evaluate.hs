@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile evaluate@: simulated presses by the thousand, counted right, wrong and refused.
 module Command.Evaluate
   ( command,
@@ -11,22 +9,20 @@ import Command.Decode (toleranceComplaint, toleranceOptions)
 import Command.Stitch (registrationFor)
 import Control.Monad (foldM, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
-import Data.Aeson (Value, object, (.=))
+import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
-import Data.String (fromString)
-import Described
-import Ending
-import Json
+import Data.Traversable (for)
+import ExitStatus
 import Message
-import Options.Applicative hiding (command)
+import Options
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
-import PraTactile.Format.Profile
+import PraTactile.Format (EvaluationReport (..), encodeEvaluation)
 import PraTactile.Object.Placement
 import PraTactile.Probe (planScan)
-import PraTactile.Probe.Sensor (HeightMap, Sensor (..), standardSensor)
+import PraTactile.Probe.Sensor (HeightMap)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
@@ -39,17 +35,16 @@ data Options = Options
   { presses :: Int,
     seed :: Int,
     size :: (Int, Int),
-    positionError :: Double,
-    noise :: Double,
+    sensor :: SensorChoice,
     turns :: [Symmetry],
     tolerance :: Tolerance,
     network :: Maybe FilePath,
-    asJson :: Bool
+    form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "evaluate"
     "Simulate presses at random places on the faces in turn, and count how many are decoded \
     \right, wrong or refused, with stitching and without."
@@ -60,40 +55,10 @@ command =
   where
     options =
       Options
-        <$> option
-          intReader
-          ( long "presses"
-              <> metavar "N"
-              <> value 1000
-              <> showDefault
-              <> help "How many regions are explored"
-          )
-        <*> option
-          intReader
-          (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
-        <*> option
-          (pairReader 'x' "40x52")
-          ( long "size"
-              <> metavar "WIDTHxHEIGHT"
-              <> value standardRegionSize
-              <> help "The region in taxels (default 40x52)"
-          )
-        <*> option
-          decimalReader
-          ( long "position-error"
-              <> metavar "SIGMA"
-              <> value (sensorPositionError standardSensor)
-              <> showDefault
-              <> help "Standard deviation of each frame's position, taxels, on both axes"
-          )
-        <*> option
-          decimalReader
-          ( long "noise"
-              <> metavar "SD"
-              <> value (sensorNoise standardSensor)
-              <> showDefault
-              <> help "Standard deviation of the noise, as a share of full scale"
-          )
+        <$> defaulting 1000 intReader "presses" "N" "How many regions are explored"
+        <*> seedOption (value 1 <> showDefault)
+        <*> sizeOption
+        <*> sensorOptions
         <*> flag
           halfTurns
           rotations
@@ -103,13 +68,13 @@ command =
           )
         <*> toleranceOptions
         <*> networkOption
-        <*> switch (long "json" <> help "Print the counts as JSON")
+        <*> jsonSwitch "Print the counts as JSON"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | presses options < 1 = unusable "--presses is a number from 1 up"
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
-  | not (positionError options >= 0 && noise options >= 0) =
+  | not (positionSigma (sensor options) >= 0 && noiseSd (sensor options) >= 0) =
     unusable "--position-error and --noise are numbers from 0 up"
   | otherwise = do
     profile <- chosenProfile choice
@@ -118,18 +83,12 @@ run choice options
     net <- chosenNetwork (network options)
     let prepared array mask = do
           reader <-
-            either
-              (Left . recogniserMessage)
-              Right
+            first
+              recogniserMessage
               (recogniser (profileSurface profile) array mask layout alphabet net)
           faces <-
-            either
-              (Left . reliefMessage)
-              Right
-              ( traverse
-                  (\face -> (,) face <$> relief array layout alphabet face)
-                  (laidFaces layout)
-              )
+            first reliefMessage . for (laidFaces layout) $ \face ->
+              (,) face <$> relief array layout alphabet face
           pure (measure profile options reader faces)
     measured <- orUnusable profileMessage (withProfile profile prepared)
     either unusable id measured
@@ -143,58 +102,66 @@ measure ::
   Options ->
   Recogniser k ->
   [(LaidFace, HeightMap)] ->
-  IO Ending
+  IO ExitStatus
 measure profile options reader faces = do
   _ <- orUnusable probeMessage (planScan frameSpacing (0, 0) (size options))
   unless
     (fitting (turns options) (size options) (map fst faces) (seed options) (presses options))
     (unusable tooLarge)
   (stitched, unstitched) <- withProgress (toInteger (presses options)) 0 $ \tell ->
-    foldM
-      (count tell)
-      (noResults, noResults)
-      (zip [1 ..] (withStrategy (parBuffer 32 rseq) (map run' (take (presses options) started))))
-  let counts = [("stitching", stitched), ("no-stitching", unstitched)]
-  if asJson options
-    then
-      printJson
-        ( "schema" .= ("pra-tactile/evaluate/1" :: String) <> "profile" .= profileValue profile
-            <> "presses" .= presses options
-            <> "seed" .= seed options
-            <> "position_error_taxels" .= positionError options
-            <> "noise" .= noise options
-            <> mconcat
-              [fromString (map underscore name) .= tallyValue counted | (name, counted) <- counts]
-        )
-    else putStr (unlines (heading : [tallyText name counted | (name, counted) <- counts]))
+    foldM (count tell) (noResults, noResults) (zip [1 ..] (results options reader faces))
+  printAs
+    (form options)
+    ( unlines
+        [headingText options, tallyText "stitching" stitched, tallyText "no-stitching" unstitched]
+    )
+    (encodeEvaluation (report profile options stitched unstitched))
   pure Answered
   where
-    sensor =
-      standardSensor {sensorPositionError = positionError options, sensorNoise = noise options}
-    started = catMaybes (trials sensor (turns options) (size options) faces (seed options))
-    run' =
-      runTrial (tolerance options) reader (registrationFor (positionError options) (noise options))
     count :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
     count tell (stitched, unstitched) (i, outcome) =
       let stitched' = counting stitched (withStitching outcome)
           unstitched' = counting unstitched (withoutStitching outcome)
        in stitched' `seq` unstitched' `seq` tell i >> pure (stitched', unstitched')
-    underscore c = if c == '-' then '_' else c
     tooLarge =
       printf
         "a region of %d x %d taxels does not lie on every face; choose a smaller --size"
         (fst (size options))
         (snd (size options))
-    heading =
-      printf
-        "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd \
-        \%g of full scale"
-        (presses options)
-        (seed options)
-        (fst (size options))
-        (snd (size options))
-        (positionError options)
-        (noise options)
+
+report :: Profile -> Options -> Tally -> Tally -> EvaluationReport
+report profile options stitched unstitched =
+  EvaluationReport
+    { evaluationProfile = profile,
+      evaluationPresses = presses options,
+      evaluationSeed = seed options,
+      evaluationPositionError = positionSigma (sensor options),
+      evaluationNoise = noiseSd (sensor options),
+      evaluationStitched = stitched,
+      evaluationUnstitched = unstitched
+    }
+
+-- | What comes of each press, made on all cores as it is needed.
+results :: KnownField k => Options -> Recogniser k -> [(LaidFace, HeightMap)] -> [TrialResult]
+results options reader faces =
+  withStrategy (parBuffer 32 rseq) (map decoded (take (presses options) (catMaybes started)))
+  where
+    decoded = runTrial (tolerance options) reader (registrationFor sigma sd)
+    SensorChoice sigma sd = sensor options
+    started =
+      trials (chosenSensor (sensor options)) (turns options) (size options) faces (seed options)
+
+headingText :: Options -> String
+headingText options =
+  printf
+    "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \
+    \of full scale"
+    (presses options)
+    (seed options)
+    (fst (size options))
+    (snd (size options))
+    (positionSigma (sensor options))
+    (noiseSd (sensor options))
 
 tallyText :: String -> Tally -> String
 tallyText name counted =
@@ -219,14 +186,3 @@ tallyText name counted =
         * fromIntegral refused
         / fromIntegral (max 1 (refused + tallyRight counted + tallyWrong counted)) ::
         Double
-
-tallyValue :: Tally -> Value
-tallyValue counted =
-  object
-    [ "right" .= tallyRight counted,
-      "wrong" .= tallyWrong counted,
-      "wrong_expected" .= tallyExpected counted,
-      "refused" .= sum (tallyRefused counted),
-      "reasons"
-        .= object [fromString reason .= n | (reason, n) <- Map.toAscList (tallyRefused counted)]
-    ]

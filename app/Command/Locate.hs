@@ -6,24 +6,22 @@ where
 
 import AnswerText
 import ArrayChoice
-import Command.Prove (surfaceOption)
-import Data.Aeson.Encoding (Series)
+import Control.Monad (when)
 import Data.Bifunctor (first)
-import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
-import Described
-import Ending
+import ExitStatus
 import Explain
-import Json
-import Json.Answer
 import Lines
 import Message
-import Options.Applicative hiding (command)
+import Options
 import PatchText
 import PraTactile.Array (PseudorandomArray, Surface (..))
 import PraTactile.Field (KnownField)
+import PraTactile.Format (AnswerReport, encodeAnswer)
+import PraTactile.Format.Answer.Report (invalidReport)
 import PraTactile.Locate
 import PraTactile.Profile
 import PraTactile.Symmetry (Symmetry, identity, rotations, symmetries)
@@ -35,14 +33,19 @@ data Options = Options
     radius :: Radius,
     doubt :: Double,
     turning :: Turning,
-    explain :: Bool,
-    asJson :: Bool,
+    explained :: Explained,
+    form :: AnswerForm,
+    -- | 'Nothing': one a line from the standard input
     source :: Maybe [String]
   }
 
-command :: Mod CommandFields (IO Ending)
+-- | Whether the answer is explained.
+data Explained = Explained | Unexplained
+  deriving stock (Eq)
+
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "locate"
     "Tell the position of a patch of symbols in the array; rows are parted by '/', cells by \
     \spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a cell may \
@@ -59,66 +62,66 @@ command =
       "pra-tactile locate --orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'",
       "pra-tactile locate --batch < patches.txt"
     ]
-    (run <$> arrayChoice <*> surfaceOption <*> options)
-  where
-    options =
-      Options
-        <$> optional
-          ( option
-              roadReader
-              ( long "road"
-                  <> metavar "table|algebra|search"
-                  <> completeWith (map decoderText namedDecoders)
-                  <> help
-                    "How to find positions at which all observed cells agree (default: correct \
-                    \errors, by comparing with every position or, beyond 2^20 cells, by \
-                    \information sets)"
-              )
-          )
-        <*> radiusOption
-          "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the \
-          \observed cells guarantee)"
-        <*> option
-          decimalReader
-          ( long "doubt"
-              <> metavar "P"
-              <> value 0.001
-              <> showDefault
-              <> help "With probabilities: the probability of a wrong answer that is tolerated"
-          )
-        <*> option
-          turningReader
-          ( long "orientation"
-              <> metavar "upright|turned|any"
-              <> completeWith (map turningName [minBound ..])
-              <> value Upright
-              <> showDefaultWith turningName
-              <> help
-                "How patches may be seen: by any quarter turn (turned), perhaps also mirrored \
-                \(any); the answer then tells the orientation, clockwise, and says where it cannot"
-          )
-        <*> switch
-          ( long "explain"
-              <> help
-                "Say what the answer rests on: the cells, their equations, the distance to the \
-                \next candidate"
-          )
-        <*> switch (long "json" <> help "Print the answer as JSON")
-        <*> ( flag'
-                Nothing
-                ( long "batch"
-                    <> help
-                      "Read one patch, or several parted by ';', a line from the standard input; \
-                      \print one JSON answer a line"
-                )
-                <|> (Just <$> some (strArgument (metavar "PATCH")))
-            )
-    turningReader = namedReader "choice of orientation" [(turningName t, t) | t <- [minBound ..]]
-    roadReader = namedReader "road" [(decoderText found, found) | found <- namedDecoders]
-    namedDecoders = [TableDecoder, AlgebraDecoder, SearchDecoder]
+    (run <$> arrayChoice <*> surfaceOption <*> optionsParser)
 
-run :: ArrayChoice -> Maybe Surface -> Options -> IO Ending
-run choice chosen options
+optionsParser :: Parser Options
+optionsParser =
+  Options
+    <$> optional decoderOption
+    <*> radiusOption
+      "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed \
+      \cells guarantee)"
+    <*> defaulting
+      0.001
+      decimalReader
+      "doubt"
+      "P"
+      "With probabilities: the probability of a wrong answer that is tolerated"
+    <*> turningOption
+    <*> flag
+      Unexplained
+      Explained
+      ( long "explain"
+          <> help
+            "Say what the answer rests on: the cells, their equations, the distance to the next \
+            \candidate"
+      )
+    <*> jsonSwitch "Print the answer as JSON"
+    <*> ( flag'
+            Nothing
+            ( long "batch"
+                <> help
+                  "Read one patch, or several parted by ';', a line from the standard input; print \
+                  \one JSON answer a line"
+            )
+            <|> (Just <$> some (strArgument (metavar "PATCH")))
+        )
+
+-- | @--road@.
+decoderOption :: Parser DecoderName
+decoderOption =
+  choosing
+    "road"
+    [(decoderText name, name) | name <- [TableDecoder, AlgebraDecoder, SearchDecoder]]
+    "road"
+    "table|algebra|search"
+    "How to find positions at which all observed cells agree (default: correct errors, by \
+    \comparing with every position or, beyond 2^20 cells, by information sets)"
+    mempty
+
+turningOption :: Parser Turning
+turningOption =
+  choosing
+    "choice of orientation"
+    (allNamed turningName)
+    "orientation"
+    "upright|turned|any"
+    "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the \
+    \answer then tells the orientation, clockwise, and says where it cannot"
+    (value Upright <> showDefaultWith turningName)
+
+run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
+run choice surface options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
   | Just _ <-
       decoder options,
@@ -131,7 +134,7 @@ run choice chosen options
       ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
   | otherwise = do
     profile <- chosenProfile choice
-    let on = fromMaybe (profileSurface profile) chosen
+    let on = fromMaybe (profileSurface profile) surface
     either unusable id
       =<< orUnusable
         profileMessage
@@ -140,16 +143,14 @@ run choice chosen options
             (\array mask -> answering profile options <$> responder options profile on array mask)
         )
 
--- | What was read and what it comes to, with all there is to say of it.
+-- | The answer to what was read, in words and as JSON.
 data Response = Response
   { responseAnswer :: Answer,
-    responseText :: String,
-    responseExplained :: [String],
-    -- | given the explanation, if it is wanted
-    responseJson :: Maybe [String] -> Series
+    responseLines :: [String],
+    responseReport :: AnswerReport
   }
 
--- | From what is written to the response. 'Left' where the decoder chosen is impossible for the
+-- | From what is written to the response. 'Left' where the decoder surface is impossible for the
 -- array. What is computed once for the array is computed when first used.
 responder ::
   KnownField k =>
@@ -164,17 +165,20 @@ responder options profile on array mask = do
   pure $ \text -> do
     written <- readPatches text
     let query = queryOf written
-        asked = Asked (symmetriesOf (turning options)) (writtenDisplaced written)
+        asked = Asked (querySymmetries query) (writtenDisplaced written)
         displacements = map fst (writtenPatches written)
     answer <- first locatorMessage (locate made query)
     seen <- first locatorMessage (agreedSymbols query)
+    let inWords = answerText asked answer
+        explanation
+          | explained options == Unexplained = Nothing
+          | otherwise =
+            Just (explainAnswer array mask asked displacements seen (doubt options) answer)
     pure
       Response
         { responseAnswer = answer,
-          responseText = answerText asked answer,
-          responseExplained =
-            explainAnswer array mask asked displacements seen (doubt options) answer,
-          responseJson = \explained -> answerJson profile asked displacements explained answer
+          responseLines = inWords : fromMaybe [] explanation,
+          responseReport = reportOf profile asked displacements explanation answer
         }
   where
     made = locator (decoder options) (profilePacking profile) array mask
@@ -187,53 +191,41 @@ responder options profile on array mask = do
           queryDoubt = doubt options
         }
 
-answering :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
+answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus
 answering profile options respond = case source options of
-  Nothing -> batch profile options respond
-  Just given -> case respond (Text.pack (unwords given)) of
-    Left complaint -> unusable complaint
-    Right response -> do
-      if asJson options
-        then printJson (responseJson response (explanation options response))
-        else do
-          putStr (unlines (responseText response : fromMaybe [] (explanation options response)))
-          mapM_ warn (worthLittle (responseAnswer response))
-      pure (endingOf response)
+  Nothing -> batch profile respond
+  Just given -> do
+    response <- orUnusable id (respond (Text.pack (unwords given)))
+    printAs
+      (form options)
+      (unlines (responseLines response))
+      (encodeAnswer (responseReport response))
+    when (form options == AsText) (mapM_ warn (weakness (responseAnswer response)))
+    pure (statusOf response)
 
-explanation :: Options -> Response -> Maybe [String]
-explanation options response =
-  if explain options then Just (responseExplained response) else Nothing
-
--- | That a position would be told of random symbols as well.
-worthLittle :: Answer -> Maybe String
-worthLittle answer = case answerOutcome answer of
+-- | That random symbols would be located as well.
+weakness :: Answer -> Maybe String
+weakness answer = case answerOutcome answer of
   Unique _ _ -> answerChance answer >>= chanceWarning
   _ -> Nothing
 
--- | One line after another, each answered at once; the worst ending of all.
-batch :: Profile -> Options -> (Text -> Either String Response) -> IO Ending
-batch profile options respond = forLines answerLine Answered
+-- | One line after another, each answered at once; the worst status of all.
+batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus
+batch profile respond = forLines answerLine Answered
   where
     answerLine worst given = do
       let answer = textOf given >>= respond
-      Lazy8.putStrLn
-        ( encodeLine
-            ( either
-                (invalidJson profile)
-                (\response -> responseJson response (explanation options response))
-                answer
-            )
-        )
+      Bytes.putStrLn (encodeAnswer (either (invalidReport profile) responseReport answer))
       hFlush stdout
-      pure (max worst (either (const Unusable) endingOf answer))
+      pure (max worst (either (const Unusable) statusOf answer))
     textOf given = case given of
       Line text -> Right text
       NotUtf8 -> Left "the line is not UTF-8 text"
       TooLong size ->
         Left ("the line has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
 
-endingOf :: Response -> Ending
-endingOf response = case answerOutcome (responseAnswer response) of
+statusOf :: Response -> ExitStatus
+statusOf response = case answerOutcome (responseAnswer response) of
   Unique _ _ -> Answered
   _ -> NotAnswered
 

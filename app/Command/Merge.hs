@@ -1,33 +1,29 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile merge@: the shards of a census as one file.
 module Command.Merge
   ( command,
   )
 where
 
-import Control.Monad (filterM, forM_, unless)
-import Data.Aeson ((.=))
+import CensusChoice
+import Control.Monad (filterM)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
-import Described
-import Ending
+import ExitStatus
 import Files (readBytes)
-import Json
 import Message.Census
-import Options.Applicative hiding (command)
+import Options
 import Output
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
 import SameFile
-import Visible
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "merge"
     "Put the shards of a census together: the file that the census would be if it had been made \
     \in one run. They must be of one census, complete, undamaged, and have no entry in common. If \
@@ -38,29 +34,20 @@ command =
           ( strArgument
               (metavar "FILE..." <> action "file" <> help "Files of 'pra-tactile census --shard'")
           )
-        <*> switch
-          ( long "keep-whole"
-              <> help
-                "Of damaged files, take the rows that are whole; entries that are then missing \
-                \are told"
-          )
-        <*> optional
-          ( strOption
-              ( long "output"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help
-                    "Write to a file, which is none of the shards, instead of the standard output"
-              )
-          )
-        <*> switch (long "json" <> help "With --output, tell as JSON what was written")
+        <*> keepWholeSwitch
+          "Of damaged files, take the rows that are whole; entries that are then missing are told"
+        <*> optionalFile
+          "output"
+          "FILE"
+          "Write to a file, which is none of the shards, instead of the standard output"
+        <*> jsonSwitch "With --output, tell as JSON what was written"
     )
 
-run :: [FilePath] -> Bool -> Maybe FilePath -> Bool -> IO Ending
-run files keepWhole output asJson = do
-  forM_ output $ \file -> do
+run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO ExitStatus
+run files damage output form = do
+  for_ output $ \file -> do
     inputs <- filterM (sameFile file) files
-    forM_ (take 1 inputs) $ \input ->
+    for_ (take 1 inputs) $ \input ->
       unusable
         ( "the output "
             ++ file
@@ -68,34 +55,19 @@ run files keepWhole output asJson = do
             ++ input
             ++ ", which would be lost; give another --output"
         )
-  (shards, notes) <- unzip <$> mapM (shard keepWhole) files
-  (form, merged) <- orUnusable mergeMessage (mergeShards shards)
+  (shards, notes) <- unzip <$> mapM (shard damage) files
+  (rowForm, merged) <- orUnusable mergeMessage (mergeShards shards)
   mapM_ warn (concat notes)
-  let text = encodeCensus form (map rowText merged)
+  let text = encodeCensus rowForm (map rowText merged)
+      provedOnes = length (filter (foundProved . rowFindings) merged)
   maybe (Lazy8.putStr text) (`writeWhole` text) output
-  maybe
-    (pure ())
-    (report (length merged) (length (filter (foundProved . rowFindings) merged)))
-    output
+  for_ output $ \file -> sayCensus form file (fromIntegral (length merged)) provedOnes
   pure Answered
-  where
-    report entries provedOnes file
-      | asJson =
-        unless (file == "-") $
-          printJson
-            ( "schema" .= ("pra-tactile/census/1" :: String) <> "file" .= nameInJson file
-                <> "entries" .= entries
-                <> "proved" .= provedOnes
-            )
-      | otherwise =
-        sayWritten
-          file
-          (": " ++ show entries ++ " entries, " ++ show provedOnes ++ " of them proved")
 
 -- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to
 -- be said of them. Leaves with status 2 if it is damaged.
-shard :: Bool -> FilePath -> IO (Shard, [String])
-shard keepWhole file = do
+shard :: Damage -> FilePath -> IO (Shard, [String])
+shard damage file = do
   bytes <- readBytes file
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
   let form = contentsForm contents
@@ -103,7 +75,7 @@ shard keepWhole file = do
   case completeRows contents of
     Right rows -> pure (Shard file form rows, unchecked)
     Left _
-      | keepWhole ->
+      | damage == Repaired ->
         let (kept, left) = keptRows contents
             lost = left + length [() | not (Bytes.null (contentsRest contents))]
          in pure

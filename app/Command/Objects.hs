@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile objects@: the objects and where their faces lie on the array; the database of that
 -- mapping.
 module Command.Objects
@@ -9,36 +7,31 @@ where
 
 import ArrayChoice
 import Control.Monad (unless)
-import Data.Aeson (Series, object, (.=))
 import Data.List (intercalate)
-import Data.String (fromString)
-import Described
-import Ending
+import ExitStatus
 import Json
 import Message
-import Options.Applicative hiding (command)
-import Output
+import Options
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Format.Profile
-import PraTactile.Format.Recognition (whereaboutsPairs)
+import PraTactile.Format (encodeObjects, encodeWhereabouts)
+import PraTactile.Format.Profile (profileText)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Store
 import Recognised (whereText)
 import Setup
-import Visible
 
 data Options = Options
   { at :: Maybe Position,
     database :: Maybe FilePath,
     write :: Maybe FilePath,
-    asJson :: Bool
+    form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "objects"
     "List the objects and the place of their faces on the array, look a window's position up, or \
     \write the mapping to an SQLite file."
@@ -52,35 +45,21 @@ command =
     options =
       Options
         <$> optional
-          ( option
+          ( valued
               positionReader
-              ( long "at"
-                  <> metavar "ROW,COLUMN"
-                  <> help
-                    "Tell what lies at the window whose upper left cell is here, counted from 0"
-              )
+              "at"
+              "ROW,COLUMN"
+              "Tell what lies at the window whose upper left cell is here, counted from 0"
           )
-        <*> optional
-          ( strOption
-              ( long "database"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Ask this database instead of the mapping in memory"
-              )
-          )
-        <*> optional
-          ( strOption
-              ( long "write"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help
-                    "Write the mapping to an SQLite file: a new one, or one that this command \
-                    \made, which is replaced"
-              )
-          )
-        <*> switch (long "json" <> help "Print as JSON")
+        <*> optionalFile "database" "FILE" "Ask this database instead of the mapping in memory"
+        <*> optionalFile
+          "write"
+          "FILE"
+          "Write the mapping to an SQLite file: a new one, or one that this command made, \
+          \which is replaced"
+        <*> jsonSwitch "Print as JSON"
 
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options = do
   profile <- chosenProfile choice
   layout <- placementFor profile
@@ -90,30 +69,23 @@ run choice options = do
     (Nothing, Just "-") ->
       unusable "a database cannot be written to the standard output; name a file"
     (Nothing, Just _)
-      | Just _ <-
-          database options ->
+      | Just _ <- database options ->
         unusable "--write makes a database and --database asks one; give one of them"
     (Nothing, Just file) -> do
       create file (profileText profile) layout >>= orUnusable storeMessage
-      if asJson options
-        then
-          printJson
-            ("schema" .= ("pra-tactile/objects-written/1" :: String) <> "file" .= nameInJson file)
-        else sayWritten file ""
-      pure Answered
+      sayWrittenAs (form options) file "" "objects-written/1" mempty
     (Nothing, Nothing) -> do
-      shown <- maybe (pure layout) (stored profile) (database options)
-      if asJson options
-        then printJson (listJson profile shown)
-        else putStr (unlines (listText shown))
-      pure Answered
-  where
-    stored profile file =
-      withStore file (Just (profileText profile)) (pure . storedPlacement)
-        >>= orUnusable storeMessage
+      listed <- maybe (pure layout) (inDatabase profile (pure . storedPlacement)) (database options)
+      printAs (form options) (unlines (listText listed)) (encodeObjects profile listed)
+  pure Answered
+
+-- | What a database that was made for the profile says.
+inDatabase :: Profile -> (Store -> IO a) -> FilePath -> IO a
+inDatabase profile ask file =
+  withStore file (Just (profileText profile)) ask >>= orUnusable storeMessage
 
 -- | What lies at a position, from memory or from the database.
-lookUp :: Profile -> Placement -> Options -> Position -> IO Ending
+lookUp :: Profile -> Placement -> Options -> Position -> IO ()
 lookUp profile layout options position = do
   unless
     (row position < high && column position < wide)
@@ -130,29 +102,17 @@ lookUp profile layout options position = do
   place <- case database options of
     Nothing -> pure (whereabouts layout window position)
     Just file ->
-      withStore
-        file
-        (Just (profileText profile))
-        (\store -> storedWhereabouts store window position)
+      inDatabase profile (\store -> storedWhereabouts store window position) file
         >>= orUnusable storeMessage
-        >>= orUnusable storeMessage
-  if asJson options
-    then
-      printJson
-        ( "schema" .= ("pra-tactile/objects/1" :: String) <> "profile" .= profileValue profile
-            <> "position" .= positionValue position
-            <> mconcat [key .= item | (key, item) <- whereaboutsPairs (Just place)]
-        )
-    else putStrLn (whereText place)
-  pure Answered
+  printAs (form options) (whereText place ++ "\n") (encodeWhereabouts profile position place)
   where
     window = profileWindow profile
     Shape high wide = profileShape profile
 
 listText :: Placement -> [String]
-listText layout = concatMap object' (placementSolids layout)
+listText layout = concatMap solidLines (placementSolids layout)
   where
-    object' body =
+    solidLines body =
       objectText (solidName body) :
         [ "  " ++ faceLine laid
           | laid <- laidFaces layout,
@@ -171,43 +131,3 @@ listText layout = concatMap object' (placementSolids layout)
         [ show (fromRational side :: Double)
           | side <- [spotRight (laidExtent laid), spotDown (laidExtent laid)]
         ]
-
-listJson :: Profile -> Placement -> Series
-listJson profile layout =
-  "schema" .= ("pra-tactile/objects/1" :: String)
-    <> "profile" .= profileValue profile
-    <> "objects" .= map objectValue (placementSolids layout)
-  where
-    objectValue body =
-      object
-        [ "object" .= objectText (solidName body),
-          "vertices"
-            .= object
-              [ keyOf (vertexText v)
-                  .= map (fromRational :: Rational -> Double) [pointX p, pointY p, pointZ p]
-                | (v, p) <- solidVertices body
-              ],
-          "edges"
-            .= [ object
-                   [ "vertices" .= map vertexText [edgeStart e, edgeEnd e],
-                     "faces" .= map (map vertexText . faceVertices) [edgeLeft e, edgeRight e]
-                   ]
-                 | e <- solidEdges body
-               ],
-          "faces"
-            .= [ faceValue laid
-                 | laid <- laidFaces layout,
-                   faceObject (laidFace laid) == solidName body
-               ]
-        ]
-    faceValue laid =
-      object
-        [ "face" .= map vertexText (faceVertices (faceName (laidFace laid))),
-          "position" .= positionValue (laidAt laid),
-          "shape" .= shapeText (laidGrid laid),
-          "size_mm"
-            .= map
-              (fromRational :: Rational -> Double)
-              [spotRight (laidExtent laid), spotDown (laidExtent laid)]
-        ]
-    keyOf = fromString

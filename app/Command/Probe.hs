@@ -7,23 +7,23 @@ module Command.Probe
 where
 
 import ArrayChoice
+import Control.Monad (when)
+import Data.Bifunctor (bimap)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Tuple (swap)
-import Described
 import Drawing (hundredths)
-import Ending
+import ExitStatus
 import Frames (frameFiles)
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PraTactile.Explore
 import PraTactile.Format (encodeTruth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Relief
@@ -39,19 +39,23 @@ data Options = Options
     face :: Maybe String,
     at :: Maybe (Double, Double),
     size :: (Int, Int),
+    -- | quarter turns
     orientation :: Maybe Symmetry,
-    positionError :: Double,
-    noise :: Double,
+    sensor :: SensorChoice,
     seed :: Int,
     origin :: (Double, Double),
-    tell :: Bool,
+    announced :: Announced,
     truthFile :: Maybe FilePath,
     output :: FilePath
   }
 
-command :: Mod CommandFields (IO Ending)
+-- | Whether the true place is printed.
+data Announced = Announced | Unannounced
+  deriving stock (Eq)
+
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "probe"
     "Press the simulated 16 x 16 sensor on an object's face and write the frames, as PGM files \
     \with a manifest, into a new folder."
@@ -60,109 +64,73 @@ command =
       \--output frames",
       "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json"
     ]
-    (run <$> arrayChoice <*> options)
+    (run <$> arrayChoice <*> optionsParser)
+
+optionsParser :: Parser Options
+optionsParser =
+  Options
+    <$> strOption
+      ( long "object"
+          <> metavar "NAME"
+          <> completeWith ["cube", "parallelepiped"]
+          <> help "The object: cube or parallelepiped"
+      )
+    <*> optional
+      (valued str "face" "VERTICES" "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)")
+    <*> optional
+      ( valued
+          place
+          "at"
+          "X,Y"
+          "The region's upper left corner on the face, mm to the right and down from the face's \
+          \upper left vertex (default: drawn by chance)"
+      )
+    <*> sizeOption
+    <*> optional turnOption
+    <*> sensorOptions
+    <*> seedOption mempty
+    <*> option
+      place
+      ( long "origin"
+          <> metavar "X,Y"
+          <> value (0, 0)
+          <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
+      )
+    <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
+    <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
+    <*> strOption
+      ( long "output"
+          <> metavar "FOLDER"
+          <> action "directory"
+          <> help "A folder that is new or empty"
+      )
   where
-    options =
-      Options
-        <$> strOption
-          ( long "object"
-              <> metavar "NAME"
-              <> completeWith ["cube", "parallelepiped"]
-              <> help "The object: cube or parallelepiped"
-          )
-        <*> optional
-          ( strOption
-              ( long "face"
-                  <> metavar "VERTICES"
-                  <> help "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)"
-              )
-          )
-        <*> optional
-          ( option
-              (pairReader ',' "12.7,40")
-              ( long "at"
-                  <> metavar "X,Y"
-                  <> help
-                    "The region's upper left corner on the face, mm to the right and down from \
-                    \the face's upper left vertex (default: drawn by chance)"
-              )
-          )
-        <*> option
-          (pairReader 'x' "40x52")
-          ( long "size"
-              <> metavar "WIDTHxHEIGHT"
-              <> value standardRegionSize
-              <> help "The region in taxels (default 40x52)"
-          )
-        <*> optional
-          ( flag'
-              identity
-              ( long "upright"
-                  <> help
-                    "The face lies upright in the robot's frame (default: so or turned by 180 \
-                    \degrees, by chance)"
-              )
-              <|> flag' (turned 2) (long "turned" <> help "The face lies turned by 180 degrees")
-              <|> option
-                turnReader
-                ( long "turn"
-                    <> metavar "0|90|180|270"
-                    <> completeWith (map fst turns)
-                    <> help "The face lies turned clockwise by so many degrees"
-                )
-          )
-        <*> option
-          decimalReader
-          ( long "position-error"
-              <> metavar "SIGMA"
-              <> value (sensorPositionError standardSensor)
-              <> showDefault
-              <> help "Standard deviation of each frame's position, taxels, on both axes"
-          )
-        <*> option
-          decimalReader
-          ( long "noise"
-              <> metavar "SD"
-              <> value (sensorNoise standardSensor)
-              <> showDefault
-              <> help "Standard deviation of the noise, as a share of full scale"
-          )
-        <*> option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw")
-        <*> option
-          (pairReader ',' "12.7,40")
-          ( long "origin"
-              <> metavar "X,Y"
-              <> value (0, 0)
-              <> help "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
-          )
-        <*> switch (long "tell" <> help "Print the true place")
-        <*> optional
-          ( strOption
-              ( long "truth"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Write the true place as JSON, for 'compare'"
-              )
-          )
-        <*> strOption
-          ( long "output"
-              <> metavar "FOLDER"
-              <> action "directory"
-              <> help "A folder that is new or empty"
-          )
+    place = pairReader ',' "12.7,40"
 
-turnReader :: ReadM Symmetry
-turnReader = namedReader "quarter turn" turns
+-- | How the face lies turned.
+turnOption :: Parser Symmetry
+turnOption =
+  flag'
+    identity
+    ( long "upright"
+        <> help
+          "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by \
+          \chance)"
+    )
+    <|> flag' (turned 2) (long "turned" <> help "The face lies turned by 180 degrees")
+    <|> choosing
+      "quarter turn"
+      [(show (degreesClockwise symmetry :: Int), symmetry) | symmetry <- rotations]
+      "turn"
+      "0|90|180|270"
+      "The face lies turned clockwise by so many degrees"
+      mempty
 
--- | The rotations by their degrees.
-turns :: [(String, Symmetry)]
-turns = [(show (degreesClockwise symmetry :: Int), symmetry) | symmetry <- rotations]
-
-run :: ArrayChoice -> Options -> IO Ending
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
-  | not (positionError options >= 0 && positionError options < 1000) =
+  | not (positionSigma (sensor options) >= 0 && positionSigma (sensor options) < 1000) =
     unusable "--position-error is a number of taxels from 0 up"
-  | not (noise options >= 0 && noise options < 1000) =
+  | not (noiseSd (sensor options) >= 0 && noiseSd (sensor options) < 1000) =
     unusable "--noise is a share of full scale from 0 up"
   | any (not . (< 1e6) . abs) [fst (origin options), snd (origin options)] =
     unusable "--origin is a place in millimetres"
@@ -172,71 +140,75 @@ run choice options
     layout <- placementFor profile
     alphabet <- shippedAlphabet
     faces <- objectsNamed layout (object options)
-    (pressed, generator) <-
-      maybe
-        (drawnFace faces (mkStdGen (seed options)))
-        (\named -> flip (,) (mkStdGen (seed options)) <$> chosenFace faces named)
-        (face options)
+    (pressed, generator) <- pressedFace options faces
     heights <-
       orUnusable reliefMessage
         =<< orUnusable
           profileMessage
           (withProfile profile (\array _ -> relief array layout alphabet pressed))
-    (drawn, generator1) <-
-      maybe
-        (unusable (tooLarge pressed))
-        pure
-        (randomRegion (maybe halfTurns pure (orientation options)) (size options) pressed generator)
-    let region = placed drawn
-        sensor =
-          standardSensor {sensorPositionError = positionError options, sensorNoise = noise options}
-    if fits pressed region then pure () else unusable (tooLarge pressed)
-    (frames, _) <- orUnusable probeMessage (explore sensor heights region generator1)
-    writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
-    putStrLn
-      ( "wrote "
-          ++ show (length frames)
-          ++ " frames and their manifest to "
-          ++ visibleName (output options)
-      )
-    let known = Truth (laidFace pressed) region (origin options)
-    for_
-      (truthFile options)
-      (\file -> writeWhole file (Lazy.fromStrict (encodeTruth known <> "\n")))
-    if tell options then putStrLn (truth pressed region) else pure ()
+    (region, generator1) <- pressedRegion options pressed generator
+    (frames, _) <-
+      orUnusable probeMessage (explore (chosenSensor (sensor options)) heights region generator1)
+    written options frames (Truth (laidFace pressed) region (origin options))
     pure Answered
+
+-- | The face asked for, or one drawn with equal chances.
+pressedFace :: Options -> [LaidFace] -> IO (LaidFace, StdGen)
+pressedFace options faces = case face options of
+  Nothing -> drawnFace faces generator
+  Just vertices -> flip (,) generator <$> chosenFace faces vertices
+  where
+    generator = mkStdGen (seed options)
+
+-- | A region drawn by chance, but where and how it is asked for; leaves with status 2 where it does
+-- not lie on the face.
+pressedRegion :: Options -> LaidFace -> StdGen -> IO (Region, StdGen)
+pressedRegion options pressed generator =
+  case randomRegion (maybe halfTurns pure (orientation options)) (size options) pressed generator of
+    Just (drawn, generator1)
+      | fits (placed drawn) -> pure (placed drawn, generator1)
+    _ -> unusable tooLarge
   where
     placed = maybe id atPlace (at options)
-    moved frame =
-      let pose =
-            framePose frame
-       in frame
-            { framePose =
-                pose
-                  { poseX = poseX pose + fst (origin options),
-                    poseY = poseY pose + snd (origin options)
-                  }
-            }
-    atPlace (x, y) r = r {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
-    fits pressed region =
-      regionRight region >= 0 && regionDown region >= 0
-        && taxelPitch * (regionRight region + fromIntegral (fst (regionExtent region)))
-          <= fromRational (spotRight (laidExtent pressed)) + 1e-9
-        && taxelPitch * (regionDown region + fromIntegral (snd (regionExtent region)))
-          <= fromRational (spotDown (laidExtent pressed)) + 1e-9
-    tooLarge pressed =
-      "the region, " ++ sizeText (both ((taxelPitch *) . fromIntegral) onTheFace)
+    atPlace (x, y) region = region {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
+    fits region =
+      within regionRight fst spotRight region && within regionDown snd spotDown region
+    within offset side extent region =
+      offset region >= 0
+        && taxelPitch * (offset region + fromIntegral (side (regionExtent region)))
+          <= fromRational (extent (laidExtent pressed)) + 1e-9
+    tooLarge =
+      "the region, " ++ sizeText (bimap millimetres millimetres onTheFace)
         ++ maybe "" (\(x, y) -> " mm from " ++ hundredths x ++ "," ++ hundredths y) (at options)
         ++ " mm, does not lie on the face "
         ++ faceText (faceName (laidFace pressed))
         ++ ", which is "
         ++ sizeText (spotMillimetres (laidExtent pressed))
         ++ " mm; choose another --size or --at"
-    onTheFace
-      | maybe False exchangesAxes (orientation options) = swap (size options)
-      | otherwise = size options
+    onTheFace = (if maybe False exchangesAxes (orientation options) then swap else id) (size options)
+    millimetres taxels = taxelPitch * fromIntegral taxels
     sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
-    both f (a, b) = (f a, f b)
+
+-- | Write the frames, in the robot's coordinates, and the truth, as far as that is asked for.
+written :: Options -> [Frame] -> Truth -> IO ()
+written options frames truth = do
+  writeFolder (output options) =<< orUnusable imageMessage (frameFiles (map moved frames))
+  putStrLn
+    ( "wrote "
+        ++ show (length frames)
+        ++ " frames and their manifest to "
+        ++ visibleName (output options)
+    )
+  for_ (truthFile options) $ \file ->
+    writeWhole file (Lazy.fromStrict (encodeTruth truth <> "\n"))
+  when (announced options == Announced) (putStrLn (truthText truth))
+  where
+    moved frame = frame {framePose = movedPose (framePose frame)}
+    movedPose pose =
+      pose
+        { poseX = poseX pose + fst (origin options),
+          poseY = poseY pose + snd (origin options)
+        }
 
 -- | One of the faces, with equal chances.
 drawnFace :: [LaidFace] -> StdGen -> IO (LaidFace, StdGen)
@@ -250,12 +222,14 @@ drawnFace faces generator = case faces of
       b : _ | i > 0 -> b
       _ -> a
 
-truth :: LaidFace -> Region -> String
-truth pressed region =
+truthText :: Truth -> String
+truthText truth =
   unwords
     [ "truth: face",
-      faceText (faceName (laidFace pressed)) ++ ", region from",
+      faceText (faceName (truthFace truth)) ++ ", region from",
       uncurry (printf "%.2f,%.2f") (regionCorner region),
       "mm,",
       orientationText (regionSymmetry region)
     ]
+  where
+    region = truthRegion truth

@@ -5,16 +5,15 @@ module Command.Profile
 where
 
 import ArrayChoice
-import Described
-import Ending
+import ExitStatus
 import Message (profileMessage)
-import Options.Applicative hiding (command)
+import Options
 import PraTactile.Format.Profile
 import PraTactile.Profile (withProfile)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "profile"
     "Print the profile as JSON: every convention on which implementations must agree."
     [ "pra-tactile profile",
@@ -23,7 +22,7 @@ command =
     ]
     (run <$> arrayChoice)
 
-run :: ArrayChoice -> IO Ending
+run :: ArrayChoice -> IO ExitStatus
 run choice = do
   profile <- chosenProfile choice
   orUnusable profileMessage (withProfile profile (\_ _ -> ()))

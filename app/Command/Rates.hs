@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile rates@: how often damaged patches are located right, wrong, or refused.
 module Command.Rates
   ( command,
@@ -7,30 +5,30 @@ module Command.Rates
 where
 
 import ArrayChoice
-import Control.Monad (foldM, forM, forM_, unless)
+import Control.Monad (foldM, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
-import Data.Aeson ((.=))
+import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
-import Described
-import Ending
-import Json
+import Data.Traversable (for)
+import ExitStatus
 import Message
-import Options.Applicative hiding (columns, command)
+import Options
 import Output
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
-import PraTactile.Format.Profile
+import PraTactile.Format.Rates
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Profile
 import PraTactile.Rates
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import Progress
 import RatesPlot
 import RatesTable
 import SvgFile
-import System.IO (hFlush, hIsTerminalDevice, stdout)
+import System.IO (hFlush, stdout)
 
-data Form = Text | Csv | Json
+data Format = Text | Csv | Json
   deriving stock (Eq)
 
 data Options = Options
@@ -42,93 +40,64 @@ data Options = Options
     radius :: Radius,
     trials :: Int,
     seed :: Int,
-    form :: Form,
+    format :: Format,
     plot :: Maybe FilePath
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "rates"
-    ( "Tell how often damaged patches are located right, wrong, or refused: simulated from a \
-      \seed, decoded from symbols to the guaranteed "
-        ++ "radius, or a stated one (hard) and from probabilities (soft), beside the exact rates \
-           \of the weight enumerator."
-    )
+    "Tell how often damaged patches are located right, wrong, or refused: simulated from a seed, \
+    \decoded from symbols to the guaranteed radius, or a stated one (hard) and from probabilities \
+    \(soft), beside the exact rates of the weight enumerator."
     [ "pra-tactile rates --trials 2000",
       "pra-tactile rates --size 4x4 --errors 2 --erasures 15 --trials 20000",
       "pra-tactile rates --size 4x4 --errors 20 --radius 6",
       "pra-tactile rates --trials 2000 --plot rates.svg"
     ]
-    (run <$> arrayChoice <*> options)
-  where
-    options =
-      Options
-        <$> several
-          [Shape n n | n <- [2 .. 5]]
-          ( option
-              shapeReader
-              ( long "size"
-                  <> metavar "ROWSxCOLUMNS"
-                  <> help "A patch (default: 2x2, 3x3, 4x4 and 5x5); may be repeated"
-              )
-          )
-        <*> several
-          [0.6, 2, 5, 10]
-          ( option
-              decimalReader
-              ( long "errors"
-                  <> metavar "PERCENT"
-                  <> help
-                    "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be \
-                    \repeated"
-              )
-          )
-        <*> several
-          [0, 15]
-          ( option
-              decimalReader
-              ( long "erasures"
-                  <> metavar "PERCENT"
-                  <> help "Cells that were not observed (default: 0 and 15); may be repeated"
-              )
-          )
-        <*> radiusOption
-          "Hard decoding corrects up to N wrong cells (default: as many as the observed cells \
-          \guarantee)"
-        <*> option
-          intReader
-          ( long "trials"
-              <> metavar "N"
-              <> value 10000
-              <> showDefault
-              <> help "Trials a line of the table"
-          )
-        <*> option
-          intReader
-          (long "seed" <> metavar "N" <> value 1 <> showDefault <> help "Seed of every random draw")
-        <*> option
-          formReader
-          ( long "format"
-              <> metavar "text|csv|json"
-              <> completeWith ["text", "csv", "json"]
-              <> value Text
-              <> help "The form of the table (default text)"
-          )
-        <*> optional
-          ( strOption
-              ( long "plot"
-                  <> metavar "FILE.svg"
-                  <> action "file"
-                  <> help
-                    "Draw the table as well, into an SVG file; - is the standard output, in setup \
-                    \of the table"
-              )
-          )
-    several standard one = some one <|> pure standard
-    formReader = namedReader "form" [("text", Text), ("csv", Csv), ("json", Json)]
+    (run <$> arrayChoice <*> optionsParser)
 
-run :: ArrayChoice -> Options -> IO Ending
+optionsParser :: Parser Options
+optionsParser =
+  Options
+    <$> several
+      [Shape n n | n <- [2 .. 5]]
+      ( valued
+          shapeReader
+          "size"
+          "ROWSxCOLUMNS"
+          "A patch (default: 2x2, 3x3, 4x4 and 5x5); may be repeated"
+      )
+    <*> percent
+      [0.6, 2, 5, 10]
+      "errors"
+      "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"
+    <*> percent
+      [0, 15]
+      "erasures"
+      "Cells that were not observed (default: 0 and 15); may be repeated"
+    <*> radiusOption
+      "Hard decoding corrects up to N wrong cells (default: as many as the observed cells \
+      \guarantee)"
+    <*> defaulting 10000 intReader "trials" "N" "Trials a line of the table"
+    <*> seedOption (value 1 <> showDefault)
+    <*> choosing
+      "form"
+      [("text", Text), ("csv", Csv), ("json", Json)]
+      "format"
+      "text|csv|json"
+      "The form of the table (default text)"
+      (value Text)
+    <*> optionalFile
+      "plot"
+      "FILE.svg"
+      "Draw the table as well, into an SVG file; - is the standard output, in place of the table"
+  where
+    several standard one = some one <|> pure standard
+    percent standard name text = several standard (valued decimalReader name "PERCENT" text)
+
+run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | trials options < 1 = unusable "--trials is a number from 1 up"
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) =
@@ -139,98 +108,98 @@ run choice options
     let on array mask =
           either
             (unusable . locateMessage)
-            (tables profile options)
+            (table profile options)
             (buildCodebook (naturalSurface (arrayFolding array)) array mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
+-- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
+-- wrong and missing cells, per cent.
+data Setting k = Setting
+  { settingTrials :: TrialSetup k,
+    settingSize :: Shape,
+    settingExact :: Damage -> Maybe Rates,
+    settingErrors :: Double,
+    settingErasures :: Double
+  }
+
+type role Setting nominal
+
 -- | Check what depends on the array, print the lines as they are made, and draw them.
-tables :: KnownField k => Profile -> Options -> Codebook k -> IO Ending
-tables profile options shelf = do
-  forM_ (errors options) $ \p -> if p >= 0 && p < chance then pure () else unusable tooWrong
-  setups <- forM (sizes options) $ \size -> do
-    mask <- orUnusable windowMessage (rectangle size)
-    setup <- orUnusable setupMessage (trialSetup shelf size)
-    pure (size, setup, exactRates (radius options) shelf mask)
+table :: KnownField k => Profile -> Options -> Codebook k -> IO ExitStatus
+table profile options codebook = do
+  settings <- settingsOf options codebook
   for_ (plot options) orUnwritable
-  printsAsItGoes <- (form options /= Json &&) <$> hIsTerminalDevice stdout
-  let total =
-        toInteger (length setups * length (errors options) * length (erasures options))
-          * toInteger (trials options)
-      cases =
-        [ (size, setup, exact, p, s)
-          | (size, setup, exact) <- setups,
-            s <- erasures options,
-            p <- errors options
-        ]
-      perLine = toInteger (trials options)
-      -- Lines and a bar on one terminal would run into each other.
-      watched act = if printsAsItGoes then act (const (pure ())) else withProgress total 0 act
-  case form options of
-    Text -> say (heading (radius options))
-    Csv -> say (csvHeading ++ "\n")
-    Json -> pure ()
-  made <- watched $ \tell -> forM (zip [0 ..] cases) $ \(i, (size, setup, exact, p, s)) -> do
-    l <- line options setup size exact p s (\n -> tell (i * perLine + toInteger n))
-    case form options of
-      Text -> say (lineText l ++ "\n") >> hFlush stdout
-      Csv -> say (lineCsv l ++ "\n") >> hFlush stdout
-      Json -> pure ()
-    pure l
-  case form options of
+  let total = toInteger (length settings) * perLine
+      say = unless drawnOnly . putStr
+  say (opening options)
+  made <- besideOutput printing total $ \tick ->
+    for (zip [0 ..] settings) $ \(i, setting) -> do
+      l <- line options setting (\n -> tick (i * perLine + toInteger n))
+      say (lineAs (format options) l) >> hFlush stdout
+      pure l
+  case format options of
     Text -> say (checksHeading ++ unlines (map checksText made) ++ checksOfAll made)
     Csv -> pure ()
-    Json ->
-      unless drawnOnly $
-        printJson
-          ( "schema" .= ("pra-tactile/rates/1" :: String) <> "profile" .= profileValue profile
-              <> "trials" .= trials options
-              <> "seed" .= seed options
-              <> "radius" .= stated
-              <> "rates" .= map lineValue made
-          )
+    Json -> unless drawnOnly (Bytes.putStrLn (encodeRates (report made)))
   for_ (plot options) $ \file -> writeWhole file (ratesSvg (seed options) made)
   pure Answered
   where
     drawnOnly = plot options == Just standardOutput
-    say = unless drawnOnly . putStr
-    stated = case radius options of
-      Guaranteed -> Nothing
-      UpTo e -> Just (naturalValue e)
+    perLine = toInteger (trials options)
+    printing = if format options == Json then NotPrinting else Printing
+    report made =
+      RatesReport
+        { ratesProfile = profile,
+          ratesTrials = trials options,
+          ratesSeed = seed options,
+          ratesRadius = radius options,
+          ratesLines = made
+        }
+
+-- | What is printed before the lines.
+opening :: Options -> String
+opening options = case format options of
+  Text -> heading (radius options)
+  Csv -> csvHeading ++ "\n"
+  Json -> ""
+
+-- | A line as it is printed once it is made.
+lineAs :: Format -> Line -> String
+lineAs how l = case how of
+  Text -> lineText l ++ "\n"
+  Csv -> lineCsv l ++ "\n"
+  Json -> ""
+
+-- | All lines, size by size.
+settingsOf :: KnownField k => Options -> Codebook k -> IO [Setting k]
+settingsOf options codebook = do
+  unless (all (\p -> p >= 0 && p < chance) (errors options)) (unusable tooWrong)
+  concat <$> for (sizes options) withSize
+  where
+    withSize size = do
+      mask <- orUnusable windowMessage (rectangle size)
+      setup <- orUnusable setupMessage (trialSetup codebook size)
+      let exact = exactRates (radius options) codebook mask
+      pure [Setting setup size exact p s | s <- erasures options, p <- errors options]
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
-    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray shelf)))
+    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray codebook)))
     tooWrong =
       "--errors is a share from 0 to below "
         ++ numberText chance
         ++ " per cent, at which symbols are guessed"
 
--- | Simulate a line, telling how many trials are done.
-line ::
-  KnownField k =>
-  Options ->
-  TrialSetup k ->
-  Shape ->
-  (Damage -> Maybe Rates) ->
-  Double ->
-  Double ->
-  (Int -> IO ()) ->
-  IO Line
-line options setup size exactly p s tell = do
-  counts <-
-    foldM
-      add
-      noTrials
-      ( withStrategy
-          (parBuffer 8 rseq)
-          (simulations (radius options) setup damage (trials options) (seed options))
-      )
+-- | Simulate a line, given what to do when some more trials are done.
+line :: KnownField k => Options -> Setting k -> (Int -> IO ()) -> IO Line
+line options setting tick = do
+  counts <- foldM add noTrials (withStrategy (parBuffer 8 rseq) simulated)
   let hard = hardRates counts
-      exact = exactly damage
+      exact = settingExact setting damage
       share = maybe (rateWrong hard) rateWrong exact
   pure
     Line
-      { lineSize = size,
-        lineErrors = p,
-        lineErasures = s,
+      { lineSize = settingSize setting,
+        lineErrors = settingErrors setting,
+        lineErasures = settingErasures setting,
         lineTrials = trials options,
         lineHard = hard,
         lineExact = exact,
@@ -239,9 +208,11 @@ line options setup size exactly p s tell = do
         lineCalibration = calibration tolerated counts
       }
   where
-    damage = Damage (p / 100) (s / 100)
+    simulated =
+      simulations (radius options) (settingTrials setting) damage (trials options) (seed options)
+    damage = Damage (settingErrors setting / 100) (settingErasures setting / 100)
     tolerated = 0.001
     add counts part = do
       let counts' = merge [counts, part]
-      counts' `seq` tell (tallyTrials counts')
+      counts' `seq` tick (tallyTrials counts')
       pure counts'

@@ -1,5 +1,3 @@
-{-# LANGUAGE OverloadedStrings #-}
-
 -- | @pra-tactile sequence@: terms of the m-sequence, from wherever one likes.
 module Command.Sequence
   ( command,
@@ -7,24 +5,24 @@ module Command.Sequence
 where
 
 import ArrayChoice
-import Data.Aeson (toJSON, (.=))
 import qualified Data.ByteString.Builder as Builder
+import qualified Data.ByteString.Lazy.Char8 as Lazy8
+import Data.List (intersperse)
 import qualified Data.Vector.Primitive as Primitive
-import Described
-import Ending
-import Json
+import ExitStatus
 import Message (profileMessage)
-import Options.Applicative hiding (command)
+import Numeric.Natural (Natural)
+import Options
 import PraTactile.Array (PseudorandomArray, arrayPrimitive, arrayState)
 import PraTactile.Field (KnownField, toCode)
-import PraTactile.Format.Profile
+import PraTactile.Format (encodeTerms)
 import PraTactile.Profile
 import PraTactile.Sequence
 import System.IO (stdout)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "sequence"
     "Print terms of the m-sequence as codes: forward from any term, which is jumped to, or from \
     \before the first; --shape may be left out."
@@ -32,12 +30,7 @@ command =
       "pra-tactile sequence --q 4 --polynomial 3,2,1,0,1 --from 1000000000000000000 --length 40",
       "pra-tactile sequence --from=-3 --json"
     ]
-    ( run
-        <$> arrayChoice
-        <*> from
-        <*> count
-        <*> switch (long "json" <> help "Print the terms as JSON")
-    )
+    (run <$> arrayChoice <*> from <*> count <*> jsonSwitch "Print the terms as JSON")
   where
     from =
       option
@@ -49,37 +42,24 @@ command =
         )
     count =
       option
-        (toInteger <$> naturalReader)
+        naturalReader
         (long "length" <> metavar "NUMBER" <> value 40 <> help "How many terms (default: 40)")
 
-run :: ArrayChoice -> Integer -> Integer -> Bool -> IO Ending
-run choice from count asJson = do
+run :: ArrayChoice -> Integer -> Natural -> AnswerForm -> IO ExitStatus
+run choice from count form = do
   profile <- chosenSequence choice
-  codes <- orUnusable profileMessage (withProfile profile (\array _ -> codesFrom array from count))
-  if asJson
-    then
-      printJson
-        ( "schema" .= ("pra-tactile/sequence/1" :: String)
-            <> "profile" .= profileValue profile
-            <> "from" .= integerValue
-            <> "length" .= naturalValue (fromInteger count)
-            <> "terms" .= codes
-        )
-    else Builder.hPutBuilder stdout (spaced (map Builder.intDec codes) <> Builder.char7 '\n')
+  codes <-
+    orUnusable
+      profileMessage
+      (withProfile profile (\array _ -> codesFrom array from (toInteger count)))
+  case form of
+    AsText -> Builder.hPutBuilder stdout (spaced (map Builder.intDec codes) <> Builder.char7 '\n')
+    AsJson -> Lazy8.putStrLn (encodeTerms profile from count codes)
   pure Answered
   where
-    integerValue =
-      if from >= 0
-        then naturalValue (fromInteger from)
-        else
-          if abs from < 2 ^ (53 :: Int)
-            then toJSON from
-            else toJSON (show from)
-    spaced words' = case words' of
-      [] -> mempty
-      w : more -> w <> foldMap (Builder.char7 ' ' <>) more
+    spaced = mconcat . intersperse (Builder.char7 ' ')
 
--- | So many terms from an index on, block by block.
+-- | Terms from an index on, this many, block by block.
 codesFrom :: KnownField k => PseudorandomArray k -> Integer -> Integer -> [Int]
 codesFrom array from count
   | count <= 0 = []

@@ -4,16 +4,15 @@ module Command.Shapes
   )
 where
 
-import ArrayChoice (intReader)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.IO as Text
-import Described
-import Ending
+import ExitStatus
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output (writeWhole)
 import PraTactile.Shape
 import PraTactile.Shape.Design
@@ -28,9 +27,9 @@ data Options = Options
     output :: Maybe FilePath
   }
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "shapes"
     "Draw the four embossed shapes with the table of their distances, or run the search that \
     \designed them."
@@ -46,25 +45,11 @@ command =
           ( long "design"
               <> help "Run the search again (some seconds) and write the alphabet it finds"
           )
-        <*> option
-          intReader
-          ( long "seed"
-              <> metavar "N"
-              <> value paperSeed
-              <> showDefault
-              <> help "Seed of the search"
-          )
+        <*> defaulting paperSeed intReader "seed" "N" "Seed of the search"
         <*> switch (long "svg" <> help "Draw the shipped shapes as SVG")
-        <*> optional
-          ( strOption
-              ( long "output"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Write to a file instead of the standard output"
-              )
-          )
+        <*> outputFileOption
 
-run :: Options -> IO Ending
+run :: Options -> IO ExitStatus
 run options
   | designing options = do
     (found, report) <-
@@ -74,7 +59,7 @@ run options
           0
           (`follow` designSteps (seed options) paperParameters)
     write (renderAlphabet found)
-    maybe (pure ()) (const (Text.putStr (renderReport found report))) (output options)
+    for_ (output options) (const (Text.putStr (renderReport found report)))
     pure Answered
   | otherwise = do
     shipped <- shippedAlphabet

@@ -10,30 +10,27 @@ where
 
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
-import Described
-import Ending
+import ExitStatus
 import Frames
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
 import PraTactile.Probe (Frame)
 import PraTactile.Stitch
-import Readers
 import System.FilePath (takeExtension)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "stitch"
     "Assemble the frames of a folder into one composite image, correcting their positions by \
     \cross-correlation."
     ["pra-tactile stitch frames --output composite.pgm"]
     ( run <$> assemblyOptions
         <*> strArgument (metavar "FOLDER" <> action "directory")
-        <*> strOption
-          (long "output" <> metavar "FILE" <> action "file" <> help "The composite, .pgm or .png")
+        <*> fileOption "output" "FILE" "The composite, .pgm or .png"
     )
 
 -- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
@@ -43,29 +40,21 @@ type Assembly = Maybe Registration
 assemblyOptions :: Parser Assembly
 assemblyOptions =
   flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
-    <|> ( Just
-            <$> ( registrationFor
-                    <$> option
-                      decimalReader
-                      ( long "position-error"
-                          <> metavar "SIGMA"
-                          <> value 1
-                          <> showDefault
-                          <> help
-                            "Standard deviation of each frame's position that the robot is known \
-                            \for, taxels"
-                      )
-                    <*> option
-                      decimalReader
-                      ( long "noise"
-                          <> metavar "SD"
-                          <> value 0.1
-                          <> showDefault
-                          <> help
-                            "Standard deviation of the sensor's noise, as a share of full scale"
-                      )
-                )
-        )
+    <|> Just
+      <$> ( registrationFor
+              <$> defaulting
+                1
+                decimalReader
+                "position-error"
+                "SIGMA"
+                "Standard deviation of each frame's position that the robot is known for, taxels"
+              <*> defaulting
+                0.1
+                decimalReader
+                "noise"
+                "SD"
+                "Standard deviation of the sensor's noise, as a share of full scale"
+          )
 
 -- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full
 -- scale); an error of less than a hundredth of a taxel is taken as that, because a prior without
@@ -81,7 +70,7 @@ registrationFor sigma noise =
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
 assemble = maybe placeOnly stitch
 
-run :: Assembly -> FilePath -> FilePath -> IO Ending
+run :: Assembly -> FilePath -> FilePath -> IO ExitStatus
 run way folder output = do
   encoder <- case map toLower (takeExtension output) of
     ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)

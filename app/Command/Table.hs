@@ -5,23 +5,22 @@ module Command.Table
 where
 
 import ArrayChoice
-import Command.Prove (surfaceOption)
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.List (intercalate)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Vector
-import Described
-import Ending
-import Json
+import ExitStatus
 import Message
 import Numeric (showHex)
 import Numeric.Natural (Natural)
-import Options.Applicative hiding (command)
+import Options
 import Output (writeWhole)
-import PraTactile.Array (Position (..), Shape (..), Surface (..))
-import PraTactile.Format.Profile
+import PraTactile.Array (Position (..), Shape (..), Surface, area)
+import PraTactile.Format.Name (surfaceName)
+import PraTactile.Format.Profile (profileText)
 import PraTactile.Locate
 import PraTactile.Profile
 import Progress
@@ -31,56 +30,41 @@ import System.IO (stdout)
 data Format = Csv | C | Mem
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "table"
     "Print the memory table: each packed window's position, as CSV, as a C array, or as a memory \
     \image for $readmemh."
     [ "pra-tactile table --format csv",
       "pra-tactile table --format c > table.h"
     ]
-    ( run
-        <$> arrayChoice
-        <*> surfaceOption
-        <*> format
-        <*> optional
-          ( strOption
-              ( long "output"
-                  <> metavar "FILE"
-                  <> action "file"
-                  <> help "Write to a file instead of the standard output"
-              )
-          )
-    )
+    (run <$> arrayChoice <*> surfaceOption <*> format <*> outputFileOption)
   where
     format =
       option
-        (eitherReader formatNamed)
+        (namedReaderBy (map toLower) "format" formats)
         ( long "format"
             <> metavar "FORMAT"
-            <> completeWith ["csv", "c", "mem"]
+            <> completeWith (map fst formats)
             <> value Csv
             <> help "csv, c or mem (default: csv)"
         )
-    formatNamed name = case map toLower name of
-      "csv" -> Right Csv
-      "c" -> Right C
-      "mem" -> Right Mem
-      _ -> Left (show name ++ " is not a format; choose csv, c or mem")
+    formats = [("csv", Csv), ("c", C), ("mem", Mem)]
 
-run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO Ending
+run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus
 run choice chosen format output = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
-      told table = (tableSize table, rendered format profile on table)
-      built array mask = told <$> buildTable (profilePacking profile) on array mask
+      sizeAndText table = (tableSize table, rendered format profile on table)
+      built array mask = sizeAndText <$> buildTable (profilePacking profile) on array mask
   (size, rendering) <-
     orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
-  (heading, rows', end) <- maybe (unusable repeated) pure rendering
-  besideOutput (output `elem` [Nothing, Just "-"]) (toInteger size) $ \tell -> do
-    body <- tellingAsRead tell (inPieces rows')
-    let text = Builder.toLazyByteString heading <> body <> Builder.toLazyByteString end
+  (heading, body, end) <- maybe (unusable repeated) pure rendering
+  let meanwhile = if output `elem` [Nothing, Just "-"] then Printing else NotPrinting
+  besideOutput meanwhile (toInteger size) $ \tell -> do
+    pieces <- tellingAsRead tell (inPieces body)
+    let text = Builder.toLazyByteString heading <> pieces <> Builder.toLazyByteString end
     maybe (Lazy.hPutStr stdout) writeWhole output text
   pure Answered
   where
@@ -99,65 +83,77 @@ inPieces given = case splitAt 4096 given of
     (toInteger (maximum (map fst piece)) + 1, Builder.toLazyByteString (foldMap snd piece)) :
     inPieces more
 
--- | The table before its rows, the rows, and what follows them; positions are linear, row * columns
--- + column, where a word must hold them. 'Nothing' where a word would have to hold several.
+-- | The table before its rows, the rows, and what follows them. 'Nothing' where a word would have
+-- to hold several positions.
 rendered :: Format -> Profile -> Surface -> Table k -> Maybe (Builder, [Row], Builder)
 rendered format profile on table = case format of
-  Csv ->
-    Just
-      ( line "window,row,column",
-        [ (packed, line (show packed ++ "," ++ show r ++ "," ++ show c))
-          | (packed, places) <- tableEntries table,
-            Position r c <- places
-        ],
-        mempty
-      )
-  _ | Vector.elem severalCode positions -> Nothing
-  C ->
-    Just
-      ( foldMap line heading,
-        [ (packed, line ("  " ++ maybe (macro ++ "_NONE") show at ++ ","))
-          | (packed, at) <- addresses
-        ],
-        line "};"
-      )
-  Mem ->
-    Just
-      ( foldMap (line . ("// " ++)) description,
-        [(packed, line (hex (fromMaybe none at))) | (packed, at) <- addresses],
-        mempty
-      )
+  Csv -> Just (line "window,row,column", csvRows table, mempty)
+  C -> inWords (cHeading profile on table layout) cRow (line "};")
+  Mem -> inWords (foldMap (line . ("// " ++)) (description profile on layout)) memRow mempty
   where
-    line text = Builder.stringUtf8 text <> Builder.char7 '\n'
-    Shape high wide = profileShape profile
+    layout = wordLayout profile
     positions = tableUnique noneCode severalCode table
     (noneCode, severalCode) = (-1, -2)
-    addresses =
-      [ (packed, if at < 0 then Nothing else Just (fromIntegral at))
-        | (packed, at) <- zip [0 ..] (Vector.toList positions)
-      ]
-    -- The all-ones word of the least whole number of bytes that exceeds every position.
-    none = until (>= high * wide) (\n -> 256 * n + 255) 255
+    inWords heading rowOf end
+      | Vector.elem severalCode positions = Nothing
+      | otherwise =
+        Just (heading, zip [0 ..] (map (rowOf . position) (Vector.toList positions)), end)
+    position at = if at < 0 then Nothing else Just (fromIntegral at :: Natural)
+    cRow at = line ("  " ++ maybe "PRA_TABLE_NONE" show at ++ ",")
+    memRow = line . wordText layout . fromMaybe (wordNone layout)
+
+csvRows :: Table k -> [Row]
+csvRows table =
+  [ (packed, line (intercalate "," (map show [packed, r, c])))
+    | (packed, places) <- tableEntries table,
+      Position r c <- places
+  ]
+
+-- | How a word holds a position, row * columns + column.
+data WordLayout = WordLayout
+  { -- | the all-ones word of the least whole number of bytes that exceeds every position
+    wordNone :: Natural,
+    -- | hexadecimal, without zeros before them
+    wordText :: Natural -> String,
+    -- | 8, 16, 32, ...
+    wordBits :: Int
+  }
+
+wordLayout :: Profile -> WordLayout
+wordLayout profile =
+  WordLayout
+    { wordNone = none,
+      wordText = \n -> let text = showHex n "" in replicate (digits - length text) '0' ++ text,
+      wordBits = until (>= 4 * digits) (* 2) 8
+    }
+  where
+    none = until (>= area (profileShape profile)) (\n -> 256 * n + 255) 255
     digits = length (showHex none "")
-    hex n = let text = showHex n "" in replicate (digits - length text) '0' ++ text
-    macro = "PRA_TABLE"
-    bits = until (>= 4 * digits) (* 2) 8 :: Int
-    description =
-      [ "pra-tactile memory table: packed window -> row * "
-          ++ show wide
-          ++ " + column; "
-          ++ showHex none ""
-          ++ " (hexadecimal) where the window does not occur.",
-        "surface " ++ surfaceName on ++ ", profile " ++ profileText profile
-      ]
-    heading =
-      ["/* " ++ text ++ " */" | text <- description]
-        ++ [ "#include <stdint.h>",
-             "#define " ++ macro ++ "_NONE 0x" ++ showHex none "" ++ "u",
-             "#define " ++ macro ++ "_COLUMNS " ++ show wide,
-             "static const uint"
-               ++ show bits
-               ++ "_t pra_table["
-               ++ show (tableSize table)
-               ++ "] = {"
-           ]
+
+-- | What a table of words is, in two lines.
+description :: Profile -> Surface -> WordLayout -> [String]
+description profile on layout =
+  [ "pra-tactile memory table: packed window -> row * "
+      ++ show (columns (profileShape profile))
+      ++ " + column; "
+      ++ wordText layout (wordNone layout)
+      ++ " (hexadecimal) where the window does not occur.",
+    "surface " ++ surfaceName on ++ ", profile " ++ profileText profile
+  ]
+
+cHeading :: Profile -> Surface -> Table k -> WordLayout -> Builder
+cHeading profile on table layout =
+  foldMap line $
+    ["/* " ++ text ++ " */" | text <- description profile on layout]
+      ++ [ "#include <stdint.h>",
+           "#define PRA_TABLE_NONE 0x" ++ wordText layout (wordNone layout) ++ "u",
+           "#define PRA_TABLE_COLUMNS " ++ show (columns (profileShape profile)),
+           "static const uint"
+             ++ show (wordBits layout)
+             ++ "_t pra_table["
+             ++ show (tableSize table)
+             ++ "] = {"
+         ]
+
+line :: String -> Builder
+line text = Builder.stringUtf8 text <> Builder.char7 '\n'

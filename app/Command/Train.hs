@@ -4,14 +4,12 @@ module Command.Train
   )
 where
 
-import ArrayChoice (intReader)
 import Control.Monad (forM_)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Text.Encoding as Text
-import Described
-import Ending
+import ExitStatus
 import Message
-import Options.Applicative hiding (command)
+import Options
 import Output
 import PraTactile.Classify.Network.File (renderNetwork)
 import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
@@ -21,27 +19,19 @@ import Progress
 import Setup
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO Ending)
+command :: Mod CommandFields (IO ExitStatus)
 command =
-  described
+  subcommand
     "train"
     "Train the 96-8-4 network on rendered symbols from a seed and write its weights; the default \
     \seed gives the shipped weights."
     ["pra-tactile train --output network.txt"]
     ( run
-        <$> option
-          intReader
-          ( long "seed"
-              <> metavar "N"
-              <> value shippedSeed
-              <> showDefault
-              <> help "Seed of every random draw"
-          )
-        <*> strOption
-          (long "output" <> metavar "FILE" <> action "file" <> help "The file of weights")
+        <$> seedOption (value shippedSeed <> showDefault)
+        <*> fileOption "output" "FILE" "The file of weights"
     )
 
-run :: Int -> FilePath -> IO Ending
+run :: Int -> FilePath -> IO ExitStatus
 run seed output = do
   alphabet <- shippedAlphabet
   let training = trainingRounds shippedRegimen alphabet seed

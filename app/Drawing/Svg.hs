@@ -52,54 +52,43 @@ mark (Mark name form) =
     Outline paint points -> polygon_ ([named, Points_ <<- listed points] ++ painted paint)
     Line paint points -> polyline_ ([named, Points_ <<- listed points] ++ painted paint)
     Grey image e
-      | rasterWidth image > 0 && rasterHeight image > 0 ->
-        image_
-          ( [ named,
-              PreserveAspectRatio_ <<- "none",
-              XlinkHref_ <<- pngAddress (enlargement image e) image
-            ]
-              ++ box e
-          )
+      | rasterWidth image > 0 && rasterHeight image > 0 -> image_ (named : pixels image e ++ box e)
       | otherwise -> mempty
-    Words anchor font (x, y) words' ->
-      text_
-        ( [ named,
-            X_ <<- number x,
-            Y_ <<- number y,
-            Font_size_ <<- number (fontSize font),
-            Fill_ <<- fontColour font
-          ]
-            ++ [Text_anchor_ <<- end | Just end <- [anchorName anchor]]
-            ++ [Font_weight_ <<- "bold" | fontBold font]
-        )
-        (toElement words')
+    Words anchor font at content -> text_ (named : lettered anchor font at) (toElement content)
   where
     named = Class_ <<- name
-    box e =
-      [ X_ <<- number (leftEdge e),
-        Y_ <<- number (topEdge e),
-        Width_ <<- number (width e),
-        Height_ <<- number (height e)
-      ]
-    patch e =
-      Text.concat
-        [ "M",
-          number (leftEdge e),
-          " ",
-          number (topEdge e),
-          "h",
-          number (width e),
-          "v",
-          number (height e),
-          "h",
-          number (negate (width e)),
-          "z"
-        ]
     listed points = Text.unwords [number x <> "," <> number y | (x, y) <- points]
-    anchorName anchor = case anchor of
-      FromLeft -> Nothing
-      FromMiddle -> Just "middle"
-      FromRight -> Just "end"
+    pixels image e =
+      [PreserveAspectRatio_ <<- "none", XlinkHref_ <<- pngAddress (enlargement image e) image]
+
+box :: Extent -> [Attribute]
+box e =
+  [ X_ <<- number (leftEdge e),
+    Y_ <<- number (topEdge e),
+    Width_ <<- number (width e),
+    Height_ <<- number (height e)
+  ]
+
+-- | A rectangle as part of a path.
+patch :: Extent -> Text
+patch e =
+  Text.concat
+    [ Text.unwords ["M" <> number (leftEdge e), number (topEdge e)],
+      "h" <> number (width e),
+      "v" <> number (height e),
+      "h" <> number (negate (width e)) <> "z"
+    ]
+
+lettered :: Anchor -> Font -> (Double, Double) -> [Attribute]
+lettered anchor font (x, y) =
+  [ X_ <<- number x,
+    Y_ <<- number y,
+    Font_size_ <<- number (fontSize font),
+    Fill_ <<- fontColour font
+  ]
+    ++ [Text_anchor_ <<- "middle" | anchor == FromMiddle]
+    ++ [Text_anchor_ <<- "end" | anchor == FromRight]
+    ++ [Font_weight_ <<- "bold" | fontWeight font == Bold]
 
 painted :: Paint -> [Attribute]
 painted paint =
@@ -114,9 +103,8 @@ painted paint =
 number :: Double -> Text
 number = Text.pack . hundredths
 
--- | A grey image as a data address: PNG, white for 0. Each pixel is that many pixels square,
--- because not every program that shows SVG can be told to keep them sharp when it enlarges an
--- image.
+-- | A grey image as a data address: PNG, white for 0. Each pixel is this many pixels square: not
+-- every program that shows SVG keeps them sharp when it enlarges an image.
 pngAddress :: Int -> Raster -> Text
 pngAddress side image =
   "data:image/png;base64,"

@@ -96,7 +96,7 @@ uncheckedMessage file =
     ++ ": its rows carry no check, as in files of older versions, so that a change in them may go \
        \unnoticed"
 
--- | What is said where damaged lines are left out: of the rows, so many are kept, and so many lines
+-- | What is said where damaged lines are left out: how many rows are kept, and how many lines are
 -- not.
 keptMessage :: FilePath -> Int -> Int -> String
 keptMessage file kept left =

@@ -41,8 +41,8 @@ faultMessage fault = case fault of
     "q = " ++ show q ++ " is no power of a prime with the modulus's degree as exponent"
   FieldFault why -> fieldMessage why
   PolynomialFault h -> "the polynomial " ++ list h ++ " is not monic with a constant term"
-  PeriodFault told terms ->
-    "the period is told to be " ++ show told ++ ", but q^n - 1 is " ++ show terms
+  PeriodFault stated terms ->
+    "the period is told to be " ++ show stated ++ ", but q^n - 1 is " ++ show terms
   FactorsFault terms ->
     "the factors are not the ascending prime powers whose product is " ++ show terms
   PrimeFault p -> show p ++ " is not shown to be a prime"
@@ -57,7 +57,8 @@ faultMessage fault = case fault of
   MaskFault why -> windowMessage why
   ExtentFault (Shape high wide) ->
     "the profile's window is not the extent of the mask, " ++ shapeText (Shape high wide)
-  WindowsFault told there -> show told ++ " windows are told, but the surface has " ++ show there
+  WindowsFault stated there ->
+    show stated ++ " windows are told, but the surface has " ++ show there
   SurfaceFault on -> "the rank decides nothing on the " ++ surfaceName on ++ " of this fold"
   VectorFault i ->
     "the vector of cell "

@@ -1,6 +1,7 @@
 -- | What is wrong with files and folders, in words.
 module Message.Files
-  ( filesMessage,
+  ( ManifestPresence (..),
+    filesMessage,
     sourceMessage,
     fileMessage,
     loneFramesMessage,
@@ -55,13 +56,15 @@ sourceMessage folder e = case e of
 fileMessage :: FilePath -> ImageError -> String
 fileMessage file why = file ++ ": " ++ imageMessage why
 
--- | Of so many images in a folder with a manifest or without, which have the size of a frame but
--- stand in no manifest.
-loneFramesMessage :: FilePath -> Bool -> Int -> String
-loneFramesMessage folder hasManifest count =
-  ( if hasManifest
-      then (folder </> manifestName) ++ " does not list "
-      else folder ++ " holds no " ++ manifestName ++ " for "
+-- | Whether a folder has a manifest.
+data ManifestPresence = WithManifest | WithoutManifest
+
+-- | Of images in a folder, this many, which have the size of a frame but stand in no manifest.
+loneFramesMessage :: FilePath -> ManifestPresence -> Int -> String
+loneFramesMessage folder manifest count =
+  ( case manifest of
+      WithManifest -> (folder </> manifestName) ++ " does not list "
+      WithoutManifest -> folder ++ " holds no " ++ manifestName ++ " for "
   )
     ++ (if count == 1 then "an image" else show count ++ " images")
     ++ " of 16 x 16 taxels, the size of a frame; without positions "

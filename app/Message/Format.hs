@@ -47,7 +47,9 @@ misfitMessage misfit = case misfit of
   NotObject -> "an object is needed"
   NotList -> "a list is needed"
   NotText -> "a text is needed"
+  NotBool -> "true or false is needed"
   NotNatural -> "a number 0, 1, 2, ... is needed"
+  NotInteger -> "a whole number is needed"
   NaturalTooLong limit -> "a number has at most " ++ show limit ++ " digits"
   NotReal -> "a number is needed"
   NotPair -> "a list of two is needed"
@@ -57,7 +59,7 @@ misfitMessage misfit = case misfit of
     "a factor of a prime less 1 is a list of three numbers: prime, exponent, witness"
   NotAmong names text -> quoted text ++ " is not one of " ++ unwords names
   OtherSchema given wanted -> "its schema is " ++ quoted given ++ ", not " ++ quoted wanted
-  UnknownEvidence road ->
-    "the evidence's road is " ++ quoted road ++ ", not rank or enumeration"
+  UnknownEvidence name ->
+    "the evidence's road is " ++ quoted name ++ ", not rank or enumeration"
   NotQuarterTurn -> "one of 0, 90, 180 and 270 is needed"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

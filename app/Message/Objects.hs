@@ -9,7 +9,7 @@ module Message.Objects
 where
 
 import Json (shapeText)
-import Message.Code (locateMessage, reasonMessage)
+import Message.Locate (locateMessage, reasonMessage)
 import Message.Touch (shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Geometry (symbolHeight, symbolWidth, taxelPitch)

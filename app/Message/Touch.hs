@@ -9,6 +9,7 @@ module Message.Touch
   )
 where
 
+import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import qualified Data.Text as Text
@@ -25,48 +26,41 @@ imageMessage e = case e of
   RaggedRow i given first ->
     "row " ++ show i ++ " has " ++ show given ++ " values, the first has " ++ show first
   WrongValueCount wide high given ->
-    show wide ++ " x " ++ show high ++ " pixels do not have " ++ show given ++ " values"
+    by (wide, high) ++ " pixels do not have " ++ show given ++ " values"
   SizesDiffer a b -> "two images differ in size: " ++ by a ++ " and " ++ by b
   OutsideImage (x, y, w, h) size ->
-    "the rectangle of "
-      ++ by (w, h)
-      ++ " at "
-      ++ show x
-      ++ ","
-      ++ show y
+    "the rectangle of " ++ by (w, h) ++ " at " ++ at (x, y)
       ++ " does not lie in an image of "
       ++ by size
   ZeroSize wide high -> "an image of " ++ by (wide, high) ++ " pixels has none"
   TooManyPixels wide high ->
     "the image has " ++ by (wide, high) ++ " pixels; at most " ++ show maxPixels ++ " are read"
-  NotPgm start ->
-    "not a PGM file"
-      ++ maybe unknown (\name -> ": it is " ++ name) (formatName start)
-      ++ "; a PGM file begins with P2 or P5"
-    where
-      unknown = if Bytes.null start then ": it is empty" else ""
-  BadHeader field found ->
-    "the PGM header's " ++ fieldName field ++ " is not a number"
-      ++ if Bytes.null found
-        then ": the file ends there"
-        else ": " ++ show found
+  NotPgm start -> "not a PGM file" ++ formatText start ++ "; a PGM file begins with P2 or P5"
+  BadHeader field found -> headerMessage field found
   MaxvalOutOfRange n -> "the PGM header's maximum value is " ++ show n ++ ", not 1 to 65535"
   BadSample i found -> "sample " ++ show i ++ " is not a number: " ++ show found
   Truncated needs has ->
     "the file is cut off: " ++ show needs ++ " samples are announced, " ++ show has ++ " are there"
-  SampleAboveMaxval (x, y) v top ->
-    "the sample at "
-      ++ show x
-      ++ ","
-      ++ show y
-      ++ " is "
-      ++ show v
-      ++ ", above the maximum value "
-      ++ show top
+  SampleAboveMaxval place v top ->
+    "the sample at " ++ at place ++ " is " ++ show v ++ ", above the maximum value " ++ show top
   TrailingData n -> show n ++ " bytes follow the image; one image a file is read"
   where
     by (w, h) = show w ++ " x " ++ show h
-    fieldName field = case field of
+    at (x, y) = show x ++ "," ++ show y
+
+-- | What a file that begins so is, if that is known.
+formatText :: ByteString -> String
+formatText start
+  | Just name <- formatName start = ": it is " ++ name
+  | Bytes.null start = ": it is empty"
+  | otherwise = ""
+
+headerMessage :: HeaderField -> ByteString -> String
+headerMessage field found =
+  "the PGM header's " ++ name ++ " is not a number"
+    ++ if Bytes.null found then ": the file ends there" else ": " ++ show found
+  where
+    name = case field of
       HeaderWidth -> "width"
       HeaderHeight -> "height"
       HeaderMaxval -> "maximum value"

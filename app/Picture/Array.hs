@@ -37,5 +37,5 @@ arraySvg cells =
     shaded :: Int -> Paint
     shaded grey =
       (outlined "#ffffff" 1) {fillColour = Text.pack (printf "rgb(%d,%d,%d)" grey grey grey)}
-    lettered grey = Font 14 True (if grey < 128 then "#ffffff" else ink)
+    lettered grey = Font 14 Bold (if grey < 128 then "#ffffff" else ink)
     top = maximum (1 : map fst (concat cells))

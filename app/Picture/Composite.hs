@@ -5,6 +5,7 @@ module Picture.Composite
   ( compositePanel,
 
     -- * Symbols
+    Felt (..),
     Reading (..),
     readingOf,
     readingColour,
@@ -30,12 +31,17 @@ import PraTactile.Symmetry (exchangesAxes)
 data Reading = AsExpected | Contradicting | Unrecognised | PartOf | PartContradicting
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What was made of a symbol, given whether only a part of it was felt.
-readingOf :: Recognition -> Bool -> ReadSymbol -> Reading
-readingOf recognition isPart symbol
-  | isPart = if wrong then PartContradicting else PartOf
-  | wrong = Contradicting
-  | otherwise = maybe Unrecognised (const AsExpected) (readClass symbol)
+-- | How much of a symbol was felt.
+data Felt = Whole | Part
+  deriving stock (Eq)
+
+-- | What was made of a symbol.
+readingOf :: Recognition -> Felt -> ReadSymbol -> Reading
+readingOf recognition felt symbol = case felt of
+  Part -> if wrong then PartContradicting else PartOf
+  Whole
+    | wrong -> Contradicting
+    | otherwise -> maybe Unrecognised (const AsExpected) (readClass symbol)
   where
     wrong = readNumber symbol `elem` maybe [] evidenceWrong (recognisedEvidence recognition)
 
@@ -70,30 +76,14 @@ answeringCells found
 -- composite too; the cells of the window that gives the answer, and the place.
 compositePanel :: Alphabet -> (Int -> String) -> Composite -> Recognition -> Drawing
 compositePanel alphabet nameOf composite recognition =
-  above
-    12
-    [ [Mark "heading" (Words FromLeft heading (0, 0) "What was felt")],
-      [ Mark
-          "note"
-          ( Words
-              FromLeft
-              plain
-              (0, 0)
-              ( show wide
-                  ++ " x "
-                  ++ show high
-                  ++ " taxels, "
-                  ++ millimetres wide
-                  ++ " x "
-                  ++ millimetres high
-                  ++ " mm"
-              )
-          )
-      ],
-      body,
-      scaleBar (unit / taxelPitch) 20
-    ]
+  panel "What was felt" note body (unit / taxelPitch)
   where
+    note =
+      show wide ++ " x " ++ show high ++ " taxels, "
+        ++ millimetres wide
+        ++ " x "
+        ++ millimetres high
+        ++ " mm"
     millimetres taxels = hundredths (taxelPitch * fromIntegral taxels)
     (wide, high) = (rasterWidth (compositeImage composite), rasterHeight (compositeImage composite))
     -- Picture units a taxel; a symbol is large enough to be looked at, a face fits on a screen.
@@ -103,33 +93,42 @@ compositePanel alphabet nameOf composite recognition =
       Mark "composite" (Grey (compositeImage composite) frame) :
       Mark "composite-edge" (Rectangle (outlined pale 1) frame) :
       cornerMark (0, 0) (unit * 2.5, 0) (0, unit * 2.5) :
-      concatMap (symbolMarks True) (here recognisedParts)
-        ++ concatMap (symbolMarks False) (here recognisedSymbols)
-        ++ concat [windowMarks found | Right (Found found) <- [recognisedAnswer recognition]]
+      concatMap (symbolMarks Part) (here recognisedParts)
+        ++ concatMap (symbolMarks Whole) (here recognisedSymbols)
+        ++ concat [windowMarks unit found | Right (Found found) <- [recognisedAnswer recognition]]
     here part = [s | s <- part recognition, readSource s == 0]
-    -- Pixel centres lie at integers; a pixel covers one taxel round its centre.
-    centred (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
-    symbolMarks isPart symbol =
-      concat [shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown]
-        ++ Mark "symbol" (Rectangle (readingPaint reading) box) :
-        [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
-          | not isPart
-        ]
-      where
-        reading = readingOf recognition isPart symbol
-        colour = readingColour reading
-        surface = filled colour (if isPart then 0.2 else 0.4)
-        font = Font (2 * unit) True colour
-        shown = if isPart then [readLikeliest symbol] else maybe [] pure (readClass symbol)
-        label = maybe "?" (nameOf . snd) (readClass symbol)
-        at = centred (symbolCentre (readImage symbol))
-        (w, h)
-          | exchangesAxes (fst (readLikeliest symbol)) = (symbolHeight, symbolWidth)
-          | otherwise = (symbolWidth, symbolHeight)
-        box = around (unit * fromIntegral w, unit * fromIntegral h) at
-    windowMarks found =
-      Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) :
-      placeMarks at
-      where
-        at = centred (windowSeenAt (foundWindow found))
-        (w, h) = answeringCells found
+    symbolMarks felt symbol =
+      symbolMark alphabet nameOf unit felt (readingOf recognition felt symbol) symbol
+
+-- | A pixel as picture units. Pixel centres lie at integers; a pixel covers one taxel round its
+-- centre.
+centred :: Double -> (Double, Double) -> (Double, Double)
+centred unit (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
+
+symbolMark :: Alphabet -> (Int -> String) -> Double -> Felt -> Reading -> ReadSymbol -> Drawing
+symbolMark alphabet nameOf unit felt reading symbol =
+  concat [shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown]
+    ++ Mark "symbol" (Rectangle (readingPaint reading) box) :
+    [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
+      | felt == Whole
+    ]
+  where
+    colour = readingColour reading
+    surface = filled colour (if felt == Part then 0.2 else 0.4)
+    font = Font (2 * unit) Bold colour
+    shown = if felt == Part then [readLikeliest symbol] else maybe [] pure (readClass symbol)
+    label = maybe "?" (nameOf . snd) (readClass symbol)
+    at = centred unit (symbolCentre (readImage symbol))
+    (w, h)
+      | exchangesAxes (fst (readLikeliest symbol)) = (symbolHeight, symbolWidth)
+      | otherwise = (symbolWidth, symbolHeight)
+    box = around (unit * fromIntegral w, unit * fromIntegral h) at
+
+-- | The window that gives the answer, and its centre.
+windowMarks :: Double -> Finding -> Drawing
+windowMarks unit found =
+  Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) :
+  placeMarks at
+  where
+    at = centred unit (windowSeenAt (foundWindow found))
+    (w, h) = answeringCells found

@@ -2,7 +2,8 @@
 
 -- | The right side of the picture of a recognition: where on the object that is.
 module Picture.Face
-  ( facePanel,
+  ( FaceView (..),
+    facePanel,
     onFace,
   )
 where
@@ -19,98 +20,117 @@ import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry
 
--- | The face, upright and seen from outside: its vertices and its symbols, given by their classes;
--- the composite's outline as it lies there; the cells of the window that gives the answer, and how
--- far the place is from the face's upper left vertex.
-facePanel ::
-  Alphabet ->
-  Placement ->
-  LaidFace ->
-  [[Int]] ->
-  Composite ->
-  Finding ->
-  Place ->
-  Drawing
-facePanel alphabet layout laid classes composite found place =
-  above
-    12
-    [ [ Mark
-          "heading"
-          ( Words
-              FromLeft
-              heading
-              (0, 0)
-              ("Where it is: " ++ objectText object ++ ", face " ++ faceText name)
-          )
-      ],
-      [ Mark
-          "note"
-          ( Words
-              FromLeft
-              plain
-              (0, 0)
-              (hundredths across ++ " x " ++ hundredths down ++ " mm, upright, seen from outside")
-          )
-      ],
-      body,
-      scaleBar unit 20
-    ]
+-- | What is drawn of a face.
+data FaceView = FaceView
+  { viewAlphabet :: Alphabet,
+    viewLayout :: Placement,
+    viewFace :: LaidFace,
+    -- | the classes of its symbols, row by row
+    viewClasses :: [[Int]],
+    viewComposite :: Composite,
+    viewFinding :: Finding,
+    viewPlace :: Place
+  }
+
+-- | The face, upright and seen from outside: its vertices and its symbols; the composite's outline
+-- as it lies there; the cells of the window that gives the answer, and how far the place is from
+-- the face's upper left vertex.
+facePanel :: FaceView -> Drawing
+facePanel view = panel title note body (unitOf view)
   where
-    Face object name = laidFace laid
-    (across, down) = spotMillimetres (laidExtent laid)
-    (x, y) = spotMillimetres (placeCentre place)
-    units (right, below) = (unit * right, unit * below)
-    -- Picture units a millimetre: all that is drawn fits on a screen.
-    unit = min 4 (1000 / maximum [across, down, spread (map fst outline), spread (map snd outline)])
-    spread line = maximum line - minimum line
-    face = Extent 0 0 (unit * across) (unit * down)
+    Face object name = laidFace (viewFace view)
+    (across, down) = faceExtent view
+    title = "Where it is: " ++ objectText object ++ ", face " ++ faceText name
+    note = hundredths across ++ " x " ++ hundredths down ++ " mm, upright, seen from outside"
+    face = Extent 0 0 (unitOf view * across) (unitOf view * down)
+    shownAt = units view
+    centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))
+    shown = shownAt . onFace (viewFinding view) (viewPlace view)
     body =
       Mark "face" (Rectangle (outlined ink 2) {fillColour = "#f6f7f9"} face) :
-      symbols
-        ++ Mark "outline" (Outline (outlined ink 2) {dashed = True} (map units outline)) :
+      symbolMarks view
+        ++ Mark "outline" (Outline (outlined ink 2) {dashed = True} (map shownAt (outline view))) :
       cornerMark (shown (-0.5, -0.5)) (shown (2, -0.5)) (shown (-0.5, 2)) :
-      Mark "window" (Rectangle (outlined answering 4) cells) :
-      placeMarks (units (x, y)) ++ distances ++ concatMap vertex (faceSpots laid)
-    shown = units . onFace found place
-    outline = map (onFace found place) corners
-    symbols =
-      [ mark
-        | (i, line) <- zip [0 ..] classes,
-          (j, c) <- zip [0 ..] line,
-          let centre = units (spotMillimetres (cellCentre layout laid (Position i j))),
-          mark <-
-            shapeMark "embossed" (filled pale 1) alphabet (unit * taxelPitch) identity c centre
-      ]
-    wide = fromIntegral (rasterWidth (compositeImage composite))
-    high = fromIntegral (rasterHeight (compositeImage composite))
-    corners = [(-0.5, -0.5), (wide - 0.5, -0.5), (wide - 0.5, high - 0.5), (-0.5, high - 0.5)]
-    cells =
-      let lines' = windowClasses (foundWindow found)
-          extent side several =
-            fromRational (side (placementPitch layout)) * fromIntegral (several :: Int)
-          size =
-            (extent pitchRight (maximum (0 : map length lines')), extent pitchDown (length lines'))
-       in around (units size) (units (x, y))
-    -- Beside its corner, outside; bold if it is among the nearest.
-    vertex (corner', spot) =
-      let (u, v) = units (spotMillimetres spot)
-          font = plain {fontBold = corner' `elem` placeCorners place, fontSize = 15}
-          (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
-       in onPaper
-            ( Mark
-                "vertex"
-                (Words anchor font (u + right, v + (if v > 0 then 16 else -5)) (vertexText corner'))
-            )
-    distances =
-      Mark "distance" (Line thin [(0, -24), (0, -32), (unit * x, -32), (unit * x, -24)]) :
-      Mark "distance" (Line thin [(-28, 0), (-36, 0), (-36, unit * y), (-28, unit * y)]) :
-      onPaper (Mark "distance" (Words FromMiddle plain (unit * x / 2, -38) (hundredths x ++ " mm")))
-        ++ onPaper
-          (Mark "distance" (Words FromRight plain (-42, unit * y / 2 + 5) (hundredths y ++ " mm")))
-    -- The composite may reach beyond the face: its outline gives way to words.
-    onPaper words' =
-      [Mark "paper" (Rectangle (filled "#ffffff" 1) e) | Just e <- [markExtent words']] ++ [words']
+      Mark "window" (Rectangle (outlined answering 4) (around (shownAt (windowSize view)) centre)) :
+      placeMarks centre
+        ++ distanceMarks view
+        ++ concatMap (vertexMark view) (faceSpots (viewFace view))
+
+-- | Width and height, millimetres.
+faceExtent :: FaceView -> (Double, Double)
+faceExtent = spotMillimetres . laidExtent . viewFace
+
+-- | Picture units a millimetre: all that is drawn fits on a screen.
+unitOf :: FaceView -> Double
+unitOf view = min 4 (1000 / maximum [across, down, spread fst, spread snd])
+  where
+    (across, down) = faceExtent view
+    spread side = let found = map side (outline view) in maximum found - minimum found
+
+-- | Millimetres on the face, in picture units.
+units :: FaceView -> (Double, Double) -> (Double, Double)
+units view (right, below) = (unitOf view * right, unitOf view * below)
+
+-- | The corners of the composite as it lies on the face, millimetres.
+outline :: FaceView -> [(Double, Double)]
+outline view =
+  map
+    (onFace (viewFinding view) (viewPlace view))
+    [(-0.5, -0.5), (wide - 0.5, -0.5), (wide - 0.5, high - 0.5), (-0.5, high - 0.5)]
+  where
+    wide = fromIntegral (rasterWidth (compositeImage (viewComposite view)))
+    high = fromIntegral (rasterHeight (compositeImage (viewComposite view)))
+
+-- | The embossed symbols.
+symbolMarks :: FaceView -> Drawing
+symbolMarks view =
+  concat
+    [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel identity c (centre i j)
+      | (i, line) <- zip [0 ..] (viewClasses view),
+        (j, c) <- zip [0 ..] line
+    ]
+  where
+    taxel = unitOf view * taxelPitch
+    centre i j =
+      units view (spotMillimetres (cellCentre (viewLayout view) (viewFace view) (Position i j)))
+
+-- | Width and height of the cells of the answer's window, millimetres.
+windowSize :: FaceView -> (Double, Double)
+windowSize view = (extent pitchRight wide, extent pitchDown (length cells))
+  where
+    wide = maximum (0 : map length cells)
+    cells = windowClasses (foundWindow (viewFinding view))
+    extent side several =
+      fromRational (side (placementPitch (viewLayout view))) * fromIntegral several
+
+-- | A vertex beside its corner, outside; bold if it is among the nearest.
+vertexMark :: FaceView -> (VertexName, Spot) -> Drawing
+vertexMark view (name, spot) =
+  onPaper (Mark "vertex" (Words anchor font (u + right, v + below) (vertexText name)))
+  where
+    weight = if name `elem` placeCorners (viewPlace view) then Bold else Regular
+    below = if v > 0 then 16 else -5
+    (u, v) = units view (spotMillimetres spot)
+    font = plain {fontWeight = weight, fontSize = 15}
+    (anchor, right) = if u > 0 then (FromLeft, 6) else (FromRight, -6)
+
+-- | How far the place is from the upper left vertex.
+distanceMarks :: FaceView -> Drawing
+distanceMarks view =
+  [ Mark "distance" (Line thin [(0, -24), (0, -32), (u, -32), (u, -24)]),
+    Mark "distance" (Line thin [(-28, 0), (-36, 0), (-36, v), (-28, v)])
+  ]
+    ++ onPaper (Mark "distance" (Words FromMiddle plain (u / 2, -38) (hundredths x ++ " mm")))
+    ++ onPaper (Mark "distance" (Words FromRight plain (-42, v / 2 + 5) (hundredths y ++ " mm")))
+  where
+    (x, y) = spotMillimetres (placeCentre (viewPlace view))
+    (u, v) = units view (x, y)
     thin = outlined answering 1.5
+
+-- | The composite may reach beyond the face: its outline gives way to words.
+onPaper :: Mark -> Drawing
+onPaper text =
+  [Mark "paper" (Rectangle (filled "#ffffff" 1) e) | Just e <- [markExtent text]] ++ [text]
 
 -- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left
 -- vertex: the window's centre lies where the array has it, and the composite round it, turned as it

@@ -15,11 +15,13 @@ module Picture.Style
     heading,
     plain,
 
+    -- * Panels
+    panel,
+
     -- * Marks
     shapeMark,
     placeMarks,
     cornerMark,
-    scaleBar,
   )
 where
 
@@ -48,8 +50,20 @@ ink = "#222222"
 pale = "#b8bcc4"
 
 heading, plain :: Font
-heading = Font 16 True ink
-plain = Font 13 False ink
+heading = Font 16 Bold ink
+plain = Font 13 Regular ink
+
+-- | A side of the picture: its heading, a note, what is drawn, and a scale of this many units a
+-- millimetre.
+panel :: String -> String -> Drawing -> Double -> Drawing
+panel title note body unit =
+  above
+    12
+    [ [Mark "heading" (Words FromLeft heading (0, 0) title)],
+      [Mark "note" (Words FromLeft plain (0, 0) note)],
+      body,
+      scaleBar unit 20
+    ]
 
 -- | The shape of a class round a centre, its taxels of this size, as it looks where its face lies
 -- so; nothing if there is no such class.
@@ -102,7 +116,7 @@ placeMarks (x, y) =
 cornerMark :: (Double, Double) -> (Double, Double) -> (Double, Double) -> Mark
 cornerMark a b c = Mark "corner" (Outline (filled ink 1) [a, b, c])
 
--- | A bar of so many millimetres, at this many units a millimetre.
+-- | A bar of this many units a millimetre and this many millimetres.
 scaleBar :: Double -> Double -> Drawing
 scaleBar unit millimetres =
   [ Mark

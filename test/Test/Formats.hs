@@ -12,6 +12,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
+import Data.Foldable (fold)
 import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
@@ -23,6 +24,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
+import Test.Formats.Answers
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck
@@ -44,6 +46,12 @@ roundTrips = do
     forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) ->
       one /= other
         ==> fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
+  prop "decodeAnswer . encodeAnswer = Right" $
+    forAll someAnswer $ \answer ->
+      decodeAnswer (encodeAnswer answer) === Right answer
+  prop "decodeRecognition . encodeRecognition = Right" $
+    forAll someRecognition $ \report ->
+      decodeRecognition (encodeRecognition report) === Right report
   prop "decodeTruth . encodeTruth = Right, to a nanometre" $
     forAll someTruth $ \truth ->
       case decodeTruth (encodeTruth truth) of
@@ -58,15 +66,16 @@ roundTrips = do
   it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
     recognition <- right (canonicalDecoder >>= (`decodeFolder` folder))
-    let report =
-          RecognitionReport
-            { reportProfile = canonicalProfile,
-              reportSources = ["frames"],
-              reportMessage = "found",
-              reportElement = show,
-              reportRobot = const (1.5, -2.5),
-              reportRecognition = recognition
+    let source =
+          RecognitionContext
+            { contextProfile = canonicalProfile,
+              contextNames = ["frames"],
+              contextMessage = "found",
+              contextElement = show,
+              contextRobot = const (1.5, -2.5)
             }
+        report = recognitionReport source recognition
+    decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
       `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5)))
   where
@@ -79,6 +88,16 @@ roundTrips = do
 
 refusals :: Spec
 refusals = do
+  it "a key that is missing of an answer, unless answers without it may be" $ do
+    recognition <- generate someRecognition
+    let text = encodeRecognition recognition
+    forM_ (KeyMap.keys (fields text)) $ \key ->
+      (key, isLeft (decodeRecognition (written (KeyMap.delete key (fields text)))))
+        `shouldBe` (key, True)
+    answer <- encodeAnswer <$> generate someAnswer
+    forM_ ["schema", "profile", "outcome", "position", "positions", "message", "chance"] $ \key ->
+      (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
+        `shouldBe` (key, True)
   it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
     truth <- generate someTruth
     profile <- generate someProfile
@@ -152,7 +171,7 @@ refusals = do
       ]
 
 fields :: ByteString -> Object
-fields = maybe mempty id . decodeStrict
+fields = fold . decodeStrict
 
 written :: Object -> ByteString
 written = Lazy.toStrict . encode

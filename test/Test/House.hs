@@ -34,12 +34,9 @@ spec = describe "the house" $
           wing `notElem` known (sourceWing one)
       ]
         `shouldBe` []
-    it
-      "a wing that knows another through others is found, and rings of imports are gone round \
-      \once"
-      $ \_ -> do
-        let ring = [Source "A" Code ["B"] "", Source "B" Code ["A", "C"] "", Source "C" Touch [] ""]
-        map (Map.keys . reaches ring) (take 1 ring) `shouldBe` [["A", "B", "C"]]
+    it "a wing that knows another through others is found; rings are gone round once" $ \_ -> do
+      let ring = [Source "A" Code ["B"] "", Source "B" Code ["A", "C"] "", Source "C" Touch [] ""]
+      map (Map.keys . reaches ring) (take 1 ring) `shouldBe` [["A", "B", "C"]]
     it "what is pure may know only what is pure" $ \_ ->
       [(a, b) | a <- pureWings, b <- known a, b `notElem` pureWings] `shouldBe` []
     it "nothing pure imports what reaches the world, or speaks of IO" $ \(house, _) ->
@@ -61,6 +58,17 @@ spec = describe "the house" $
               not (ofFactorisation name)
           ]
             `shouldBe` []
+    it "the linear codes know nothing of arrays: of the code they import fields" $ \(house, _) -> do
+      let linear = filter (below "PraTactile.LinearCode" . sourceName) house
+          others =
+            [ (sourceName one, name)
+              | one <- linear,
+                name <- sourceImports one,
+                below "PraTactile" name,
+                not (any (`below` name) ["PraTactile.Field", "PraTactile.LinearCode"])
+            ]
+      length linear `shouldSatisfy` (> 1)
+      others `shouldBe` []
     it "of the code, the objects see positions and shapes only" $ \(house, _) ->
       [ (sourceName one, name)
         | one <- house,
@@ -97,7 +105,8 @@ spec = describe "the house" $
             (\letter -> if isAlphaNum letter || letter `elem` "_'" then letter else ' ')
             text
         )
-    impure name = any (\folder -> name == folder || (folder ++ ".") `isPrefixOf` name) world
+    impure name = any (`below` name) world
+    below folder name = name == folder || (folder ++ ".") `isPrefixOf` name
 
 -- | The wings that a wing may import.
 known :: Wing -> [Wing]

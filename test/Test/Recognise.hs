@@ -91,9 +91,8 @@ groupSpec = describe "groups of symbols" $ do
           groups
             [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
      in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
-  it
-    "have each symbol once, in its cell, wherever the symbols lie and in whatever order they come"
-    $ property $
+  it "have each symbol once, in its cell, wherever and in whatever order they come" $
+    property $
       forAll (shuffle (zip [0 ..] [(i, j) | i <- [0 .. 2], j <- [0 .. 3]])) $ \placed ->
         forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
           map
@@ -140,9 +139,8 @@ reliefSpec parts array = describe "reliefs" $ do
                        r <- [r0 .. r0 + h - 1],
                        c <- [c0 .. c0 + w - 1]
                    ]
-  it
-    "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else"
-    $ for_ (reliefs parts array) $ \(face, heights) -> do
+  it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, nothing else" $
+    for_ (reliefs parts array) $ \(face, heights) -> do
       let margin side = round (side (laidMargin face) / taxelPitch) :: Int
       for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) ->
         for_ (zip [0 ..] line) $ \(j, c) -> do
@@ -229,16 +227,14 @@ recogniseSpec parts array reader = describe "recognition" $ do
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
   modifyMaxSuccess (const 40) $
-    prop
-      "noise and position errors: a random exploration is right or refused, never wrong"
-      $ \seed ->
-        forAll (elements (reliefs parts array)) $ \face ->
-          case trial standardSensor rotations standardRegionSize face (mkStdGen seed) of
-            Nothing -> counterexample "the region does not lie on the face" False
-            Just t ->
-              case withStitching (runTrial standardTolerance reader standardRegistration t) of
-                Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
-                _ -> property True
+    prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
+      forAll (elements (reliefs parts array)) $ \face ->
+        case trial standardSensor rotations standardRegionSize face (mkStdGen seed) of
+          Nothing -> counterexample "the region does not lie on the face" False
+          Just t ->
+            case withStitching (runTrial standardTolerance reader standardRegistration t) of
+              Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
+              _ -> property True
   where
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)

@@ -62,10 +62,8 @@ damageSpec ::
   Spec
 damageSpec alphabetOfAll layout net array mask = do
   describe "missing symbols" $ do
-    it
-      "of a 3 x 3 block any four may be missing that leave four independent ones; without, the \
-      \answer is refused"
-      $ for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
+    it "of a 3 x 3 block any four may be missing that leave four independent ones" $
+      for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
         for_ (choose4 [0 .. 8]) $ \gone -> do
           let kept = [o | (i, o) <- zip [0 :: Int ..] offsets3, i `notElem` gone]
           let damaged = removing gone (cells 3 3 place)
@@ -89,10 +87,8 @@ damageSpec alphabetOfAll layout net array mask = do
           length (catMaybes (concat (windowClasses (foundWindow found)))) `shouldBe` 2
         _ -> expectationFailure "not located"
   describe "wrong symbols" $ do
-    it
-      "of a 3 x 3 block, whose distance is 4, any one may be any other symbol, or lie upside \
-      \down: it is named"
-      $ for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
+    it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
+      for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
         for_ [0 .. 8] $ \i -> for_ wrongs $ \change -> do
           let damaged = changing i change (cells 3 3 place)
           recognition <- recognised damaged
@@ -207,49 +203,44 @@ damageSpec alphabetOfAll layout net array mask = do
                 <$> recognisedWith standardTolerance [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
               `shouldBe` (cut, Just (sort (blockOf 2 2 place)))
-    it
-      "they are not counted among the symbols that the network knows, and a flat place is none"
-      $ do
-        recognition <-
-          recognisedWith
-            standardTolerance
-            [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
-        (length (recognisedSymbols recognition), length (recognisedParts recognition))
-          `shouldBe` (2, 2)
-        map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
-        flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
-        length (recognisedParts flat) `shouldBe` 0
-    it
-      "of a part the likeliest shape is one that has that part, whatever rectangle of it was \
-      \touched"
-      $ for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
-        for_ [identity, turned 2] $ \symmetry ->
-          for_
-            [ (l, t, r, b)
-              | l <- [0, 2, 4],
-                r <- [4, 6, 8],
-                r > l,
-                t <- [0, 3, 6],
-                b <- [6, 9, 12],
-                b > t
-            ]
-            $ \(l, t, r, b) -> do
-              let image = onRaster symmetry (toRaster shape)
-                  seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
-                  masked =
-                    generate
-                      8
-                      12
-                      (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
-                  part = Part masked seen
-                  e = estimatePart (templates alphabetOfAll) part
-                  (distances, _) = partDistances (templates alphabetOfAll) part
-              lookup (c, symmetry) distances `shouldBe` Just 0
-              lookup (estimateLikeliest e) distances `shouldBe` Just 0
-              -- What has the same part in the same place is as likely.
-              estimateChance e (c, symmetry)
-                `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
-              sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
+    it "they are not counted among the symbols known, and a flat place is none" $ do
+      recognition <-
+        recognisedWith
+          standardTolerance
+          [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
+      (length (recognisedSymbols recognition), length (recognisedParts recognition))
+        `shouldBe` (2, 2)
+      map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
+      flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
+      length (recognisedParts flat) `shouldBe` 0
+    it "of any rectangle of a symbol the likeliest shape is one that has it" $
+      for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [identity, turned 2] $ \symmetry ->
+        for_
+          [ (l, t, r, b)
+            | l <- [0, 2, 4],
+              r <- [4, 6, 8],
+              r > l,
+              t <- [0, 3, 6],
+              b <- [6, 9, 12],
+              b > t
+          ]
+          $ \(l, t, r, b) -> do
+            let image = onRaster symmetry (toRaster shape)
+                seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
+                masked =
+                  generate
+                    8
+                    12
+                    (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
+                part = Part masked seen
+                e = estimatePart (templates alphabetOfAll) part
+                (distances, _) = partDistances (templates alphabetOfAll) part
+            lookup (c, symmetry) distances `shouldBe` Just 0
+            lookup (estimateLikeliest e) distances `shouldBe` Just 0
+            -- What has the same part in the same place is as likely.
+            estimateChance e (c, symmetry)
+              `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
+            sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
   describe "surfaces" $ do
     it "a window across the array's edge is on the torus, on no object, and not on the sheet" $
       for_ [Position 14 3, Position 5 16, Position 14 16] $ \place -> do
@@ -354,7 +345,7 @@ damageSpec alphabetOfAll layout net array mask = do
             v
         _ -> 0
 
--- | Two images side by side, so many blank columns between them.
+-- | Two images side by side, with this many blank columns between them.
 beside :: Int -> Raster -> Raster -> Raster
 beside gap a b =
   generate (rasterWidth a + gap + rasterWidth b) (max (rasterHeight a) (rasterHeight b)) $ \x y ->

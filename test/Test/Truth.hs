@@ -14,10 +14,8 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop
-    "the region's corners, as the robot sees them, are the corners of the rectangle on the face, \
-    \turned clockwise"
-    $ forAllShrink someTruth simpler $ \truth ->
+  prop "the region's corners, as the robot sees them, are those on the face, turned" $
+    forAllShrink someTruth simpler $ \truth ->
       let region = truthRegion truth
           (wide, high) =
             ( taxelPitch * fromIntegral (regionWidth region),
@@ -35,10 +33,8 @@ spec = do
             [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
           corners = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
        in conjoin (zipWith near (map (truePlace truth) seen) corners)
-  prop
-    "an answer that names the true place of what it saw agrees to nothing; moved less than half a \
-    \cell, to as much; more, it is elsewhere"
-    $ forAllShrink someTruth simpler $ \truth point (dx, dy) ->
+  prop "an answer agrees with its truth to less than half a cell; else it is elsewhere" $
+    forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
             Claim (truthFace truth) (regionSymmetry (truthRegion truth)) (x + dx, y + dy) point

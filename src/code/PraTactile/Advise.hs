@@ -1,6 +1,6 @@
 -- | Which arrays are there? Given an alphabet, the least numbers of rows and columns, and perhaps a
 -- window: what is possible, and what is not and why, in order of size. Pseudorandom arrays exist in
--- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays together.
+-- few sizes, because their cells number q^n - 1, or a divisor of it for several arrays.
 module PraTactile.Advise
   ( -- * Asking
     Request (..),
@@ -54,7 +54,8 @@ data AdviceError
     AdviceWindowEmpty
   | -- | The window has this many cells, more than windows may have.
     AdviceWindowTooLarge Natural
-  | -- | So many cells are wanted, more than 2^128: q^n - 1 might not be factored for want of time.
+  | -- | This many cells are wanted, more than 2^128: q^n - 1 might not be factored for want of
+    -- time.
     AdviceTooLarge Natural
   deriving stock (Eq, Show)
 
@@ -75,15 +76,15 @@ data Option = Option
     optionLayout :: Layout,
     -- | the shape of each array
     optionShape :: Shape,
-    -- | windows that tell the position, the most nearly square ones first; at least one
+    -- | windows that determine the position, the most nearly square ones first; at least one
     optionFits :: [Fit]
   }
   deriving stock (Eq, Show)
 
 -- | A combination that does not work, and why.
 data Obstacle
-  = -- | For this degree, q^n - 1, the second number, is not a product of so many rows and columns
-    -- or more.
+  = -- | For this degree, q^n - 1, the second number, is not a product of as many rows and columns
+    -- as wanted, or more.
     NoSuchShape Natural Natural
   | -- | For this degree, the sides n1 and n2 have a common divisor, so that the diagonal reaches
     -- only a part of the cells and no linear array of the shape exists on the torus; but something
@@ -149,65 +150,72 @@ gather degrees =
 adviseDegree :: KnownField k => Proxy k -> Request -> Natural -> Advice
 adviseDegree k request n
   | Just w <- requestWindow request, area w < n = Advice [] [WindowTooFewCells n w]
-  | otherwise = case factorisePowerMinusOne q n of
+  | otherwise = case factorisePowerMinusOne (requestOrder request) n of
     Left why -> Advice [] [NotFactored n why]
-    Right factors -> collect (divisors factors)
+    Right factors -> adviseShapes (Degree request n (candidates k n) (divisors factors))
+
+-- | What is wanted, and what there is of one degree n.
+data Degree k = Degree
+  { degreeRequest :: Request,
+    -- | n
+    degreeNumber :: Natural,
+    -- | those that are tried
+    degreePolynomials :: [Primitive k],
+    -- | of q^n - 1, ascending
+    degreeDivisors :: [Natural]
+  }
+
+-- | What is possible in arrays of q^n - 1 cells, or of a part of them each, and what is not.
+adviseShapes :: KnownField k => Degree k -> Advice
+adviseShapes degree@(Degree request n _ ds) =
+  Advice
+    [option | Right option <- assessed]
+    (if null shapes then [NoSuchShape n terms] else shared ++ [why | Left why <- assessed])
   where
     q = requestOrder request
     terms = q ^ n - 1
-    polynomials = candidates k n
-    collect ds =
-      Advice
-        [option | Right option <- judged]
-        (if null shapes then [NoSuchShape n terms] else refused)
-      where
-        refused = shared ++ [obstacle | Left obstacle <- judged]
-        shapes = shapesIn terms
-        shapesIn cells =
-          [ Shape n1 (cells `div` n1)
-            | n1 <- ds,
-              cells `mod` n1 == 0,
-              n1 >= requestRows request,
-              cells `div` n1 >= requestColumns request
-          ]
-        coprime (Shape n1 n2) = gcd n1 n2 == 1
-        singles =
-          [ judge request n polynomials layout shape
-            | shape <- shapes,
-              layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor]
-          ]
-        judged =
-          singles
-            ++ ( if or [True | Right Option {optionLayout = Single Diagonal} <- singles]
-                   then []
-                   else joints
-               )
-        joints =
-          [ judge request n polynomials (Joint g) shape
-            | g <- drop 1 ds,
-              shape <- shapesIn (terms `div` g),
-              coprime shape,
-              whole shape
-          ]
-        -- The terms of one of several arrays must still generate all of GF(q^n).
-        whole shape = degreeOfOrder q n (area shape) == n
-        shared =
-          [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs request n polynomials ds shape)
-            | shape@(Shape n1 n2) <- shapes,
-              not (coprime shape)
-          ]
+    shapes = shapesWanted degree terms
+    singles =
+      [ assess degree layout shape
+        | shape <- shapes,
+          layout <- [Single Diagonal | coprime shape] ++ [Single RowMajor]
+      ]
+    joints =
+      [ assess degree (Joint g) shape
+        | g <- drop 1 ds,
+          shape <- shapesWanted degree (terms `div` g),
+          coprime shape,
+          -- The terms of one of several arrays must still generate all of GF(q^n).
+          degreeOfOrder q n (area shape) == n
+      ]
+    assessed
+      | or [True | Right Option {optionLayout = Single Diagonal} <- singles] = singles
+      | otherwise = singles ++ joints
+    shared =
+      [ SidesShareDivisor n n1 n2 (gcd n1 n2) (repairs degree shape)
+        | shape@(Shape n1 n2) <- shapes,
+          not (coprime shape)
+      ]
 
--- | Whether the windows wanted tell the position in these arrays.
-judge ::
-  KnownField k =>
-  Request ->
-  Natural ->
-  [Primitive k] ->
-  Layout ->
-  Shape ->
-  Either Obstacle Option
-judge request n polynomials layout shape = case requestWindow request of
-  Nothing -> Right (Option n layout shape (fitting n polynomials layout shape))
+-- | The shapes of this many cells with as many rows and columns as wanted.
+shapesWanted :: Degree k -> Natural -> [Shape]
+shapesWanted degree cells =
+  [ Shape n1 n2
+    | n1 <- degreeDivisors degree,
+      cells `mod` n1 == 0,
+      let n2 = cells `div` n1,
+      n1 >= requestRows (degreeRequest degree),
+      n2 >= requestColumns (degreeRequest degree)
+  ]
+
+-- | Whether the sides have no common divisor, so that the diagonal reaches all cells.
+coprime :: Shape -> Bool
+coprime (Shape n1 n2) = gcd n1 n2 == 1
+
+-- | Whether the windows wanted determine the position in these arrays.
+assess :: KnownField k => Degree k -> Layout -> Shape -> Either Obstacle Option
+assess degree@(Degree request n polynomials _) layout shape = case requestWindow request of
+  Nothing -> Right (Option n layout shape (fitting degree layout shape))
   Just w
     | not (w `within` shape) -> Left (WindowBeyondArray n layout shape)
     | otherwise -> case fits n polynomials layout shape w of
@@ -218,53 +226,58 @@ judge request n polynomials layout shape = case requestWindow request of
 -- many cells on the torus, lying or standing alike; the same shape row by row on the twisted torus;
 -- and as few arrays as possible, of parts of the sides. With the window wanted, or where it does
 -- not work with others.
-repairs :: KnownField k => Request -> Natural -> [Primitive k] -> [Natural] -> Shape -> [Option]
-repairs request n polynomials ds shape@(Shape n1 n2) =
-  [ Option n layout other found
-    | (layout, other) <- take 1 otherShapes ++ [(Single RowMajor, shape)] ++ take 1 several,
-      let found =
-            if null (wanted layout other)
-              then fitting n polynomials layout other
-              else wanted layout other,
+repairs :: KnownField k => Degree k -> Shape -> [Option]
+repairs degree shape =
+  [ Option (degreeNumber degree) layout other found
+    | (layout, other) <- instead,
+      let asked = wanted layout other
+          found = if null asked then fitting degree layout other else asked,
       not (null found)
   ]
   where
-    q = requestOrder request
-    otherShapes =
-      sortOn
-        (\(_, Shape a b) -> max a b)
-        [ (Single Diagonal, Shape a b)
-          | a <- ds,
-            let b = area shape `div` a,
-            a > 1,
-            b > 1,
-            gcd a b == 1,
-            (a <= b) == (n1 <= n2)
-        ]
-    several =
-      sortOn
-        (\(_, Shape a b) -> (area shape `div` (a * b), n1 `div` a))
-        [ (Joint (area shape `div` (a * b)), Shape a b)
-          | a <- ds,
-            a > 1,
-            n1 `mod` a == 0,
-            b <- ds,
-            b > 1,
-            n2 `mod` b == 0,
-            gcd a b == 1,
-            degreeOfOrder q n (a * b) == n
-        ]
+    instead =
+      take 1 (otherShapes degree shape) ++ [(Single RowMajor, shape)] ++ take 1 (parts degree shape)
     wanted layout other =
       [ fit
-        | Just w <- [requestWindow request],
+        | Just w <- [requestWindow (degreeRequest degree)],
           w `within` other,
-          Right fit <- [fits n polynomials layout other w]
+          Right fit <- [fits (degreeNumber degree) (degreePolynomials degree) layout other w]
       ]
 
--- | The windows of n cells that tell the position in these arrays, the most nearly square ones
+-- | Shapes of as many cells with coprime sides, the most nearly square ones first.
+otherShapes :: Degree k -> Shape -> [(Layout, Shape)]
+otherShapes degree shape =
+  sortOn
+    (\(_, Shape a b) -> max a b)
+    [ (Single Diagonal, Shape a b)
+      | a <- degreeDivisors degree,
+        let b = area shape `div` a,
+        a > 1,
+        b > 1,
+        coprime (Shape a b),
+        (a <= b) == (rows shape <= columns shape)
+    ]
+
+-- | Several arrays of parts of the sides, the fewest arrays first.
+parts :: Degree k -> Shape -> [(Layout, Shape)]
+parts (Degree request n _ ds) shape@(Shape n1 n2) =
+  sortOn
+    (\(_, Shape a b) -> (area shape `div` (a * b), n1 `div` a))
+    [ (Joint (area shape `div` (a * b)), Shape a b)
+      | a <- ds,
+        a > 1,
+        n1 `mod` a == 0,
+        b <- ds,
+        b > 1,
+        n2 `mod` b == 0,
+        coprime (Shape a b),
+        degreeOfOrder (requestOrder request) n (a * b) == n
+    ]
+
+-- | The windows of n cells that determine the position in these arrays, the most nearly square ones
 -- first.
-fitting :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> [Fit]
-fitting n polynomials layout shape =
+fitting :: KnownField k => Degree k -> Layout -> Shape -> [Fit]
+fitting (Degree _ n polynomials _) layout shape =
   [fit | w <- windowsOf n, w `within` shape, Right fit <- [fits n polynomials layout shape w]]
 
 -- | All rectangles of n cells, the most nearly square ones first.

@@ -1,5 +1,4 @@
--- |
--- Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
+-- | Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
 -- paper). Along the diagonal, a[i mod n1][i mod n2] = s(i), which fills the rectangle exactly when
 -- gcd(n1, n2) = 1, by the Chinese remainder theorem; or row by row, a[r][c] = s(n2 r + c).
 module PraTactile.Array
@@ -34,14 +33,14 @@ where
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
-import PraTactile.Array.Laid
+import PraTactile.Array.Fill
 import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
 import PraTactile.Polynomial
 import PraTactile.Sequence
 
--- | How the sequence is laid into the rectangle.
+-- | How the sequence is folded into the rectangle.
 data Folding
   = -- | a[i mod n1][i mod n2] = s(i), on the torus.
     Diagonal
@@ -142,7 +141,7 @@ toGrid array
     cells = case arrayFolding array of
       RowMajor ->
         sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
-      Diagonal -> laid (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
+      Diagonal -> filled (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
 
 -- | The whole array, row by row. Refuses as 'toGrid' does.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]

@@ -1,9 +1,9 @@
 -- | Pseudorandom array codes: several arrays of one shape that share one window property, so that a
--- window tells the array as well as the position in it. They exist for shapes that no single array
--- has: where n1 n2 g = q^n - 1 with n1 and n2 coprime, the sequence falls into g sequences s(j),
--- s(j + g), s(j + 2 g), ..., and each folds along the diagonal of a torus of its own. With g = 1 it
--- is the single array. Over GF(4), degree 6, no linear array of 15 x 273 cells exists on the torus,
--- as both sides are divisible by 3; three arrays of 15 x 91 cells share the 2 x 3 windows.
+-- window determines the array as well as the position in it. They exist for shapes that no single
+-- array has: where n1 n2 g = q^n - 1 with n1 and n2 coprime, the sequence falls into g sequences
+-- s(j), s(j + g), s(j + 2 g), ..., and each folds along the diagonal of a torus of its own. With g
+-- = 1 it is the single array. Over GF(4), degree 6, no linear array of 15 x 273 cells exists on the
+-- torus, as both sides are divisible by 3; three arrays of 15 x 91 cells share the 2 x 3 windows.
 module PraTactile.ArrayCode
   ( ArrayCode,
     foldCode,
@@ -27,7 +27,7 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Array.Laid
+import PraTactile.Array.Fill
 import PraTactile.Array.Remainder
 import PraTactile.Field
 import PraTactile.Grid
@@ -112,13 +112,13 @@ codeGrid code j
     g = codeArrays code
     (u, v) = diagonalWeights n1 n2
     start = j `mod` g
-    cells = laid h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
+    cells = filled h (\i -> codeTerm code ((i + start) `mod` period h)) (g * u, g * v) shape
 
 -- | The rank over GF(q) of the alpha^e, e the indices of the mask's cells from the cell of s(0).
--- The windows of all arrays together are distinct iff it is n: moving a window by one term of the
--- sequence, into another array where need be, multiplies by alpha, as in "PraTactile.Window.Rank".
--- The vectors s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that
--- is one to one.
+-- The windows of all arrays are distinct iff it is n: moving a window by one term of the sequence,
+-- into another array where need be, multiplies by alpha, as in "PraTactile.Window.Rank". The
+-- vectors s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that is
+-- one to one.
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
 codeRank code mask = rankOf (map (vector . codeIndex code . Place 0) (maskOffsets mask))
   where

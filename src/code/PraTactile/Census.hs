@@ -1,8 +1,8 @@
 {-# LANGUAGE RankNTypes #-}
 
 -- | All arrays of a size, one after another: for an alphabet and a degree n, every primitive
--- polynomial, every shape that its sequence fills, and every window worth asking about; whether the
--- windows are distinct, by both roads, and how many errors they forgive.
+-- polynomial, every shape that its sequence fills, and every window of interest; whether the
+-- windows are distinct, by both methods, and how many errors they forgive.
 module PraTactile.Census
   ( -- * What is asked
     Scope (..),
@@ -115,8 +115,8 @@ scopeShapes folding factors =
     coprime (Shape n1 n2) = gcd n1 n2 == 1
 
 -- | The windows of a scope that an array of this shape holds. The standard ones are the rectangles
--- of n cells, the fewest that can tell all positions, and those with one row or column more, which
--- forgive something.
+-- of n cells, the fewest that can determine all positions, and those with one row or column more,
+-- which forgive something.
 --
 -- >>> let shown (Shape a b) = show a ++ "x" ++ show b
 -- >>> map shown . (`scopeWindowsOf` Shape 15 17) <$> standardScope 4 4
@@ -188,36 +188,39 @@ entriesOver k wanted scope = do
     traverse
       (\window -> (,) window <$> first CensusWindow (rectangle window))
       (nub (concatMap (scopeWindowsOf scope . snd) shapes))
-  polynomials <-
-    first CensusPolynomial (primitivePolynomials (scopeDegree scope)) ::
-      Either
-        CensusError
-        [Primitive k]
+  polynomials <- first CensusPolynomial (primitivePolynomials (scopeDegree scope))
+  let arrays =
+        [ array
+          | h <- polynomials :: [Primitive k],
+            (folding, shape) <- shapes,
+            Right array <- [fold folding shape h (canonicalState h)]
+        ]
+      places =
+        [ (array, window, mask)
+          | array <- arrays,
+            window <- scopeWindowsOf scope (arrayShape array),
+            Just mask <- [lookup window masks]
+        ]
   pure
-    [ entry number h array mask
-      | (number, (h, array, mask)) <-
-          zip
-            [0 ..]
-            [ (h, array, (window, mask))
-              | h <- polynomials,
-                (folding, shape) <- shapes,
-                Right array <- [fold folding shape h (canonicalState h)],
-                window <- scopeWindowsOf scope shape,
-                Just mask <- [lookup window masks]
-            ],
+    [ entryOf number array window mask
+      | (number, (array, window, mask)) <- zip [0 ..] places,
         wanted number
     ]
+
+-- | An array and a window of this shape, as a mask, with their number in the census.
+entryOf :: KnownField k => Natural -> PseudorandomArray k -> Shape -> Mask -> Entry
+entryOf number array window mask =
+  Entry
+    { entryNumber = number,
+      entryPolynomial = map (fromIntegral . toCode) (coefficients (primitivePolynomial h)),
+      entryFolding = arrayFolding array,
+      entryShape = arrayShape array,
+      entryWindow = window,
+      entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask,
+      entryDistance = minimumDistance array mask
+    }
   where
-    entry number h array (window, mask) =
-      Entry
-        { entryNumber = number,
-          entryPolynomial = map (fromIntegral . toCode) (coefficients (primitivePolynomial h)),
-          entryFolding = arrayFolding array,
-          entryShape = arrayShape array,
-          entryWindow = window,
-          entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask,
-          entryDistance = minimumDistance array mask
-        }
+    h = arrayPrimitive array
 
 -- | 2^16: the most divisors of q^n - 1 that are gone through.
 largestShapes :: Natural

@@ -12,7 +12,7 @@ module PraTactile.Certificate
 
     -- * Certifying
     certify,
-    Road (..),
+    Method (..),
     CertificateError (..),
   )
 where
@@ -26,10 +26,10 @@ import PraTactile.Certificate.Digest
 import PraTactile.Extension
 import PraTactile.Factorisation
 import PraTactile.Field
+import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Profile
 import PraTactile.Window
-import PraTactile.Window.Elimination
 import PraTactile.Window.Proof
 import PraTactile.Window.Visit (visitedShape)
 
@@ -63,7 +63,7 @@ data OrderFactor = OrderFactor
   }
   deriving stock (Eq, Show)
 
--- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e that are told
+-- | A number P shown to be prime by Pocklington's theorem: the prime powers l^e of the witnesses
 -- divide P - 1, their product exceeds the square root of P, and for each a witness a has a^(P-1) =
 -- 1 modulo P and a^((P-1)/l) - 1 coprime to P.
 data PrimeProof = PrimeProof
@@ -99,12 +99,12 @@ data RankEvidence = RankEvidence
   }
   deriving stock (Eq, Show)
 
--- | By which road to certify.
-data Road
+-- | By which method to certify.
+data Method
   = -- | By rank where the rank decides, otherwise by enumeration.
-    AnyRoad
-  | RankRoad
-  | EnumerationRoad
+    AnyMethod
+  | RankMethod
+  | EnumerationMethod
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | Why there is no certificate.
@@ -128,30 +128,29 @@ data CertificateError
 
 -- | Prove that all windows of a mask are distinct on the profile's surface, and write the proof
 -- down. The profile's window becomes the extent of the mask. Refuses a profile without an array,
--- windows that are not distinct, and what cannot be shown on the road asked for.
-certify :: Road -> Profile -> Mask -> Either CertificateError Certificate
-certify road profile mask = do
-  outcome <-
-    first CertificateProfile (withProfile stated (\array _ -> certifyArray road stated array mask))
+-- windows that are not distinct, and what cannot be shown on the method asked for.
+certify :: Method -> Profile -> Mask -> Either CertificateError Certificate
+certify method profile mask = do
+  outcome <- first CertificateProfile (withProfile stated certified)
   outcome
   where
+    certified :: KnownField k => PseudorandomArray k -> a -> Either CertificateError Certificate
+    certified array _ = certifyArray method stated array mask
     stated = profile {profileWindow = maskExtent mask}
 
+-- | The certificate for an array that the profile describes.
 certifyArray ::
   forall k.
   KnownField k =>
-  Road ->
+  Method ->
   Profile ->
   PseudorandomArray k ->
   Mask ->
   Either CertificateError Certificate
-certifyArray road profile array mask = do
+certifyArray method profile array mask = do
   (verdict, _) <- first CertificateProof (prove on array mask)
   unless (proved verdict) (Left (NotDistinct verdict))
-  evidence <- case road of
-    EnumerationRoad -> enumerated verdict
-    RankRoad -> ranked verdict
-    AnyRoad -> either (const (enumerated verdict)) Right (ranked verdict)
+  evidence <- evidenceBy method profile array mask verdict
   factors <-
     first PeriodNotFactored (factorisePowerMinusOne p (m * fromIntegral (primitiveDegree h)))
   primes <- concat <$> traverse (primeProofs . fst) factors
@@ -171,15 +170,30 @@ certifyArray road profile array mask = do
     p = fromIntegral (fieldCharacteristic array)
     m = fromIntegral (fieldDegree array)
     residueAt = codes . residueCoefficients h . powerOfRoot h
-    enumerated verdict = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
-      True <- enumeration verdict
-      grid <- either (const Nothing) Just (toGrid array)
-      digestOfWindows (profilePacking profile) on grid mask
-    ranked verdict = maybe (Left (RankUndecided verdict)) Right $ do
-      True <- rankRoad verdict
-      ByRank <$> rankEvidence array mask
     withoutRepetition shown =
       [x | (i, x) <- zip [0 ..] shown, shownPrime x `notElem` map shownPrime (take i shown)]
+
+-- | Why all windows of an array are distinct, by a method, given the verdict that they are.
+evidenceBy ::
+  KnownField k =>
+  Method ->
+  Profile ->
+  PseudorandomArray k ->
+  Mask ->
+  Verdict ->
+  Either CertificateError Evidence
+evidenceBy method profile array mask verdict = case method of
+  EnumerationMethod -> enumerated
+  RankMethod -> ranked
+  AnyMethod -> either (const enumerated) Right ranked
+  where
+    enumerated = maybe (Left (NotVisited verdict)) (Right . ByEnumeration) $ do
+      True <- enumeration verdict
+      grid <- either (const Nothing) Just (toGrid array)
+      digestOfWindows (profilePacking profile) (profileSurface profile) grid mask
+    ranked = maybe (Left (RankUndecided verdict)) Right $ do
+      True <- rankDecision verdict
+      ByRank <$> rankEvidence array mask
 
 -- | The evidence that a mask has rank n; 'Nothing' if it has not.
 rankEvidence :: KnownField k => PseudorandomArray k -> Mask -> Maybe RankEvidence
@@ -208,14 +222,7 @@ primeProofs prime
     pure (before ++ [PrimeProof prime witnesses])
   where
     witness (l, e) =
-      maybe (Left (PrimeNotShown prime)) (Right . PrimeWitness l e) (find (shows' l) [2 .. 200])
-    shows' l a =
-      powerModuloInteger prime a (prime - 1) == 1
-        && gcd prime (powerModuloInteger prime a ((prime - 1) `div` l) + prime - 1) == 1
-
--- | @powerModuloInteger n a e@ is a^e modulo n, by squaring.
-powerModuloInteger :: Natural -> Natural -> Natural -> Natural
-powerModuloInteger n = go 1
-  where
-    go acc _ 0 = acc `mod` n
-    go acc a e = go (if odd e then acc * a `mod` n else acc) (a * a `mod` n) (e `div` 2)
+      maybe
+        (Left (PrimeNotShown prime))
+        (Right . PrimeWitness l e)
+        (find (isPocklingtonWitness prime l) [2 .. 200])

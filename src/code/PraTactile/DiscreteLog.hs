@@ -1,8 +1,7 @@
--- |
--- Which power of alpha an element of GF(q^n) is: the step from the state of the shift
--- register to the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby
--- steps and giant steps of Shanks). The cost goes with the square root of the largest prime that
--- divides q^n - 1, and where that is too large the answer is a refusal.
+-- | Which power of alpha an element of GF(q^n) is: the step from the state of the shift register to
+-- the position (Pohlig and Hellman, IEEE Trans. Inf. Theory 24, 1978, with the baby steps and giant
+-- steps of Shanks). The cost goes with the square root of the largest prime that divides q^n - 1,
+-- and where that is too large the answer is a refusal.
 module PraTactile.DiscreteLog
   ( -- * Logarithms
     discreteLogarithm,

@@ -1,6 +1,5 @@
--- |
--- GF(q^n) as GF(q)[x] modulo a primitive h: where positions live, since the state of the
--- shift register after t steps is alpha^t, alpha being the class of x. Its size has no limit.
+-- | GF(q^n) as GF(q)[x] modulo a primitive h: where positions live, since the state of the shift
+-- register after t steps is alpha^t, alpha being the class of x. Its size has no limit.
 module PraTactile.Extension
   ( -- * Residues
     Residue,

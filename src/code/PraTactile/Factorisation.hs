@@ -1,8 +1,7 @@
--- |
--- Primes and factors of integers, as far as the order of a root of h asks for them:
--- h is primitive when its root has order exactly q^n - 1, which is decided from the
--- primes that divide q^n - 1. Every answer is proved; where the effort allowed does not
--- suffice, the answer is a refusal. Imports base only.
+-- | Primes and factors of integers, as far as the order of a root of h asks for them: h is
+-- primitive when its root has order exactly q^n - 1, which is decided from the primes that divide
+-- q^n - 1. Every answer is proved; where the effort allowed does not suffice, the answer is a
+-- refusal. Imports base only.
 module PraTactile.Factorisation
   ( -- * Factorisation
     factorise,
@@ -15,6 +14,7 @@ module PraTactile.Factorisation
     -- * Primality
     isPrime,
     millerRabinDomain,
+    isPocklingtonWitness,
 
     -- * Euler's function
     totient,
@@ -26,8 +26,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
--- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and
--- numbers left with two prime factors of more than about 20 digits.
+-- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
+-- with two prime factors of more than about 20 digits.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]

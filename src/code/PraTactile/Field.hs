@@ -7,11 +7,10 @@
 {-# LANGUAGE UnboxedTuples #-}
 {-# LANGUAGE UndecidableInstances #-}
 
--- |
--- The symbols of the alphabet: elements of GF(q), q = p^m a prime power up to 256
--- (section II of the paper), as bytes with table arithmetic. The field is an index of
--- the type, so elements of different fields do not mix; 'withField' makes that index
--- from a characteristic and a modulus known at run time only.
+-- | The symbols of the alphabet: elements of GF(q), q = p^m a prime power up to 256 (section II of
+-- the paper), as bytes with table arithmetic. The field is an index of the type, so elements of
+-- different fields do not mix; 'withField' makes that index from a characteristic and a modulus
+-- known at run time only.
 module PraTactile.Field
   ( -- * Fields
     Field (Over),
@@ -60,16 +59,15 @@ import PraTactile.Field.Kind (Field (..))
 import PraTactile.Field.Tables
 import Text.Read (readMaybe)
 
--- | An element of the field k, stored as its code: the integer whose base-p digits are
--- the coefficients, lowest degree first. 'Ord' is the order of the codes; 'Show' is
--- 'showElement'.
+-- | An element of the field k, stored as its code: the integer whose base-p digits are the
+-- coefficients, lowest degree first. 'Ord' is the order of the codes; 'Show' is 'showElement'.
 newtype GF (k :: Field) = GF Word8
   deriving newtype (Eq, Ord, Prim)
 
 type role GF nominal
 
--- | The field is known: named in "PraTactile.Field.Named", or brought by 'withField'.
--- Its arithmetic is a set of tables, which are made once a field.
+-- | The field is known: named in "PraTactile.Field.Named", or brought by 'withField'. Its
+-- arithmetic is a set of tables, which are made once a field.
 class KnownField (k :: Field) where
   tables :: Tables
 
@@ -79,9 +77,9 @@ instance NamedField ('Over p modulus) => KnownField ('Over p modulus) where
 instance Reifies s Tables => KnownField ('RunTime s) where
   tables = reflect (Proxy @s)
 
--- | Bring GF(p)[x] / f into scope, given p and the modulus f, constant term first.
--- Refuses, each with its own 'FieldError', a p that is no prime, an order above 256, and a
--- modulus that is constant, not monic, not reduced modulo p, or reducible.
+-- | Bring GF(p)[x] / f into scope, given p and the modulus f, constant term first. Refuses, each
+-- with its own 'FieldError', a p that is no prime, an order above 256, and a modulus that is
+-- constant, not monic, not reduced modulo p, or reducible.
 --
 -- >>> withField 2 [1, 1, 1] fieldOrder
 -- Right 4
@@ -112,11 +110,12 @@ fieldModulus :: forall k proxy. KnownField k => proxy k -> [Natural]
 fieldModulus _ = tableModulus (tables @k)
 
 {- Note [Rows of 256]
-   The product of codes a and b is entry 256 a + b of a table of 65536. As a and b are
-   bytes, every index is within the table whatever the bytes are, so that leaving out the
-   bounds check is safe by the types alone, and no invariant has to be kept elsewhere. Rows of q
-   would save memory for small fields but tie safety to the constructor being used well, and
-   need q in the inner loop; a row of a small field touches only the cache lines that it uses. -}
+   ~~~~~~~~~~~~~~~~~~
+   The product of codes a and b is entry 256 a + b of a table of 65536. As a and b are bytes, every
+   index is within the table whatever the bytes are, so that leaving out the bounds check is safe by
+   the types alone, and no invariant has to be kept elsewhere. Rows of q would save memory for small
+   fields but tie safety to the constructor being used well, and need q in the inner loop; a row of
+   a small field touches only the cache lines that it uses. -}
 
 -- | Index by two bytes; the table has 65536 entries.
 at2 :: Primitive.Vector Word8 -> Word8 -> Word8 -> Word8
@@ -128,9 +127,9 @@ at1 :: Primitive.Vector Word8 -> Word8 -> Word8
 at1 table a = unsafeIndex table (fromIntegral a)
 {-# INLINE at1 #-}
 
--- | 'fromInteger' is the ring map from Z, so 2 is 0 in GF(4); codes are read by 'fromCode'.
--- A field has no order that its arithmetic respects: 'abs' is the identity and 'signum' is 1
--- except at 0, which keeps @abs x * signum x == x@.
+-- | 'fromInteger' is the ring map from Z, so 2 is 0 in GF(4); codes are read by 'fromCode'. A field
+-- has no order that its arithmetic respects: 'abs' is the identity and 'signum' is 1 except at 0,
+-- which keeps @abs x * signum x == x@.
 instance KnownField k => Num (GF k) where
   GF a + GF b = GF (at2 (tableSum (tables @k)) a b)
   {-# INLINE (+) #-}
@@ -155,8 +154,8 @@ zero = GF 0
 one :: GF k
 one = GF 1
 
--- | The smallest code of multiplicative order q - 1. For a Conway modulus it is A, the
--- modulus's root.
+-- | The smallest code of multiplicative order q - 1. For a Conway modulus it is A, the modulus's
+-- root.
 primitive :: forall k. KnownField k => GF k
 primitive = GF (tablePrimitive (tables @k))
 

@@ -1,17 +1,19 @@
--- |
--- Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how
--- rows and columns continue at their edges.
+-- | Rectangular matrices of symbol codes, whether they are pseudorandom arrays or not, and how rows
+-- and columns continue at their edges.
 module PraTactile.Grid
   ( -- * Shapes and positions
     Shape (..),
     area,
     Position (..),
     shapeCells,
+    positionAt,
+    extentOf,
     naturalsBelow,
     raggedRow,
     Surface (..),
     canonicalPosition,
     displaced,
+    admissible,
 
     -- * Grids
     Grid,
@@ -42,6 +44,21 @@ import PraTactile.Position
 -- [(0,0),(0,1),(1,0),(1,1)]
 shapeCells :: Shape -> [Position]
 shapeCells shape = Position <$> naturalsBelow (rows shape) <*> naturalsBelow (columns shape)
+
+-- | The cell with this index, from 0, when the cells of a rectangle are counted row by row.
+--
+-- >>> positionAt (Shape 2 3) 4
+-- Position {row = 1, column = 1}
+positionAt :: Shape -> Int -> Position
+positionAt shape i = uncurry Position (fromIntegral i `divMod` max 1 (columns shape))
+
+-- | The smallest rectangle from the upper left cell on that has the cells with these offsets and
+-- that cell itself.
+--
+-- >>> extentOf [Position 2 1, Position 0 4]
+-- Shape {rows = 3, columns = 5}
+extentOf :: [Position] -> Shape
+extentOf offsets = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
 -- | The natural numbers below this one, ascending: @[0 .. n - 1]@ would underflow for 0.
 --
@@ -101,6 +118,19 @@ displaced :: Surface -> Shape -> Position -> Position -> Maybe Position
 displaced surface shape (Position r c) (Position i j) =
   canonicalPosition surface shape (toInteger (r + i)) (toInteger (c + j))
 
+-- | The positions of a rectangle of the second shape, at least one cell, on a surface of the first,
+-- as the shape that they fill from the upper left: all of a torus; on the sheet those at which it
+-- does not stick out.
+--
+-- >>> admissible Sheet (Shape 15 17) (Shape 2 2)
+-- Shape {rows = 14, columns = 16}
+admissible :: Surface -> Shape -> Shape -> Shape
+admissible surface shape extent = case surface of
+  Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
+  _ -> shape
+  where
+    within side size = if size > side then 0 else side + 1 - size
+
 -- | Why a matrix is not accepted.
 data GridError
   = -- | There are no rows, or the rows have no cells.
@@ -156,13 +186,11 @@ gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
   | area shape == 0 = Left GridEmpty
   | cells > largestGrid || cells /= area shape = Left (GridCells cells)
-  | (i, c) : _ <-
-      foreign' =
-    Left (GridCode (uncurry Position (fromIntegral i `divMod` columns shape)) (fromIntegral c))
+  | (i, c) : _ <- outside = Left (GridCode (positionAt shape i) (fromIntegral c))
   | otherwise = Right (Grid q (fromIntegral (rows shape)) width codes)
   where
     cells = fromIntegral (Primitive.length codes)
-    foreign' =
+    outside =
       [(i, codes Primitive.! i) | Just i <- [Primitive.findIndex ((>= q) . fromIntegral) codes]]
     width = fromIntegral (columns shape) :: Int
 

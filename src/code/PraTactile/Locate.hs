@@ -58,27 +58,16 @@ module PraTactile.Locate
     DecodingError (..),
 
     -- * The memory table
-    Table,
-    buildTable,
-    tableSurface,
-    tableShape,
-    tableMask,
-    tablePacking,
-    tableSize,
-    tableLookup,
-    tableEntries,
-    tableUnique,
-    largestTable,
-    locatePatch,
+    module PraTactile.Locate.Decoder.MemoryTable,
   )
 where
 
-import PraTactile.Locate.Algebra (AlgebraError (..))
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
-import PraTactile.Locate.BoundedDistance (DecodingError (..))
 import PraTactile.Locate.Chance (Chance (..))
+import PraTactile.Locate.Decoder.Algebra (AlgebraError (..))
+import PraTactile.Locate.Decoder.InformationSet (DecodingError (..))
+import PraTactile.Locate.Decoder.MemoryTable
 import PraTactile.Locate.Locator
-import PraTactile.Locate.MemoryTable
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query

@@ -1,7 +1,6 @@
--- |
--- Polynomials over GF(q), and which of them are primitive: those whose root alpha
--- generates GF(q^n), so that the shift register of the paper's section II runs through
--- all q^n - 1 non-zero states.
+-- | Polynomials over GF(q), and which of them are primitive: those whose root alpha generates
+-- GF(q^n), so that the shift register of the paper's section II runs through all q^n - 1 non-zero
+-- states.
 module PraTactile.Polynomial
   ( -- * Polynomials
     Polynomial,
@@ -50,12 +49,12 @@ module PraTactile.Polynomial
     randomMonics,
     ascendingCandidates,
     fewestTermsCandidates,
-    barrenRun,
+    reducibleRun,
   )
 where
 
-import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
+import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 import PraTactile.Polynomial.Search

@@ -1,6 +1,17 @@
--- | Windows: the few neighbouring cells by whose content a position is told (section II of the
+-- | Windows: the few neighbouring cells by whose content a position is found (section II of the
 -- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
 -- is its upper left corner, the cell from which the offsets count, observed or not.
+--
+-- Rows 5 to 8 and columns 4 to 8 of the paper's array, and the window of its worked example, of two
+-- rows and two columns; its position is (6, 5), its content A^2 A A^2 1, or 3 2 3 1 as codes:
+--
+-- >          4   5   6   7   8
+-- >   5      3   1   1   1   2
+-- >            +-------+
+-- >   6      1 | 3   2 | 0   1
+-- >   7      3 | 3   1 | 2   1
+-- >            +-------+
+-- >   8      3   0   1   3   0
 module PraTactile.Window
   ( -- * Masks
     Mask,
@@ -29,7 +40,7 @@ import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (displaced, raggedRow)
+import PraTactile.Grid (displaced, extentOf, raggedRow)
 
 -- | Why there is no such window.
 data WindowError
@@ -89,8 +100,7 @@ maskSize (Mask offsets) = length offsets
 
 -- | The smallest rectangle that holds the cells and the window's position.
 maskExtent :: Mask -> Shape
-maskExtent (Mask offsets) =
-  Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
+maskExtent = extentOf . maskOffsets
 
 -- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for
 -- others.

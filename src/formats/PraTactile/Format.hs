@@ -3,16 +3,16 @@
 -- without its end, except census files.
 --
 -- >>> import PraTactile.Array (Shape (..))
--- >>> import PraTactile.Certificate (Road (..), certificateWindows, certify)
+-- >>> import PraTactile.Certificate (Method (..), certificateWindows, certify)
 -- >>> import PraTactile.Profile (canonicalProfile)
 -- >>> import PraTactile.Window (rectangle)
 -- >>> let Right window = rectangle (Shape 2 2)
--- >>> let Right certificate = certify RankRoad canonicalProfile window
+-- >>> let Right certificate = certify RankMethod canonicalProfile window
 -- >>> certificateWindows . fileCertificate <$> decodeCertificate (encodeCertificate certificate)
 -- Right 255
 --
--- The modules below this one have the pieces: 'PraTactile.Format.Json.encodeLine' for other JSON in
--- the same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
+-- The modules below this one have the pieces: "PraTactile.Format.Json.Codec" for other JSON in the
+-- same form, "PraTactile.Format.Census.Continue" and "PraTactile.Format.Census.Merge" for
 -- census files that are not finished.
 module PraTactile.Format
   ( -- * Why a text is not read
@@ -30,13 +30,44 @@ module PraTactile.Format
     encodeCertificate,
     decodeCertificate,
     CertificateFile (..),
+    encodeProof,
+    Subject (..),
+    encodeCheck,
 
-    -- * Answers and the truth
+    -- * Answers of @locate@
+    encodeAnswer,
+    decodeAnswer,
+    AnswerReport (..),
+    answerReport,
+    AnswerContext (..),
+
+    -- * Answers of @decode@ and the truth
     encodeRecognition,
+    decodeRecognition,
     RecognitionReport (..),
+    recognitionReport,
+    RecognitionContext (..),
     decodeClaim,
     encodeTruth,
     decodeTruth,
+    encodeComparison,
+
+    -- * Rates and objects
+    encodeRates,
+    RatesReport (..),
+    encodeEvaluation,
+    EvaluationReport (..),
+    encodeObjects,
+    encodeWhereabouts,
+
+    -- * Fields, polynomials and sequences
+    encodeField,
+    encodePolynomials,
+    PolynomialKind (..),
+    encodeArray,
+    encodeTerms,
+    encodeSynthesis,
+    SynthesisReport (..),
 
     -- * Advice
     encodeAdvice,
@@ -50,10 +81,16 @@ module PraTactile.Format
 where
 
 import PraTactile.Format.Advice
+import PraTactile.Format.Answer
+import PraTactile.Format.Answer.Report
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Certificate
 import PraTactile.Format.Error
+import PraTactile.Format.Object
 import PraTactile.Format.Profile
+import PraTactile.Format.Proof
+import PraTactile.Format.Rates
 import PraTactile.Format.Recognition
+import PraTactile.Format.Sequence
 import PraTactile.Format.Truth

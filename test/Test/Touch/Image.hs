@@ -266,18 +266,16 @@ draws = do
         isNaN v || isInfinite v
     ]
       `shouldBe` []
-  it
-    "the moments of a hundred thousand normal draws are 0, 1, 0, 3 within five standard errors"
-    $ do
-      let count = 100000 :: Int
-          n = fromIntegral count
-          (vs, _) = normals count (mkStdGen 20040501)
-          moment k = V.sum (V.map (^ (k :: Int)) vs) / n
-      -- The variances of the sample moments of order 1 to 4 are 1/n, 2/n, 15/n and 96/n.
-      abs (moment 1) `shouldSatisfy` (< 5 * sqrt (1 / n))
-      abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
-      abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
-      abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
+  it "the moments of 100000 normal draws are 0, 1, 0, 3 within five standard errors" $ do
+    let count = 100000 :: Int
+        n = fromIntegral count
+        (vs, _) = normals count (mkStdGen 20040501)
+        moment k = V.sum (V.map (^ (k :: Int)) vs) / n
+    -- The variances of the sample moments of order 1 to 4 are 1/n, 2/n, 15/n and 96/n.
+    abs (moment 1) `shouldSatisfy` (< 5 * sqrt (1 / n))
+    abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
+    abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
+    abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
   it "the two of a pair are uncorrelated within five standard errors" $ do
     let count = 50000 :: Int
         (vs, _) = normals (2 * count) (mkStdGen 7)

@@ -155,13 +155,10 @@ spec = do
         `shouldBe` Left NotFinite
 
   describe "The shipped network" $ do
-    it
-      "is read without refusal, has 8 hidden and 4 output units, and its file is as it would be \
-      \written"
-      $ do
-        file <- T.readFile "data/network.txt"
-        fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) shippedNetwork
-          `shouldBe` Right (8, 4, file)
+    it "is read, has 8 hidden and 4 output units, and is written as it was" $ do
+      file <- T.readFile "data/network.txt"
+      fmap (\n -> (hiddenCount n, outputCount n, renderNetwork n)) shippedNetwork
+        `shouldBe` Right (8, 4, file)
     it "recognises each clean shape" $
       onShipped $ \n a ->
         [classify standardThresholds n (toRaster b) | b <- shapes a]
@@ -178,10 +175,8 @@ spec = do
                 ]
         ]
           `shouldSatisfy` all (either (const False) refused)
-    it
-      "the paper's figure: at every noise from 0 to 0.5 fewer than 0.6 % of 1100 aligned images \
-      \of each class go to another; none is answered wrongly"
-      $ onShipped $ \n a ->
+    it "the paper's figure: at noise up to 0.5 fewer than 0.6 % misread, none wrong" $
+      onShipped $ \n a ->
         [ (deviation, t)
           | deviation <- [0, 0.05 .. 0.5],
             t <- tallies (errorRates standardThresholds n a Aligned deviation 1100 1)
@@ -190,10 +185,8 @@ spec = do
             ( \(_, t) ->
                 tallyImages t == 1100 && tallyWrong t == 0 && 1000 * tallyOutvoted t < 6 * 1100
             )
-    it
-      "misplaced by up to 0.7 taxel, blurred and torn as by stitching, noise 0.1: none of 1100 \
-      \images of each class wrong, fewer than 0.3 % refused"
-      $ onShipped $ \n a ->
+    it "misplaced by up to 0.7 taxel, blurred and torn: none wrong, 0.3 % refused" $
+      onShipped $ \n a ->
         tallies (errorRates standardThresholds n a Misplaced 0.1 1100 2)
           `shouldSatisfy` all (\t -> tallyWrong t == 0 && 1000 * tallyRefused t < 3 * 1100)
     it "the same, not seen completely: none wrong, fewer than 6 % refused" $

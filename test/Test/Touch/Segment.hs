@@ -142,10 +142,8 @@ alone composite check = case segment composite of
 
 rejected :: Spec
 rejected = do
-  it
-    "a symbol that the edge cuts off by three taxels or more is called cut off, in all the pieces \
-    \that are left of it"
-    $ conjoin
+  it "a symbol cut off by three taxels or more is called so, in all its pieces" $
+    conjoin
       [ forAll (choose (3, 6)) $ \cut ->
           conjoin
             [ nothingBut CutOff (segment (compositeOf (embossedAt 40 52 [(place, bitmap)])))
@@ -206,10 +204,8 @@ presses =
   -- Fixed seeds: one press in a thousand or so is refused, and a test must not be red by chance.
   -- Symbols on both sides of a gap in which nothing overlaps are tied by the robot's positions
   -- alone, hence the three taxels.
-  it
-    "with noise of 0.1 and position errors of one taxel, all the symbols well within a scan are \
-    \found within 3 taxels of their places to each other"
-    $ conjoin $
+  it "with noise and position errors, all symbols of a scan are found within 3 taxels" $
+    conjoin $
       flip
         map
         [ (seed, fromIntegral (seed * 7 `mod` 160) / 8, fromIntegral (seed * 11 `mod` 160) / 8)
@@ -261,10 +257,7 @@ lattice = do
                   | (cell@(row, column), (dx, dy)) <- placed
                 ]
            in arrange id (map snd symbols) === [Cluster (Map.fromList symbols)]
-  it
-    "the cells count from the uppermost row and the leftmost column, though no symbol need lie \
-    \there"
-    $
+  it "the cells count from the uppermost row and leftmost column of any symbol" $
     -- An L upside down and mirrored: the upper left cell is empty.
     arrange id [at (16, 0), at (16, 20), at (0, 20)]
       `shouldBe` [ Cluster

@@ -1,4 +1,4 @@
--- | Whether a window tells the position in arrays of a layout and shape: for every primitive
+-- | Whether a window determines the position in arrays of a layout and shape: for every primitive
 -- polynomial of the degree, or for one of them at least.
 module PraTactile.Advise.Fit
   ( Fit (..),
@@ -20,7 +20,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import PraTactile.Window.Rank (windowRank)
 
--- | A window that tells the position, shown by rank.
+-- | A window that determines the position, shown by rank.
 data Fit = Fit
   { -- | the window, which may be larger than needed
     fitWindow :: Shape,

@@ -17,11 +17,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Array.Remainder
 
--- | How a sequence is laid.
+-- | How a sequence is folded.
 data Layout
   = -- | Into one array: along the diagonal of the torus, or row by row on the twisted torus.
     Single Folding
-  | -- | Into so many arrays, each along the diagonal of a torus, which share the window property:
+  | -- | Into this many arrays, each along the diagonal of a torus, which share the window property:
     -- see "PraTactile.ArrayCode".
     Joint Natural
   deriving stock (Eq, Ord, Show)
@@ -39,13 +39,15 @@ layoutWeights layout (Shape n1 n2) = case layout of
   Single Diagonal -> diagonalWeights n1 n2
   Joint g -> let (u, v) = diagonalWeights n1 n2 in (g * u, g * v)
 
-{- Note [Windows that are sure] Let the cell (r, c) hold s(r u + c v), and let d1 and d2 be the
-   degrees over GF(q) of alpha^u and alpha^v. If the two generate GF(q^n), that is lcm(d1, d2) = n,
-   then alpha^v has degree n/d1 over the field GF(q^d1) that alpha^u generates. So the alpha^(u i),
-   i < d1, are a basis of GF(q^d1) over GF(q), the alpha^(v j), j < n/d1, one of GF(q^n) over
-   GF(q^d1), and their products, the cells of a d1 x n/d1 window, one of GF(q^n) over GF(q): the
-   rank is n. Likewise for n/d2 x d2. The degrees depend on the orders of alpha^u and alpha^v only,
-   not on the polynomial. With n1 = q^k1 - 1, d1 is k1: the windows of MacWilliams and Sloane. -}
+{- Note [Windows that are sure]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   Let the cell (r, c) hold s(r u + c v), and let d1 and d2 be the degrees over GF(q) of alpha^u and
+   alpha^v. If the two generate GF(q^n), that is lcm(d1, d2) = n, then alpha^v has degree n/d1 over
+   the field GF(q^d1) that alpha^u generates. So the alpha^(u i), i < d1, are a basis of GF(q^d1)
+   over GF(q), the alpha^(v j), j < n/d1, one of GF(q^n) over GF(q^d1), and their products, the
+   cells of a d1 x n/d1 window, one of GF(q^n) over GF(q): the rank is n. Likewise for n/d2 x d2.
+   The degrees depend on the orders of alpha^u and alpha^v only, not on the polynomial. With n1 =
+   q^k1 - 1, d1 is k1: the windows of MacWilliams and Sloane. -}
 
 -- | The windows of n cells that are distinct for every primitive polynomial of degree n, given q, n
 -- and the shape of each array, which the layout must fill: none, one or two. See Note [Windows that

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | The window property of an array code: no content occurs twice in all its arrays together. By
--- visiting every window of every array, and by the rank of the mask; where both roads are open they
+-- | The window property of an array code: no content occurs twice in all its arrays. By visiting
+-- every window of every array, and by the rank of the mask; where both methods are possible they
 -- are compared.
 module PraTactile.ArrayCode.Proof
   ( proveCode,
@@ -26,7 +26,7 @@ import PraTactile.Window.Enumeration (largestSpan)
 import PraTactile.Window.Seen
 import PraTactile.Window.Visit
 
--- | What is known of the windows of all arrays together, each on its torus.
+-- | What is known of the windows of all arrays, each on its torus.
 data CodeVerdict = CodeVerdict
   { -- | whether all windows are distinct
     codeProved :: Bool,
@@ -42,7 +42,7 @@ data CodeVerdict = CodeVerdict
 -- | Why there is no verdict.
 newtype CodeProofError
   = -- | Visiting and rank contradict each other, which a theorem forbids.
-    CodeRoadsDisagree CodeVerdict
+    CodeMethodsDisagree CodeVerdict
   deriving stock (Eq, Show)
 
 -- | A code with a mask whose windows have been shown to be distinct. Only 'proveCode' makes one.
@@ -55,16 +55,16 @@ data ProvedCode (k :: Field) = ProvedCode
 
 type role ProvedCode nominal
 
--- | Decide whether the windows of all arrays together are distinct: by the rank, and by visiting
--- them all if there are not more than 2^30 possible contents and the arrays fit into memory one by
--- one. Refuses when the two disagree.
+-- | Decide whether the windows of all arrays are distinct: by the rank, and by visiting them all if
+-- there are not more than 2^30 possible contents and the arrays fit into memory one by one. Refuses
+-- when the two disagree.
 proveCode ::
   KnownField k =>
   ArrayCode k ->
   Mask ->
   Either CodeProofError (CodeVerdict, Maybe (ProvedCode k))
 proveCode code mask = case visits of
-  Just seen | allDistinct seen /= byRank -> Left (CodeRoadsDisagree verdict)
+  Just seen | allDistinct seen /= byRank -> Left (CodeMethodsDisagree verdict)
   _ -> Right (verdict, if byRank then Just (ProvedCode code mask) else Nothing)
   where
     r = codeRank code mask

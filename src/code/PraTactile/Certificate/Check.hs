@@ -31,7 +31,7 @@ data Fault
     FieldFault FieldError
   | -- | The polynomial is not monic of a degree of at least 1 with a constant term.
     PolynomialFault [Natural]
-  | -- | N, as told and as q^n - 1.
+  | -- | N, as stated and as q^n - 1.
     PeriodFault Natural Natural
   | -- | The product of the prime powers is not N.
     FactorsFault Natural
@@ -39,7 +39,7 @@ data Fault
     PrimeFault Natural
   | -- | x^N is not 1 modulo h.
     OrderFault
-  | -- | x^(N/l), for this l, is not what is told.
+  | -- | x^(N/l), for this l, is not what is stated.
     ResidueFault Natural
   | -- | x^(N/l), for this l, is 1, so that h is not primitive.
     RootOrderFault Natural
@@ -53,15 +53,15 @@ data Fault
     MaskFault WindowError
   | -- | The profile's window is not the extent of the mask, this shape.
     ExtentFault Shape
-  | -- | The number of windows, as told and as the surface has.
+  | -- | The number of windows, as stated and as the surface has.
     WindowsFault Natural Natural
   | -- | The rank decides nothing on this surface.
     SurfaceFault Surface
-  | -- | The vector of the mask's cell with this index is not the one told.
+  | -- | The vector of the mask's cell with this index is not the one stated.
     VectorFault Natural
   | -- | The cells chosen are not n ascending indices of cells.
     CellsFault [Natural]
-  | -- | The matrix told is not the inverse of the chosen vectors.
+  | -- | The matrix stated is not the inverse of the chosen vectors.
     InverseFault
   | -- | The array cannot be made to visit its windows.
     ArrayFault ProfileError
@@ -69,12 +69,12 @@ data Fault
     SizeFault FoldError
   | -- | Two windows are the same, or they are too many for a digest.
     RepeatedFault
-  | -- | The digest, as told and as computed.
+  | -- | The digest, as stated and as computed.
     DigestFault String String
   deriving stock (Eq, Show)
 
 -- | Check every step of a certificate. 'Right' means: all windows of the mask are distinct on the
--- surface that the profile tells.
+-- surface of the profile.
 checkCertificate :: Certificate -> Either Fault ()
 checkCertificate certificate = do
   when (m <= 0 || p ^ m /= q) (Left (OrderNotOfModulus q))
@@ -101,7 +101,7 @@ checkOver k certificate = do
         (profileSurface profile `elem` [naturalSurface (profileFolding profile), Sheet])
         (Left (SurfaceFault (profileSurface profile)))
       checkRank h profile mask evidence
-    ByEnumeration told -> checkDigest profile mask told
+    ByEnumeration stated -> checkDigest profile mask stated
   where
     profile = certificateProfile certificate
     period' = certificatePeriod certificate
@@ -109,10 +109,10 @@ checkOver k certificate = do
 -- | The characteristic polynomial of a profile.
 characteristic :: KnownField k => Proxy k -> Profile -> Either Fault (Modulus k)
 characteristic _ profile = do
-  told <- first FieldFault (elementsFromCodes (profilePolynomial profile))
+  stated <- first FieldFault (elementsFromCodes (profilePolynomial profile))
   maybe (Left (PolynomialFault (profilePolynomial profile))) Right $ case profileReading profile of
-    Characteristic -> modulusFrom told
-    Reciprocal -> modulusFrom told >>= reversed
+    Characteristic -> modulusFrom stated
+    Reciprocal -> modulusFrom stated >>= reversed
 
 -- | That x has order N modulo h.
 checkOrder :: KnownField k => Modulus k -> Certificate -> Either Fault ()
@@ -129,9 +129,9 @@ checkOrder h certificate = do
     (boundedProduct terms [(orderPrime f, orderExponent f) | f <- factors] == Just terms)
     (Left (FactorsFault terms))
   when (rootPower h terms /= rootPower h 0) (Left OrderFault)
-  forM_ factors $ \(OrderFactor l _ told) -> do
+  forM_ factors $ \(OrderFactor l _ stated) -> do
     let residue = rootPower h (terms `div` l)
-    when (map (fromIntegral . toCode) residue /= told) (Left (ResidueFault l))
+    when (map (fromIntegral . toCode) residue /= stated) (Left (ResidueFault l))
     when (residue == rootPower h 0) (Left (RootOrderFault l))
   where
     terms = certificatePeriod certificate
@@ -152,7 +152,7 @@ checkShape n certificate = do
     shape = profileShape profile
     g = gcd (rows shape) (columns shape)
 
--- | The mask, and that the surface has as many of its windows as is told, and any.
+-- | The mask, and that the surface has as many of its windows as stated, and any.
 checkMask :: Certificate -> Either Fault Mask
 checkMask certificate = do
   mask <- first MaskFault (maskFrom (certificateMask certificate))
@@ -165,7 +165,7 @@ checkMask certificate = do
   where
     profile = certificateProfile certificate
 
--- | That the alpha^e(i, j) are as told, and that n of them have the inverse told.
+-- | That the alpha^e(i, j) are as stated, and that n of them have the inverse stated.
 checkRank ::
   forall k.
   KnownField k =>
@@ -174,11 +174,11 @@ checkRank ::
   Mask ->
   RankEvidence ->
   Either Fault ()
-checkRank h profile mask (RankEvidence told cells inverted) = do
+checkRank h profile mask (RankEvidence stated cells inverted) = do
   when
-    (length told /= maskSize mask)
-    (Left (VectorFault (fromIntegral (min (length told) (maskSize mask)))))
-  forM_ (zip3 [0 ..] (powersAt h exponents) told) $ \(i, computed, codes) ->
+    (length stated /= maskSize mask)
+    (Left (VectorFault (fromIntegral (min (length stated) (maskSize mask)))))
+  forM_ (zip3 [0 ..] (powersAt h exponents) stated) $ \(i, computed, codes) ->
     when (map (fromIntegral . toCode) computed /= codes) (Left (VectorFault i))
   unless
     ( length cells == n
@@ -187,7 +187,7 @@ checkRank h profile mask (RankEvidence told cells inverted) = do
     )
     (Left (CellsFault cells))
   chosen <-
-    first FieldFault (traverse elementsFromCodes [x | (i, x) <- zip [0 ..] told, i `elem` cells])
+    first FieldFault (traverse elementsFromCodes [x | (i, x) <- zip [0 ..] stated, i `elem` cells])
   inverse' <- first FieldFault (traverse elementsFromCodes inverted) :: Either Fault [[GF k]]
   unless
     (map length inverse' == replicate n n && product' inverse' chosen == unit)
@@ -215,16 +215,16 @@ inverseOf a m = go (toInteger m) 0 (toInteger a `mod` toInteger m) 1 `mod` toInt
     go _ t 0 _ = t
     go r t r' t' = go r' t' (r `mod` r') (t - (r `div` r') * t')
 
--- | That the windows are distinct, and in the order that the digest tells.
+-- | That the windows are distinct, and in the order of the digest.
 checkDigest :: Profile -> Mask -> String -> Either Fault ()
-checkDigest profile mask told = do
+checkDigest profile mask stated = do
   grid <- first ArrayFault (withProfile profile (\array _ -> toGrid array)) >>= first SizeFault
   computed <-
     maybe
       (Left RepeatedFault)
       Right
       (digestOfWindows (profilePacking profile) (profileSurface profile) grid mask)
-  when (computed /= told) (Left (DigestFault told computed))
+  when (computed /= stated) (Left (DigestFault stated computed))
 
 -- | Whether a number is known to be prime: among those shown, or below 'millerRabinDomain' by the
 -- strong test, which decides there.

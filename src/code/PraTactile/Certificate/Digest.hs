@@ -1,6 +1,5 @@
--- |
--- Digests that anyone can recompute: SHA-256 (FIPS 180-4), and which bytes of an array's windows it
--- is taken of.
+-- | Digests that anyone can recompute: SHA-256 (FIPS 180-4), and which bytes of an array's windows
+-- it is taken of.
 module PraTactile.Certificate.Digest
   ( -- * SHA-256
     sha256,
@@ -50,7 +49,7 @@ digestOfWindows packing surface grid mask = do
   ordered <- positionsByContent packing surface grid mask
   if Primitive.null ordered then Nothing else Just (hexadecimal (SHA256.hashlazy (bytesOf ordered)))
   where
-    -- Made chunk by chunk as they are digested: the bytes are never in memory together.
+    -- Made chunk by chunk as they are digested: the bytes are never in memory at once.
     bytesOf ordered = Builder.toLazyByteString (Prim.primUnfoldrFixed Prim.int64BE next 0)
       where
         next i = (\position -> (fromIntegral position, i + 1)) <$> ordered Primitive.!? i

@@ -1,6 +1,5 @@
--- |
--- Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the
--- arithmetic that it helps to check. Internal.
+-- | Arithmetic modulo a polynomial, by Horner's rule: slow, short, and apart from the arithmetic
+-- that it helps to check. Internal.
 module PraTactile.Certificate.Residue
   ( Modulus,
     modulusFrom,
@@ -15,7 +14,7 @@ import Data.List (foldl')
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
-import PraTactile.Window.Elimination
+import PraTactile.LinearCode.Elimination
 
 -- | A monic polynomial of degree n >= 1 with a constant term: its n lower coefficients, the
 -- constant term first.
@@ -25,10 +24,10 @@ type role Modulus nominal
 
 -- | The polynomial with these coefficients, constant term first, if it is such a one.
 modulusFrom :: [GF k] -> Maybe (Modulus k)
-modulusFrom told = case (told, reverse told) of
+modulusFrom stated = case (stated, reverse stated) of
   (constantTerm : _ : _, leading : _)
     | leading == one && constantTerm /= zero ->
-      Just (Modulus (rowFromList (take (length told - 1) told)))
+      Just (Modulus (rowFromList (take (length stated - 1) stated)))
   _ -> Nothing
 
 -- | x^n h(1/x) / h(0).

@@ -1,9 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Divisors of composite numbers: trial division, then Pollard's rho, then Lenstra's
--- elliptic curves, each with a stated effort. Nothing here has to be believed: that a
--- divisor divides is checked before it is given out. Imports base only.
+-- | Divisors of composite numbers: trial division, then Pollard's rho, then Lenstra's elliptic
+-- curves, each with a stated effort. Nothing here has to be believed: that a divisor divides is
+-- checked before it is given out. Imports base only.
 module PraTactile.Factorisation.Divisor
   ( -- * Small primes
     smallPrimes,
@@ -84,19 +83,20 @@ rho n c = tortoise (1 :: Int) 2
          in case g of
               1 -> batch r x (foldl' (\_ z -> z) y points) (left - size)
               _ -> oneByOne x points
-    -- Some difference of the batch has a factor in common with n: the first one tells.
+    -- Some difference of the batch has a factor in common with n: the first one shows it.
     oneByOne x points = fromMaybe n (find (/= 1) (map (gcd n . distance x) points))
     distance a b = if a > b then a - b else b - a
 
 {- Note [Elliptic curves]
-   Lenstra (Annals of Mathematics 126, 1987) in Montgomery's form (Math. Comp. 48, 1987): on
-   B y^2 = x^3 + A x^2 + x only x = X/Z is computed, and the curve enters through (A + 2)/4
-   alone. That number is simply 2, 3, 4, ... and the point has x = 2: some B makes the point lie
-   on the curve, and no formula needs it. Multiplying the point by all prime powers up to B1
-   makes Z divisible by a prime factor p of n if the order of the point on the curve modulo p has
-   no other factors; the second stage lets one more prime pass, up to 50 B1. A curve that fails
-   is followed by another one, of another order.
-   Limits and numbers of curves are near those usual for factors of 15, 20 and 25 digits. -}
+   ~~~~~~~~~~~~~~~~~~~~~~
+   Lenstra (Annals of Mathematics 126, 1987) in Montgomery's form (Math. Comp. 48, 1987): on B y^2 =
+   x^3 + A x^2 + x only x = X/Z is computed, and the curve enters through (A + 2)/4 alone. That
+   number is simply 2, 3, 4, ... and the point has x = 2: some B makes the point lie on the curve,
+   and no formula needs it. Multiplying the point by all prime powers up to B1 makes Z divisible by
+   a prime factor p of n if the order of the point on the curve modulo p has no other factors; the
+   second stage lets one more prime pass, up to 50 B1. A curve that fails is followed by another
+   one, of another order. Limits and numbers of curves are near those usual for factors of 15, 20
+   and 25 digits. -}
 
 -- | What the curves give, one after the other: divisors of n, many of them 1 or n.
 curveDivisors :: Natural -> [Natural]

@@ -1,11 +1,11 @@
--- |
--- Which numbers are primes, with proof: the strong test where a theorem says that it
--- decides, Pocklington's theorem beyond. Imports base only.
+-- | Which numbers are primes, with proof: the strong test where a theorem says that it decides,
+-- Pocklington's theorem beyond. Imports base only.
 module PraTactile.Factorisation.Prime
   ( -- * Primality
     isPrime,
     millerRabinDomain,
     pocklington,
+    isPocklingtonWitness,
 
     -- * Errors
     FactorError (..),
@@ -66,12 +66,13 @@ strongProbablePrime n a
     start = powerModulo n a ((n - 1) `div` 2 ^ twos)
 
 {- Note [Proofs from n - 1]
-   Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n
-   and a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a
-   may differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if
-   F^2 > n. If only F^3 >= n, a composite n is (a F + 1)(b F + 1); in base F, n = c2 F^2 + c1 F + 1,
-   and such a and b exist iff c1^2 - 4 c2 is a square (Crandall and Pomerance, Prime Numbers,
-   theorem 4.1.5). -}
+   ~~~~~~~~~~~~~~~~~~~~~~~~
+   Let F divide n - 1, and for each prime l that divides F let some a have a^(n-1) = 1 modulo n and
+   a^((n-1)/l) - 1 coprime to n. Then every prime factor of n is 1 modulo F (Pocklington; a may
+   differ from l to l: Brillhart, Lehmer and Selfridge, Math. Comp. 29, 1975). So n is prime if F^2
+   > n. If only F^3 >= n, a composite n is (a F + 1)(b F + 1); in base F, n = c2 F^2 + c1 F + 1, and
+   such a and b exist iff c1^2 - 4 c2 is a square (Crandall and Pomerance, Prime Numbers, theorem
+   4.1.5). -}
 
 -- | Whether the factors of n - 1 that are found prove that n > 2 is prime. 'True' is a proof;
 -- 'False' says nothing. See Note [Proofs from n - 1].
@@ -81,12 +82,15 @@ pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors
     (small, rest) = trialDivision (n - 1)
     enough primes = product primes ^ (3 :: Int) >= n
     suffices primes = all witnessed (nub primes) && noTwoFactors (product primes)
-    witnessed l = any (witness l) millerRabinBases
-    witness l a =
-      powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
+    witnessed l = any (isPocklingtonWitness n l) millerRabinBases
     noTwoFactors f = f * f > n || not (isSquare (toInteger c1 * toInteger c1 - 4 * toInteger c2))
       where
         (c2, c1) = (n `div` f) `divMod` f
+
+-- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n.
+isPocklingtonWitness :: Natural -> Natural -> Natural -> Bool
+isPocklingtonWitness n l a =
+  powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1
 
 isSquare :: Integer -> Bool
 isSquare a = a >= 0 && root * root == fromInteger a

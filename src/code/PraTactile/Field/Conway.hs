@@ -3,11 +3,9 @@
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE TypeApplications #-}
 
--- |
--- The named fields: all 70 prime powers up to 256 with their Conway polynomials as
--- moduli (F. Luebeck's tables; the test suite checks each against the definition of
--- a Conway polynomial). Internal, because of the class; "PraTactile.Field.Named"
--- exports the rest.
+-- | The named fields: all 70 prime powers up to 256 with their Conway polynomials as moduli (F.
+-- Luebeck's tables; the test suite checks each against the definition of a Conway polynomial).
+-- Internal, because of the class; "PraTactile.Field.Named" exports the rest.
 module PraTactile.Field.Conway
   ( NamedField (..),
     conwayModulus,
@@ -90,15 +88,15 @@ import Numeric.Natural (Natural)
 import PraTactile.Field.Kind (Field (..), KnownIndex, fieldIndex)
 import PraTactile.Field.Tables (FieldError (..), Tables, largestOrder, trustedTables)
 
--- | A field whose tables are made once, when first used. The default method reads
--- the modulus off the type, so that it is written in one place.
+-- | A field whose tables are made once, when first used. The default method reads the modulus off
+-- the type, so that it is written in one place.
 class NamedField (k :: Field) where
   namedTables :: Tables
   default namedTables :: KnownIndex k => Tables
   namedTables = uncurry trustedTables (fieldIndex @k)
 
--- | p and the default modulus, constant term first, of GF(q): the Conway polynomial.
--- Refuses orders above 256 ('FieldTooLarge') and those that are no prime power.
+-- | p and the default modulus, constant term first, of GF(q): the Conway polynomial. Refuses orders
+-- above 256 ('FieldTooLarge') and those that are no prime power.
 --
 -- >>> import PraTactile.Field.Conway (conwayModulus, modulusDegrees)
 -- >>> conwayModulus 9

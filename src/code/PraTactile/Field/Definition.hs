@@ -1,8 +1,7 @@
--- |
--- The definition of GF(p^m): polynomials over the integers modulo p, modulo a
--- monic polynomial f of degree m. It works on lists, imports nothing but base,
--- and is meant to be read, not used: "PraTactile.Field" is the fast form, and
--- the test suite compares every sum and every product of the two.
+-- | The definition of GF(p^m): polynomials over the integers modulo p, modulo a monic polynomial f
+-- of degree m. It works on lists, imports nothing but base, and is meant to be read, not used:
+-- "PraTactile.Field" is the fast form, and the test suite compares every sum and every product of
+-- the two.
 module PraTactile.Field.Definition
   ( -- * The ring Z_p[x] / f
     Ring (..),
@@ -19,8 +18,8 @@ where
 
 import Numeric.Natural (Natural)
 
--- | Z_p[x] modulo f. It is the field GF(p^m) when p is prime and f irreducible
--- modulo p; nothing here depends on that.
+-- | Z_p[x] modulo f. It is the field GF(p^m) when p is prime and f irreducible modulo p; nothing
+-- here depends on that.
 data Ring = Ring
   { -- | p
     ringPrime :: Natural,
@@ -43,8 +42,8 @@ ringOrder ring = ringPrime ring ^ ringDegree ring
 -- | The m coefficients of a residue, constant term first, each below p.
 type Element = [Natural]
 
--- | The element whose coefficients are the base-p digits of the code, lowest
--- degree first; digits beyond the m-th are dropped.
+-- | The element whose coefficients are the base-p digits of the code, lowest degree first; digits
+-- beyond the m-th are dropped.
 --
 -- >>> fromCode (Ring 3 [2, 2, 1]) 5
 -- [2,1]
@@ -79,8 +78,8 @@ convolve a b =
     | k <- [0 .. length a + length b - 2]
   ]
 
--- | The remainder by f: while the degree is m or more, take away a multiple of f
--- that cancels the leading coefficient.
+-- | The remainder by f: while the degree is m or more, take away a multiple of f that cancels the
+-- leading coefficient.
 remainder :: Ring -> [Natural] -> Element
 remainder ring = go . map (`mod` p)
   where

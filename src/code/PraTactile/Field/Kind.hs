@@ -3,9 +3,8 @@
 {-# LANGUAGE TypeApplications #-}
 {-# LANGUAGE TypeOperators #-}
 
--- |
--- The kind of field indices, and how an index written in a type is read as a value.
--- Internal; "PraTactile.Field" exports what a user needs.
+-- | The kind of field indices, and how an index written in a type is read as a value. Internal;
+-- "PraTactile.Field" exports what a user needs.
 module PraTactile.Field.Kind
   ( Field (..),
     KnownIndex,
@@ -22,8 +21,8 @@ import Numeric.Natural (Natural)
 data Field
   = -- | The characteristic p, and the modulus, constant term first and monic.
     Over Nat [Nat]
-  | -- | A field chosen at run time, named by the type that
-    -- 'Data.Reflection.reify' makes for its tables.
+  | -- | A field chosen at run time, named by the type that 'Data.Reflection.reify' makes for its
+    -- tables.
     RunTime Type
 
 -- | Indices that are written out: p and the modulus as values.

@@ -1,7 +1,6 @@
--- |
--- Names for the fields of every order up to 256: @GF GF4@ is the type of the elements
--- of GF(4). The modulus is the Conway polynomial; what stands beside a name is the
--- relation by which A, the modulus's root, is reduced.
+-- | Names for the fields of every order up to 256: @GF GF4@ is the type of the elements of GF(4).
+-- The modulus is the Conway polynomial; what stands beside a name is the relation by which A, the
+-- modulus's root, is reduced.
 module PraTactile.Field.Named
   ( -- * Default moduli
     conwayModulus,

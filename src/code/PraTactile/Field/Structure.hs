@@ -1,6 +1,5 @@
--- |
--- What a field is made of: orders of elements, the Frobenius automorphism, subfields, and
--- trace, norm and minimal polynomial over them (Lidl and Niederreiter, Finite Fields, chapter 2).
+-- | What a field is made of: orders of elements, the Frobenius automorphism, subfields, and trace,
+-- norm and minimal polynomial over them (Lidl and Niederreiter, Finite Fields, chapter 2).
 module PraTactile.Field.Structure
   ( -- * The multiplicative group
     exponential,
@@ -120,8 +119,8 @@ inSubfield (Subfield d) a = frobeniusPower d a == a
 subfieldElements :: KnownField k => Subfield k -> [GF k]
 subfieldElements s = filter (inSubfield s) elements
 
--- | The different images of an element under the automorphisms that leave the subfield as it is:
--- a, a^r, a^(r^2), ... with r = p^d, as many as the degree of the minimal polynomial.
+-- | The different images of an element under the automorphisms that leave the subfield as it is: a,
+-- a^r, a^(r^2), ... with r = p^d, as many as the degree of the minimal polynomial.
 conjugates :: KnownField k => Subfield k -> GF k -> [GF k]
 conjugates (Subfield d) a = a : takeWhile (/= a) (drop 1 (iterate (frobeniusPower d) a))
 

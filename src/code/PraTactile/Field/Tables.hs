@@ -1,6 +1,5 @@
--- |
--- The tables behind "PraTactile.Field": what a field index stands for at run
--- time, and how they are built and checked. Internal.
+-- | The tables behind "PraTactile.Field": what a field index stands for at run time, and how they
+-- are built and checked. Internal.
 module PraTactile.Field.Tables
   ( -- * Tables
     Tables (..),
@@ -48,8 +47,8 @@ data FieldError
 largestOrder :: Natural
 largestOrder = 256
 
--- | A field as look-up tables over codes. The tables of two arguments have rows
--- of 256 whatever the order is: see Note [Rows of 256] in "PraTactile.Field".
+-- | A field as look-up tables over codes. The tables of two arguments have rows of 256 whatever the
+-- order is: see Note [Rows of 256] in "PraTactile.Field".
 data Tables = Tables
   { tableCharacteristic :: !Int,
     tableDegree :: !Int,
@@ -71,8 +70,8 @@ data Tables = Tables
     tablePower :: !(Primitive.Vector Word8)
   }
 
--- | The tables of GF(p)[x] / f, after checking that it is a field of at most 256
--- elements. See Note [When the modulus is good].
+-- | The tables of GF(p)[x] / f, after checking that it is a field of at most 256 elements. See Note
+-- [When the modulus is good].
 checkedTables :: Natural -> [Natural] -> Either FieldError Tables
 checkedTables p modulus
   | p > largestOrder = Left (FieldTooLarge p (max 1 m))
@@ -91,8 +90,7 @@ checkedTables p modulus
     leading = foldl' (\_ c -> c) 0 modulus
     codes = codeArithmetic p modulus
 
--- | The tables of a field that is known to be one: the named fields, which the
--- test suite checks.
+-- | The tables of a field that is known to be one: the named fields, which the test suite checks.
 trustedTables :: Natural -> [Natural] -> Tables
 trustedTables p modulus = buildTables codes (fromMaybe 1 (find (const True) (primitiveCodes codes)))
   where
@@ -102,14 +100,14 @@ isSmallPrime :: Natural -> Bool
 isSmallPrime p = p >= 2 && all (\d -> p `mod` d /= 0) (takeWhile (\d -> d * d <= p) [2 ..])
 
 {- Note [When the modulus is good]
-   Z_p[x]/f has q elements. If one of them has q - 1 distinct non-zero powers that
-   return to 1, all non-zero elements are units and the ring is a field; and the
-   multiplicative group of a field is cyclic, so a field has such an element.
-   Hence f is irreducible iff an element of order q - 1 exists, and the search for
-   the primitive element is the check as well. -}
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   Z_p[x]/f has q elements. If one of them has q - 1 distinct non-zero powers that return to 1, all
+   non-zero elements are units and the ring is a field; and the multiplicative group of a field is
+   cyclic, so a field has such an element. Hence f is irreducible iff an element of order q - 1
+   exists, and the search for the primitive element is the check as well. -}
 
--- | Arithmetic on codes, enough to fill the tables. It multiplies by Horner's rule on
--- base-p digits, unlike "PraTactile.Field.Definition", which convolves and divides.
+-- | Arithmetic on codes, enough to fill the tables. It multiplies by Horner's rule on base-p
+-- digits, unlike "PraTactile.Field.Definition", which convolves and divides.
 data CodeArithmetic = CodeArithmetic
   { codePrime :: !Int,
     codeDegree :: !Int,

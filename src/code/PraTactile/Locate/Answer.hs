@@ -1,7 +1,6 @@
 {-# LANGUAGE DeriveTraversable #-}
 
--- |
--- The one answer to the one question: where a patch is, and what that rests on. Every decoder
+-- | The one answer to the one question: where a patch is, and what that rests on. Every decoder
 -- answers in these terms, whatever was asked.
 module PraTactile.Locate.Answer
   ( -- * Where
@@ -15,6 +14,7 @@ module PraTactile.Locate.Answer
     Answer (..),
     Distances (..),
     Posterior (..),
+    impossible,
     PatchVerdict (..),
     Known (..),
     atLeast,
@@ -165,13 +165,28 @@ data Posterior place = Posterior
     -- | The listed places, the likeliest first, each with its probability, or where places are
     -- unlisted with one that is at least this; made when asked for.
     posteriorRanking :: [(place, Double)],
-    -- | The probability of all unlisted places together, at most this: 0 only where all possible
+    -- | The sum of the probabilities of all unlisted places, at most: 0 only where all possible
     -- ones are listed. 'Nothing' if all places were compared.
     posteriorUnlisted :: Maybe Double,
     -- | How many words a list was made of; 0 if all places were compared.
     posteriorWords :: Int
   }
   deriving stock (Eq, Show, Functor)
+
+-- | No place is possible, of all that there are.
+impossible :: Posterior place
+impossible =
+  Posterior
+    { posteriorBest = Nothing,
+      posteriorDoubt = 1,
+      posteriorEqual = [],
+      posteriorMany = Nothing,
+      posteriorEqualDoubt = 1,
+      posteriorMargin = Nothing,
+      posteriorRanking = [],
+      posteriorUnlisted = Nothing,
+      posteriorWords = 0
+    }
 
 -- | What is said of one of several patches.
 data PatchVerdict = PatchVerdict
@@ -182,11 +197,11 @@ data PatchVerdict = PatchVerdict
     patchWrong :: Maybe Int,
     -- | Whether it does not belong where all are located. It does not if more of its cells are
     -- wrong there, disputed ones among them, than it could have wrong for certain if it were alone;
-    -- and of probabilities if they make the place impossible, or alone tell another with a doubt
-    -- that is tolerated. If all together are not located, the place is that to which most patches
-    -- belong, of all places of single patches and of all patches but one; if those are several, as
-    -- with two patches, it cannot be told which is right, and whatever does not belong to all of
-    -- them is named.
+    -- and of probabilities if they make the place impossible, or alone determine another with a
+    -- doubt that is tolerated. If all of them are not located, the place is that to which most
+    -- patches belong, of all places of single patches and of all patches but one; if those are
+    -- several, as with two patches, nothing decides which is right, and whatever does not belong to
+    -- all of them is named.
     patchInconsistent :: Bool
   }
   deriving stock (Eq, Show)

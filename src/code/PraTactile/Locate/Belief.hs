@@ -1,5 +1,4 @@
--- |
--- What is known of a cell: how likely each symbol is in it. These are the probabilities that a
+-- | What is known of a cell: how likely each symbol is in it. These are the probabilities that a
 -- classifier gives on seeing the cell's image when all symbols are equally frequent.
 module PraTactile.Locate.Belief
   ( Belief,
@@ -27,7 +26,7 @@ type role Belief nominal
 
 -- | Why numbers are no probabilities.
 data BeliefError
-  = -- | There are so many numbers, and so many symbols.
+  = -- | The number of numbers, and that of symbols.
     BeliefLength Int Int
   | -- | The number at this index, from 0, is negative, or none.
     BeliefNegative Int Double
@@ -58,9 +57,9 @@ certainly a =
         (\code -> if code == toCode a then 1 else 0)
     )
 
--- | What several independent looks at one cell say together: the product of their probabilities,
--- made to add up to 1. 'Nothing' if that is zero for every symbol, so that the looks contradict
--- each other, and of no looks.
+-- | What several independent looks at one cell come to: the product of their probabilities, made to
+-- add up to 1. 'Nothing' if that is zero for every symbol, so that the looks contradict each other,
+-- and of no looks.
 combined :: [Belief k] -> Maybe (Belief k)
 combined looks = case looks of
   [] -> Nothing

@@ -29,10 +29,11 @@ import Data.Word (Word32)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.Grid (positionAt)
 import PraTactile.Locate
 import PraTactile.Window
 
--- | A table as one entry a packed window, 4 bytes each. Unlike the 'Table' it does not tell the
+-- | A table as one entry a packed window, 4 bytes each. Unlike the 'Table' it does not have the
 -- positions of a window that has several.
 data Memory (k :: Field) = Memory
   { memoryShape :: !Shape,
@@ -100,8 +101,7 @@ packPosition memory (Position r c)
 -- that is none.
 unpackPosition :: Memory k -> Int32 -> Maybe Position
 unpackPosition memory packed
-  | packed >= 0 && cell < area shape = Just (uncurry Position (cell `divMod` columns shape))
+  | packed >= 0 && fromIntegral packed < area shape = Just (positionAt shape (fromIntegral packed))
   | otherwise = Nothing
   where
     shape = memoryShape memory
-    cell = fromIntegral packed :: Natural

@@ -1,4 +1,4 @@
--- | What a located answer is worth: of all contents that the observed cells could have, the share
+-- | The chance of a random answer: of all contents that the observed cells could have, the share
 -- that would be located. A decoder that corrects up to r wrong cells answers to whatever lies in
 -- the Hamming sphere of radius r about the word of a position, which holds
 --
@@ -6,8 +6,8 @@
 --
 -- of the q^m words of m cells. With N positions that is N V(r) / q^m of all: exactly, while 2 r is
 -- less than the minimum distance, when no two spheres meet; and never more (R. W. Hamming 1950; F.
--- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). So many random symbols are taken
--- for cells of the array.
+-- J. MacWilliams and N. J. A. Sloane 1977, chapter 1, theorem 6). That share of random symbols is
+-- taken for cells of the array.
 module PraTactile.Locate.Chance
   ( -- * The share
     Chance (..),
@@ -18,7 +18,6 @@ module PraTactile.Locate.Chance
     Spheres (..),
     spheres,
     correcting,
-    correctingNothing,
     amongCells,
     sphereVolume,
   )
@@ -30,7 +29,7 @@ import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
-import PraTactile.Locate.Compare (comparedShape, extentOf)
+import PraTactile.Grid (admissible, extentOf)
 import PraTactile.Symmetry
 
 -- | A share of all contents of the observed cells.
@@ -88,7 +87,7 @@ spheres surface array possible shape offsets
   where
     places orientation =
       area
-        ( comparedShape
+        ( admissible
             surface
             (arrayShape array)
             (extentOf (map (onPosition (invert orientation) shape) offsets))
@@ -99,12 +98,8 @@ spheres surface array possible shape offsets
 correcting :: Natural -> Natural -> Spheres -> Spheres
 correcting d r around = around {sphereDistance = d, sphereRadius = r}
 
--- | For a decoder that corrects nothing; given whether any two candidates differ.
-correctingNothing :: Bool -> Spheres -> Spheres
-correctingNothing differ = correcting (if differ then 1 else 0) 0
-
--- | For a decoder that holds only so many of the cells to what the array has, whatever the others
--- are worth to it: it may refuse for the others' sake, so that no distance is promised.
+-- | For a decoder that holds only this many of the cells to what the array has: it may refuse for
+-- the others' sake, so that no distance is promised.
 amongCells :: Natural -> Spheres -> Spheres
 amongCells m around = around {sphereCells = m, sphereDistance = 0}
 
@@ -135,7 +130,7 @@ chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
     largest = maximum terms
     logVolume = largest + log (sum (map (\x -> exp (x - largest)) terms))
 
--- | 4096: up to so many cells shares are computed in whole numbers.
+-- | 4096: up to this many cells shares are computed in whole numbers.
 mostExactCells :: Natural
 mostExactCells = 4096
 

@@ -1,6 +1,5 @@
--- |
--- What a decoder of symbols finds, and how the findings in several symmetries become one: the one
--- result that all these decoders have in common.
+-- | What a decoder of symbols decides, the same for all of them; and how the decisions in several
+-- symmetries become one.
 module PraTactile.Locate.Decision
   ( Decision (..),
     exactDecision,
@@ -36,8 +35,8 @@ nowhereDecision :: Natural -> Decision place
 nowhereDecision = Decision (Refused TooFewCells) . Distances [] Nothing Nothing (Exactly 0)
 
 -- | What upright patches come to in the symmetries in which they may be seen, each with the upright
--- patch's shape; the minimum distance and the radius are those of all together. The candidates are
--- the nearest of all symmetries: others may be within the radius, too. Where no symmetry has one,
+-- patch's shape; the minimum distance and the radius are those of all candidates. The outcome names
+-- the nearest of all symmetries; others may be within the radius, too. Where no symmetry has one,
 -- the reason is that of the symmetry that came farthest: off the sheet, contradiction, no such
 -- window, no complete window, beyond the radius, zeros.
 overSymmetries :: Known -> Natural -> [(Symmetry, Shape, Decision Position)] -> Decision Candidate
@@ -56,13 +55,13 @@ overSymmetries d radius found = Decision outcome (Distances wrong least next d r
         | all exact ordered -> Just e
         | otherwise -> Just (AtLeast (atLeast e))
       [] -> Nothing
-    -- Where both are told, the exact one is meant: it was found.
+    -- Of equal numbers the exact one comes first: it was found.
     bound known = (atLeast known, not (exact known))
     exact known = case known of
       Exactly _ -> True
       AtLeast _ -> False
     nearestOnes = filter ((== least) . nearestOf) found
-    outcome = together (if any answered nearestOnes then nearestOnes else found)
+    outcome = combinedOutcome (if any answered nearestOnes then nearestOnes else found)
     wrong = case (outcome, filter answered nearestOnes) of
       (Unique _ _, [(o, shape, decision)]) ->
         sort (map (onPosition o shape) (corrected (decisionDistances decision)))
@@ -72,8 +71,8 @@ overSymmetries d radius found = Decision outcome (Distances wrong least next d r
       _ -> True
 
 -- | The outcomes in several symmetries as one.
-together :: [(Symmetry, Shape, Decision Position)] -> Outcome Candidate
-together found = case (concatMap listed outcomes, mapMaybe unlisted outcomes) of
+combinedOutcome :: [(Symmetry, Shape, Decision Position)] -> Outcome Candidate
+combinedOutcome found = case (concatMap listed outcomes, mapMaybe unlisted outcomes) of
   ([], []) -> Refused (farthest [reason | (_, _, Refused reason) <- outcomes])
   ([(place, support)], []) -> Unique place support
   (several, []) -> case outcomes of

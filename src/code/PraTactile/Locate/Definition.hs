@@ -22,7 +22,7 @@ import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition)
+import PraTactile.Grid (canonicalPosition, displaced)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
@@ -41,14 +41,17 @@ everyCandidate ::
   [Position] ->
   [(Candidate, [GF k])]
 everyCandidate surface array possible shape offsets =
-  [ (Candidate o (Position r c), content)
+  [ (Candidate o place, content)
     | o <- possible,
-      r <- [0 .. rows (arrayShape array) - 1],
-      c <- [0 .. columns (arrayShape array) - 1],
-      let stands (Position i j) =
+      place <- shapeCells (arrayShape array),
+      let symbolAt offset =
             cellAt array
-              <$> shifted surface (arrayShape array) (toInteger r, toInteger c) (Position i j),
-      Just content <- [traverse (stands . onPosition (invert o) shape) offsets]
+              <$> displaced
+                surface
+                (arrayShape array)
+                place
+                (onPosition (invert o) shape offset),
+      Just content <- [traverse symbolAt offsets]
   ]
 
 -- | Every candidate with the observed cells that differ there.
@@ -108,9 +111,9 @@ looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscL
 
 -- | The place of a patch, by comparing every observed cell at every position. The mask is the
 -- array's window: it takes no part in the comparison, but the windows of the patch are named as the
--- support of an answer, and they tell the reason of a refusal, as in "PraTactile.Locate". Unlike
--- the table, the search also uses patches in which no window is complete; 'TooFewCells' is the
--- answer to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
+-- support of an answer, and decide the reason of a refusal, as in "PraTactile.Locate". Unlike the
+-- table, the search also uses patches in which no window is complete; 'TooFewCells' is the answer
+-- to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
 searchPatch ::
   KnownField k =>
   Surface ->
@@ -137,19 +140,12 @@ largestSearchedArray = 2 ^ (20 :: Int)
 -- the sheet all of them must lie on it.
 agreeing :: KnownField k => Surface -> PseudorandomArray k -> [(Position, GF k)] -> [Position]
 agreeing surface array cells =
-  [ Position r c
-    | r <- below (rows shape),
-      c <- below (columns shape),
-      and
-        [ found == Just a
-          | (offset, a) <- cells,
-            let found = cellAt array <$> from (toInteger r, toInteger c) offset
-        ]
+  [ place
+    | place <- shapeCells shape,
+      and [(cellAt array <$> displaced surface shape place offset) == Just a | (offset, a) <- cells]
   ]
   where
     shape = arrayShape array
-    from = shifted surface shape
-    below n = takeWhile (< n) [0 ..]
 
 -- | The cell at an offset from a row and a column.
 shifted :: Surface -> Shape -> (Integer, Integer) -> Position -> Maybe Position
@@ -157,7 +153,7 @@ shifted surface shape (r, c) (Position i j) =
   canonicalPosition surface shape (r + toInteger i) (c + toInteger j)
 
 -- | Why a patch that agrees with the array nowhere does so, by the patch's complete windows. The
--- function tells where cells, by their offsets, agree, as 'agreeing' does.
+-- function is where cells, by their offsets, agree, as 'agreeing' has it.
 nowhere ::
   KnownField k =>
   Surface ->

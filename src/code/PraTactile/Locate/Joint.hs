@@ -1,6 +1,6 @@
--- |
--- Several patches of one face at known displacements from each other: their cells together tell the
--- position better than each patch alone, and patches that do not belong are named.
+-- | Several patches of one face at known displacements from each other, decoded jointly: all their
+-- cells determine the position better than those of one patch, and patches that do not belong are
+-- named.
 module PraTactile.Locate.Joint
   ( -- * Joining
     Joint (..),
@@ -33,14 +33,14 @@ data Joint a = Joint
     jointOffsets :: [Position],
     -- | The cells of each patch.
     jointParts :: [[(Position, a)]],
-    -- | What several looks at a cell say together; 'Nothing' if they are in dispute.
+    -- | What several looks at a cell come to; 'Nothing' if they are in dispute.
     jointAgreed :: [a] -> Maybe a
   }
 
 -- | Join patches, each given with its displacement, rows down and columns to the right, from a
--- common point; by what several looks at a cell say together, 'Nothing' if they are in dispute.
--- Refuses no patches ('PatchEmpty'), more than 'mostPatches' ('PatchesTooMany'), and a rectangle
--- around several of more than 'largestSearchedArray' cells ('PatchTooLarge').
+-- common point; by what several looks at a cell come to, 'Nothing' if they are in dispute. Refuses
+-- no patches ('PatchEmpty'), more than 'mostPatches' ('PatchesTooMany'), and a rectangle around
+-- several of more than 'largestSearchedArray' cells ('PatchTooLarge').
 joint :: ([a] -> Maybe a) -> [((Integer, Integer), Patch a)] -> Either LocateError (Joint a)
 joint agreed given = case given of
   [] -> Left PatchEmpty
@@ -65,12 +65,12 @@ joint agreed given = case given of
         ]
       disputed = [at | (at, Nothing) <- Map.toList (looks agreed parts)]
 
--- | How many patches are located together: 100. Which of them do not belong is found by leaving
--- each out, so that the time grows with the square of their number.
+-- | How many patches are located jointly: 100. Which of them do not belong is found by leaving each
+-- out, so that the time grows with the square of their number.
 mostPatches :: Natural
 mostPatches = 100
 
--- | What all looks at each cell say together.
+-- | What all looks at each cell come to.
 looks :: ([a] -> Maybe a) -> [[(Position, a)]] -> Map Position (Maybe a)
 looks agreed parts =
   agreed . reverse <$> Map.fromListWith (++) [(at, [a]) | part <- parts, (at, a) <- part]
@@ -85,7 +85,7 @@ agreedSymbol seen = case seen of
   a : others | all (== a) others -> Just a
   _ -> Nothing
 
--- | What tells whether cells are where all are located.
+-- | What decides whether cells belong where all are located.
 data Belonging a = Belonging
   { -- | Whether a cell is wrong there.
     wrongAt :: Candidate -> (Position, a) -> Bool,

@@ -1,6 +1,8 @@
--- | The one way from a question to its answer: patches are joined, their cells laid upright in each
--- symmetry in which they may be seen, decoded, and what that comes to made one. Patches and
--- symmetries are handled here alone, the same for all decoders.
+-- | The one way from a question to its answer: the patches are joined to one, as
+-- "PraTactile.Locate.Joint" has it; in each symmetry in which it may be seen, its upright form goes
+-- to the decoder that "PraTactile.Locate.Decoder" chooses; and what these decide is combined, as
+-- "PraTactile.Locate.Decision" has it. Patches and symmetries are handled here alone, the same for
+-- all decoders.
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
@@ -13,29 +15,30 @@ where
 
 import Data.Bifunctor (first)
 import Data.List (nub)
-import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition)
+import PraTactile.Grid (displaced)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision
-import PraTactile.Locate.Decoders
+import PraTactile.Locate.Decoder
+import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Joint
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
-import PraTactile.Locate.Soft
 import PraTactile.Symmetry
 
 -- | Where the patches of a question are. If any cell has probabilities, all cells are taken as
 -- probabilities. Refuses what the decoder that is asked for cannot do, and where there is none.
 locate :: KnownField k => Locator k -> Query k -> Either LocatorError Answer
-locate made query = case nub (querySymmetries query) of
-  [] -> Left NoSymmetry
-  possible -> case traverse (traverse (traverse symbolOf)) (queryPatches query) of
-    Just given | not (decodesProbabilities made) -> locateSymbols made query possible given
-    _ -> locateBeliefs made query possible (map (fmap (fmap cellBelief)) (queryPatches query))
+locate made asked
+  | null (querySymmetries asked) = Left NoSymmetry
+  | otherwise = case traverse (traverse (traverse symbolOf)) (queryPatches query) of
+    Just given | not (decodesProbabilities made) -> locateSymbols made query given
+    _ -> locateBeliefs made query (map (fmap (fmap cellBelief)) (queryPatches query))
+  where
+    query = asked {querySymmetries = nub (querySymmetries asked)}
 
 -- | The symbol of a cell, if it is known.
 symbolOf :: Cell k -> Maybe (GF k)
@@ -61,159 +64,151 @@ agreedSymbols query =
         (patchShape p)
         [(offset, a) | (offset, cell) <- observedCells p, Just a <- [symbolOf cell]]
 
+-- | Symbols, of which some may be wrong.
 locateSymbols ::
   KnownField k =>
   Locator k ->
   Query k ->
-  [Symmetry] ->
   [((Integer, Integer), Patch (GF k))] ->
   Either LocatorError Answer
-locateSymbols made query possible given = do
+locateSymbols made query given = do
   joined <- first LocatorPatch (joint agreedSymbol given)
-  decoder <- symbolDecoder made surface (queryRadius query)
+  decoder <- symbolDecoder made (querySurface query) (queryRadius query)
   let seen = jointPatch joined
-      decide' = decideIn decoder possible (queryRadius query)
-      around = spheres surface array possible (patchShape seen) (map fst (observedCells seen))
-      differs shape candidate (offset, a) = symbolAt surface array candidate shape offset /= Just a
-  decision <- decide' seen
-  let distances = decisionDistances decision
-      worth = chance . correcting (atLeast (codeDistance distances)) (correctionRadius distances)
+  decision <- decideIn decoder query seen
+  let outcome = decisionOutcome decision
+      distances = decisionDistances decision
+      share = chance . correcting (atLeast (codeDistance distances)) (correctionRadius distances)
   pure
     Answer
-      { answerOutcome = decisionOutcome decision,
+      { answerOutcome = outcome,
         answerDecoder = symbolName decoder,
         answerDistances = Just distances,
         answerPosterior = Nothing,
-        answerChance = (if windowless decoder seen then atMost else id) . worth <$> around,
+        answerChance =
+          (if windowless decoder seen then atMost else id) . share <$> spheresOf made query seen,
         answerPatches =
-          patchVerdicts
-            Belonging
-              { wrongAt = differs (patchShape seen),
-                belongsAt = \candidate cells ->
-                  fromIntegral (length (filter (differs (patchShape seen) candidate) cells))
-                    <= symbolOwnRadius
-                      decoder
-                      (map (uprightOffset candidate (patchShape seen) . fst) cells),
-                credible = either (const Nothing) promised . decide'
-              }
-            joined
-            (located (decisionOutcome decision)),
+          patchVerdicts (symbolsBelong made query decoder (patchShape seen)) joined (only outcome),
         answerDisputed = jointDisputed joined
       }
   where
-    surface = querySurface query
-    array = locatorArray made
     -- The table knows complete windows only.
     windowless decoder seen =
       symbolName decoder == TableDecoder
-        && or [null (completeWindows (locatorMask made) (uprightAs o seen)) | o <- possible]
+        && or
+          [ null (completeWindows (locatorMask made) (uprightAs o seen))
+            | o <- querySymmetries query
+          ]
 
--- | Decode a patch in each of these symmetries. 'Guaranteed' is half of the least distance between
--- any two candidates, which several symmetries make smaller, often 0: then only exact agreement is
--- answered.
-decideIn ::
-  SymbolDecoder k ->
-  [Symmetry] ->
-  Radius ->
-  Patch (GF k) ->
-  Either LocatorError (Decision Candidate)
-decideIn decoder possible stated seen
-  | null (observedCells seen) = Right (nowhereDecision (radiusFor stated 0))
-  | otherwise = case symbolDistance decoder possible seen of
-    Just d ->
-      let radius =
-            radiusFor stated (atLeast d)
-       in overSymmetries d radius <$> each (UpTo radius)
-    Nothing -> do
-      found <- each stated
-      -- One symmetry, which knows its own distance.
-      let own = [decisionDistances decision | (_, _, decision) <- take 1 found]
-      pure
-        ( overSymmetries
-            (foldr (const . codeDistance) (Exactly 0) own)
-            (sum (map correctionRadius own))
-            found
-        )
+-- | When symbols belong to the others of a patch of this shape.
+symbolsBelong ::
+  KnownField k => Locator k -> Query k -> SymbolDecoder k -> Shape -> Belonging (GF k)
+symbolsBelong made query decoder shape =
+  Belonging
+    { wrongAt = wrong,
+      belongsAt = \candidate cells ->
+        fromIntegral (length (filter (wrong candidate) cells))
+          <= symbolOwnRadius decoder (map (uprightOffset candidate shape . fst) cells),
+      credible = either (const Nothing) promised . decideIn decoder query
+    }
   where
-    each radius = traverse (laid radius) possible
-    laid radius o =
+    wrong candidate (offset, a) =
+      symbolAt (querySurface query) (locatorArray made) shape candidate offset /= Just a
+
+-- | Decode a patch in each of the symmetries of the question. 'Guaranteed' is half of the least
+-- distance between any two candidates, which several symmetries make smaller, often 0: then only
+-- exact agreement is answered.
+decideIn ::
+  SymbolDecoder k -> Query k -> Patch (GF k) -> Either LocatorError (Decision Candidate)
+decideIn decoder query seen
+  | null (observedCells seen) = Right (nowhereDecision (radiusFor (queryRadius query) 0))
+  | otherwise = case symbolDistance decoder (querySymmetries query) seen of
+    Just d -> do
+      let radius = radiusFor (queryRadius query) (atLeast d)
+      overSymmetries d radius <$> inEach (UpTo radius)
+    Nothing -> do
+      found <- inEach (queryRadius query)
+      -- One symmetry, whose decision has its own distance.
+      let own = [decisionDistances decision | (_, _, decision) <- take 1 found]
+          d = foldr (const . codeDistance) (Exactly 0) own
+      pure (overSymmetries d (sum (map correctionRadius own)) found)
+  where
+    inEach radius = traverse (decideAs radius) (querySymmetries query)
+    decideAs radius o =
       let upright = uprightAs o seen
        in (,,) o (patchShape upright) <$> symbolDecide decoder radius upright
 
 -- | The candidate, if there is only one.
-located :: Outcome place -> Maybe place
-located outcome = case outcome of
+only :: Outcome place -> Maybe place
+only outcome = case outcome of
   Unique place _ -> Just place
   _ -> Nothing
 
--- | Only what is within the guaranteed radius.
+-- | The only candidate, if it is within the guaranteed radius.
 promised :: Decision place -> Maybe place
 promised decision
   | maybe False ((<= guaranteed) . atLeast) (nearestDistance distances) =
-    located (decisionOutcome decision)
+    only (decisionOutcome decision)
   | otherwise = Nothing
   where
     distances = decisionDistances decision
-    guaranteed = guaranteedRadius (atLeast (codeDistance distances)) :: Natural
+    guaranteed = guaranteedRadius (atLeast (codeDistance distances))
 
--- | Patches of probabilities: those of the same cell are multiplied and made to add up to 1, as
--- independent looks at it.
+-- | Probabilities: those of the same cell are multiplied and made to add up to 1, as independent
+-- looks at it.
 locateBeliefs ::
   KnownField k =>
   Locator k ->
   Query k ->
-  [Symmetry] ->
   [((Integer, Integer), Patch (Belief k))] ->
   Either LocatorError Answer
-locateBeliefs made query possible given = do
+locateBeliefs made query given = do
   joined <- first LocatorPatch (joint combined given)
-  decoder <- beliefDecoder made surface tolerated
+  decoder <- beliefDecoder made (querySurface query) (queryDoubt query)
   let seen = jointPatch joined
-      shape = patchShape seen
       certain = fromIntegral (length (filter (isCertain . snd) (observedCells seen)))
-      symbolIn candidate offset = symbolAt surface array candidate shape offset
-      outcomeOf p found =
-        if null (observedCells p) then Refused TooFewCells else decide tolerated found
-      alone candidate cells =
-        let own =
-              patchOf shape cells
-         in outcomeOf own <$> beliefPosterior decoder [candidateSymmetry candidate] own
-  found <- beliefPosterior decoder possible seen
+  found <- beliefPosterior decoder (querySymmetries query) seen
+  let outcome = outcomeOf query seen found
   pure
     Answer
-      { answerOutcome = outcomeOf seen found,
+      { answerOutcome = outcome,
         answerDecoder = beliefName decoder,
         answerDistances = Nothing,
         answerPosterior = Just found,
         -- Only a cell that leaves no doubt keeps out a position.
-        answerChance =
-          chance . amongCells certain
-            <$> spheres surface array possible shape (map fst (observedCells seen)),
+        answerChance = chance . amongCells certain <$> spheresOf made query seen,
         answerPatches =
-          patchVerdicts
-            Belonging
-              { wrongAt = \candidate (offset, b) -> symbolIn candidate offset /= Just (likeliest b),
-                belongsAt = \candidate cells ->
-                  and
-                    [ maybe False (`possibleIn` b) (symbolIn candidate offset)
-                      | (offset, b) <- cells
-                    ]
-                    && either (const True) (allows candidate) (alone candidate cells),
-                credible =
-                  \p ->
-                    either
-                      (const Nothing)
-                      (located . outcomeOf p)
-                      (beliefPosterior decoder possible p)
-              }
-            joined
-            (located (outcomeOf seen found)),
+          patchVerdicts (beliefsBelong made query decoder (patchShape seen)) joined (only outcome),
         answerDisputed = jointDisputed joined
       }
+
+-- | When probabilities belong to the others of a patch of this shape.
+beliefsBelong ::
+  KnownField k => Locator k -> Query k -> BeliefDecoder k -> Shape -> Belonging (Belief k)
+beliefsBelong made query decoder shape =
+  Belonging
+    { wrongAt = \candidate (offset, b) -> symbolIn candidate offset /= Just (likeliest b),
+      belongsAt = \candidate cells ->
+        and [maybe False (`possibleIn` b) (symbolIn candidate offset) | (offset, b) <- cells]
+          && maybe
+            True
+            (allows candidate)
+            (decided [candidateSymmetry candidate] (patchOf shape cells)),
+      credible = \seen -> decided (querySymmetries query) seen >>= only
+    }
   where
-    surface = querySurface query
-    array = locatorArray made
-    tolerated = queryDoubt query
+    symbolIn = symbolAt (querySurface query) (locatorArray made) shape
+    decided possible seen =
+      either
+        (const Nothing)
+        (Just . outcomeOf query seen)
+        (beliefPosterior decoder possible seen)
+
+-- | What the probabilities of candidates come to, with the doubt that the question tolerates.
+outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate
+outcomeOf query seen found
+  | null (observedCells seen) = Refused TooFewCells
+  | otherwise = decide (queryDoubt query) found
 
 -- | Whether an outcome leaves a candidate possible.
 allows :: Candidate -> Outcome Candidate -> Bool
@@ -221,6 +216,16 @@ allows candidate outcome = case outcome of
   Unique place _ -> place == candidate
   Ambiguous places _ -> candidate `elem` places
   _ -> True
+
+-- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.
+spheresOf :: KnownField k => Locator k -> Query k -> Patch a -> Maybe Spheres
+spheresOf made query seen =
+  spheres
+    (querySurface query)
+    (locatorArray made)
+    (querySymmetries query)
+    (patchShape seen)
+    (observedOffsets seen)
 
 -- | Where a cell of a patch of this shape is in the upright patch, if the candidate is right.
 uprightOffset :: Candidate -> Shape -> Position -> Position
@@ -232,13 +237,14 @@ symbolAt ::
   KnownField k =>
   Surface ->
   PseudorandomArray k ->
-  Candidate ->
   Shape ->
+  Candidate ->
   Position ->
   Maybe (GF k)
-symbolAt surface array candidate shape offset =
+symbolAt surface array shape candidate offset =
   cellAt array
-    <$> canonicalPosition surface (arrayShape array) (toInteger (r + i)) (toInteger (c + j))
-  where
-    Position r c = candidatePosition candidate
-    Position i j = uprightOffset candidate shape offset
+    <$> displaced
+      surface
+      (arrayShape array)
+      (candidatePosition candidate)
+      (uprightOffset candidate shape offset)

@@ -1,13 +1,13 @@
 {-# LANGUAGE DeriveTraversable #-}
 
--- |
--- Patches: what was observed in the cells of a rectangle, and which of them were not observed.
+-- | Patches: what was observed in the cells of a rectangle, and which of them were not observed.
 module PraTactile.Locate.Patch
   ( -- * Patches
     Patch,
     patch,
     patchShape,
     observedCells,
+    observedOffsets,
     patchRows,
     patchOf,
     uprightAs,
@@ -24,6 +24,7 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
+import PraTactile.Grid (raggedRow)
 import PraTactile.Symmetry
 import PraTactile.Window
 
@@ -42,7 +43,7 @@ data LocateError
     TooManyPlaces Natural Natural
   | -- | The rectangle around patches has this many cells, more than the second number.
     PatchTooLarge Natural Natural
-  | -- | These are so many patches, more than the second number.
+  | -- | There are this many patches, more than the second number.
     PatchesTooMany Natural Natural
   deriving stock (Eq, Show)
 
@@ -55,15 +56,18 @@ data Patch a = Patch
   }
   deriving stock (Eq, Show, Functor, Foldable, Traversable)
 
+-- | The offsets of the observed cells, row by row.
+observedOffsets :: Patch a -> [Position]
+observedOffsets = map fst . observedCells
+
 -- | The patch with these rows; 'Nothing' is a cell that was not observed. Refuses no cells and rows
 -- of different lengths.
 patch :: [[Maybe a]] -> Either LocateError (Patch a)
 patch cells
   | width == 0 = Left PatchEmpty
-  | (i, r) : _ <- ragged = Left (PatchRagged i (length r) width)
+  | Just (i, given, first) <- raggedRow cells = Left (PatchRagged i given first)
   | otherwise = Right (Patch (Shape (fromIntegral (length cells)) (fromIntegral width)) known)
   where
-    ragged = filter ((/= width) . length . snd) (zip [0 ..] cells)
     width = sum (map length (take 1 cells))
     known = [(Position i j, a) | (i, line) <- zip [0 ..] cells, (j, Just a) <- zip [0 ..] line]
 

@@ -42,8 +42,8 @@ data Radius
     UpTo Natural
   deriving stock (Eq, Show)
 
--- | The largest e with 2 e < d, d being the minimum distance: e wrong cells among the observed
--- ones are always corrected. 0 if d is 0.
+-- | The largest e with 2 e < d, d being the minimum distance: e wrong cells among the observed ones
+-- are always corrected. 0 if d is 0.
 --
 -- >>> map guaranteedRadius [0, 1, 2, 4, 9]
 -- [0,0,0,1,4]

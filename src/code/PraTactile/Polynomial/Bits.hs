@@ -1,9 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- GF(2)[x] modulo h with 64 coefficients in a word: what "PraTactile.Polynomial.Modulus" does
--- over any field, for the binary field. Internal. A residue is a vector of words, coefficient i
--- in bit i mod 64 of word i div 64, its degree below that of h.
+-- | GF(2)[x] modulo h with 64 coefficients in a word: what "PraTactile.Polynomial.Modulus" does
+-- over any field, for the binary field. Internal. A residue is a vector of words, coefficient i in
+-- bit i mod 64 of word i div 64, its degree below that of h.
 module PraTactile.Polynomial.Bits
   ( -- * Packing
     Bits,
@@ -104,7 +103,7 @@ timesX modulus buffer = do
       Mutable.unsafeWrite buffer i ((high `unsafeShiftL` 1) .|. (low `unsafeShiftR` 63))
       shiftUp (i - 1)
 
--- | Add so many words of the vector, from an index on, to the buffer.
+-- | Add this many words of the vector, from an index on, to the buffer.
 addFrom :: Int -> Bits -> Int -> Buffer s -> ST s ()
 addFrom count vector from buffer = go 0
   where

@@ -1,5 +1,4 @@
--- |
--- That a polynomial is primitive, or irreducible, as data that a stranger can check: nothing has
+-- | That a polynomial is primitive, or irreducible, as data that a stranger can check: nothing has
 -- to be searched or factored again, and every number in a certificate is one that the checker
 -- computes too.
 module PraTactile.Polynomial.Certificate
@@ -103,8 +102,8 @@ verifyPrimitive (PrimitiveCertificate h factors residues) = do
     when (given == 1) (Left (OrderLower r))
   pure (Primitive h factors modulus)
 
--- | That h is irreducible, by Rabin's test: x^(q^n) = x modulo h, and h is coprime to
--- a = x^(q^(n/l)) - x modulo h for each prime l that divides n, because u h + v a = 1.
+-- | That h is irreducible, by Rabin's test: x^(q^n) = x modulo h, and h is coprime to a =
+-- x^(q^(n/l)) - x modulo h for each prime l that divides n, because u h + v a = 1.
 data IrreducibleCertificate (k :: Field) = IrreducibleCertificate
   { -- | h
     certifiedIrreducible :: Polynomial k,

@@ -1,5 +1,4 @@
--- |
--- Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
+-- | Which polynomials over GF(q) are irreducible (Rabin's test), and how many there are. Internal;
 -- "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Irreducible
   ( isIrreducible,
@@ -47,8 +46,8 @@ powerMinusX modulus d = fromResidue (go d x) - fromResidue x
 primeDivisors :: Int -> [Int]
 primeDivisors n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0) [2 .. l - 1]]
 
--- | How many monic irreducible polynomials of degree n >= 1 there are, by Gauss's formula:
--- (1/n) times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0.
+-- | How many monic irreducible polynomials of degree n >= 1 there are, by Gauss's formula: (1/n)
+-- times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0.
 countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
 countIrreducible k n
   | n == 0 = 0

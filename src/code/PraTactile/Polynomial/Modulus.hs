@@ -1,10 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with
--- remainder defines, for the tests of irreducibility and order and for the positions in
--- GF(q^n). Internal. Powers go by Horner's rule on the base-q digits of the exponent,
--- because raising to the q-th power is linear: a matrix that is made once for each h.
+-- | GF(q)[x] modulo h on unboxed coefficients: the fast form of what division with remainder
+-- defines, for the tests of irreducibility and order and for the positions in GF(q^n). Internal.
+-- Powers go by Horner's rule on the base-q digits of the exponent, because raising to the q-th
+-- power is linear: a matrix that is made once for each h.
 module PraTactile.Polynomial.Modulus
   ( Modulus,
     modulusFrom,

@@ -1,6 +1,5 @@
--- |
--- Primitive polynomials over GF(q), and the check that makes one. Internal; "PraTactile.Polynomial"
--- exports all but the constructor and the modulus.
+-- | Primitive polynomials over GF(q), and the check that makes one. Internal;
+-- "PraTactile.Polynomial" exports all but the constructor and the modulus.
 module PraTactile.Polynomial.Primitive
   ( Primitive (Primitive),
     primitivePolynomial,
@@ -140,17 +139,20 @@ mayBePrimitive h = case polynomialDegree h of
     hasFullOrder a = maybe False ((== 1) . gcd (fieldOrder h - 1)) (logarithm a)
 
 {- Note [Cheap refusals]
+   ~~~~~~~~~~~~~~~~~~~~~
    The norm of the root alpha of an irreducible h, alpha^((q^n - 1)/(q - 1)), is (-1)^n h(0); if
-   alpha has order q^n - 1, its norm has order q - 1. And an irreducible h of degree 2 or more
-   has no root in GF(q). -}
+   alpha has order q^n - 1, its norm has order q - 1. And an irreducible h of degree 2 or more has
+   no root in GF(q). -}
 
-{- Note [Primitive without irreducible] If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1
-   distinct units: all non-zero residues. So the ring is a field and h irreducible, without a test
-   of its own; irreducibility is tested only to tell why a polynomial fails. That x has this order
-   is shown by x^N = 1, N = q^n - 1, and x^(N/l) /= 1 for each prime l that divides N. -}
+{- Note [Primitive without irreducible]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   If x has order q^n - 1 in GF(q)[x]/h, its powers are q^n - 1 distinct units: all non-zero
+   residues. So the ring is a field and h irreducible, without a test of its own; irreducibility is
+   tested only to say why a polynomial fails. That x has this order is shown by x^N = 1, N = q^n -
+   1, and x^(N/l) /= 1 for each prime l that divides N. -}
 
--- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See
--- Note [Primitive without irreducible].
+-- | Whether x has order q^n - 1 modulo h, of degree n, given the factors of q^n - 1. See Note
+-- [Primitive without irreducible].
 rootGenerates :: KnownField k => [(Natural, Natural)] -> Modulus k -> Bool
 rootGenerates factors modulus =
   rootPowerIsOne modulus full && not (any (rootPowerIsOne modulus . (full `div`) . fst) factors)

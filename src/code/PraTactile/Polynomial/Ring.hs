@@ -1,5 +1,4 @@
--- |
--- The ring of polynomials over GF(q). Internal; "PraTactile.Polynomial" exports it.
+-- | The ring of polynomials over GF(q). Internal; "PraTactile.Polynomial" exports it.
 module PraTactile.Polynomial.Ring
   ( Polynomial,
     polynomial,
@@ -29,8 +28,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial.Modulus
 
--- | A polynomial over the field k: its coefficients, constant term first, the last one not
--- zero. 'Ord' compares the coefficients from the highest degree down, after the degrees.
+-- | A polynomial over the field k: its coefficients, constant term first, the last one not zero.
+-- 'Ord' compares the coefficients from the highest degree down, after the degrees.
 newtype Polynomial (k :: Field) = Polynomial [GF k]
   deriving stock (Eq)
 

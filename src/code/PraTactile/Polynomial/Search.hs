@@ -23,9 +23,9 @@ import Data.Proxy (Proxy (..))
 import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Field
-import PraTactile.Polynomial.Barren
 import PraTactile.Polynomial.Irreducible
 import PraTactile.Polynomial.Primitive
+import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 
 -- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
@@ -34,9 +34,9 @@ monicPolynomials :: KnownField k => Natural -> [Polynomial k]
 monicPolynomials = monicFrom 0
 
 -- | 'monicPolynomials' without those at the beginning that are known not to be irreducible
--- ('barrenRun').
+-- ('reducibleRun').
 ascendingCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
-ascendingCandidates n = monicFrom (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+ascendingCandidates n = monicFrom (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
 -- | The monic polynomials of a degree, ascending, from x^n + x^i on; all of them for i = 0.
 monicFrom :: forall k. KnownField k => Int -> Natural -> [Polynomial k]
@@ -54,7 +54,7 @@ monicByTerms = byTerms 0
 
 -- | 'monicByTerms' without those that 'ascendingCandidates' leaves out.
 fewestTermsCandidates :: forall k. KnownField k => Natural -> [Polynomial k]
-fewestTermsCandidates n = byTerms (barrenRun (Proxy :: Proxy k) (fromIntegral n)) n
+fewestTermsCandidates n = byTerms (reducibleRun (Proxy :: Proxy k) (fromIntegral n)) n
 
 -- | 'monicByTerms' without the polynomials whose terms are x^n and others below x^i; all of them
 -- for i = 0.
@@ -64,17 +64,17 @@ byTerms i n
   | otherwise = [variable | n == 1] ++ concatMap withTerms [1 .. fromIntegral n]
   where
     withTerms terms =
-      [polynomial (reverse (one : lower)) | lower <- choose True (fromIntegral n) terms]
-    -- So many coefficients, highest first, of which so many, the last among them, are not 0; and
-    -- whether those before them are 0.
-    choose :: Bool -> Int -> Int -> [[GF k]]
-    choose alone size terms
-      | terms == 0 || terms > size = []
-      | alone && size <= i = []
+      [polynomial (reverse (one : lower)) | lower <- choose i (fromIntegral n) terms]
+    -- @choose least size terms@: coefficients, highest first, this many; those that are not 0 are
+    -- as many as the terms, the last coefficient among them, and the first of them is followed by
+    -- as many as the least or more.
+    choose :: Int -> Int -> Int -> [[GF k]]
+    choose least size terms
+      | terms == 0 || terms > size || size <= least = []
       | size == 1 = map (: []) units
       | otherwise =
-        map (zero :) (choose alone (size - 1) terms)
-          ++ [c : rest | c <- units, rest <- choose False (size - 1) (terms - 1)]
+        map (zero :) (choose least (size - 1) terms)
+          ++ [c : rest | c <- units, rest <- choose 0 (size - 1) (terms - 1)]
     units = drop 1 elements
 
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The

@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is made
--- once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
+-- | Terms of a sequence far away: s(t) for any t, from a table of low powers of the root that is
+-- made once a polynomial. Internal; 'PraTactile.Sequence.termAt' is what a user needs.
 module PraTactile.Sequence.Jump
   ( jump,
     generalJump,
@@ -19,11 +18,13 @@ import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Polynomial
 
-{- Note [Powers by Horner's rule] Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm.
-   Raising to the power Q is linear over GF(q) in the coefficients g0, ..., g(n-1) of a residue, so
-   alpha^(t Q + d) = sum of g(j) alpha^(Q j + d), where alpha^t = sum of g(j) alpha^j: one sum of n
-   rows of a table of alpha^e, e < Q n, for each digit of t to base Q, and no multiplication modulo
-   h at all. And s(t) = g0 s(0) + ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
+{- Note [Powers by Horner's rule]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   Let Q be a power of q, and t = (...(d1 Q + d2) Q + ...) Q + dm. Raising to the power Q is linear
+   over GF(q) in the coefficients g0, ..., g(n-1) of a residue, so alpha^(t Q + d) = sum of g(j)
+   alpha^(Q j + d), where alpha^t = sum of g(j) alpha^j: one sum of n rows of a table of alpha^e, e
+   < Q n, for each digit of t to base Q, and no multiplication modulo h at all. And s(t) = g0 s(0) +
+   ... + g(n-1) s(n-1), because both sides obey the recurrence. -}
 
 -- | @jump h s@ takes t to s(t), given s(0), ..., s(n-1). Apply it to h and s once, and to t often:
 -- the table of Note [Powers by Horner's rule], a MiB at most or q n^2 bytes, is made when first

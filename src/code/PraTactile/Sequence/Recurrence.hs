@@ -31,15 +31,15 @@ import PraTactile.Field
 -- of them 0.
 newtype Recurrence (k :: Field) = Recurrence [(Int, GF k)]
 
--- | The recurrence of a monic polynomial, given by its lower coefficients c0, ..., c(n-1):
--- v(i) = - (c(n-1) v(i-1) + ... + c0 v(i-n)).
+-- | The recurrence of a monic polynomial, given by its lower coefficients c0, ..., c(n-1): v(i) = -
+-- (c(n-1) v(i-1) + ... + c0 v(i-n)).
 recurrenceOf :: KnownField k => [GF k] -> Recurrence k
 recurrenceOf lower =
   Recurrence
     [(lag, negate c) | (lag, c) <- zip [length lower, length lower - 1 ..] lower, c /= zero]
 
--- | The recurrence with every lag so many times, at least once, as long: if the rows of a matrix
--- obey a recurrence, so do its cells in one line, the lags times the length of a row.
+-- | The recurrence with every lag multiplied by a number, at least 1: if the rows of a matrix obey
+-- a recurrence, so do its cells in one line, the lags times the length of a row.
 delayed :: Int -> Recurrence k -> Recurrence k
 delayed times (Recurrence taps) = Recurrence [(max 1 times * lag, a) | (lag, a) <- taps]
 
@@ -57,7 +57,7 @@ longestLag (Recurrence taps) = maximum (0 : map fst taps)
 shortestLag :: Recurrence k -> Int
 shortestLag (Recurrence taps) = minimum (maxBound : map fst taps)
 
--- | The first power of the recurrence whose shortest lag makes a block worth its overhead and, in
+-- | The first power of the recurrence whose shortest lag makes a block pay its overhead and, in
 -- characteristic 2, all of whose lags are whole words.
 spread :: forall k. KnownField k => Recurrence k -> Recurrence k
 spread = until ready (frobenius 1)
@@ -154,16 +154,18 @@ combinations a b = Primitive.create $ do
     forM_ elements $ \y -> Mutable.write table (256 * toCode x + toCode y) (a * x + b * y)
   pure table
 
-{- Note [Eight terms at a time] In characteristic 2 a code is the vector of its coefficients over
-   GF(2), and a sum is exclusive or, of eight codes in one machine word as of one. A factor c = c0 +
-   c1 A + ... (A the modulus's root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's
-   rule all the terms wanted times A^b are added up, the sum multiplied by A, those wanted times
-   A^(b-1) added, and so on: m - 1 multiplications by A whatever the number of terms. Multiplication
-   by A moves each code up one bit and takes the modulus from those that reach degree m. No byte
-   sees another, so that the order of the bytes in a word does not matter. -}
+{- Note [Eight terms at a time]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   In characteristic 2 a code is the vector of its coefficients over GF(2), and a sum is exclusive
+   or, of eight codes in one machine word as of one. A factor c = c0 + c1 A + ... (A the modulus's
+   root) asks for c0 s + A (c1 s + A (c2 s + ...)), so that by Horner's rule all the terms wanted
+   times A^b are added up, the sum multiplied by A, those wanted times A^(b-1) added, and so on: m -
+   1 multiplications by A whatever the number of terms. Multiplication by A moves each code up one
+   bit and takes the modulus from those that reach degree m. No byte sees another, so that the order
+   of the bytes in a word does not matter. -}
 
--- | The same sum of words of eight terms, all lags being multiples of 8. See
--- Note [Eight terms at a time].
+-- | The same sum of words of eight terms, all lags being multiples of 8. See Note [Eight terms at a
+-- time].
 wordPasses :: forall k s. KnownField k => [(Int, GF k)] -> MVector s Word64 -> [Pass s]
 wordPasses taps v = clear : intercalate [each timesA] [addAll (wanted b) | b <- [m - 1, m - 2 .. 0]]
   where

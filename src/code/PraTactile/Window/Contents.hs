@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
+-- | Which contents occur among the windows of a grid, as one bit a content: the inner loop of the
 -- proof by enumeration. Internal; "PraTactile.Window.Enumeration" says what it means.
 module PraTactile.Window.Contents
   ( Contents,
@@ -92,6 +91,7 @@ include set key = do
 {-# INLINE include #-}
 
 {- Note [Rolling contents]
+   ~~~~~~~~~~~~~~~~~~~~~~~
    The windows of k1 x k2 cells are swept row by row, in strips of a few thousand columns. For each
    column of the strip the number of its k1 cells is kept, the uppermost most significant; going
    down a row, it is multiplied by q, the new cell is added, and the cell left behind subtracted at
@@ -107,35 +107,49 @@ include set key = do
 sweep :: Surface -> Grid -> Int -> Int -> Tile -> MVector s Word64 -> ST s ()
 sweep surface grid k1 k2 (Tile r0 r1 c0 c1) set = do
   -- Entry t + k2 is the column c + t of the strip from c; the first k2 entries stay 0.
-  numbers <- Mutable.replicate (strip + 2 * k2) 0
-  forM_ [c0, c0 + strip .. c1 - 1] $ \c -> do
+  numbers <- Mutable.replicate (width + 2 * k2) 0
+  forM_ [c0, c0 + width .. c1 - 1] $ \c -> do
     Mutable.set numbers 0
-    let takeRow = rowOfStrip surface grid k1 k2 numbers set c (min strip (c1 - c) + k2 - 1)
-    forM_ [r0 .. r0 + k1 - 2] $ \r -> takeRow maxBound r r 0
+    let strip =
+          Strip
+            { stripSurface = surface,
+              stripGrid = grid,
+              stripBase = base,
+              stripColumns = k2,
+              stripFrom = c,
+              stripSize = min width (c1 - c) + k2 - 1
+            }
+        takeRow = rowOfStrip strip numbers set
+    forM_ [r0 .. r0 + k1 - 2] $ \r -> takeRow (Row r r 0) maxBound
     -- The first row of windows leaves no cell behind.
-    takeRow (k2 - 1) (r0 + k1 - 1) (r0 + k1 - 1) 0
-    forM_ [r0 + 1 .. r1 - 1] $ \r -> takeRow (k2 - 1) (r + k1 - 1) (r - 1) (gridAlphabet grid ^ k1)
+    takeRow (Row (r0 + k1 - 1) (r0 + k1 - 1) 0) (k2 - 1)
+    forM_ [r0 + 1 .. r1 - 1] $ \r -> takeRow (Row (r + k1 - 1) (r - 1) base) (k2 - 1)
   where
-    strip = max 1 (min 4096 (c1 - c0))
+    width = max 1 (min 4096 (c1 - c0))
+    base = gridAlphabet grid ^ k1
 
--- | Take a row of cells into the numbers of the columns c, c + 1, ... of a strip, so many in all,
--- and a row out of them at its weight; include the windows that end at column c + first or later.
--- Rows and columns may lie beyond the edges by less than a turn.
-rowOfStrip ::
-  Surface ->
-  Grid ->
-  Int ->
-  Int ->
-  MVector s Word32 ->
-  MVector s Word64 ->
-  Int ->
-  Int ->
-  Int ->
-  Int ->
-  Int ->
-  Int ->
-  ST s ()
-rowOfStrip surface grid k1 k2 numbers set c size first new old weight =
+-- | Columns of the grid that are swept at once.
+data Strip = Strip
+  { stripSurface :: !Surface,
+    stripGrid :: !Grid,
+    -- | q^k1: the numbers of columns are below it.
+    stripBase :: !Int,
+    -- | k2.
+    stripColumns :: !Int,
+    -- | The first column.
+    stripFrom :: !Int,
+    -- | How many columns there are; the last may lie beyond the edge by less than a turn.
+    stripSize :: !Int
+  }
+
+-- | The row that comes into the windows, the row that is left behind, and its weight. Rows may lie
+-- beyond the edge by less than a turn.
+data Row = Row !Int !Int !Int
+
+-- | Take a row of cells into the numbers of a strip's columns, and one out of them; include the
+-- windows that end at this column of the strip, from 0, or later.
+rowOfStrip :: Strip -> MVector s Word32 -> MVector s Word64 -> Row -> Int -> ST s ()
+rowOfStrip (Strip surface grid base k2 c size) numbers set (Row new old weight) first =
   foldM_ segment 0 (zip bounds (drop 1 bounds))
   where
     -- Columns past the edge, and those where no window ends yet, are parts of their own.
@@ -164,7 +178,6 @@ rowOfStrip surface grid k1 k2 numbers set c size first new old weight =
     cell i = fromIntegral (Primitive.unsafeIndex cells i) :: Int
     cells = gridCells grid
     q = gridAlphabet grid
-    base = q ^ k1
     spanned = base ^ k2
     height = gridHeight grid
     width = gridWidth grid

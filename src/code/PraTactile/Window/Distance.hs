@@ -25,10 +25,12 @@ import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.LinearCode
+import PraTactile.LinearCode.Elimination
+import PraTactile.LinearCode.MinimumDistance
+import PraTactile.LinearCode.Weights
 import PraTactile.Polynomial
 import PraTactile.Window
-import PraTactile.Window.Elimination
-import PraTactile.Window.LinearCode
 import PraTactile.Window.Rank
 
 -- | The minimum distance, and cells that show it.
@@ -37,12 +39,12 @@ data Distance = Distance
     -- the same. Windows on the sheet differ in at least as many.
     distance :: Natural,
     -- | as many cells of the mask, by their offsets: a smallest set without which the rest of the
-    -- mask does not tell the position any more; there are windows that differ in them only
+    -- mask does not determine the position any more; there are windows that differ in them only
     failingErasure :: [Position]
   }
   deriving stock (Eq, Show)
 
--- | Why the distance, or the weights, are not told.
+-- | Why the distance, or the weights, are not known.
 data DistanceError
   = -- | The search would take too long: the distance is at least the first number, at most the
     -- second.

@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- The window property by visiting every window, for any rectangular matrix of symbols: nothing is
+-- | The window property by visiting every window, for any rectangular matrix of symbols: nothing is
 -- assumed of how the matrix was made.
 module PraTactile.Window.Enumeration
   ( enumerate,
@@ -43,7 +42,7 @@ data Enumeration = Enumeration
   }
   deriving stock (Eq, Show)
 
--- | Whether every window tells its position.
+-- | Whether every window has a content of its own.
 allDistinct :: Enumeration -> Bool
 allDistinct seen = differentWindows seen == visitedWindows seen
 
@@ -57,21 +56,21 @@ data EnumerationError
     TooManyWindows Natural Natural
   deriving stock (Eq, Show)
 
--- | 2^30: up to so many possible contents, what was seen is kept as one bit a content, if that is
+-- | 2^30: up to this many possible contents, what was seen is kept as one bit a content, if that is
 -- not many times more than there are positions.
 largestSpan :: Natural
 largestSpan = 2 ^ (30 :: Int)
 
--- | 2^26: up to so many positions, the contents are sorted instead if they fit a machine integer.
+-- | 2^26: up to this many positions, the contents are sorted instead if they fit a machine integer.
 largestSort :: Natural
 largestSort = 2 ^ (26 :: Int)
 
--- | 2^20: up to so many positions, what was seen is kept in an ordered map otherwise, whatever the
--- number of contents.
+-- | 2^20: up to this many positions, what was seen is kept in an ordered map otherwise, whatever
+-- the number of contents.
 largestMap :: Natural
 largestMap = 2 ^ (20 :: Int)
 
--- | 2^26: so many cells are read for that map at most, all windows together.
+-- | 2^26: the most cells that are read for that map, all windows added up.
 largestReading :: Natural
 largestReading = 2 ^ (26 :: Int)
 
@@ -90,9 +89,9 @@ enumerate surface grid mask
     count = area (visitedShape surface (gridShape grid) mask)
     packing = MostSignificantFirst
     visited = visit packing surface grid mask
-    -- If the cells that fit a machine integer tell all windows apart, so do all cells. On the sheet
-    -- fewer cells may have more positions, where the others stick out: all of them are asked for,
-    -- which is more than need be.
+    -- If the cells that fit a machine integer distinguish all windows, so do all cells. On the
+    -- sheet fewer cells may have more positions, where the others stick out: all of them are asked
+    -- for, which is more than need be.
     byFewerCells = do
       fewer <- fittingCells (gridAlphabet grid) mask
       windows <-
@@ -111,14 +110,13 @@ enumerate surface grid mask
               }
         else Nothing
 
--- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with so many symbols
--- and of this shape.
+-- | Refuses, before there is a grid, what 'enumerate' refuses for every grid with this number of
+-- symbols and of this shape.
 enumerable :: Surface -> Int -> Shape -> Mask -> Either EnumerationError ()
 enumerable surface q shape mask
   | count == 0 = Left NoWindow
   | packs && (bitsSuffice spanned count || count <= largestSort) = Right ()
-  | Just fewer <-
-      fittingCells q mask,
+  | Just fewer <- fittingCells q mask,
     area (visitedShape surface shape fewer) <= largestSort =
     Right ()
   | mapSuffices count mask = Right ()
@@ -128,17 +126,16 @@ enumerable surface q shape mask
     spanned = fromIntegral q ^ maskSize mask
     count = area (visitedShape surface shape mask)
 
--- | Whether a bit for each of so many possible contents of windows at so many positions is worth
--- its memory.
+-- | Whether a bit for each possible content takes little enough memory for the number of positions.
 bitsSuffice :: Natural -> Natural -> Bool
 bitsSuffice spanned count = spanned <= min largestSpan (max (2 ^ (20 :: Int)) (64 * count))
 
--- | Whether the contents of the mask at so many positions fit an ordered map.
+-- | Whether the contents of the mask at this many positions fit an ordered map.
 mapSuffices :: Natural -> Mask -> Bool
 mapSuffices count mask =
   count <= largestMap && count * fromIntegral (maskSize mask) <= largestReading
 
--- | The first cells of a mask, as many as fit a machine integer with so many symbols.
+-- | The first cells of a mask, as many as fit a machine integer with q symbols.
 fittingCells :: Int -> Mask -> Maybe Mask
 fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskOffsets mask)))
   where
@@ -194,7 +191,7 @@ firstWhere windows holds = go 0 0
       | holds r c = Just (r, c)
       | otherwise = go r (c + 1)
 
--- | All contents in order, so that the same ones come together.
+-- | All contents in order, so that equal ones are neighbours.
 bySorting :: Visit -> Enumeration
 bySorting windows =
   Enumeration

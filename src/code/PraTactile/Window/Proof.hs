@@ -1,6 +1,6 @@
--- | The window property: every window has a content of its own, so that the content tells the
--- position (MacWilliams and Sloane 1976; section II of the paper). Two roads lead to one verdict:
--- visiting every window, and the rank of the mask. Where both are open they are compared.
+-- | The window property: every window has a content of its own, so that the content determines the
+-- position (MacWilliams and Sloane 1976; section II of the paper). Two methods lead to one verdict:
+-- visiting every window, and the rank of the mask. Where both are possible they are compared.
 module PraTactile.Window.Proof
   ( -- * Proving
     prove,
@@ -14,7 +14,7 @@ module PraTactile.Window.Proof
     -- * Any matrix
     proveGrid,
 
-    -- * The two roads
+    -- * The two methods
     enumerate,
     Enumeration (..),
     allDistinct,
@@ -37,14 +37,14 @@ import PraTactile.Window.Enumeration
 import PraTactile.Window.Rank
 import PraTactile.Window.Visit (visitedShape)
 
--- | What is known of the windows of a surface, and by which road.
+-- | What is known of the windows of a surface, and by which method.
 data Verdict = Verdict
   { -- | whether all windows are distinct
     proved :: Bool,
     -- | what visiting every window says; 'Nothing' if it was not done
     enumeration :: Maybe Bool,
     -- | what the rank says; 'Nothing' if it decides nothing here
-    rankRoad :: Maybe Bool,
+    rankDecision :: Maybe Bool,
     -- | the rank of the mask over GF(q); 'Nothing' for a matrix without a polynomial or a surface
     -- that is not its own
     rank :: Maybe Natural,
@@ -71,9 +71,9 @@ data ProofError
   | -- | The rank decides nothing here, and what is seen on a visit does not fit into memory: this
     -- many possible contents at this many positions.
     WindowsTooMany Natural Natural
-  | -- | The two roads contradict each other, which a theorem forbids: one of them is wrong, and
+  | -- | The two methods contradict each other, which a theorem forbids: one of them is wrong, and
     -- neither is to be trusted.
-    RoadsDisagree Verdict
+    MethodsDisagree Verdict
   deriving stock (Eq, Show)
 
 -- | An array with a mask and a surface on which all windows have been shown to be distinct. Only
@@ -89,11 +89,11 @@ data Proved (k :: Field) = Proved
 
 type role Proved nominal
 
--- | Decide whether the windows are distinct on the surface, by both roads as far as they are open:
--- by visiting all windows if memory allows; by the rank on the array's 'naturalSurface', where it
--- decides, and on the sheet, where rank n is sufficient only. With the verdict comes the witness if
--- it is favourable. Refuses when there is no window, when neither road is open, and when the two
--- disagree.
+-- | Decide whether the windows are distinct on the surface, by both methods as far as they are
+-- possible: by visiting all windows if memory allows; by the rank on the array's 'naturalSurface',
+-- where it decides, and on the sheet, where rank n is sufficient only. With the verdict comes the
+-- witness if it is favourable. Refuses when there is no window, when neither method is possible,
+-- and when the two disagree.
 prove ::
   KnownField k =>
   Surface ->
@@ -104,8 +104,8 @@ prove on array mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
     (Left reason, Nothing) -> Left reason
-    (Right seen, Just told)
-      | (allDistinct seen, differentWindows seen) /= told -> Left (RoadsDisagree verdict)
+    (Right seen, Just byTheorem)
+      | (allDistinct seen, differentWindows seen) /= byTheorem -> Left (MethodsDisagree verdict)
     _ -> Right (verdict, if proved verdict then Just (Proved array mask on) else Nothing)
   where
     visits = visitedShape on (arrayShape array) mask
@@ -116,7 +116,8 @@ prove on array mask
     r = windowRank array mask
     n = fromIntegral (primitiveDegree (arrayPrimitive array))
     ownSurface = on == naturalSurface (arrayFolding array)
-    -- Whether all windows are distinct, and how many contents there are, as far as the rank tells.
+    -- Whether all windows are distinct, and how many contents there are, as far as the rank
+    -- decides.
     byRank
       | ownSurface = Just (r == n, windowsOfRank array r)
       | on == Sheet && r == n = Just (True, area visits)
@@ -124,7 +125,7 @@ prove on array mask
     verdict =
       (either (const (unvisited on)) (verdictOf on) visited)
         { proved = either (const (maybe False fst byRank)) allDistinct visited,
-          rankRoad = fst <$> byRank,
+          rankDecision = fst <$> byRank,
           rank = if ownSurface || on == Sheet then Just r else Nothing,
           needed = if ownSurface || on == Sheet then Just n else Nothing,
           distinctWindows = either (const (snd <$> byRank)) (Just . differentWindows) visited
@@ -158,7 +159,7 @@ unvisited on =
   Verdict
     { proved = False,
       enumeration = Nothing,
-      rankRoad = Nothing,
+      rankDecision = Nothing,
       rank = Nothing,
       needed = Nothing,
       distinctWindows = Nothing,

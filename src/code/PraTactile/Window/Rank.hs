@@ -1,12 +1,10 @@
--- |
--- The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
+-- | The window property by algebra, for arrays of any size. The cell at offset (i, j) from the
 -- position of the term s(t) holds s(t + e(i, j)), and s(t) is a linear function of alpha^t, none
 -- but zero of which is zero for all t. So the window's content is a linear function of alpha^t,
--- which tells all of them apart iff the alpha^e(i, j) span GF(q^n) over GF(q).
+-- which is injective iff the alpha^e(i, j) span GF(q^n) over GF(q).
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
-    windowExponents,
     windowsOfRank,
     rankOf,
   )
@@ -19,9 +17,9 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Extension
 import PraTactile.Field
+import PraTactile.LinearCode.Elimination
 import PraTactile.Polynomial
 import PraTactile.Window
-import PraTactile.Window.Elimination
 
 -- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
 -- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n.
@@ -30,10 +28,6 @@ windowRank array mask =
   fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
   where
     n = primitiveDegree (arrayPrimitive array)
-
--- | The e(i, j), below the period, for the cells of the mask in reading order.
-windowExponents :: KnownField k => PseudorandomArray k -> Mask -> [Natural]
-windowExponents array = map (sequenceIndex array) . maskOffsets
 
 -- | The alpha^e(i, j), each by its n coordinates in the basis 1, alpha, ..., for the cells of the
 -- mask in reading order.

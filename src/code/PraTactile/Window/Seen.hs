@@ -1,5 +1,4 @@
--- |
--- A set of small numbers that grows while windows are visited, one bit each. Internal.
+-- | A set of small numbers that grows while windows are visited, one bit each. Internal.
 module PraTactile.Window.Seen
   ( Seen,
     nothingSeen,

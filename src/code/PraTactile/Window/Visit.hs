@@ -1,7 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 
--- |
--- Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
+-- | Visiting every window of a grid as a packed machine integer. Internal: shared by the proof by
 -- enumeration and the memory table.
 module PraTactile.Window.Visit
   ( Visit,
@@ -126,31 +125,23 @@ forWindowsWithin windows r0 r1 c0 c1 act = do
     strip = max 1 (min 4096 (c1 - c0))
 {-# INLINE forWindowsWithin #-}
 
--- | The packed contents of so many windows of a row from a column on; all of them must be among
--- those visited. Four cells of each window are taken at a time, as long as there are so many, and
--- then the others.
+-- | @packStrip windows r c size keys@: the packed contents of windows of row r, from column c on;
+-- all of them must be among those visited. Four cells of each window are taken at a time, as long
+-- as there are four, and then the others.
 packStrip :: Visit -> Int -> Int -> Int -> MVector s Int -> ST s ()
 packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >> go 0
   where
     go j
-      | count - j >= 4 = between (map (edge . (j +)) [0 .. 3]) (appendFour j) >> go (j + 4)
-      | count - j >= 1 = between [edge j] (appendOne j) >> go (j + 1)
+      | count - j >= 4 = between size (map edge [j .. j + 3]) (appendFour j) >> go (j + 4)
+      | count - j >= 1 = between size [edge j] (appendOne j) >> go (j + 1)
       | otherwise = pure ()
     count = Primitive.length (visitDown windows)
     -- The first window of the strip whose cell lies beyond the surface's edge.
     edge j = let (_, following, _) = cellsFrom windows j r c in following
-    -- Act from each window to the next that has one of these numbers.
-    between edges act = case filter (< size) edges of
-      [] -> act 0 size
-      inside ->
-        let bounds =
-              [0] ++ sort (filter (> 0) inside) ++ [size]
-         in zipWithM_ act bounds (drop 1 bounds)
     -- That cell of window t has the index from + t, for all windows t on the same side of the edge
     -- as this one.
     from j t =
-      let (first, following, onwards) =
-            cellsFrom windows j r c
+      let (first, following, onwards) = cellsFrom windows j r c
        in if t < following then first else onwards - following
     appendOne j t0 t1 = loop t0
       where
@@ -181,6 +172,16 @@ packStrip windows r c size keys = Mutable.set (Mutable.unsafeTake size keys) 0 >
     !square = q * q
     !fourth = square * square
 
+-- | Act from each of the windows 0, 1, ..., below the size, that is the first or has one of these
+-- numbers, up to the next such one.
+between :: Int -> [Int] -> (Int -> Int -> ST s ()) -> ST s ()
+between size edges act = case filter (< size) edges of
+  [] -> act 0 size
+  inside ->
+    let bounds = [0] ++ sort (filter (> 0) inside) ++ [size]
+     in zipWithM_ act bounds (drop 1 bounds)
+{-# NOINLINE between #-}
+
 -- | All windows in turn, row by row, when their packed contents may exceed a machine integer.
 packedWindows :: Packing -> Surface -> Grid -> Mask -> [(Position, Natural)]
 packedWindows packing surface grid mask =
@@ -199,12 +200,7 @@ packedAt packing surface grid mask position =
 -- | The rows and columns at which windows are: all of a torus; on the sheet those from which the
 -- mask does not stick out.
 visitedShape :: Surface -> Shape -> Mask -> Shape
-visitedShape surface shape mask = case surface of
-  Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
-  _ -> shape
-  where
-    extent = maskExtent mask
-    within side size = if size > side then 0 else side - size + 1
+visitedShape surface shape = admissible surface shape . maskExtent
 
 -- | The position of visited coordinates.
 visitPosition :: Int -> Int -> Position

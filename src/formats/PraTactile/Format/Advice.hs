@@ -9,7 +9,6 @@ where
 import Data.Aeson
 import Data.Aeson.Types (Pair)
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import Data.Text (Text)
 import PraTactile.Advise
 import PraTactile.Array (Shape (..))
@@ -20,15 +19,13 @@ import PraTactile.Format.Name
 -- an obstacle.
 encodeAdvice :: (Obstacle -> String) -> Request -> Advice -> ByteString
 encodeAdvice inWords request (Advice options obstacles) =
-  Lazy.toStrict $
-    encodeLine $
-      "schema" .= ("pra-tactile/advise/1" :: Text)
-        <> "q" .= naturalValue (requestOrder request)
-        <> "rows" .= naturalValue (requestRows request)
-        <> "columns" .= naturalValue (requestColumns request)
-        <> "window" .= fmap shapeValue (requestWindow request)
-        <> "possible" .= map optionValue options
-        <> "impossible" .= map (obstacleValue inWords) obstacles
+  encodeSchema "advise/1" $
+    "q" .= naturalValue (requestOrder request)
+      <> "rows" .= naturalValue (requestRows request)
+      <> "columns" .= naturalValue (requestColumns request)
+      <> "window" .= fmap shapeValue (requestWindow request)
+      <> "possible" .= map optionValue options
+      <> "impossible" .= map (obstacleValue inWords) obstacles
 
 optionValue :: Option -> Value
 optionValue option =

@@ -59,15 +59,20 @@ data Contents = Contents
 contentsOf :: ByteString -> Either CensusFileError Contents
 contentsOf bytes = case Bytes.lines whole of
   header : others
-    | Just form <- formOf header -> Right (contents form True others)
-    | damaged <- contents Checked False others,
+    | Just form <- formOf header -> Right (contents form others)
+    | damaged <- (contents Checked others) {contentsHeaderWhole = False},
       any (isRight . snd) (contentsLines damaged) ->
       Right damaged
   _ -> Left NoCensusHeader
   where
     (whole, rest) = Bytes.spanEnd (/= '\n') bytes
-    contents form headerWhole others =
-      Contents form headerWhole (zip [2 ..] (map (readRow form) others)) rest
+    contents form others =
+      Contents
+        { contentsForm = form,
+          contentsHeaderWhole = True,
+          contentsLines = zip [2 ..] (map (readRow form) others),
+          contentsRest = rest
+        }
 
 -- | Whether a file was cut off while its header was written, or is empty.
 beginsHeader :: ByteString -> Bool

@@ -9,8 +9,7 @@ module PraTactile.Format.Certificate
   )
 where
 
-import Data.Aeson (Object, Value (..), encode, toJSON, (.=))
-import qualified Data.Aeson as Aeson
+import Data.Aeson (Object, Value (..), encode, toJSON)
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
@@ -20,56 +19,68 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.List (intersperse, sortOn)
 import Data.Scientific (floatingOrInteger)
-import PraTactile.Array (Position (..))
 import PraTactile.Certificate
 import PraTactile.Format.Digest
 import PraTactile.Format.Error
 import PraTactile.Format.Json
-import PraTactile.Format.Json.Read
+import PraTactile.Format.Json.Codec
 import PraTactile.Format.Profile
-
--- | The name of this form of a certificate.
-schema :: String
-schema = "pra-tactile/certificate/1"
 
 -- | A certificate with its seal, on one line of ASCII, without its end.
 encodeCertificate :: Certificate -> ByteString
 encodeCertificate certificate = canonical (KeyMap.insert "seal" (toJSON (sealOf fields)) fields)
   where
-    fields =
-      KeyMap.fromList
-        [ "schema" .= schema,
-          "profile" .= profileValue (certificateProfile certificate),
-          "mask" .= map positionListValue (certificateMask certificate),
-          "windows" .= naturalValue (certificateWindows certificate),
-          "period" .= naturalValue (certificatePeriod certificate),
-          "factors" .= map factorValue (certificateFactors certificate),
-          "primes" .= map primeValue (certificatePrimes certificate),
-          "evidence" .= evidenceValue (certificateEvidence certificate)
-        ]
+    fields = writeObject (schema *> certificateKeys) certificate
 
-factorValue :: OrderFactor -> Value
-factorValue (OrderFactor l e residue) =
-  Aeson.object
-    ["prime" .= naturalValue l, "exponent" .= naturalValue e, "residue" .= map naturalValue residue]
+schema :: Keys r ()
+schema = schemaKey "pra-tactile/certificate/1"
 
-primeValue :: PrimeProof -> Value
-primeValue (PrimeProof p witnesses) =
-  Aeson.object
-    [ "prime" .= naturalValue p,
-      "factors" .= [map naturalValue [l, e, a] | PrimeWitness l e a <- witnesses]
-    ]
+certificateKeys :: Keys Certificate Certificate
+certificateKeys =
+  Certificate
+    <$> key "profile" profileCodec certificateProfile
+    <*> key "mask" (listOf positionPair) certificateMask
+    <*> key "windows" natural certificateWindows
+    <*> key "period" natural certificatePeriod
+    <*> key "factors" (listOf factor) certificateFactors
+    <*> key "primes" (listOf prime) certificatePrimes
+    <*> key "evidence" evidence certificateEvidence
 
-evidenceValue :: Evidence -> Value
-evidenceValue evidence = case evidence of
-  ByRank (RankEvidence vectors cells inverted) ->
-    Aeson.object
-      [ "road" .= ("rank" :: String),
-        "vectors" .= map (map naturalValue) vectors,
-        "cells" .= map naturalValue cells,
-        "inverse" .= map (map naturalValue) inverted
-      ]
-  ByEnumeration digest -> Aeson.object ["road" .= ("enumeration" :: String), "sha256" .= digest]
+factor :: Codec OrderFactor
+factor =
+  object $
+    OrderFactor
+      <$> key "prime" natural orderPrime
+      <*> key "exponent" natural orderExponent
+      <*> key "residue" (listOf natural) orderResidue
+
+prime :: Codec PrimeProof
+prime =
+  object (PrimeProof <$> key "prime" natural shownPrime <*> key "factors" (listOf witness) shownBy)
+  where
+    witness = Codec (\(PrimeWitness l e a) -> map naturalValue [l, e, a]) $ \values ->
+      readValue (listOf natural) values >>= \given -> case given of
+        [l, e, a] -> Right (PrimeWitness l e a)
+        _ -> refuse NotPrimeWitness
+
+evidence :: Codec Evidence
+evidence = Codec written $ \value -> do
+  fields <- objectOf value
+  way <- field "road" text fields
+  case way of
+    "rank" -> ByRank <$> readKeys rankKeys fields
+    "enumeration" -> ByEnumeration <$> readKeys digestKey fields
+    _ -> refuse (UnknownEvidence way)
+  where
+    written shown = case shown of
+      ByRank rank -> KeyMap.insert "road" "rank" (writeObject rankKeys rank)
+      ByEnumeration digest -> KeyMap.insert "road" "enumeration" (writeObject digestKey digest)
+    digestKey = key "sha256" text id
+    rankKeys =
+      RankEvidence
+        <$> key "vectors" (listOf (listOf natural)) rankVectors
+        <*> key "cells" (listOf natural) rankCells
+        <*> key "inverse" (listOf (listOf natural)) rankInverse
 
 -- | The SHA-256 of all other fields.
 sealOf :: Object -> String
@@ -88,7 +99,7 @@ canonicalValue value = case value of
   Number n | Just i <- whole n -> Builder.integerDec i
   other -> Builder.lazyByteString (encode other)
   where
-    pair (key, v) = quoted key <> ":" <> canonicalValue v
+    pair (name, v) = quoted name <> ":" <> canonicalValue v
     commas = mconcat . intersperse ","
     sorted fields = sortOn fst [(Key.toText k, v) | (k, v) <- KeyMap.toList fields]
     whole n = if abs n < 1e18 then either fraction Just (floatingOrInteger n) else Nothing
@@ -107,55 +118,8 @@ data CertificateFile = CertificateFile
 -- another value than 'encodeCertificate' writes; whether the certificate is good is for
 -- "PraTactile.Certificate.Check" to say.
 decodeCertificate :: ByteString -> Either FormatError CertificateFile
-decodeCertificate = decodeWith $ \value -> do
-  fields <- object value
-  schemaIs schema fields
+decodeCertificate = decodeObject $ \fields -> do
+  readKeys schema fields
   stated <- field "seal" text fields
-  certificate <-
-    Certificate
-      <$> field "profile" profileOf fields
-      <*> field "mask" (listOf cell) fields
-      <*> field "windows" natural fields
-      <*> field "period" natural fields
-      <*> field "factors" (listOf factor) fields
-      <*> field "primes" (listOf prime) fields
-      <*> field "evidence" evidenceOf fields
+  certificate <- readKeys certificateKeys fields
   pure (CertificateFile certificate (stated == sealOf fields))
-
-cell :: Decoder Position
-cell value =
-  listOf natural value >>= \given -> case given of
-    [r, c] -> Right (Position r c)
-    _ -> refuse NotCell
-
-factor :: Decoder OrderFactor
-factor value = do
-  fields <- object value
-  OrderFactor
-    <$> field "prime" natural fields
-    <*> field "exponent" natural fields
-    <*> field "residue" (listOf natural) fields
-
-prime :: Decoder PrimeProof
-prime value = do
-  fields <- object value
-  PrimeProof <$> field "prime" natural fields <*> field "factors" (listOf witness) fields
-  where
-    witness values =
-      listOf natural values >>= \given -> case given of
-        [l, e, a] -> Right (PrimeWitness l e a)
-        _ -> refuse NotPrimeWitness
-
-evidenceOf :: Decoder Evidence
-evidenceOf value = do
-  fields <- object value
-  road <- field "road" text fields
-  case road of
-    "rank" ->
-      fmap ByRank $
-        RankEvidence
-          <$> field "vectors" (listOf (listOf natural)) fields
-          <*> field "cells" (listOf natural) fields
-          <*> field "inverse" (listOf (listOf natural)) fields
-    "enumeration" -> ByEnumeration <$> field "sha256" text fields
-    _ -> refuse (UnknownEvidence road)

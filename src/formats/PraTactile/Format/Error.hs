@@ -46,8 +46,12 @@ data Misfit
   | NotObject
   | NotList
   | NotText
+  | -- | Neither true nor false.
+    NotBool
   | -- | No number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.
     NotNatural
+  | -- | No whole number of less than 10^18 either way.
+    NotInteger
   | -- | A number of more digits than this.
     NaturalTooLong Int
   | -- | No number that a double can have.
@@ -56,7 +60,7 @@ data Misfit
     NotPair
   | -- | No shape: a list of two numbers, rows and columns.
     NotShape
-  | -- | No cell of a mask: a list of two numbers, row and column.
+  | -- | No cell: a list of two numbers, row and column.
     NotCell
   | -- | No factor of a prime less 1: a list of three numbers, prime, exponent and witness.
     NotPrimeWitness

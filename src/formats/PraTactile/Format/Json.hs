@@ -4,26 +4,24 @@
 -- decimal strings, because many readers of JSON hold numbers as IEEE doubles.
 module PraTactile.Format.Json
   ( encodeLine,
+    encodeSchema,
 
     -- * Values
     naturalValue,
     positionValue,
     positionListValue,
     shapeValue,
-
-    -- * Keys with their values
-    chanceSeries,
   )
 where
 
 import Data.Aeson
 import Data.Aeson.Encoding (encodingToLazyByteString)
+import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Text.Encoding.Error (lenientDecode)
 import qualified Data.Text.Lazy.Encoding as Lazy
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Locate.Chance (Chance (..))
 
 -- | An object on one line, without its end, its keys in the order given.
 encodeLine :: Series -> Lazy.ByteString
@@ -31,6 +29,10 @@ encodeLine = valid . encodingToLazyByteString . pairs
   where
     -- Whatever was in a text, JSON is UTF-8.
     valid = Lazy.encodeUtf8 . Lazy.decodeUtf8With lenientDecode
+
+-- | An object of this schema of ours with these keys, on one line, without its end.
+encodeSchema :: String -> Series -> ByteString
+encodeSchema name keys = Lazy.toStrict (encodeLine ("schema" .= ("pra-tactile/" ++ name) <> keys))
 
 -- | A number, or a decimal string where a double would round it.
 naturalValue :: Natural -> Value
@@ -49,9 +51,3 @@ positionListValue (Position r c) = toJSON [naturalValue r, naturalValue c]
 -- | A shape as @[rows, columns]@.
 shapeValue :: Shape -> Value
 shapeValue (Shape high wide) = toJSON [naturalValue high, naturalValue wide]
-
--- | @chance@ and @chance_is@; both null where no cell was observed.
-chanceSeries :: Maybe Chance -> Series
-chanceSeries known = "chance" .= fmap chanceShare known <> "chance_is" .= fmap bound known
-  where
-    bound found = if chanceExact found then "exact" else "at-most" :: String

@@ -5,6 +5,7 @@ module PraTactile.Format.Name
     layoutName,
     readingName,
     packingName,
+    differenceName,
     shapeText,
   )
 where
@@ -12,6 +13,7 @@ where
 import PraTactile.Advise (Layout (..))
 import PraTactile.Array (Folding (..), Shape (..), Surface (..))
 import PraTactile.Profile (Reading (..))
+import PraTactile.Truth (Difference (..))
 import PraTactile.Window (Packing (..))
 
 -- | The name of a surface.
@@ -44,6 +46,13 @@ packingName :: Packing -> String
 packingName packing = case packing of
   MostSignificantFirst -> "most-significant-first"
   LeastSignificantFirst -> "least-significant-first"
+
+-- | The name of how an answer differs from the truth.
+differenceName :: Difference -> String
+differenceName difference = case difference of
+  OtherFace -> "other-face"
+  OtherWayUp -> "other-orientation"
+  Elsewhere _ -> "elsewhere"
 
 -- | A shape as rows x columns.
 --

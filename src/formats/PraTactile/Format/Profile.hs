@@ -9,24 +9,18 @@ module PraTactile.Format.Profile
     -- * As part of other texts
     profileText,
     profileValue,
-    profileOf,
+    profileCodec,
   )
 where
 
-import Data.Aeson (Value, encode, (.=))
-import qualified Data.Aeson as Aeson
+import Data.Aeson (Value, encode)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import PraTactile.Format.Error
-import PraTactile.Format.Json
-import PraTactile.Format.Json.Read
+import PraTactile.Format.Json.Codec
 import PraTactile.Format.Name
 import PraTactile.Profile
-
--- | The name of this form of the profile.
-schema :: String
-schema = "pra-tactile/profile/1"
 
 -- | The profile as one line of ASCII, without its end; equal for equal profiles.
 encodeProfile :: Profile -> ByteString
@@ -39,7 +33,7 @@ encodeProfile = Lazy.toStrict . encode . profileValue
 -- >>> decodeProfile (encodeProfile canonicalProfile) == Right canonicalProfile
 -- True
 decodeProfile :: ByteString -> Either FormatError Profile
-decodeProfile = decodeWith profileOf
+decodeProfile = decodeWith profileKeys
 
 -- | The text of 'encodeProfile', as databases and tables state the profile that they are of.
 profileText :: Profile -> String
@@ -47,34 +41,24 @@ profileText = Bytes.unpack . encodeProfile
 
 -- | The profile as a JSON object.
 profileValue :: Profile -> Value
-profileValue profile =
-  Aeson.object
-    [ "schema" .= schema,
-      "q" .= naturalValue (profileOrder profile),
-      "modulus" .= map naturalValue (profileModulus profile),
-      "polynomial" .= map naturalValue (profilePolynomial profile),
-      "reading" .= readingName (profileReading profile),
-      "state" .= map naturalValue (profileState profile),
-      "folding" .= foldingName (profileFolding profile),
-      "shape" .= shapeValue (profileShape profile),
-      "window" .= shapeValue (profileWindow profile),
-      "surface" .= surfaceName (profileSurface profile),
-      "packing" .= packingName (profilePacking profile)
-    ]
+profileValue = writeValue profileCodec
 
--- | The profile that a JSON object is; refuses as 'decodeProfile' does.
-profileOf :: Value -> Either FormatError Profile
-profileOf value = do
-  fields <- object value
-  schemaIs schema fields
-  Profile
-    <$> field "q" natural fields
-    <*> field "modulus" (listOf natural) fields
-    <*> field "polynomial" (listOf natural) fields
-    <*> field "reading" (named readingName) fields
-    <*> field "state" (listOf natural) fields
-    <*> field "folding" (named foldingName) fields
-    <*> field "shape" shape fields
-    <*> field "window" shape fields
-    <*> field "surface" (named surfaceName) fields
-    <*> field "packing" (named packingName) fields
+-- | The profile as part of another format; refuses as 'decodeProfile' does.
+profileCodec :: Codec Profile
+profileCodec = object profileKeys
+
+profileKeys :: Keys Profile Profile
+profileKeys =
+  schemaKey "pra-tactile/profile/1"
+    *> ( Profile
+           <$> key "q" natural profileOrder
+           <*> key "modulus" (listOf natural) profileModulus
+           <*> key "polynomial" (listOf natural) profilePolynomial
+           <*> key "reading" (named readingName) profileReading
+           <*> key "state" (listOf natural) profileState
+           <*> key "folding" (named foldingName) profileFolding
+           <*> key "shape" shape profileShape
+           <*> key "window" shape profileWindow
+           <*> key "surface" (named surfaceName) profileSurface
+           <*> key "packing" (named packingName) profilePacking
+       )

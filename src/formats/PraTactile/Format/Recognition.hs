@@ -1,46 +1,92 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of what @decode@ answers, and of what lies at a position.
+-- | The JSON of what @decode@ answers.
 module PraTactile.Format.Recognition
-  ( RecognitionReport (..),
+  ( -- * The answer as JSON has it
+    RecognitionReport (..),
+    SymbolReport (..),
+    Sighting (..),
+    WindowReport (..),
     encodeRecognition,
+    decodeRecognition,
     decodeSchema,
 
-    -- * As part of other texts
-    whereaboutsPairs,
+    -- * From a recognition
+    RecognitionContext (..),
+    recognitionReport,
   )
 where
 
-import Data.Aeson
-import Data.Aeson.Types (Pair)
 import Data.ByteString (ByteString)
-import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
 import Data.Maybe (listToMaybe)
+import Numeric.Natural (Natural)
 import PraTactile.Array (Position)
-import PraTactile.Format.Json
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Codec
+import PraTactile.Format.Object
+import PraTactile.Format.Outcome
 import PraTactile.Format.Profile
-import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge
+import PraTactile.Locate (Chance)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Symmetry
 
--- | A recognition, and what its JSON says beside it.
+-- | An answer of @decode@: its keys, of which docs/json.md says what they mean.
 data RecognitionReport = RecognitionReport
-  { -- | of the array that was recognised
-    reportProfile :: Profile,
-    -- | the names of the composites, in their order
+  { reportProfile :: Profile,
     reportSources :: [String],
-    -- | the answer in a sentence
+    reportOutcome :: OutcomeName,
+    reportReason :: Maybe String,
     reportMessage :: String,
-    -- | the printed name of the element that a class stands for
-    reportElement :: Int -> String,
-    -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
-    reportRobot :: (Double, Double) -> (Double, Double),
-    reportRecognition :: Recognition
+    reportPosition :: Maybe Position,
+    reportPositions :: [Position],
+    reportWhereabouts :: WhereaboutsReport,
+    reportRobot :: Maybe (Double, Double),
+    -- | quarter turns clockwise
+    reportOrientation :: Maybe Int,
+    reportDoubt :: Maybe Double,
+    reportChance :: Maybe Chance,
+    reportAgreeing :: Maybe Int,
+    reportWrong :: Maybe Int,
+    reportInconsistent :: Maybe [Int],
+    reportRadius :: Maybe Natural,
+    reportMinimumDistance :: Maybe Natural,
+    reportSymbols :: [SymbolReport (Maybe (Int, String, Int))],
+    -- | with the share that was touched
+    reportParts :: [SymbolReport Double],
+    reportWindows :: [WindowReport]
   }
+  deriving stock (Eq, Show)
+
+-- | A symbol, and what JSON says of it beside: of a complete one its code, element and quarter
+-- turns, if it was recognised.
+data SymbolReport more = SymbolReport Sighting more
+  deriving stock (Eq, Show)
+
+-- | Where a symbol was seen, what it most likely is, and what the answer says of it.
+data Sighting = Sighting
+  { -- | the composite, counted from 0, and the pixel
+    sightedIn :: Int,
+    sightedAt :: (Double, Double),
+    -- | code, quarter turns and doubt
+    sightedLikeliest :: (Int, Int, Double),
+    sightedPosition :: Maybe Position,
+    sightedExpected :: Maybe Int,
+    sightedWrong :: Maybe Bool
+  }
+  deriving stock (Eq, Show)
+
+-- | A window; its cells are codes, and elements, row by row.
+data WindowReport = WindowReport
+  { windowReportPosition :: Position,
+    windowReportCells :: [[Maybe Int]],
+    windowReportElements :: [[Maybe String]],
+    windowReportAt :: (Double, Double),
+    windowReportWhereabouts :: WhereaboutsReport
+  }
+  deriving stock (Eq, Show)
 
 -- | The name of this form of an answer.
 decodeSchema :: String
@@ -48,112 +94,154 @@ decodeSchema = "pra-tactile/decode/1"
 
 -- | The answer on one line, without its end: all keys always, null where there is nothing to say.
 encodeRecognition :: RecognitionReport -> ByteString
-encodeRecognition report =
-  Lazy.toStrict $
-    encodeLine $
-      "schema" .= decodeSchema
-        <> "profile" .= profileValue (reportProfile report)
-        <> "source" .= listToMaybe (reportSources report)
-        <> "sources" .= reportSources report
-        <> "outcome" .= outcome
-        <> "reason" .= either (Just . refusalName) (const Nothing) answer
-        <> "message" .= reportMessage report
-        <> "position" .= fmap (positionValue . windowPosition) window
-        <> "positions" .= map positionValue places
-        <> mconcat [key .= item | (key, item) <- whereaboutsPairs (windowWhereabouts <$> window)]
-        <> "robot_mm" .= fmap (reportRobot report . windowSeenAt) window
-        <> "orientation_deg" .= fmap degreesOf orientation
-        <> evidenceSeries evidence
-        <> "symbols" .= map (symbolValue report) (recognisedSymbols recognition)
-        <> "parts" .= map (partValue report) (recognisedParts recognition)
-        <> "windows" .= map (windowValue report) windows
+encodeRecognition = writeLine reportKeys
+
+-- | The answer in a JSON text that 'encodeRecognition' made. Refuses another schema, and keys that
+-- are missing or have other values.
+decodeRecognition :: ByteString -> Either FormatError RecognitionReport
+decodeRecognition = decodeWith reportKeys
+
+reportKeys :: Keys RecognitionReport RecognitionReport
+reportKeys =
+  schemaKey decodeSchema
+    *> ( RecognitionReport
+           <$> key "profile" profileCodec reportProfile
+           <* key "source" (nullable text) (listToMaybe . reportSources)
+           <*> key "sources" (listOf text) reportSources
+           <*> key "outcome" outcomeCodec reportOutcome
+           <*> key "reason" (nullable text) reportReason
+           <*> key "message" text reportMessage
+           <*> key "position" (nullable position) reportPosition
+           <*> key "positions" (listOf position) reportPositions
+           <*> withKeys reportWhereabouts whereaboutsKeys
+           <*> key "robot_mm" (nullable (pairOf real)) reportRobot
+           <*> key "orientation_deg" (nullable quarterTurn) reportOrientation
+           <*> key "doubt" (nullable real) reportDoubt
+           <*> withKeys reportChance chanceKeys
+           <*> key "agreeing" (nullable int) reportAgreeing
+           <*> key "wrong" (nullable int) reportWrong
+           <*> key "inconsistent_sources" (nullable (listOf int)) reportInconsistent
+           <*> key "radius" (nullable natural) reportRadius
+           <*> key "minimum_distance" (nullable natural) reportMinimumDistance
+           <*> key "symbols" (listOf (symbol classKeys)) reportSymbols
+           <*> key "parts" (listOf (symbol (key "seen" real id))) reportParts
+           <*> key "windows" (listOf (object windowKeys)) reportWindows
+       )
+
+symbol :: Keys more more -> Codec (SymbolReport more)
+symbol keys =
+  object
+    ( SymbolReport
+        <$> withKeys (\(SymbolReport seen _) -> seen) sightingKeys
+        <*> withKeys (\(SymbolReport _ more) -> more) keys
+    )
+
+classKeys :: Keys (Maybe (Int, String, Int)) (Maybe (Int, String, Int))
+classKeys =
+  (\code element turns -> (,,) <$> code <*> element <*> turns)
+    <$> key "code" (nullable int) (fmap (\(code, _, _) -> code))
+    <*> key "element" (nullable text) (fmap (\(_, element, _) -> element))
+    <*> key "orientation_deg" (nullable quarterTurn) (fmap (\(_, _, turns) -> turns))
+
+sightingKeys :: Keys Sighting Sighting
+sightingKeys =
+  Sighting
+    <$> key "source" int sightedIn
+    <*> withKeys sightedAt pointKeys
+    <*> key "likeliest" (object likeliestKeys) sightedLikeliest
+    <*> key "position" (nullable position) sightedPosition
+    <*> key "expected" (nullable int) sightedExpected
+    <*> key "wrong" (nullable bool) sightedWrong
   where
-    recognition = reportRecognition report
+    likeliestKeys =
+      (,,)
+        <$> key "code" int (\(code, _, _) -> code)
+        <*> key "orientation_deg" quarterTurn (\(_, turns, _) -> turns)
+        <*> key "doubt" real (\(_, _, doubt) -> doubt)
+
+windowKeys :: Keys WindowReport WindowReport
+windowKeys =
+  WindowReport
+    <$> key "position" position windowReportPosition
+    <*> key "cells" (listOf (listOf (nullable int))) windowReportCells
+    <*> key "elements" (listOf (listOf (nullable text))) windowReportElements
+    <*> withKeys windowReportAt pointKeys
+    <*> withKeys windowReportWhereabouts whereaboutsKeys
+
+pointKeys :: Keys (Double, Double) (Double, Double)
+pointKeys = (,) <$> key "x" real fst <*> key "y" real snd
+
+-- | What a recognition is of, and how it is put into words.
+data RecognitionContext = RecognitionContext
+  { -- | of the array that was recognised
+    contextProfile :: Profile,
+    -- | the names of the composites, in their order
+    contextNames :: [String],
+    -- | the answer in a sentence
+    contextMessage :: String,
+    -- | the printed name of the element that a class stands for
+    contextElement :: Int -> String,
+    -- | the robot's coordinates, in millimetres, of a place on the first composite's grid
+    contextRobot :: (Double, Double) -> (Double, Double)
+  }
+
+recognitionReport :: RecognitionContext -> Recognition -> RecognitionReport
+recognitionReport context recognition =
+  RecognitionReport
+    { reportProfile = contextProfile context,
+      reportSources = contextNames context,
+      reportOutcome = outcome,
+      reportReason = either (Just . refusalName) (const Nothing) answer,
+      reportMessage = contextMessage context,
+      reportPosition = windowPosition <$> window,
+      reportPositions = places,
+      reportWhereabouts = whereaboutsReport (windowWhereabouts <$> window),
+      reportRobot = contextRobot context . windowSeenAt <$> window,
+      reportOrientation = quarterTurns <$> orientation,
+      reportDoubt = evidenceDoubt <$> evidence,
+      reportChance = evidence >>= evidenceChance,
+      reportAgreeing = evidenceAgreeing <$> evidence,
+      reportWrong = length . evidenceWrong <$> evidence,
+      reportInconsistent = evidenceInconsistent <$> evidence,
+      reportRadius = evidenceRadius <$> evidence,
+      reportMinimumDistance = evidenceDistance <$> evidence,
+      reportSymbols = reported (fmap classOf . readClass) recognisedSymbols,
+      reportParts = reported readSeen recognisedParts,
+      reportWindows = map (windowReport (contextElement context)) windows
+    }
+  where
     answer = recognisedAnswer recognition
     evidence = recognisedEvidence recognition
     (outcome, orientation, window, windows, places) = case answer of
-      Left _ -> ("refused" :: String, Nothing, Nothing, [], [] :: [Position])
-      Right (Several o ps) -> ("ambiguous", Just o, Nothing, [], ps)
+      Left _ -> (NoAnswer, Nothing, Nothing, [], [])
+      Right (Several o several) -> (SeveralFit, Just o, Nothing, [], several)
       Right (Found found) ->
-        ("located", Just (foundOrientation found), Just (foundWindow found), foundWindows found, [])
+        (Located, Just (foundOrientation found), Just (foundWindow found), foundWindows found, [])
+    reported more part = [SymbolReport (sighting recognition s) (more s) | s <- part recognition]
+    classOf (o, c) = (c, contextElement context c, quarterTurns o)
 
--- | What the likeliest position rests on.
-evidenceSeries :: Maybe Evidence -> Series
-evidenceSeries evidence =
-  "doubt" .= fmap evidenceDoubt evidence
-    <> chanceSeries (evidence >>= evidenceChance)
-    <> "agreeing" .= fmap evidenceAgreeing evidence
-    <> "wrong" .= fmap (length . evidenceWrong) evidence
-    <> "inconsistent_sources" .= fmap evidenceInconsistent evidence
-    <> "radius" .= fmap (naturalValue . evidenceRadius) evidence
-    <> "minimum_distance" .= fmap (naturalValue . evidenceDistance) evidence
-
-symbolValue :: RecognitionReport -> ReadSymbol -> Value
-symbolValue report symbol =
-  object $
-    placedPairs report symbol
-      ++ [ "code" .= fmap snd (readClass symbol),
-           "element" .= fmap (reportElement report . snd) (readClass symbol),
-           "orientation_deg" .= fmap (degreesOf . fst) (readClass symbol)
-         ]
-
-partValue :: RecognitionReport -> ReadSymbol -> Value
-partValue report symbol = object (placedPairs report symbol ++ ["seen" .= readSeen symbol])
-
--- | Where a symbol was seen, what it most likely is, and what the answer says of it.
-placedPairs :: RecognitionReport -> ReadSymbol -> [Pair]
-placedPairs report symbol =
-  [ "source" .= readSource symbol,
-    "x" .= fst (symbolCentre (readImage symbol)),
-    "y" .= snd (symbolCentre (readImage symbol)),
-    "likeliest"
-      .= object
-        [ "code" .= snd (readLikeliest symbol),
-          "orientation_deg" .= degreesOf (fst (readLikeliest symbol)),
-          "doubt" .= readDoubt symbol
-        ],
-    "position" .= fmap (positionValue . symbolCell) place,
-    "expected" .= fmap symbolExpected place,
-    "wrong" .= fmap ((readNumber symbol `elem`) . evidenceWrong) (recognisedEvidence recognition)
-  ]
+sighting :: Recognition -> ReadSymbol -> Sighting
+sighting recognition seen =
+  Sighting
+    { sightedIn = readSource seen,
+      sightedAt = symbolCentre (readImage seen),
+      sightedLikeliest = (likeliest, quarterTurns orientation, readDoubt seen),
+      sightedPosition = symbolCell <$> place,
+      sightedExpected = symbolExpected <$> place,
+      sightedWrong = (readNumber seen `elem`) . evidenceWrong <$> recognisedEvidence recognition
+    }
   where
-    recognition = reportRecognition report
+    (orientation, likeliest) = readLikeliest seen
     place = case recognisedAnswer recognition of
-      Right (Found found) -> Map.lookup (readNumber symbol) (foundPlaces found)
+      Right (Found found) -> Map.lookup (readNumber seen) (foundPlaces found)
       _ -> Nothing
 
-windowValue :: RecognitionReport -> ReadWindow -> Value
-windowValue report window =
-  object $
-    [ "position" .= positionValue (windowPosition window),
-      "cells" .= windowClasses window,
-      "elements" .= map (map (fmap (reportElement report))) (windowClasses window),
-      "x" .= fst (windowSeenAt window),
-      "y" .= snd (windowSeenAt window)
-    ]
-      ++ whereaboutsPairs (Just (windowWhereabouts window))
-
--- | @on@, @object@, @face@, @faces@, @corner@, @corners@, @place_mm@; all null or empty where
--- nothing was located.
-whereaboutsPairs :: Maybe Whereabouts -> [(Key, Value)]
-whereaboutsPairs place = case place of
-  Nothing -> pairsOf Null Nothing []
-  Just (OnFace on) -> pairsOf (String "face") (Just on) [placeFace on]
-  Just (Straddles faces) -> pairsOf (String "straddles-faces") Nothing faces
-  Just OnNoObject -> pairsOf (String "no-object") Nothing []
-  where
-    pairsOf on face touched =
-      [ ("on", on),
-        ("object", maybe Null (toJSON . objectText . faceObject . placeFace) face),
-        ("face", maybe Null (toJSON . vertexNames . placeFace) face),
-        ("faces", toJSON (map faceValue touched)),
-        ("corner", maybe Null (toJSON . fmap vertexText . corner) face),
-        ("corners", toJSON (maybe [] (map vertexText . placeCorners) face)),
-        ("place_mm", maybe Null (pairValue . spotMillimetres . placeCentre) face)
-      ]
-    faceValue face = object ["object" .= objectText (faceObject face), "face" .= vertexNames face]
-    vertexNames = map vertexText . faceVertices . faceName
-    pairValue (x, y) = toJSON [x, y]
-
-degreesOf :: Symmetry -> Int
-degreesOf = degreesClockwise
+windowReport :: (Int -> String) -> ReadWindow -> WindowReport
+windowReport nameOf window =
+  WindowReport
+    { windowReportPosition = windowPosition window,
+      windowReportCells = windowClasses window,
+      windowReportElements = map (map (fmap nameOf)) (windowClasses window),
+      windowReportAt = windowSeenAt window,
+      windowReportWhereabouts = whereaboutsReport (Just (windowWhereabouts window))
+    }

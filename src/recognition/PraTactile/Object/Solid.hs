@@ -16,6 +16,14 @@ import PraTactile.Object.WingedEdge
 
 -- | The cube C1 ... C8, 127 mm a side. C1 C2 C3 C4 is the top face, C1 far left and C2 near left;
 -- C5 ... C8 lie below C1 ... C4. It is always 'Right': its description is a polyhedron.
+--
+-- >      C1 ---------- C4
+-- >     / |           / |
+-- >   C2 ---------- C3  |
+-- >    |  |          |  |
+-- >    | C5 -------- | C8
+-- >    | /           | /
+-- >   C6 ---------- C7
 cube :: Either ObjectError Solid
 cube =
   solid

@@ -106,19 +106,19 @@ locateGrid reader tolerance dissenters grid =
   GridLocation orientation cells (snd <$> found) outcome
   where
     q = fieldOrder (Proxy :: Proxy k)
-    shelf = recogniserBook reader
+    codebook = recogniserBook reader
     (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
     cells = seenOnFace orientation (gridCells grid)
-    witnesses = witnessesOf shelf tolerance orientation (dissenters, gridStrays grid) cells
+    witnesses = witnessesOf codebook tolerance orientation (dissenters, gridStrays grid) cells
     stated = toleratedErrors tolerance
     ask by seen =
-      rightOnly (locate (by reader) (onePatch (codebookSurface shelf) seen) {queryRadius = stated})
+      rightOnly (locate (by reader) (onePatch (codebookSurface codebook) seen) {queryRadius = stated})
 
     beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
     found = do
       seen <- beliefs
       posterior <- ask recogniserPosterior (Probabilities <$> seen) >>= answerPosterior
-      evidenceFrom shelf witnesses orientationDoubt seen posterior
+      evidenceFrom codebook witnesses orientationDoubt seen posterior
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
@@ -148,9 +148,9 @@ evidenceFrom ::
   Patch (Belief k) ->
   Posterior Candidate ->
   Maybe (Position, Evidence)
-evidenceFrom shelf witnesses orientationDoubt seen posterior = do
+evidenceFrom codebook witnesses orientationDoubt seen posterior = do
   place <- candidatePosition <$> posteriorBest posterior
-  let (agreeing, wrong) = standing shelf witnesses place
+  let (agreeing, wrong) = standing codebook witnesses place
   pure
     ( place,
       Evidence
@@ -160,7 +160,7 @@ evidenceFrom shelf witnesses orientationDoubt seen posterior = do
           evidenceInconsistent = mostlyIn wrong agreeing,
           evidenceDistance = witnessesDistance witnesses,
           evidenceRadius = witnessesRadius witnesses,
-          evidenceChance = chanceAmong shelf seen witnesses
+          evidenceChance = chanceAmong codebook seen witnesses
         }
     )
   where
@@ -185,7 +185,7 @@ data Witnesses = Witnesses
 -- | The witnesses among the symbols of the other axis, those off the grid, and those in its cells.
 witnessesOf ::
   Codebook k -> Tolerance -> Symmetry -> ([ReadSymbol], [ReadSymbol]) -> Cells -> Witnesses
-witnessesOf shelf tolerance orientation (dissenters, strays) cells =
+witnessesOf codebook tolerance orientation (dissenters, strays) cells =
   Witnesses
     { witnessesKnown = known,
       witnessesOtherWayUp = [s | ((_, s), o) <- ways, o /= orientation] ++ dissenters,
@@ -197,7 +197,7 @@ witnessesOf shelf tolerance orientation (dissenters, strays) cells =
   where
     known = [here | (here, o) <- ways, o == orientation]
     offsets = map offsetOf (Set.toAscList (Set.fromList (map fst known)))
-    distance = observedDistance shelf offsets
+    distance = observedDistance codebook offsets
     ways =
       [ ((cell, s), o)
         | (cell, here) <- Map.toList cells,
@@ -208,12 +208,12 @@ witnessesOf shelf tolerance orientation (dissenters, strays) cells =
 -- | The symbols that agree with a place of the grid, and those that are wrong there.
 standing ::
   KnownField k => Codebook k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
-standing shelf witnesses place =
+standing codebook witnesses place =
   (map snd agreeing, map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses)
   where
     (agreeing, misfits) = partition right (witnessesKnown witnesses)
     right (cell, s) = codeAt cell == fmap snd (certain s)
-    codeAt cell = toCode . cellAt (codebookArray shelf) <$> cellFrom shelf place cell
+    codeAt cell = toCode . cellAt (codebookArray codebook) <$> cellFrom codebook place cell
 
 -- | The composites that have more of the first symbols than of the second.
 mostlyIn :: [ReadSymbol] -> [ReadSymbol] -> [Int]
@@ -227,13 +227,13 @@ mostlyIn these those =
 
 -- | The share of all contents of the certain cells that would be located.
 chanceAmong :: KnownField k => Codebook k -> Patch (Belief k) -> Witnesses -> Maybe Chance
-chanceAmong shelf seen witnesses =
+chanceAmong codebook seen witnesses =
   chance
     . amongCells (counted (witnessesCells witnesses))
     . correcting (witnessesDistance witnesses) (witnessesRadius witnesses)
     <$> spheres
-      (codebookSurface shelf)
-      (codebookArray shelf)
+      (codebookSurface codebook)
+      (codebookArray codebook)
       [identity]
       (patchShape seen)
       (map fst (observedCells seen))
@@ -286,8 +286,8 @@ rightOnly = either (const Nothing) Just
 -- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
 -- 'Nothing' beyond the sheet.
 cellFrom :: Codebook k -> Position -> Cell -> Maybe Position
-cellFrom shelf place =
-  displaced (codebookSurface shelf) (arrayShape (codebookArray shelf)) place . offsetOf
+cellFrom codebook place =
+  displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) place . offsetOf
 
 -- | A cell of the grid, which has no rows and columns before 0, as an offset.
 offsetOf :: Cell -> Position

@@ -65,10 +65,10 @@ recogniser surface array window layout alphabetOfAll network
   | placementPitch layout /= canonicalPitch =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | otherwise = do
-    shelf <- either (Left . RecogniserArray) Right (buildCodebook surface array window)
+    codebook <- either (Left . RecogniserArray) Right (buildCodebook surface array window)
     pure
       Recogniser
-        { recogniserBook = shelf,
+        { recogniserBook = codebook,
           recogniserNearest = decoderBy NearestDecoder,
           recogniserPosterior = decoderBy PosteriorDecoder,
           recogniserWindow = maskExtent window,

@@ -39,8 +39,8 @@ data Rates = Rates
 mostCells :: Natural
 mostCells = 1000
 
--- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, given how many
--- words have each weight, zero among them; decoded to the radius t, which must be a guaranteed one
+-- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, given the number
+-- of words of each weight, zero among them; decoded to the radius t, which must be a guaranteed one
 -- (2 t less than the least weight, or 0); each cell wrong with probability p. Every word but zero
 -- must be one position, as where the cells have rank n. At most 'mostCells'.
 decodingRates :: Int -> Int -> Map Natural Natural -> Int -> Double -> Rates
@@ -54,13 +54,13 @@ decodingRates q n weights t p =
     others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
     windows = fromIntegral (sum (Map.elems weights))
 
--- | Of all that an error can lead to, the part that is a position, given their number.
+-- | Of all that an error can lead to, the part that is a position, given the number of these.
 misled :: Double -> [Double] -> Double
 misled positions reached = sum reached * (1 - 1 / positions)
 
--- | The rates of decoding n cells to the radius t, each wrong with probability p, given how often
--- an answer is wrong. What is refused is added up by itself, as the difference of 1 and the others
--- would lose it where it is small.
+-- | The rates of decoding n cells to the radius t, given how often an answer is wrong. What is
+-- refused is added up by itself, as the difference of 1 and the others would lose it where it is
+-- small.
 radiusRates :: Int -> Int -> Double -> Double -> Rates
 radiusRates n t p wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
   where
@@ -80,7 +80,7 @@ reachProbability q n t p w =
   where
     hit = p / fromIntegral (q - 1)
 
--- | The probability that of n independent events of probability p each, k happen.
+-- | That of n independent events of probability p, k happen.
 binomialProbability :: Int -> Double -> Int -> Double
 binomialProbability n p k =
   fromInteger (choices `div` product [1 .. toInteger k]) * p ^ k * (1 - p) ^ (n - k)
@@ -96,7 +96,7 @@ data ErasureRule
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | @erasedRates rule q code p s@: as 'decodingRates' when each of the cells is also missing with
--- probability s, independently. Observed cells in which two positions agree are refused, but for
+-- probability s, independently. Observed cells that are alike at two positions are refused, but for
 -- zeros that occur at one position only.
 erasedRates :: ErasureRule -> Int -> Punctured -> Double -> Double -> Rates
 erasedRates rule q code p s = Rates (total rateRight) (total rateWrong) (total rateRefused)

@@ -76,14 +76,14 @@ largestSetup = 2 ^ (25 :: Int)
 -- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
 -- cells again.
 trialSetup :: forall k. KnownField k => Codebook k -> Shape -> Either SetupError (TrialSetup k)
-trialSetup shelf shape
-  | codebookSurface shelf == Sheet = Left SetupOnSheet
+trialSetup codebook shape
+  | codebookSurface codebook == Sheet = Left SetupOnSheet
   | area shape == 0 = Left SetupEmpty
   | cells > largestSetup = Left (SetupTooLarge cells largestSetup)
   | otherwise =
     Right
       TrialSetup
-        { setupBook = shelf,
+        { setupBook = codebook,
           setupShape = shape,
           setupCells = n,
           setupPositions = positions,
@@ -99,7 +99,7 @@ trialSetup shelf shape
         }
   where
     cells = area shape * positionCount
-    positionCount = area (arrayShape (codebookArray shelf))
+    positionCount = area (arrayShape (codebookArray codebook))
     positions = fromIntegral positionCount
     n = fromIntegral (area shape) :: Int
     q = fieldOrder (Proxy :: Proxy k)
@@ -108,15 +108,15 @@ trialSetup shelf shape
     contents =
       Primitive.fromListN
         (positions * n)
-        (concatMap (contentAt shelf shape . positionOf shelf) [0 .. positions - 1])
+        (concatMap (contentAt codebook shape . positionOf codebook) [0 .. positions - 1])
 
 -- | The codes of a patch of this shape at a position of a torus, row by row.
 contentAt :: Codebook k -> Shape -> Position -> [Int32]
-contentAt shelf shape position = map (codeOf . displacedFrom) (shapeCells shape)
+contentAt codebook shape position = map (codeOf . displacedFrom) (shapeCells shape)
   where
-    displacedFrom = displaced (codebookSurface shelf) (arrayShape (codebookArray shelf)) position
+    displacedFrom = displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) position
     -- On a torus every place is a cell.
-    codeOf place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid shelf))
+    codeOf place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid codebook))
 
 -- | How many machine words hold this many bits.
 limbsFor :: Int -> Int
@@ -138,5 +138,5 @@ limbOf holds n contents i =
 
 -- | The position with this index, row by row.
 positionOf :: Codebook k -> Int -> Position
-positionOf shelf i =
-  uncurry Position (fromIntegral i `divMod` columns (arrayShape (codebookArray shelf)))
+positionOf codebook i =
+  uncurry Position (fromIntegral i `divMod` columns (arrayShape (codebookArray codebook)))

@@ -10,6 +10,7 @@ module PraTactile.Format.Census.Contradiction
 where
 
 import Data.ByteString.Char8 (ByteString)
+import Data.Maybe (listToMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Factorisation (checkPower)
@@ -47,43 +48,55 @@ data Findings = Findings
 -- there are, what the row is of and what it says. A census asks for the windows on the natural
 -- surface, where the rank always decides.
 contradiction :: Natural -> Natural -> Subject -> Findings -> Maybe [ByteString]
-contradiction entry entries subject found = case filter (not . fst) rules of
-  (_, names) : _ -> Just names
-  [] -> Nothing
+contradiction entry entries subject found =
+  listToMaybe [names | (False, names) <- rules]
   where
     rules =
-      [ (entry < entries, ["entry", "entries"]),
-        (fieldExists, ["q", "modulus"]),
-        ( n >= 1 && all (< q) h && take 1 (reverse h) == [1] && take 1 h /= [0],
-          ["q", "polynomial"]
-        ),
-        (checkPower q n == Right () && area shape == q ^ n - 1, ["q", "polynomial", "shape"]),
-        (subjectFolding subject == RowMajor || coprimeSides, ["folding", "shape"]),
-        (1 <= cells && cells <= 4096 && window `fitsIn` shape, ["shape", "window"]),
-        (foundWindows found == area shape, ["shape", "windows"]),
-        (foundNeeded found == n, ["polynomial", "needed"]),
-        (1 <= r && r <= min n cells, ["window", "rank", "needed"]),
-        (foundByRank found == (r == n), ["rank_road", "rank", "needed"]),
-        (foundProved found == foundByRank found, ["proved", "rank_road"]),
-        (maybe True (== foundProved found) (foundByEnumeration found), ["proved", "enumeration"]),
-        (foundDifferent found == different, ["rank", "needed", "different"]),
-        (distanceFits, ["proved", "window", "needed", "distance"])
-      ]
-    q = subjectOrder subject
-    modulus = subjectModulus subject
-    h = subjectPolynomial subject
-    n = fromIntegral (length h) - min 1 (fromIntegral (length h)) :: Natural
-    shape = subjectShape subject
-    window = subjectWindow subject
+      (entry < entries, ["entry", "entries"]) : subjectRules subject ++ findingRules subject found
+
+-- | What holds of the fields, polynomials, arrays and windows of a census, and the columns that say
+-- so.
+subjectRules :: Subject -> [(Bool, [ByteString])]
+subjectRules subject =
+  [ (fieldExists, ["q", "modulus"]),
+    (n >= 1 && all (< q) h && take 1 (reverse h) == [1] && take 1 h /= [0], ["q", "polynomial"]),
+    (checkPower q n == Right () && area shape == q ^ n - 1, ["q", "polynomial", "shape"]),
+    (subjectFolding subject == RowMajor || coprimeSides, ["folding", "shape"]),
+    (1 <= cells && cells <= 4096 && window `fitsIn` shape, ["shape", "window"])
+  ]
+  where
+    Subject q modulus h _ shape window = subject
+    n = subjectDegree subject
     coprimeSides = gcd (rows shape) (columns shape) == 1
     cells = area window
-    r = foundRank found
-    different = if r == n then q ^ n - 1 else q ^ r
     Shape high wide `fitsIn` around = high <= rows around && wide <= columns around
     fieldExists = case conwayModulus q of
       Right (p, standard) ->
         length modulus == length standard && all (< p) modulus && take 1 (reverse modulus) == [1]
       Left _ -> False
+
+-- | The degree of the polynomial.
+subjectDegree :: Subject -> Natural
+subjectDegree subject = fromIntegral (max 1 (length (subjectPolynomial subject)) - 1)
+
+-- | The same of what was found of them.
+findingRules :: Subject -> Findings -> [(Bool, [ByteString])]
+findingRules subject found =
+  [ (foundWindows found == area (subjectShape subject), ["shape", "windows"]),
+    (foundNeeded found == n, ["polynomial", "needed"]),
+    (1 <= r && r <= min n cells, ["window", "rank", "needed"]),
+    (foundByRank found == (r == n), ["rank_road", "rank", "needed"]),
+    (foundProved found == foundByRank found, ["proved", "rank_road"]),
+    (maybe True (== foundProved found) (foundByEnumeration found), ["proved", "enumeration"]),
+    (foundDifferent found == different, ["rank", "needed", "different"]),
+    (distanceFits, ["proved", "window", "needed", "distance"])
+  ]
+  where
+    n = subjectDegree subject
+    q = subjectOrder subject
+    cells = area (subjectWindow subject)
+    r = foundRank found
+    different = if r == n then q ^ n - 1 else q ^ r
     -- Windows that are not distinct have the distance 0; otherwise it is at most cells - n + 1 (R.
     -- Singleton 1964).
     distanceFits = case foundDistance found of

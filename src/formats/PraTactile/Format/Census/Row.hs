@@ -25,7 +25,8 @@ import Control.Monad (when)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
-import Data.List (find, intercalate)
+import Data.List (find)
+import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding, Shape (..), area)
 import PraTactile.Census
@@ -91,7 +92,7 @@ rowBody scope entries entry = line <$> entryVerdict entry
               Bytes.pack
               [ yesOrNo (Just (proved verdict)),
                 yesOrNo (enumeration verdict),
-                yesOrNo (rankRoad verdict),
+                yesOrNo (rankDecision verdict),
                 maybe "" show (rank verdict),
                 maybe "" show (needed verdict),
                 show (area (entryShape entry)),
@@ -120,7 +121,7 @@ keyFields scope entries entry =
       shapeText (entryWindow entry)
     ]
   where
-    codes = intercalate " " . map show
+    codes = unwords . map show
 
 -- | A row's body as it stands in a file of a form.
 inForm :: Form -> ByteString -> ByteString
@@ -148,29 +149,31 @@ data Row = Row
 -- not written as 'rowBody' writes them, and a row that contradicts itself.
 readRow :: Form -> ByteString -> Either RowError Row
 readRow form line = do
-  when (length fields /= columns') (Left (FieldCount (length fields) columns'))
+  when (length fields /= length columns') (Left (FieldCount (length fields) (length columns')))
   when (inForm form body /= line) (Left CheckFails)
-  row <- parsed
+  row <- rowOf (zip columns' fields) body
   maybe
     (Right row)
     (Left . Contradicting)
     (contradiction (rowEntry row) (rowEntries row) (rowSubject row) (rowFindings row))
   where
     fields = Bytes.split ',' line
-    columns' = length (columnsOf form)
+    columns' = columnsOf form
     body = case form of
-      Checked ->
-        let before = Bytes.dropWhileEnd (/= ',') line
-         in Bytes.take (Bytes.length before - 1) before
+      Checked -> maybe "" fst (Bytes.unsnoc (Bytes.dropWhileEnd (/= ',') line))
       Unchecked -> line
-    parsed =
-      Row
-        <$> field "census" Just
-        <*> field "entry" natural
-        <*> field "entries" natural
-        <*> subject
-        <*> findings
-        <*> pure body
+
+-- | The row of these fields, by their columns, and this body.
+rowOf :: [(ByteString, ByteString)] -> ByteString -> Either RowError Row
+rowOf fields body =
+  Row
+    <$> field "census" Just
+    <*> field "entry" natural
+    <*> field "entries" natural
+    <*> subject
+    <*> findings
+    <*> pure body
+  where
     subject =
       Subject
         <$> field "q" natural
@@ -189,11 +192,10 @@ readRow form line = do
         <*> field "windows" natural
         <*> field "different" natural
         <*> field "distance" between
-    named = zip (columnsOf form) fields
     field :: ByteString -> (ByteString -> Maybe a) -> Either RowError a
-    field name reading = case lookup name named of
-      Just text -> maybe (Left (FieldForm name text)) Right (reading text)
-      Nothing -> Left (FieldForm name "")
+    field name reading =
+      let text = fromMaybe "" (lookup name fields)
+       in maybe (Left (FieldForm name text)) Right (reading text)
 
 -- | Whether a row is of this entry of this census, by all columns that say of what it is.
 agrees :: Scope -> Natural -> Entry -> Row -> Bool

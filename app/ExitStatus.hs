@@ -1,0 +1,79 @@
+-- | How a command ends: the exit statuses, which scripts rely on, and the one form of a complaint.
+module ExitStatus
+  ( -- * Exit statuses
+    ExitStatus (..),
+    leave,
+
+    -- * Bad usage and bad input
+    unusable,
+    orUnusable,
+    warn,
+    systemReason,
+
+    -- * Running a program
+    runToExit,
+  )
+where
+
+import Control.Exception
+import Control.Monad (void)
+import Data.Char (toLower)
+import GHC.IO.Exception (IOException (..))
+import System.Exit (ExitCode (..), exitWith)
+import System.IO (hFlush, hPutStrLn, stderr, stdout)
+import Visible
+
+-- | The exit status.
+data ExitStatus
+  = -- | 0
+    Answered
+  | -- | 1: well formed, but refused, ambiguous or refuted
+    NotAnswered
+  | -- | 2: bad usage or bad input
+    Unusable
+  deriving stock (Eq, Ord, Show)
+
+-- | Leave with a status.
+leave :: ExitStatus -> IO a
+leave status = exitWith $ case status of
+  Answered -> ExitSuccess
+  NotAnswered -> ExitFailure 1
+  Unusable -> ExitFailure 2
+
+-- | Say on the standard error what is wrong and what to do, and leave with status 2.
+unusable :: String -> IO a
+unusable message = warn message >> leave Unusable
+
+-- | The value, or 'unusable' with the error in words.
+orUnusable :: (e -> String) -> Either e a -> IO a
+orUnusable inWords = either (unusable . inWords) pure
+
+-- | A line on the standard error, after all that was said before on the standard output. Where that
+-- cannot be written, nothing is left to say it to.
+warn :: String -> IO ()
+warn message =
+  whatever (hFlush stdout) >> whatever (hPutStrLn stderr (visibleLine ("pra-tactile: " ++ message)))
+  where
+    whatever action = void (try action :: IO (Either IOException ()))
+
+-- | What the system says of an error, without the names of the library's functions.
+systemReason :: IOException -> String
+systemReason problem = case ioe_description problem of
+  [] -> show (ioe_type problem)
+  first : others -> toLower first : others
+
+-- | Run a command to its end and leave with its status; with status 2 and a line where its output
+-- cannot be written to the end, or where something happens that should not.
+runToExit :: IO ExitStatus -> IO a
+runToExit command =
+  (command <* hFlush stdout >>= leave) `catch` \problem -> case fromException problem of
+    Just code -> hFlush stdout `catch` outputLost >> throwIO (code :: ExitCode)
+    Nothing
+      | Just asynchronous <- fromException problem -> throwIO (asynchronous :: SomeAsyncException)
+      | Just io <- fromException problem, ioe_handle io == Just stdout -> outputLost io
+      | Just io <- fromException problem ->
+        unusable ("cannot go on: " ++ systemReason io ++ maybe "" (": " ++) (ioe_filename io))
+      | otherwise ->
+        unusable ("this should not have happened, please report it: " ++ displayException problem)
+  where
+    outputLost io = unusable ("cannot write the standard output: " ++ systemReason io)

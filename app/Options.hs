@@ -1,0 +1,180 @@
+-- | Options that several commands have, each said once, and how answers are printed.
+module Options
+  ( module Options.Applicative,
+    module Readers,
+
+    -- * Commands
+    subcommand,
+
+    -- * Forms of options
+    valued,
+    defaulting,
+    fileOption,
+    optionalFile,
+    outputFileOption,
+    choosing,
+    allNamed,
+
+    -- * The code
+    orderOption,
+    modulusOption,
+    foldingOption,
+    surfaceOption,
+    radiusOption,
+
+    -- * Simulation
+    seedOption,
+    sizeOption,
+    SensorChoice (..),
+    sensorOptions,
+    chosenSensor,
+
+    -- * Printing
+    AnswerForm (..),
+    jsonSwitch,
+    printAs,
+  )
+where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import ExitStatus
+import Numeric.Natural (Natural)
+import Options.Applicative hiding (columns, command)
+import qualified Options.Applicative as Parser (command)
+import Options.Applicative.Help.Chunk (stringChunk, unChunk, vcatChunks)
+import PraTactile.Array (Folding, Surface)
+import PraTactile.Explore (standardRegionSize)
+import PraTactile.Format.Name
+import PraTactile.Locate (Radius (..))
+import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
+import Readers
+
+-- | A command: its name, what it does in a sentence, examples of its use, and its options.
+subcommand ::
+  String -> String -> [String] -> Parser (IO ExitStatus) -> Mod CommandFields (IO ExitStatus)
+subcommand name does examples options =
+  Parser.command
+    name
+    (info (options <**> helper) (fullDesc <> progDesc does <> footerDoc (unChunk exampleText)))
+  where
+    exampleText = vcatChunks (map stringChunk (heading : map ("  " ++) examples))
+    heading = if length examples == 1 then "Example:" else "Examples:"
+
+-- | An option with its reader, its name, what stands for its value, and its help.
+valued :: ReadM a -> String -> String -> String -> Parser a
+valued reader name meta text = option reader (long name <> metavar meta <> help text)
+
+-- | The same with a value that is taken without it, and shown.
+defaulting :: Show a => a -> ReadM a -> String -> String -> String -> Parser a
+defaulting standard reader name meta text =
+  option reader (long name <> metavar meta <> value standard <> showDefault <> help text)
+
+-- | An option whose value is a file, likewise.
+fileOption :: String -> String -> String -> Parser FilePath
+fileOption name meta text = strOption (long name <> metavar meta <> action "file" <> help text)
+
+-- | The same that may be left out.
+optionalFile :: String -> String -> String -> Parser (Maybe FilePath)
+optionalFile name meta = optional . fileOption name meta
+
+-- | @--output FILE@, in place of the standard output.
+outputFileOption :: Parser (Maybe FilePath)
+outputFileOption = optionalFile "output" "FILE" "Write to a file instead of the standard output"
+
+-- | An option whose values have names: what they are, in messages, and these names; then its name,
+-- what stands for its value, its help, and more of it.
+choosing ::
+  String -> [(String, a)] -> String -> String -> String -> Mod OptionFields a -> Parser a
+choosing what choices name meta text more =
+  option (namedReader what choices) $
+    long name <> metavar meta <> completeWith (map fst choices) <> help text <> more
+
+-- | The values of a type by their names.
+allNamed :: (Bounded a, Enum a) => (a -> String) -> [(String, a)]
+allNamed nameOf = [(nameOf a, a) | a <- [minBound ..]]
+
+-- | @--q@.
+orderOption :: Parser Natural
+orderOption = valued naturalReader "q" "Q" "Order of the field GF(q): a prime power up to 256"
+
+-- | @--modulus@.
+modulusOption :: Parser (Maybe [Natural])
+modulusOption =
+  optional . valued numbersReader "modulus" "C0,C1,.." $
+    "Modulus of GF(p^m), constant term first (default: the Conway polynomial)"
+
+-- | @--folding@, with its help.
+foldingOption :: String -> Parser (Maybe Folding)
+foldingOption text =
+  optional (choosing "folding" (allNamed foldingName) "folding" "FOLDING" text mempty)
+
+-- | @--surface torus|twisted-torus|sheet@.
+surfaceOption :: Parser (Maybe Surface)
+surfaceOption =
+  optional (choosing "surface" (allNamed surfaceName) "surface" "SURFACE" text mempty)
+  where
+    text = "torus, twisted-torus or sheet (default: the folding's own)"
+
+-- | @--radius N@, with its help; the guaranteed radius without it.
+radiusOption :: String -> Parser Radius
+radiusOption text = maybe Guaranteed UpTo <$> optional (valued naturalReader "radius" "N" text)
+
+-- | @--seed N@, with more of it.
+seedOption :: Mod OptionFields Int -> Parser Int
+seedOption more =
+  option intReader (long "seed" <> metavar "N" <> help "Seed of every random draw" <> more)
+
+-- | @--size WIDTHxHEIGHT@, taxels.
+sizeOption :: Parser (Int, Int)
+sizeOption =
+  option
+    (pairReader 'x' "40x52")
+    ( long "size"
+        <> metavar "WIDTHxHEIGHT"
+        <> value standardRegionSize
+        <> help "The region in taxels (default 40x52)"
+    )
+
+-- | How good the simulated sensor is.
+data SensorChoice = SensorChoice
+  { -- | standard deviation, taxels
+    positionSigma :: Double,
+    -- | standard deviation, of full scale
+    noiseSd :: Double
+  }
+
+-- | @--position-error@ and @--noise@.
+sensorOptions :: Parser SensorChoice
+sensorOptions =
+  SensorChoice
+    <$> defaulting
+      (sensorPositionError standardSensor)
+      decimalReader
+      "position-error"
+      "SIGMA"
+      "Standard deviation of each frame's position, taxels, on both axes"
+    <*> defaulting
+      (sensorNoise standardSensor)
+      decimalReader
+      "noise"
+      "SD"
+      "Standard deviation of the noise, as a share of full scale"
+
+chosenSensor :: SensorChoice -> Sensor
+chosenSensor choice =
+  standardSensor {sensorPositionError = positionSigma choice, sensorNoise = noiseSd choice}
+
+-- | How an answer is printed.
+data AnswerForm = AsText | AsJson
+  deriving stock (Eq, Show)
+
+-- | @--json@, with its help.
+jsonSwitch :: String -> Parser AnswerForm
+jsonSwitch text = flag AsText AsJson (long "json" <> help text)
+
+-- | Print an answer: its text, or its JSON on one line.
+printAs :: AnswerForm -> String -> ByteString -> IO ()
+printAs form text json = case form of
+  AsText -> putStr text
+  AsJson -> Bytes.putStrLn json

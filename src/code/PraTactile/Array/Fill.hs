@@ -1,0 +1,71 @@
+-- | Writing a folded sequence into memory in the order of its cells. Internal: arrays and array
+-- codes are made into grids by it.
+module PraTactile.Array.Fill
+  ( filled,
+    minimalPolynomialOfPower,
+    codes,
+  )
+where
+
+import Control.Monad (forM_)
+import Data.Vector.Primitive (Vector (..))
+import qualified Data.Vector.Primitive as Primitive
+import qualified Data.Vector.Primitive.Mutable as Mutable
+import Data.Word (Word8)
+import Numeric.Natural (Natural)
+import PraTactile.Array.Remainder
+import PraTactile.Field
+import PraTactile.Grid
+import PraTactile.Polynomial
+import PraTactile.Sequence.Jump
+import PraTactile.Sequence.Recurrence
+import PraTactile.Sequence.Synthesis
+
+{- Note [Rows and columns obey recurrences]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   To write s(i) into cell (i mod n1, i mod n2) for i = 0, 1, 2, ... leaps from row to row, out of
+   the cache at every step. But where the cell (r, c) holds s(r u + c v), each row runs through the
+   sequence in steps of v, and so obeys the recurrence of the minimal polynomial of alpha^v; each
+   column that of alpha^u. So a few rows are run along from their first terms, and all further rows
+   are combinations of those before them, whole row by whole row. -}
+
+-- | @filled h s (u, v) shape@ is the cells row by row, s(r u + c v) in the cell (r, c), given the
+-- sequence's terms, below the period, by a function. See Note [Rows and columns obey recurrences].
+filled :: KnownField k => Primitive k -> (Natural -> GF k) -> Weights -> Shape -> Vector (GF k)
+filled h s (u, v) (Shape n1 n2) = Primitive.create $ do
+  cells <- Mutable.new (height * width)
+  forM_ [0 .. seeds - 1] $ \r -> do
+    -- A row of its own, because within the cells it would not begin at a whole word.
+    line <- Mutable.new width
+    forM_ (take width (zip [0 ..] (firstTerms (fromIntegral r)))) (uncurry (Mutable.write line))
+    continue along (longestLag along) width line
+    Mutable.copy (Mutable.slice (r * width) width cells) line
+  continue down (seeds * width) (height * width) cells
+  pure cells
+  where
+    height = fromIntegral n1 :: Int
+    width = fromIntegral n2 :: Int
+    along = recurrenceOfPower v
+    down = delayed width (recurrenceOfPower u)
+    firstTerms r = [s (weightedIndex (period h) (u, v) r c) | c <- take (longestLag along) [0 ..]]
+    -- Of wide arrays as many rows as the faster way down looks back, of others as few as possible.
+    seeds
+      | width >= 1024 = min height ((longestLag (spread down) + width - 1) `div` width)
+      | otherwise = min height (longestLag down `div` max 1 width)
+    recurrenceOfPower e =
+      let cs = coefficients (minimalPolynomialOfPower h e) in recurrenceOf (take (length cs - 1) cs)
+
+-- | The minimal polynomial of alpha^e over GF(q), by synthesis of the coefficients of 1 in alpha^0,
+-- alpha^e, alpha^(2 e), ...: this sequence obeys the minimal polynomial, which is irreducible, and
+-- is not zero, as its first term is 1; so it obeys no shorter recurrence. As the degree is at most
+-- n, 2 n terms determine it.
+minimalPolynomialOfPower :: KnownField k => Primitive k -> Natural -> Polynomial k
+minimalPolynomialOfPower h e =
+  synthesisPolynomial (synthesise (map (coefficient . (* e)) (take (2 * n) [0 ..])))
+  where
+    n = primitiveDegree h
+    coefficient = jump h (one : replicate (n - 1) zero)
+
+-- | The elements' codes, in the same memory.
+codes :: Vector (GF k) -> Vector Word8
+codes (Vector offset size bytes) = Vector offset size bytes

@@ -1,0 +1,71 @@
+-- | The words of independent letters in the order of their probability, the likeliest first, made
+-- one at a time: each option of each letter costs something, and what a word costs is the sum.
+module PraTactile.LinearCode.BestFirst
+  ( bestFirst,
+  )
+where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+
+{- Note [Each word once]
+   ~~~~~~~~~~~~~~~~~~~~~
+   Let the letters stand in the order of what their second option costs, so that to change a later
+   letter instead of an earlier one never costs less. A word in which some letters are changed, the
+   last of them letter i, comes from exactly one other: where i has its third option or a later one,
+   from that with the option before; else from that in which i is not changed, if the letter before
+   i is; and else from that in which the letter before i is changed to its second option instead.
+   None of these costs more, and so all words come out in order when each brings those that come
+   from it (E. L. Lawler 1972). -}
+
+-- | For each letter, by its number, the costs of its options: ascending, the first one 0. All
+-- words, the cheapest first, each with its cost and the letters that do not have their first
+-- option, with the option's index from 1.
+bestFirst :: [(Int, [Double])] -> [(Double, [(Int, Int)])]
+bestFirst letters = (0, []) : go (0 :: Int) Map.empty (starts 0 [] ordered)
+  where
+    ordered = sortOn (take 1 . drop 1 . snd) [(i, costs) | (i, costs@(_ : _ : _)) <- letters]
+    -- The first of these letters gets its second option, beside what is changed already.
+    starts before changed later = case later of
+      (i, _ : costs@(cost : _)) : rest -> [Changed (before + cost) before changed i 1 costs rest]
+      _ -> []
+    go made queue new = case Map.minViewWithKey added of
+      Nothing -> []
+      Just ((_, x), others) ->
+        (changedCost x, (changedLetter x, changedOption x) : changedBefore x) :
+        go count others (following x)
+      where
+        count = made + length new
+        added = foldr (\(i, x) -> Map.insert (changedCost x, i) x) queue (zip [made ..] new)
+    following x =
+      dearer x
+        ++ starts
+          (changedCost x)
+          ((changedLetter x, changedOption x) : changedBefore x)
+          (changedLater x)
+        ++ instead x
+    dearer x =
+      [ x
+          { changedCost = changedRest x + cost,
+            changedOption = changedOption x + 1,
+            changedCosts = costs
+          }
+        | costs@(cost : _) <- [drop 1 (changedCosts x)]
+      ]
+    instead x =
+      if changedOption x == 1 then starts (changedRest x) (changedBefore x) (changedLater x) else []
+
+-- | A word.
+data Changed = Changed
+  { changedCost :: !Double,
+    -- | without the last changed letter
+    changedRest :: !Double,
+    -- | the changed letters before that one
+    changedBefore :: [(Int, Int)],
+    changedLetter :: !Int,
+    changedOption :: !Int,
+    -- | of its options from this one on
+    changedCosts :: [Double],
+    -- | the letters after it
+    changedLater :: [(Int, [Double])]
+  }

@@ -1,0 +1,194 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The search for codewords near a word, among those that agree with it at all but few places of
+-- an information set. With the zero word it finds a lightest codeword; with a received word it
+-- decodes.
+module PraTactile.LinearCode.Search
+  ( -- * What to look at
+    Step (..),
+    schedule,
+    changes,
+
+    -- * Looking
+    Wanted (..),
+    Near (..),
+    nearAt,
+  )
+where
+
+import Data.List (minimumBy)
+import Data.Ord (comparing)
+import Data.Vector.Primitive (Vector, unsafeIndex)
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Field
+import PraTactile.LinearCode.Elimination
+import PraTactile.LinearCode.InformationSet
+import PraTactile.LinearCode.Packed
+
+{- Note [Disjoint information sets]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   Fix a word y, and say that a codeword is seen at level w of a set when it differs from y in at
+   most w of the set's k places: these are the combinations of at most w rows, added to the codeword
+   that agrees with y at the k places. A codeword not seen at level w differs in w + 1 of the k
+   places or more. Of the k places, d, the set's deficit, belong to earlier sets, so that it differs
+   in w + 1 - d or more of the places that are this set's own. The own places of different sets are
+   disjoint. So a codeword that is seen at none of the levels w(1), w(2), ... of the sets differs
+   from y in at least
+
+   sum of max 0 (w(j) + 1 - d(j))
+
+   places, and all codewords that differ in fewer have been seen (for y = 0, lightest codewords:
+   K.-H. Zimmermann 1996; M. Grassl in "Discovering Mathematics with Magma", 2006). At level k of
+   any set every codeword is seen. -}
+
+-- | One set is to be searched one level further, or, where its deficit makes the first levels
+-- useless, several.
+data Step k = Step
+  { -- | Which set.
+    stepSet :: InformationSet k,
+    -- | How many of its places differ: exactly one of these numbers.
+    stepLevels :: [Int],
+    -- | How many codewords are looked at.
+    stepWords :: !Natural,
+    -- | After it all codewords have been seen that differ in at most this many places; 'Nothing':
+    -- all codewords.
+    stepSeen :: !(Maybe Int)
+  }
+
+-- | What to look at, the cheapest step first, until all codewords have been seen; by Note [Disjoint
+-- information sets]. Given is how many codewords are looked at that differ in exactly w places of a
+-- set.
+schedule :: (Int -> Natural) -> [InformationSet k] -> [Step k]
+schedule count sets = go [(i, set, -1) | (i, set) <- zip [0 :: Int ..] sets]
+  where
+    go [] = []
+    go levels
+      | next == setSize set = [Step set visited cost Nothing]
+      | otherwise =
+        Step
+          set
+          visited
+          cost
+          (Just (sum [max 0 (w + 1 - setDeficit other) | (_, other, w) <- after] - 1)) :
+        go after
+      where
+        (cost, i, set, visited, next) =
+          minimumBy (comparing (\(c, _, _, _, _) -> c)) (map offer levels)
+        after = [(j, other, if j == i then next else w) | (j, other, w) <- levels]
+    offer (i, set, w) = (sum (map count visited), i, set, visited, next)
+      where
+        next = min (setSize set) (max (w + 1) (setDeficit set))
+        visited = [w + 1 .. next]
+
+-- | @changes q k w@: how many words differ from one given in exactly w of k places, over q symbols.
+changes :: Int -> Int -> Int -> Natural
+changes q k w
+  | w > k = 0
+  | otherwise =
+    product (map fromIntegral [k - w + 1 .. k])
+      `div` product (map fromIntegral [1 .. w])
+      * fromIntegral (q - 1) ^ w
+
+-- | Which of the codewords that are near are wanted.
+data Wanted
+  = -- | One of those nearest to zero: a codeword stands for its multiples, and zero itself does not
+    -- count.
+    OneLightest
+  | -- | All of them, if they are at most this many; of more only those nearer than some distance.
+    AllUpTo Int
+
+-- | Codewords that are near.
+data Near k = Near
+  { -- | All that were looked at and differ in at most this many of the other places are there.
+    nearLimit :: !Int,
+    -- | In how many of the other places each differs, and the combination of rows that it is.
+    nearFound :: [(Int, [(Int, GF k)])]
+  }
+
+-- | What stays the same while combinations of rows are gone through.
+data Scan (k :: Field) = Scan
+  { scanWanted :: !Wanted,
+    scanSet :: !(InformationSet k),
+    -- | The factors of a row: all elements but zero.
+    scanFactors :: !(Vector (GF k))
+  }
+
+type role Scan nominal
+
+-- | @nearAt wanted set start w limit@: of the combinations of exactly w rows those that at the
+-- other places differ from the start in at most as many as the limit.
+nearAt :: KnownField k => Wanted -> InformationSet k -> Vector (GF k) -> Int -> Int -> Near k
+nearAt wanted set start w limit
+  | limit < 0 || w > setSize set = Near limit []
+  | w == 0 = case wanted of
+    AllUpTo most | differing <= limit -> kept most (Near limit [(differing, [])])
+    _ -> Near limit []
+  | otherwise =
+    let scan = Scan wanted set (Primitive.fromList (drop 1 elements))
+        Near most found = addRows scan w 0 [] start (Near limit [])
+     in Near most (reverse found)
+  where
+    differing = Primitive.length (Primitive.filter (/= zero) start)
+
+-- | @addRows scan w from chosen rest near@: w more rows, from this one on, beside those chosen,
+-- each with its factor; the rest is the start less those chosen.
+addRows ::
+  KnownField k =>
+  Scan k ->
+  Int ->
+  Int ->
+  [(Int, GF k)] ->
+  Vector (GF k) ->
+  Near k ->
+  Near k
+addRows scan !w !from chosen !rest
+  | w == 1 = addLastRow scan from chosen rest
+  | otherwise = go from 0
+  where
+    !set = scanSet scan
+    !many = factorsAfter scan chosen
+    go !i !s near
+      | i > setSize set - w = near
+      | s >= many = go (i + 1) 0 near
+      | otherwise =
+        let a = unsafeIndex (scanFactors scan) s
+            less = addScaled (negate a) (parityRow set i) rest
+         in go i (s + 1) $! addRows scan (w - 1) (i + 1) ((i, a) : chosen) less near
+
+-- | The last row, whose multiples are compared with the rest only as far as the limit.
+addLastRow :: KnownField k => Scan k -> Int -> [(Int, GF k)] -> Vector (GF k) -> Near k -> Near k
+addLastRow scan !from chosen !rest = go from 0
+  where
+    !set = scanSet scan
+    !size = setSize set
+    !multiples = setMultiples set
+    !packedRest = packed [rest]
+    !factors = scanFactors scan
+    !many = factorsAfter scan chosen
+    go !i !s near@(Near most _)
+      | i >= size = near
+      | s >= many = go (i + 1) 0 near
+      | n <= most =
+        go i (s + 1) $! include (scanWanted scan) (n, (i, unsafeIndex factors s) : chosen) near
+      | otherwise = go i (s + 1) near
+      where
+        n = differences multiples (i * Primitive.length factors + s) packedRest most
+
+-- | How many factors a row has beside those chosen: up to a factor, the first one's is 1.
+factorsAfter :: Scan k -> [(Int, GF k)] -> Int
+factorsAfter scan chosen = case (scanWanted scan, chosen) of
+  (OneLightest, []) -> 1
+  _ -> Primitive.length (scanFactors scan)
+
+-- | With one codeword more.
+include :: Wanted -> (Int, [(Int, GF k)]) -> Near k -> Near k
+include wanted new (Near most found) = case wanted of
+  OneLightest -> Near (fst new - 1) [new]
+  AllUpTo many -> kept many (Near most (new : found))
+
+-- | Those that are held of them: while they are too many, the farthest are given up.
+kept :: Int -> Near k -> Near k
+kept many near@(Near most found)
+  | length found <= many = near
+  | otherwise = kept many (Near (most - 1) (filter ((< most) . fst) found))

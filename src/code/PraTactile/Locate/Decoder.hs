@@ -1,0 +1,268 @@
+-- | The decoders of an array, each as a function of upright cells, and which of them answers.
+module PraTactile.Locate.Decoder
+  ( -- * What is made once for an array
+    Locator,
+    locator,
+    locatorArray,
+    locatorMask,
+
+    -- * Symbols
+    SymbolDecoder (..),
+    symbolDecoder,
+
+    -- * Probabilities
+    BeliefDecoder (..),
+    beliefDecoder,
+    decodesProbabilities,
+
+    -- * Errors
+    LocatorError (..),
+  )
+where
+
+import Data.Bifunctor (first)
+import Data.Map.Lazy (Map)
+import qualified Data.Map.Lazy as Map
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Belief
+import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.List
+import PraTactile.Locate.Decoder.MemoryTable
+import PraTactile.Locate.Decoder.Nearest
+import PraTactile.Locate.Decoder.Posterior
+import PraTactile.Locate.Definition
+import PraTactile.Locate.Patch
+import PraTactile.Locate.Query
+import PraTactile.Locate.Separation
+import PraTactile.Symmetry
+import PraTactile.Window
+
+-- | Why there is no answer.
+data LocatorError
+  = -- | The patches are none, or too far apart, or the array is too large for the decoder.
+    LocatorPatch LocateError
+  | -- | The algebra leads to no outcome.
+    LocatorAlgebra AlgebraError
+  | -- | Decoding by information sets leads to none.
+    LocatorDecoding DecodingError
+  | -- | The array is too large for a codebook, and why there is neither the algebra nor a table.
+    LocatorImpossible AlgebraError LocateError
+  | -- | This decoder takes no probabilities.
+    ProbabilitiesRefused DecoderName
+  | -- | This decoder corrects no wrong cell.
+    NothingCorrected DecoderName
+  | -- | There is no symmetry in which the patches may be seen.
+    NoSymmetry
+  deriving stock (Eq, Show)
+
+-- | An array with all that is computed once for it, as it is first needed.
+data Locator (k :: Field) = Locator
+  { -- | The array.
+    locatorArray :: !(PseudorandomArray k),
+    -- | Its window, by which the support of an answer and a refusal are named.
+    locatorMask :: !Mask,
+    locatorChoice :: !(Maybe DecoderName),
+    locatorOn :: Surface -> Prepared k
+  }
+
+type role Locator nominal
+
+-- | What there is for one surface.
+data Prepared (k :: Field) = Prepared
+  { preparedCodebook :: Either LocateError (Codebook k),
+    preparedAlgebra :: Either AlgebraError (Algebra k),
+    preparedTable :: Either LocateError (Table k),
+    -- | For patches of these shapes without holes.
+    preparedRectangles :: Map Shape (Either AlgebraError (Decoder k))
+  }
+
+type role Prepared nominal
+
+-- | The locator of an array with this window, and the order in which its table packs cells; by the
+-- decoder asked for, or 'Nothing' for the one that the array needs: symbols and probabilities are
+-- compared with the codebook up to 2^20 cells; beyond, they are decoded by information sets and by
+-- lists, and where there are no logarithms by the table.
+locator :: KnownField k => Maybe DecoderName -> Packing -> PseudorandomArray k -> Mask -> Locator k
+locator choice packing array mask =
+  Locator array mask choice $ \surface -> case surface of
+    Torus -> torus
+    TwistedTorus -> twistedTorus
+    Sheet -> sheet
+  where
+    torus = prepared packing Torus array mask
+    twistedTorus = prepared packing TwistedTorus array mask
+    sheet = prepared packing Sheet array mask
+
+-- | All there is for a surface, each part made when it is first asked for.
+prepared :: KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Prepared k
+prepared packing surface array mask =
+  Prepared
+    { preparedCodebook = buildCodebook surface array mask,
+      preparedAlgebra = algebra,
+      preparedTable = buildTable packing surface array mask,
+      preparedRectangles =
+        Map.fromList
+          [ (shape, algebra >>= \made -> decoder standardEffort made (shapeCells shape))
+            | shape <- Shape <$> [1 .. 32] <*> [1 .. 32]
+          ]
+    }
+  where
+    algebra = prepareAlgebra surface array mask
+
+-- | A decoder of symbols.
+data SymbolDecoder (k :: Field) = SymbolDecoder
+  { symbolName :: !DecoderName,
+    -- | Where an upright patch is, with this radius.
+    symbolDecide :: Radius -> Patch (GF k) -> Either LocatorError (Decision Position),
+    -- | In how many cells candidates in these symmetries differ; 'Nothing' where it is as each
+    -- 'Decision' has it.
+    symbolDistance :: [Symmetry] -> Patch (GF k) -> Maybe Known,
+    -- | How many of some cells alone, upright, can be wrong for certain.
+    symbolOwnRadius :: [Position] -> Natural
+  }
+
+type role SymbolDecoder nominal
+
+-- | The decoder of symbols that answers on a surface, with this radius.
+symbolDecoder ::
+  KnownField k =>
+  Locator k ->
+  Surface ->
+  Radius ->
+  Either LocatorError (SymbolDecoder k)
+symbolDecoder made surface stated = case locatorChoice made of
+  Just TableDecoder -> first LocatorPatch (preparedTable ready) >>= byTable
+  Just AlgebraDecoder -> first LocatorAlgebra (preparedAlgebra ready) >>= byAlgebra
+  Just SearchDecoder -> bySearch
+  Just InformationSetDecoder -> byInformationSets <$> first LocatorAlgebra (preparedAlgebra ready)
+  Just _ -> byCodebook <$> first LocatorPatch (preparedCodebook ready)
+  Nothing -> case (preparedCodebook ready, preparedAlgebra ready, preparedTable ready) of
+    (Right codebook, _, _) -> Right (byCodebook codebook)
+    (_, Right algebra, _) -> Right (byInformationSets algebra)
+    (_, _, Right table) -> byTable table
+    (_, Left infeasible, Left tooLarge) -> Left (LocatorImpossible infeasible tooLarge)
+  where
+    ready = locatorOn made surface
+    byCodebook = codebookDecoder made
+    byInformationSets = informationSetDecoder made (preparedRectangles ready)
+    byTable table = exact TableDecoder (Right . locatePatch table)
+    byAlgebra algebra = exact AlgebraDecoder (first LocatorAlgebra . algebraPatch algebra)
+    bySearch = exact SearchDecoder (first LocatorPatch . searchPatch surface array mask)
+    array = locatorArray made
+    mask = locatorMask made
+    exact name outcomeOf = case stated of
+      UpTo e | e > 0 -> Left (NothingCorrected name)
+      _ -> Right (exactDecoder made surface name outcomeOf)
+
+-- | A decoder that corrects nothing, by its name and its outcomes.
+exactDecoder ::
+  KnownField k =>
+  Locator k ->
+  Surface ->
+  DecoderName ->
+  (Patch (GF k) -> Either LocatorError (Outcome Position)) ->
+  SymbolDecoder k
+exactDecoder made surface name outcomeOf =
+  SymbolDecoder
+    { symbolName = name,
+      symbolDecide = \_ upright -> exactDecision (AtLeast 0) <$> outcomeOf upright,
+      symbolDistance = \possible seen -> Just (AtLeast (if differ possible seen then 1 else 0)),
+      symbolOwnRadius = uprightRadius made surface
+    }
+  where
+    differ possible seen =
+      candidatesDiffer surface (locatorArray made) possible (patchShape seen) (observedOffsets seen)
+
+-- | Wrong cells corrected by comparison with all positions.
+codebookDecoder :: KnownField k => Locator k -> Codebook k -> SymbolDecoder k
+codebookDecoder made codebook =
+  SymbolDecoder
+    { symbolName = NearestDecoder,
+      symbolDecide = \radius -> Right . nearest codebook radius,
+      symbolDistance = distanceBetween made (codebookSurface codebook),
+      symbolOwnRadius = guaranteedRadius . observedDistance codebook
+    }
+
+-- | Wrong cells corrected by information sets; those of patches without holes are at hand.
+informationSetDecoder ::
+  KnownField k =>
+  Locator k ->
+  Map Shape (Either AlgebraError (Decoder k)) ->
+  Algebra k ->
+  SymbolDecoder k
+informationSetDecoder made rectangles algebra =
+  SymbolDecoder
+    { symbolName = InformationSetDecoder,
+      symbolDecide = \radius upright -> first LocatorDecoding $
+        case Map.lookup (patchShape upright) rectangles of
+          Just (Right ready)
+            | decoderOffsets ready == observedOffsets upright -> decodeWith ready radius upright
+          _ -> decodePatch algebra radius upright,
+      symbolDistance = distanceBetween made surface,
+      symbolOwnRadius = uprightRadius made surface
+    }
+  where
+    surface = algebraSurface algebra
+
+-- | In how many cells candidates in several symmetries differ; of a single symmetry the decoder has
+-- it itself.
+distanceBetween ::
+  KnownField k => Locator k -> Surface -> [Symmetry] -> Patch (GF k) -> Maybe Known
+distanceBetween made surface possible seen = case possible of
+  [_] -> Nothing
+  _ ->
+    Just . AtLeast $
+      candidateDistance
+        surface
+        (locatorArray made)
+        possible
+        (patchShape seen)
+        (observedOffsets seen)
+
+-- | How many of some upright cells can be wrong for certain.
+uprightRadius :: KnownField k => Locator k -> Surface -> [Position] -> Natural
+uprightRadius made surface =
+  guaranteedRadius . candidateDistance surface (locatorArray made) [identity] (Shape 1 1)
+
+-- | A decoder of probabilities.
+data BeliefDecoder (k :: Field) = BeliefDecoder
+  { beliefName :: !DecoderName,
+    -- | How likely candidates in these symmetries are, of a patch as it is seen.
+    beliefPosterior :: [Symmetry] -> Patch (Belief k) -> Either LocatorError (Posterior Candidate)
+  }
+
+type role BeliefDecoder nominal
+
+-- | The decoder of probabilities that answers on a surface, when this doubt is tolerated.
+beliefDecoder ::
+  KnownField k =>
+  Locator k ->
+  Surface ->
+  Double ->
+  Either LocatorError (BeliefDecoder k)
+beliefDecoder made surface tolerated = case locatorChoice made of
+  Nothing -> case (preparedCodebook ready, preparedAlgebra ready) of
+    (Right codebook, _) -> Right (byCodebook codebook)
+    (_, Right algebra) -> Right (byList algebra)
+    (Left tooLarge, _) -> Left (LocatorPatch tooLarge)
+  Just PosteriorDecoder -> byCodebook <$> first LocatorPatch (preparedCodebook ready)
+  Just ListDecoder -> byList <$> first LocatorAlgebra (preparedAlgebra ready)
+  Just name -> Left (ProbabilitiesRefused name)
+  where
+    ready = locatorOn made surface
+    byCodebook codebook =
+      BeliefDecoder PosteriorDecoder (\possible -> Right . posteriorAmong codebook possible)
+    byList algebra =
+      BeliefDecoder
+        ListDecoder
+        (\possible -> first LocatorAlgebra . listPatch standardListing tolerated algebra possible)
+
+-- | Whether the decoder asked for takes symbols as probabilities.
+decodesProbabilities :: Locator k -> Bool
+decodesProbabilities made = locatorChoice made `elem` [Just PosteriorDecoder, Just ListDecoder]

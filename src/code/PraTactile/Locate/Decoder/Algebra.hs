@@ -1,0 +1,213 @@
+-- | From observed cells to position by algebra: solve "PraTactile.Locate.Decoder.Equations" for
+-- alpha^t, take the discrete logarithm t, and fold. There is no table, and so no limit to the
+-- array's size but that of the logarithm; and any n independent cells do, whatever their shape.
+module PraTactile.Locate.Decoder.Algebra
+  ( -- * The decoder
+    Algebra,
+    prepareAlgebra,
+    algebraSurface,
+    algebraArray,
+    algebraMask,
+    algebraPatch,
+    largestListing,
+
+    -- * Its parts
+    algebraPlaces,
+    algebraVisits,
+    Listed (..),
+    algebraListing,
+    algebraPositions,
+    algebraNowhere,
+
+    -- * Refusals
+    AlgebraError (..),
+  )
+where
+
+import Data.List (genericDrop, genericTake, sort)
+import Data.Maybe (isJust, mapMaybe)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.DiscreteLog
+import PraTactile.Extension (Residue)
+import PraTactile.Field
+import PraTactile.Grid (admissible, displaced, extentOf)
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Decoder.Equations
+import PraTactile.Locate.Definition (nowhere)
+import PraTactile.Locate.Patch
+import PraTactile.Polynomial
+import PraTactile.Window
+
+-- | Why the algebra leads to no outcome.
+data AlgebraError
+  = -- | Beyond the edges of this surface the array does not go on as its sequence does; the second
+    -- is its 'naturalSurface'. The sheet has nothing beyond its edges.
+    SurfaceForeign Surface Surface
+  | -- | The logarithm cannot be taken.
+    AlgebraLogarithm LogarithmError
+  | -- | There are too many observed cells.
+    AlgebraCells WindowError
+  | -- | This many positions of the array agree, too many to find which of them lie on the sheet
+    -- with all cells.
+    AlgebraSheet Natural
+  deriving stock (Eq, Show)
+
+-- | An array on a surface, with what is computed once for all patches.
+data Algebra (k :: Field) = Algebra
+  { -- | What lies beyond the edges.
+    algebraSurface :: !Surface,
+    -- | The array.
+    algebraArray :: !(PseudorandomArray k),
+    -- | The array's window.
+    algebraMask :: !Mask,
+    algebraLogarithms :: !(Logarithms k)
+  }
+
+type role Algebra nominal
+
+-- | Prepare the algebra of an array. The mask is its window, which names the support of an answer,
+-- as in "PraTactile.Locate.Definition". Refuses a surface that is neither the array's own nor the
+-- sheet, and fields in which logarithms are infeasible.
+prepareAlgebra ::
+  KnownField k =>
+  Surface ->
+  PseudorandomArray k ->
+  Mask ->
+  Either AlgebraError (Algebra k)
+prepareAlgebra surface array mask
+  | surface `notElem` [Sheet, natural] = Left (SurfaceForeign surface natural)
+  | otherwise =
+    either
+      (Left . AlgebraLogarithm)
+      (Right . Algebra surface array mask)
+      (prepareLogarithms (arrayPrimitive array))
+  where
+    natural = naturalSurface (arrayFolding array)
+
+-- | Positions, or that they are two at least and perhaps too many to list.
+data Listed = Listed [Position] | More
+  deriving stock (Eq, Show)
+
+-- | 1024: the most positions of one patch that are listed; of more, 'AmbiguousMany' has the number.
+largestListing :: Natural
+largestListing = 1024
+
+-- | The place of a patch, with the outcomes of "PraTactile.Locate.Definition".
+algebraPatch :: KnownField k => Algebra k -> Patch (GF k) -> Either AlgebraError (Outcome Position)
+algebraPatch algebra observed
+  | null cells = Right (Refused TooFewCells)
+  | otherwise = do
+    solutions <- solved algebra cells
+    found <- algebraListing algebra cells solutions
+    pure $ case found of
+      More -> AmbiguousMany (solutionCount solutions) (Just (solutionFreedom solutions))
+      Listed [] -> Refused (algebraNowhere algebra observed)
+      Listed [place] -> Unique place support
+      Listed several -> Ambiguous (sort several) support
+  where
+    cells = observedCells observed
+    support = map fst (completeWindows (algebraMask algebra) observed)
+
+-- | Why a patch that agrees with the array nowhere does so.
+algebraNowhere :: KnownField k => Algebra k -> Patch (GF k) -> Reason
+algebraNowhere algebra =
+  nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
+  where
+    -- A window has as few cells as any mask.
+    occurring content = either (const []) (algebraPlaces algebra content) (solved algebra content)
+
+-- | The positions that the solutions for these cells are, made as they are asked for: on the sheet
+-- those at which all cells lie on it.
+algebraPlaces :: KnownField k => Algebra k -> [(Position, GF k)] -> Solutions k -> [Position]
+algebraPlaces algebra cells solutions
+  | algebraVisits algebra offsets solutions == solutionCount solutions =
+    mapMaybe
+      (algebraPlace algebra offsets)
+      (solutionResidues (arrayPrimitive (algebraArray algebra)) solutions)
+  | otherwise = filter (agreesAt algebra cells) (positionsOf algebra offsets)
+  where
+    offsets = map fst cells
+
+-- | How many positions have to be looked at to list these: the solutions, or on the sheet, if these
+-- are fewer, the positions at which the cells, by their offsets, lie on it.
+algebraVisits :: KnownField k => Algebra k -> [Position] -> Solutions k -> Natural
+algebraVisits algebra offsets solutions =
+  min (solutionCount solutions) (area (algebraPositions algebra offsets))
+
+-- | The same as a list, or that they are more than 'largestListing'. Where not all of the solutions
+-- lie on the sheet, which takes a look at them or at its positions, two of many must be found
+-- there: else 'AlgebraSheet'.
+algebraListing ::
+  KnownField k =>
+  Algebra k ->
+  [(Position, GF k)] ->
+  Solutions k ->
+  Either AlgebraError Listed
+algebraListing algebra cells solutions
+  | count <= largestListing = Right (Listed (algebraPlaces algebra cells solutions))
+  | algebraSurface algebra /= Sheet = Right More
+  | area (algebraPositions algebra offsets) <= largestVisit =
+    Right (if several largestListing onSheet then More else Listed onSheet)
+  | several 1 (mapMaybe (algebraPlace algebra offsets) (genericTake largestListing residues)) =
+    Right More
+  | several
+      1
+      ( filter
+          (agreesAt algebra cells)
+          (genericTake largestVisit (positionsOf algebra offsets))
+      ) =
+    Right More
+  | otherwise = Left (AlgebraSheet count)
+  where
+    count = solutionCount solutions
+    offsets = map fst cells
+    residues = solutionResidues (arrayPrimitive (algebraArray algebra)) solutions
+    onSheet = filter (agreesAt algebra cells) (positionsOf algebra offsets)
+    several :: Natural -> [a] -> Bool
+    several n = not . null . genericDrop n
+
+-- | 2^14: the most positions of the sheet that are looked at to see whether cells agree there.
+largestVisit :: Natural
+largestVisit = 2 ^ (14 :: Int)
+
+-- | The rows and columns of the positions at which cells lie on the surface.
+algebraPositions :: Algebra k -> [Position] -> Shape
+algebraPositions algebra offsets =
+  admissible (algebraSurface algebra) (arrayShape (algebraArray algebra)) (extentOf offsets)
+
+-- | These positions, row by row.
+positionsOf :: Algebra k -> [Position] -> [Position]
+positionsOf algebra = shapeCells . algebraPositions algebra
+
+-- | Whether all cells agree with the array when the patch is there.
+agreesAt :: KnownField k => Algebra k -> [(Position, GF k)] -> Position -> Bool
+agreesAt algebra cells place =
+  and
+    [ (cellAt (algebraArray algebra) <$> cellFrom algebra place offset) == Just a
+      | (offset, a) <- cells
+    ]
+
+-- | The position that a solution is, if there all cells lie on the surface.
+algebraPlace :: KnownField k => Algebra k -> [Position] -> Residue k -> Maybe Position
+algebraPlace algebra offsets x = case logarithmFrom (algebraLogarithms algebra) x of
+  Right t
+    | let place = positionOfIndex (algebraArray algebra) t,
+      all (isJust . cellFrom algebra place) offsets ->
+      Just place
+  -- Only zero has no logarithm, and it is no solution.
+  _ -> Nothing
+
+-- | The cell at an offset from a position.
+cellFrom :: Algebra k -> Position -> Position -> Maybe Position
+cellFrom algebra = displaced (algebraSurface algebra) (arrayShape (algebraArray algebra))
+
+-- | The solutions for observed cells.
+solved :: KnownField k => Algebra k -> [(Position, GF k)] -> Either AlgebraError (Solutions k)
+solved algebra cells =
+  either
+    (Left . AlgebraCells)
+    (Right . solve (primitiveDegree (arrayPrimitive array)))
+    (equations array cells)
+  where
+    array = algebraArray algebra

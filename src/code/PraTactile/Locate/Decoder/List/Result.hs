@@ -1,0 +1,112 @@
+-- | What a list of likely words comes to: how likely candidates are.
+module PraTactile.Locate.Decoder.List.Result
+  ( summary,
+  )
+where
+
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (listToMaybe, maybeToList)
+import Data.Ord (Down (..))
+import qualified Data.Vector as Boxed
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.LinearCode.Elimination
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Equations
+import PraTactile.Locate.Decoder.List.Bounds
+import PraTactile.Locate.Decoder.List.Search
+import PraTactile.Locate.Decoder.ObservedCode
+
+-- | How likely candidates are, from the words of these symmetries.
+summary :: KnownField k => Setting -> [Branch k] -> Posterior Candidate
+summary setting branches
+  | stateEqual state == 0 =
+    impossible
+      { posteriorUnlisted = Just (maybe 0 (const 1) beyond),
+        posteriorWords = stateCount state
+      }
+  | otherwise = fromList setting branches state beyond
+  where
+    (state, beyond) = explore setting branches noWords
+
+-- | The same from the list and the bounds of what is not in it.
+fromList ::
+  KnownField k => Setting -> [Branch k] -> State k -> Maybe Bounds -> Posterior Candidate
+fromList setting branches state beyond =
+  Posterior
+    { posteriorBest = listToMaybe (equal ++ map fst ranking),
+      posteriorDoubt = shareOf (stateMost state - 1 + stateLess state + unlisted) 1,
+      posteriorEqual = equal,
+      posteriorMany = many,
+      posteriorEqualDoubt =
+        if maybe True ((< stateBest state) . wordBound) beyond
+          then shareOf (stateLess state + unlisted) (stateEqual state)
+          else 1,
+      posteriorMargin = Just (if stateMost state > 1 then min 0 margin else margin),
+      posteriorRanking = ranking,
+      posteriorUnlisted =
+        Just (shareOf unlisted (if settingSheet setting then stateEqual state else listed)),
+      posteriorWords = stateCount state
+    }
+  where
+    listed = stateEqual state + stateLess state
+    unlisted = maybe 0 (\b -> exp (massBound b - stateBest state)) beyond + stateFaint state
+    total = stateMost state + stateLess state + unlisted
+    entries = entriesOf branches state
+    (best, lesser) = span (\(x, _, _) -> x == stateBest state) entries
+    (equal, many) = bestPlaces setting [(branch, word) | (_, branch, word) <- best]
+    next = [x | (x, _, _) <- take 1 lesser] ++ map wordBound (maybeToList beyond)
+    margin = stateBest state - maximum (stateForgotten state : next)
+    ranking =
+      [ (place, exp (x - stateBest state) / total)
+        | (x, branch, word) <- entries,
+          place <- candidatesOf branch (wordPlaces (branchCode branch) word)
+      ]
+
+-- | The words of the list, the likeliest first, each with the logarithm of its likelihood and its
+-- symmetry.
+entriesOf :: [Branch k] -> State k -> [(Double, Branch k, Row k)]
+entriesOf branches state =
+  [ (x, branch, word)
+    | (Down x, i, word) <- Map.keys (stateWords state),
+      Just branch <- [numbered Boxed.!? i]
+  ]
+  where
+    numbered = Boxed.fromList branches
+
+candidatesOf :: Branch k -> [Position] -> [Candidate]
+candidatesOf branch = map (Candidate (branchSymmetry branch))
+
+-- | The candidates of the best words; or how many they are, if they are too many to list, and the
+-- dimension of their coset, if they are of one word.
+bestPlaces ::
+  KnownField k => Setting -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
+bestPlaces setting best = case best of
+  [(branch, word)] -> case wordListing (branchCode branch) word of
+    Right (Listed places) -> (candidatesOf branch (sort places), Nothing)
+    Right More -> ([], Just (count (branch, word), Just (freedom (branch, word))))
+    Left _ -> (few, Nothing)
+  _
+    | visits > largestListing,
+      not (settingSheet setting) || any surelyMany best ->
+      ([], Just (sum (map count best), Nothing))
+    | otherwise -> (few, Nothing)
+  where
+    visits = sum [wordVisits (branchCode branch) word | (branch, word) <- best]
+    few
+      | visits > largestListing = []
+      | otherwise = concat [candidatesOf branch (sort places) | (branch, places) <- bySymmetry]
+    -- The words are in the order of symmetries; the positions of one symmetry are sorted as one.
+    bySymmetry =
+      foldr gather [] [(branch, wordPlaces (branchCode branch) word) | (branch, word) <- best]
+    gather (branch, places) gathered = case gathered of
+      (other, more) : rest
+        | branchSymmetry other == branchSymmetry branch -> (other, places ++ more) : rest
+      _ -> (branch, places) : gathered
+    solutions (branch, word) = wordSolutions (branchCode branch) word
+    count = solutionCount . solutions
+    freedom = solutionFreedom . solutions
+    surelyMany (branch, word) = wordListing (branchCode branch) word == Right More

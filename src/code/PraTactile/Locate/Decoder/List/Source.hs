@@ -1,0 +1,115 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The codewords of one information set, the likeliest letters at its places first.
+module PraTactile.Locate.Decoder.List.Source
+  ( Source,
+    sourceOf,
+    sourceCount,
+    sourceAtEnd,
+    nextLoss,
+    nextMass,
+    unseenMass,
+    advance,
+  )
+where
+
+import Data.List (foldl', sortOn)
+import Data.Ord (Down (..))
+import qualified Data.Vector as Boxed
+import qualified Data.Vector.Primitive as Primitive
+import PraTactile.Field
+import PraTactile.LinearCode.BestFirst
+import PraTactile.LinearCode.Elimination
+import PraTactile.LinearCode.InformationSet
+
+-- | One information set that is gone through.
+data Source (k :: Field) = Source
+  { -- | whole codewords
+    sourceRows :: Boxed.Vector (Row k),
+    -- | the codeword with the likeliest letter at each place
+    sourceFirst :: Row k,
+    -- | the logarithm of the probability of its letters at the set
+    sourceBest :: !Double,
+    -- | those to come: how much less that logarithm is, and the combination of rows to be added
+    sourceNext :: [(Double, [(Int, GF k)])],
+    -- | M
+    sourceMass :: !Double,
+    -- | what its summation has lost
+    sourceCarry :: !Double,
+    -- | how many have been gone through
+    sourceCount :: !Int
+  }
+
+type role Source nominal
+
+-- | From the logarithms of the probabilities of all cells.
+sourceOf ::
+  forall k.
+  KnownField k =>
+  Boxed.Vector (Primitive.Vector Double) ->
+  InformationSet k ->
+  Source k
+sourceOf logs set =
+  Source unit (combination set (zip [0 ..] (map firstLetter options))) best stream 0 0 0
+  where
+    places = Primitive.toList (setPlaces set)
+    unit = Boxed.fromList [combination set [(i, one)] | i <- [0 .. length places - 1]]
+    -- Of each place its possible letters, the likeliest first, with the logarithms of their
+    -- probabilities.
+    options = [possible letters | place <- places, Just letters <- [logs Boxed.!? place]]
+    possible letters =
+      sortOn
+        (Down . snd)
+        [(a, x) | (a, x) <- zip elements (Primitive.toList letters), not (isInfinite x)] ::
+        [(GF k, Double)]
+    firstLetter letters = sum (take 1 (map fst letters))
+    best = sum [x | (_, x) : _ <- options]
+    stream = [(loss, concatMap difference changed) | (loss, changed) <- bestFirst costs]
+    difference (i, option) =
+      [ (i, b - a)
+        | Just letters@((a, _) : _) <- [choices Boxed.!? i],
+          (b, _) : _ <- [drop option letters]
+      ]
+    choices = Boxed.fromList options
+    costs =
+      [ (i, [x - y | (_, x) : _ <- [letters], (_, y) <- letters])
+        | (i, letters) <- zip [0 ..] options
+      ]
+
+-- | Whether all its words have been gone through, as far as probabilities are not zero.
+sourceAtEnd :: Source k -> Bool
+sourceAtEnd = null . sourceNext
+
+-- | How much less likely the next letters are than the best, as a logarithm; 0 at its end.
+nextLoss :: Source k -> Double
+nextLoss s = case sourceNext s of
+  (loss, _) : _ -> loss
+  [] -> 0
+
+-- | 1 - M, and what that may be wrong by.
+unseenMass :: Source k -> Double
+unseenMass s = max 0 (1 - sourceMass s) + 1e-11
+
+-- | The logarithm of the probability of the next letters at a set; minus infinity at its end.
+nextMass :: Source k -> Double
+nextMass s = case sourceNext s of
+  (loss, _) : _ -> sourceBest s - loss
+  [] -> -1 / 0
+
+-- | The next codeword, and the set after it.
+advance :: KnownField k => Source k -> (Row k, Source k)
+advance source = case sourceNext source of
+  [] -> (sourceFirst source, source)
+  (loss, terms) : later ->
+    let !mass = exp (sourceBest source - loss) - sourceCarry source
+        !total = sourceMass source + mass
+        !carry = (total - sourceMass source) - mass
+        add x (i, a) = maybe x (\unit -> addScaled a unit x) (sourceRows source Boxed.!? i)
+     in ( foldl' add (sourceFirst source) terms,
+          source
+            { sourceNext = later,
+              sourceMass = total,
+              sourceCarry = carry,
+              sourceCount = sourceCount source + 1
+            }
+        )

@@ -1,0 +1,111 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Locating with wrong and missing cells: the position whose content differs from the observed
+-- cells in the fewest of them. With d the minimum distance of the cells that were observed, e wrong
+-- ones among them never mislead if 2 e < d; so s missing cells out of a window of distance d' never
+-- do if 2 e + s < d', and often more of them do not, because d is seldom as small as d' - s (R. C.
+-- Singleton 1964; F. J. MacWilliams and N. J. A. Sloane 1977, chapter 1). Exact: the patch is
+-- compared with every position.
+module PraTactile.Locate.Decoder.Nearest
+  ( nearest,
+  )
+where
+
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Grid (displaced)
+import PraTactile.Locate.Answer
+import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Definition (agreeing, nowhere)
+import PraTactile.Locate.Patch
+import PraTactile.Locate.Query (Radius, radiusFor)
+
+-- | The nearest position within the radius, with the cells that are wrong there. If there is none,
+-- the reason is that of 'noneWithin'. Several positions equally near, which needs a radius beyond
+-- the guaranteed one or cells that several positions share, are 'Ambiguous'. No observed cells are
+-- 'TooFewCells'.
+nearest :: forall k. KnownField k => Codebook k -> Radius -> Patch (GF k) -> Decision Position
+nearest codebook stated observed
+  | null cells = nowhereDecision (radiusFor stated 0)
+  | otherwise =
+    Decision
+      outcome
+      Distances
+        { corrected = wrong,
+          nearestDistance = if size == 0 then Nothing else Just (Exactly (fromIntegral least)),
+          runnerUpDistance = if size <= 1 then Nothing else Just (Exactly (fromIntegral next)),
+          codeDistance = Exactly d,
+          correctionRadius = radius
+        }
+  where
+    cells = observedCells observed
+    d = observedDistance codebook (map fst cells)
+    radius = radiusFor stated d
+    comparison = compareWith codebook [(offset, otherThan a) | (offset, a) <- cells]
+    otherThan a =
+      Primitive.generate
+        (fieldOrder (Proxy :: Proxy k))
+        (\code -> if code == toCode a then 0 else 1)
+    distances = comparedTotals comparison
+    size = Primitive.length distances
+    (least, next) = leastTwo distances
+    (outcome, wrong)
+      | size > 0 && fromIntegral least <= radius =
+        nearestOutcome
+          codebook
+          observed
+          [ comparedPosition comparison i
+            | (i, e) <- zip [0 ..] (Primitive.toList distances),
+              e == least
+          ]
+      | otherwise = (Refused (noneWithin codebook radius observed), [])
+
+-- | The outcome that the nearest positions are; and the wrong cells, if there is only one position.
+nearestOutcome ::
+  KnownField k =>
+  Codebook k ->
+  Patch (GF k) ->
+  [Position] ->
+  (Outcome Position, [Position])
+nearestOutcome codebook observed places = case places of
+  [place] -> let wrong = wrongCells codebook observed place in (Unique place (support wrong), wrong)
+  _ -> (Ambiguous places (support []), [])
+  where
+    support wrong = windowsWithout wrong (codebookMask codebook) observed
+
+-- | The cells in which a patch differs from the array where it is at this position.
+wrongCells :: KnownField k => Codebook k -> Patch (GF k) -> Position -> [Position]
+wrongCells codebook observed place =
+  [offset | (offset, a) <- observedCells observed, (cellAt array <$> at offset) /= Just a]
+  where
+    array = codebookArray codebook
+    at = displaced (codebookSurface codebook) (arrayShape array) place
+
+-- | Why no position is within the radius: 'ZeroWindow' where the patch is within the radius of all
+-- zeros, which stand nowhere; the reason of the exact search if nothing may be corrected; and else
+-- 'BeyondRadius'.
+noneWithin :: KnownField k => Codebook k -> Natural -> Patch (GF k) -> Reason
+noneWithin codebook radius observed
+  | radius == 0 = nowhere surface array (codebookMask codebook) (agreeing surface array) observed
+  | fromIntegral (length (filter (/= zero) (map snd (observedCells observed)))) <= radius =
+    ZeroWindow
+  | otherwise = BeyondRadius
+  where
+    surface = codebookSurface codebook
+    array = codebookArray codebook
+
+-- | The least number and the next one, the same if it occurs twice; 'maxBound' for lack of numbers.
+leastTwo :: Primitive.Vector Int -> (Int, Int)
+leastTwo numbers = go 0 maxBound maxBound
+  where
+    go !i !a !b
+      | i == Primitive.length numbers = (a, b)
+      | x < a = go (i + 1) x a
+      | x < b = go (i + 1) a x
+      | otherwise = go (i + 1) a b
+      where
+        x = Primitive.unsafeIndex numbers i

@@ -1,0 +1,135 @@
+-- | From an answer of the library to what the JSON of @locate@ says of it.
+module PraTactile.Format.Answer.Report
+  ( AnswerContext (..),
+    answerReport,
+    invalidReport,
+  )
+where
+
+import Data.List (nub, sort)
+import PraTactile.Format.Answer
+import PraTactile.Format.Outcome
+import PraTactile.Locate
+import PraTactile.Profile (Profile)
+import PraTactile.Symmetry
+
+-- | What an answer is of, and how it is put into words.
+data AnswerContext = AnswerContext
+  { answerProfile :: Profile,
+    -- | in which patches may be seen
+    answerSymmetries :: [Symmetry],
+    -- | where patches were given with displacements: these
+    answerDisplacements :: Maybe [(Integer, Integer)],
+    -- | the answer in a sentence
+    answerMessage :: String,
+    -- | why it is that, if this is wanted
+    answerExplanation :: Maybe [String]
+  }
+
+answerReport :: AnswerContext -> Answer -> AnswerReport
+answerReport context answer = case answerOutcome answer of
+  Unique candidate windows ->
+    report {statedPosition = Just (candidatePosition candidate), statedWindows = windows}
+  Ambiguous candidates windows ->
+    report
+      { statedOutcome = SeveralFit,
+        statedPositions = nub (sort (map candidatePosition candidates)),
+        statedWindows = if windowsCertain then windows else []
+      }
+  AmbiguousMany _ _ -> report {statedOutcome = SeveralFit}
+  Refused reason -> report {statedOutcome = NoAnswer, statedReason = Just (reasonName reason)}
+  where
+    report =
+      (reportOf Located (answerProfile context) (answerMessage context))
+        { statedChance = answerChance answer,
+          statedBasis = Just (basisOf context answer)
+        }
+    -- Which windows are complete says nothing where it is not known how the patch lies, or which
+    -- cells are in dispute.
+    windowsCertain =
+      isUpright context
+        && (answerDisplacements context == Nothing || answerDecoder answer /= NearestDecoder)
+
+-- | The answer to what is no patch, given why.
+invalidReport :: Profile -> String -> AnswerReport
+invalidReport profile complaint =
+  (reportOf Invalid profile complaint) {statedReason = Just "bad-input"}
+
+-- | A report that says no more than this.
+reportOf :: OutcomeName -> Profile -> String -> AnswerReport
+reportOf outcome profile message =
+  AnswerReport
+    { statedProfile = profile,
+      statedOutcome = outcome,
+      statedPosition = Nothing,
+      statedPositions = [],
+      statedReason = Nothing,
+      statedMessage = message,
+      statedWindows = [],
+      statedChance = Nothing,
+      statedBasis = Nothing
+    }
+
+isUpright :: AnswerContext -> Bool
+isUpright context = answerSymmetries context == [identity]
+
+basisOf :: AnswerContext -> Answer -> Basis
+basisOf context answer =
+  Basis
+    { basisDecoder = answerDecoder answer,
+      basisCount = count,
+      basisDimension = dimension,
+      basisDistances = answerDistances answer >>= distanceReport (answerDecoder answer),
+      basisPosterior = posteriorReport candidateReport <$> answerPosterior answer,
+      basisOrientation = if isUpright context then Nothing else Just orientation,
+      basisPatches = (,) <$> patches <*> pure (answerDisputed answer),
+      basisExplanation = answerExplanation context
+    }
+  where
+    (count, dimension, candidates) = case answerOutcome answer of
+      Unique candidate _ -> (1, Nothing, [candidate])
+      Ambiguous several _ -> (fromIntegral (length several), Nothing, several)
+      AmbiguousMany many coset -> (many, coset, [])
+      Refused _ -> (0, Nothing, [])
+    orientation = case candidates of
+      [Candidate o _] -> OrientationReport (Just o) []
+      several -> OrientationReport Nothing (map candidateReport several)
+    candidateReport (Candidate o place) =
+      CandidateReport place (if isUpright context then Nothing else Just o)
+    patches = zipWith patchReport (answerPatches answer) <$> answerDisplacements context
+    patchReport verdict at = PatchReport at (patchWrong verdict) (patchInconsistent verdict)
+
+-- | Nothing of a decoder that corrects nothing.
+distanceReport :: DecoderName -> Distances -> Maybe DistanceReport
+distanceReport decoder distances = case decoder of
+  NearestDecoder -> Just report
+  InformationSetDecoder ->
+    Just
+      report
+        { statedRunnerUpBound = Just (atLeast <$> runnerUpDistance distances),
+          statedMinimumExact = Just (exactly (codeDistance distances) /= Nothing)
+        }
+  _ -> Nothing
+  where
+    report =
+      DistanceReport
+        { statedCorrected = corrected distances,
+          statedNearest = nearestDistance distances >>= exactly,
+          statedRunnerUp = runnerUpDistance distances >>= exactly,
+          statedRunnerUpBound = Nothing,
+          statedMinimumDistance = atLeast (codeDistance distances),
+          statedMinimumExact = Nothing,
+          statedRadius = correctionRadius distances
+        }
+    exactly known = case known of
+      Exactly n -> Just n
+      AtLeast _ -> Nothing
+
+posteriorReport :: (Candidate -> CandidateReport) -> Posterior Candidate -> PosteriorReport
+posteriorReport candidateReport found =
+  PosteriorReport
+    { statedDoubt = posteriorDoubt found,
+      statedLikeliest =
+        [(candidateReport candidate, p) | (candidate, p) <- take 5 (posteriorRanking found)],
+      statedUnlisted = posteriorUnlisted found
+    }

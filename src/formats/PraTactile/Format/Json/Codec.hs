@@ -1,0 +1,265 @@
+{-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | JSON formats, each said once for both ways: a 'Codec' writes a value and reads it back, 'Keys'
+-- do so with the keys of an object. Each refusal has its cause and its place.
+module PraTactile.Format.Json.Codec
+  ( -- * Values
+    Codec (..),
+    Decoder,
+    refuse,
+    writeValue,
+    readValue,
+    listOf,
+    nullable,
+    text,
+    bool,
+    natural,
+    integer,
+    int,
+    real,
+    pairOf,
+    shape,
+    position,
+    positionPair,
+    named,
+    exactOr,
+    quarterTurn,
+
+    -- * Objects
+    Keys,
+    key,
+    optionalKey,
+    optionalKeys,
+    withKeys,
+    schemaKey,
+    object,
+    objectOf,
+    writeLine,
+    writeObject,
+    series,
+    readKeys,
+    field,
+    decodeWith,
+    decodeObject,
+  )
+where
+
+import Control.Monad ((>=>))
+import Data.Aeson (Key, Object, Series, ToJSON, Value (..), toJSON, (.=))
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Aeson.Types (JSONPathElement (..))
+import Data.Bifunctor (first)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isDigit)
+import Data.Foldable (toList)
+import Data.List (find)
+import Data.Scientific (Scientific, floatingOrInteger, toBoundedRealFloat)
+import qualified Data.Text as Text
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Format.Error
+import PraTactile.Format.Json
+import PraTactile.Format.Json.Strict
+
+-- | From a JSON value to what it stands for.
+type Decoder a = Value -> Either FormatError a
+
+-- | What is written for a value, and what is read.
+data Codec a = forall w. ToJSON w => Codec (a -> w) (Decoder a)
+
+writeValue :: Codec a -> a -> Value
+writeValue (Codec write _) = toJSON . write
+
+readValue :: Codec a -> Decoder a
+readValue (Codec _ decoder) = decoder
+
+-- | Something is wrong right here.
+refuse :: Misfit -> Either FormatError a
+refuse = Left . Misfit []
+
+-- | Where a value is refused, its place begins with this step.
+within :: JSONPathElement -> Either FormatError a -> Either FormatError a
+within step = first $ \why -> case why of
+  Misfit place misfit -> Misfit (step : place) misfit
+  _ -> why
+
+-- | A list of such values.
+listOf :: Codec a -> Codec [a]
+listOf (Codec write decoder) = Codec (map write) $ \value -> case value of
+  Array values -> traverse item (zip [0 ..] (toList values))
+  _ -> refuse NotList
+  where
+    item (i, value) = within (Index i) (decoder value)
+
+-- | Such a value, or null.
+nullable :: Codec a -> Codec (Maybe a)
+nullable (Codec write decoder) = Codec (fmap write) $ \value -> case value of
+  Null -> Right Nothing
+  _ -> Just <$> decoder value
+
+text :: Codec String
+text = Codec id $ \value -> case value of
+  String given -> Right (Text.unpack given)
+  _ -> refuse NotText
+
+bool :: Codec Bool
+bool = Codec id $ \value -> case value of
+  Bool given -> Right given
+  _ -> refuse NotBool
+
+-- | A natural number: a JSON number below 10^18, or a decimal string of at most 10000 digits.
+natural :: Codec Natural
+natural = Codec naturalValue $ \value -> case value of
+  String given
+    | not (Text.null given),
+      Text.all isDigit given ->
+      if Text.compareLength given mostDigits == GT
+        then refuse (NaturalTooLong mostDigits)
+        else Right (read (Text.unpack given))
+  _ | Just i <- wholeNumber value, i >= 0 -> Right (fromInteger i)
+  _ -> refuse NotNatural
+  where
+    mostDigits = 10000
+
+-- | A whole number, less than 10^18 and more than its negative.
+integer :: Codec Integer
+integer = Codec id (maybe (refuse NotInteger) Right . wholeNumber)
+
+int :: Codec Int
+int = Codec id (fmap fromInteger . readValue integer)
+
+wholeNumber :: Value -> Maybe Integer
+wholeNumber value = case value of
+  Number n | abs n < 1e18, Right i <- whole n -> Just i
+  _ -> Nothing
+  where
+    whole :: Scientific -> Either Double Integer
+    whole = floatingOrInteger
+
+-- | A number, as a double has it; what is too large for one is refused, however it is written:
+-- 1e400, or with 400 zeros, which 'toBoundedRealFloat' alone takes for infinity.
+real :: Codec Double
+real = Codec id $ \value -> case value of
+  Number n | Right x <- toBoundedRealFloat n, not (isInfinite x) -> Right x
+  _ -> refuse NotReal
+
+-- | A list of two such values.
+pairOf :: Codec a -> Codec (a, a)
+pairOf = listOfTwo NotPair (,) (\(a, b) -> [a, b])
+
+-- | A shape as a list of two numbers, rows and columns.
+shape :: Codec Shape
+shape = listOfTwo NotShape Shape (\(Shape high wide) -> [high, wide]) natural
+
+-- | A position as @[r, c]@, where many are listed.
+positionPair :: Codec Position
+positionPair = listOfTwo NotCell Position (\(Position r c) -> [r, c]) natural
+
+listOfTwo :: Misfit -> (a -> a -> b) -> (b -> [a]) -> Codec a -> Codec b
+listOfTwo misfit make parts codec = case listOf codec of
+  Codec write decoder ->
+    Codec (write . parts) $
+      decoder >=> \given -> case given of
+        [a, b] -> Right (make a b)
+        _ -> refuse misfit
+
+-- | A position as @{"row": r, "column": c}@.
+position :: Codec Position
+position = object (Position <$> key "row" natural row <*> key "column" natural column)
+
+-- | One of all values of a type, by its name.
+named :: (Bounded a, Enum a) => (a -> String) -> Codec a
+named nameOf = Codec nameOf $ \value -> do
+  given <- readValue text value
+  maybe (refuse (NotAmong (map nameOf choices) given)) Right (find ((== given) . nameOf) choices)
+  where
+    choices = [minBound ..]
+
+-- | Whether a number is exact; if not, the name says which bound it is.
+exactOr :: String -> Codec Bool
+exactOr bound = named (\exact -> if exact then "exact" else bound)
+
+-- | A number of quarter turns, as degrees: 0, 90, 180 or 270.
+quarterTurn :: Codec Int
+quarterTurn =
+  Codec (90 *) $
+    readValue natural >=> \degrees ->
+      maybe (refuse NotQuarterTurn) Right (find ((== degrees) . fromIntegral . (90 *)) [0 .. 3])
+
+-- | Keys of an object: what is written for an @r@, in order, and how an @a@ is read from them.
+-- The items are put in front of others.
+data Keys r a = Keys (r -> [Item] -> [Item]) (Object -> Either FormatError a)
+
+data Item = forall w. ToJSON w => Item Key w
+
+instance Functor (Keys r) where
+  fmap f (Keys write decoder) = Keys write (fmap f . decoder)
+
+instance Applicative (Keys r) where
+  pure a = Keys (const id) (const (Right a))
+  Keys write decoder <*> Keys write' decoder' =
+    Keys (\r -> write r . write' r) (\fields -> decoder fields <*> decoder' fields)
+
+-- | A key that is always there, and the part of the whole that it has.
+key :: Key -> Codec a -> (r -> a) -> Keys r a
+key name (Codec write decoder) part = Keys (\r -> (Item name (write (part r)) :)) $ \fields ->
+  case KeyMap.lookup name fields of
+    Just value -> within (Key name) (decoder value)
+    Nothing -> refuse (MissingKey (Key.toText name))
+
+-- | A key that is only there where there is something to say.
+optionalKey :: Key -> Codec a -> (r -> Maybe a) -> Keys r (Maybe a)
+optionalKey name codec = optionalKeys name (key name codec id)
+
+-- | Keys that are there together or not at all, by the first of them.
+optionalKeys :: Key -> Keys s a -> (r -> Maybe s) -> Keys r (Maybe a)
+optionalKeys name (Keys write decoder) part = Keys (maybe id write . part) $ \fields ->
+  if KeyMap.member name fields then Just <$> decoder fields else Right Nothing
+
+-- | The keys of a part.
+withKeys :: (r -> s) -> Keys s a -> Keys r a
+withKeys part (Keys write decoder) = Keys (write . part) decoder
+
+-- | The key @schema@; another schema than this is refused.
+schemaKey :: String -> Keys r ()
+schemaKey wanted = Keys (const (Item "schema" wanted :)) $ \fields -> do
+  given <- readKeys (key "schema" text (const wanted)) fields
+  if given == wanted then Right () else refuse (OtherSchema given wanted)
+
+-- | An object with these keys; further ones do not matter.
+object :: Keys a a -> Codec a
+object keys = Codec (writeObject keys) (objectOf >=> readKeys keys)
+
+writeObject :: Keys r a -> r -> Object
+writeObject (Keys write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
+
+series :: Keys r a -> r -> Series
+series (Keys write _) r = mconcat [name .= part | Item name part <- write r []]
+
+-- | The object on one line, without its end.
+writeLine :: Keys r a -> r -> ByteString
+writeLine keys = Lazy.toStrict . encodeLine . series keys
+
+readKeys :: Keys r a -> Object -> Either FormatError a
+readKeys (Keys _ decoder) = decoder
+
+-- | What an object has under a key.
+field :: Key -> Codec a -> Object -> Either FormatError a
+field name codec = readKeys (key name codec id)
+
+-- | The fields of an object.
+objectOf :: Decoder Object
+objectOf value = case value of
+  Object fields -> Right fields
+  _ -> refuse NotObject
+
+-- | What the object in a JSON text stands for, by its keys.
+decodeWith :: Keys r a -> ByteString -> Either FormatError a
+decodeWith = decodeObject . readKeys
+
+-- | The same where some keys say what others there must be.
+decodeObject :: (Object -> Either FormatError a) -> ByteString -> Either FormatError a
+decodeObject decoder bytes = first JsonRefused (readJson bytes) >>= objectOf >>= decoder

@@ -1,0 +1,152 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of faces, of what lies at a position of the array, and of the objects.
+module PraTactile.Format.Object
+  ( -- * What lies at a position
+    WhereaboutsReport (..),
+    On (..),
+    whereaboutsReport,
+    whereaboutsKeys,
+    encodeWhereabouts,
+
+    -- * All objects
+    encodeObjects,
+
+    -- * As part of other texts
+    faceKeys,
+  )
+where
+
+import Data.Aeson (Value, (.=))
+import qualified Data.Aeson as Aeson
+import Data.ByteString (ByteString)
+import Data.String (fromString)
+import PraTactile.Array (Position)
+import PraTactile.Format.Json
+import PraTactile.Format.Json.Codec
+import PraTactile.Format.Name
+import PraTactile.Format.Profile
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Profile
+
+-- | What JSON says of 'Whereabouts'.
+data WhereaboutsReport = WhereaboutsReport
+  { -- | 'Nothing' where nothing was located
+    whereOn :: Maybe On,
+    -- | the one face
+    whereFace :: Maybe Face,
+    -- | all faces that the window touches, as far as they are listed
+    whereFaces :: [Face],
+    -- | the nearest vertex, where there is only one
+    whereCorner :: Maybe VertexName,
+    whereCorners :: [VertexName],
+    -- | the window's centre, millimetres right of and below the face's upper left vertex
+    whereMillimetres :: Maybe (Double, Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | On what a window lies.
+data On = OneFace | SeveralFaces | NoObject
+  deriving stock (Eq, Show, Enum, Bounded)
+
+onName :: On -> String
+onName on = case on of
+  OneFace -> "face"
+  SeveralFaces -> "straddles-faces"
+  NoObject -> "no-object"
+
+-- | All null or empty where nothing was located.
+whereaboutsReport :: Maybe Whereabouts -> WhereaboutsReport
+whereaboutsReport found = case found of
+  Nothing -> onNone Nothing []
+  Just (Straddles faces) -> onNone (Just SeveralFaces) faces
+  Just OnNoObject -> onNone (Just NoObject) []
+  Just (OnFace place) ->
+    WhereaboutsReport
+      { whereOn = Just OneFace,
+        whereFace = Just (placeFace place),
+        whereFaces = [placeFace place],
+        whereCorner = corner place,
+        whereCorners = placeCorners place,
+        whereMillimetres = Just (spotMillimetres (placeCentre place))
+      }
+  where
+    onNone on faces = WhereaboutsReport on Nothing faces Nothing [] Nothing
+
+whereaboutsKeys :: Keys WhereaboutsReport WhereaboutsReport
+whereaboutsKeys =
+  report
+    <$> key "on" (nullable (named onName)) whereOn
+    <*> key "object" (nullable objectName) (fmap faceObject . whereFace)
+    <*> key "face" (nullable vertices) (fmap faceName . whereFace)
+    <*> key "faces" (listOf (object faceKeys)) whereFaces
+    <*> key "corner" (nullable vertex) whereCorner
+    <*> key "corners" (listOf vertex) whereCorners
+    <*> key "place_mm" (nullable millimetres) whereMillimetres
+  where
+    -- Whole numbers without a fraction.
+    millimetres = Codec (writeValue (pairOf real)) (readValue (pairOf real))
+    report on object' face = WhereaboutsReport on (Face <$> object' <*> face)
+
+-- | @object@ and @face@.
+faceKeys :: Keys Face Face
+faceKeys = Face <$> key "object" objectName faceObject <*> key "face" vertices faceName
+
+objectName :: Codec ObjectName
+objectName = Codec objectText (fmap ObjectName . readValue text)
+
+vertices :: Codec FaceName
+vertices = Codec (map vertexText . faceVertices) (fmap FaceName . readValue (listOf vertex))
+
+vertex :: Codec VertexName
+vertex = Codec vertexText (fmap VertexName . readValue text)
+
+-- | What lies at a position of the array of a profile, on one line, without its end.
+encodeWhereabouts :: Profile -> Position -> Whereabouts -> ByteString
+encodeWhereabouts profile at place =
+  encodeSchema schema $
+    "profile" .= profileValue profile
+      <> "position" .= positionValue at
+      <> series whereaboutsKeys (whereaboutsReport (Just place))
+
+schema :: String
+schema = "objects/1"
+
+-- | The objects and where their faces lie on the array of a profile, on one line, without its end.
+encodeObjects :: Profile -> Placement -> ByteString
+encodeObjects profile layout =
+  encodeSchema schema $
+    "profile" .= profileValue profile
+      <> "objects" .= map (solidValue layout) (placementSolids layout)
+
+solidValue :: Placement -> Solid -> Value
+solidValue layout body =
+  Aeson.object
+    [ "object" .= objectText (solidName body),
+      "vertices"
+        .= Aeson.object
+          [ fromString (vertexText v) .= map double [pointX p, pointY p, pointZ p]
+            | (v, p) <- solidVertices body
+          ],
+      "edges" .= map edgeValue (solidEdges body),
+      "faces"
+        .= [ faceValue laid
+             | laid <- laidFaces layout,
+               faceObject (laidFace laid) == solidName body
+           ]
+    ]
+  where
+    edgeValue edge =
+      Aeson.object
+        [ "vertices" .= map vertexText [edgeStart edge, edgeEnd edge],
+          "faces" .= map (map vertexText . faceVertices) [edgeLeft edge, edgeRight edge]
+        ]
+    faceValue laid =
+      Aeson.object
+        [ "face" .= map vertexText (faceVertices (faceName (laidFace laid))),
+          "position" .= positionValue (laidAt laid),
+          "shape" .= shapeText (laidGrid laid),
+          "size_mm" .= map double [spotRight (laidExtent laid), spotDown (laidExtent laid)]
+        ]
+    double = fromRational :: Rational -> Double

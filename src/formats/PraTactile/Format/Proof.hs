@@ -1,0 +1,74 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of what @prove@ and @check@ answer.
+module PraTactile.Format.Proof
+  ( Subject (..),
+    subjectShape,
+    encodeProof,
+    encodeCheck,
+  )
+where
+
+import Data.Aeson (Series, Value (..), (.=))
+import Data.ByteString (ByteString)
+import Data.Maybe (isNothing)
+import PraTactile.Certificate
+import PraTactile.Format.Json
+import PraTactile.Format.Name
+import PraTactile.Format.Profile
+import PraTactile.Grid
+import PraTactile.Profile
+import PraTactile.Window
+import PraTactile.Window.Distance
+import PraTactile.Window.Proof
+
+-- | Of what the windows are.
+data Subject
+  = OfProfile Profile
+  | -- | the array in the file of this name
+    OfFile String Grid
+
+-- | The shape of the array.
+subjectShape :: Subject -> Shape
+subjectShape subject = case subject of
+  OfProfile profile -> profileShape profile
+  OfFile _ grid -> gridShape grid
+
+-- | Whether all windows are distinct, and their minimum distance if it is known, on one line,
+-- without its end.
+encodeProof :: Subject -> Mask -> Verdict -> Maybe Distance -> ByteString
+encodeProof subject mask verdict apart =
+  encodeSchema "prove/1" $
+    subjectSeries subject
+      <> "mask" .= maskDrawing mask
+      <> "proved" .= proved verdict
+      <> "enumeration" .= enumeration verdict
+      <> "rank_road" .= rankDecision verdict
+      <> "rank" .= fmap naturalValue (rank verdict)
+      <> "needed" .= fmap naturalValue (needed verdict)
+      <> "windows" .= fmap naturalValue (distinctWindows verdict)
+      <> "surface" .= surfaceName (surface verdict)
+      <> "distance" .= fmap (naturalValue . distance) apart
+      <> "failing_erasure" .= fmap (map positionListValue . failingErasure) apart
+      <> "collision" .= fmap (\(a, b) -> map positionListValue [a, b]) (collision verdict)
+
+subjectSeries :: Subject -> Series
+subjectSeries subject = case subject of
+  OfProfile profile -> "profile" .= profileValue profile
+  OfFile name grid ->
+    "profile" .= Null
+      <> "file" .= name
+      <> "q" .= gridAlphabet grid
+      <> "shape" .= shapeValue (gridShape grid)
+
+-- | What is wrong with a certificate, if anything is, on one line, without its end.
+encodeCheck :: Certificate -> Maybe String -> ByteString
+encodeCheck certificate wrong =
+  encodeSchema "check/1" $
+    "good" .= isNothing wrong
+      <> "reason" .= wrong
+      <> "windows" .= naturalValue (certificateWindows certificate)
+      <> "surface" .= surfaceName (profileSurface profile)
+      <> "profile" .= profileValue profile
+  where
+    profile = certificateProfile certificate

@@ -1,0 +1,145 @@
+-- | Any answers of @locate@ and of @decode@, as their JSON has them.
+module Test.Formats.Answers
+  ( someAnswer,
+    someRecognition,
+  )
+where
+
+import PraTactile
+import PraTactile.Format
+import PraTactile.Format.Answer
+import PraTactile.Format.Object
+import PraTactile.Format.Recognition
+import PraTactile.Locate (Chance (..), DecoderName)
+import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.WingedEdge
+import PraTactile.Symmetry
+import Test.QuickCheck
+
+someAnswer :: Gen AnswerReport
+someAnswer =
+  AnswerReport canonicalProfile
+    <$> anyOf
+    <*> maybeOf somePosition
+    <*> several somePosition
+    <*> maybeOf someText
+    <*> someText
+    <*> several somePosition
+    <*> maybeOf someChance
+    <*> maybeOf someBasis
+  where
+    someBasis =
+      Basis
+        <$> (anyOf :: Gen DecoderName)
+        <*> someNatural
+        <*> maybeOf someNatural
+        <*> maybeOf someDistances
+        <*> maybeOf
+          (PosteriorReport <$> someReal <*> several someLikely <*> maybeOf someReal)
+        <*> maybeOf
+          (OrientationReport <$> maybeOf someSymmetry <*> several someCandidate)
+        <*> maybeOf ((,) <$> several somePatch <*> several somePosition)
+        <*> maybeOf (several someText)
+    someDistances =
+      DistanceReport
+        <$> several somePosition
+        <*> maybeOf someNatural
+        <*> maybeOf someNatural
+        <*> maybeOf (maybeOf someNatural)
+        <*> someNatural
+        <*> maybeOf arbitrary
+        <*> someNatural
+    someLikely = (,) <$> someCandidate <*> someReal
+    someCandidate = CandidateReport <$> somePosition <*> maybeOf someSymmetry
+    someSymmetry = elements symmetries
+    somePatch =
+      PatchReport
+        <$> ((,) <$> someInteger <*> someInteger)
+        <*> maybeOf someInt
+        <*> arbitrary
+    someInteger = choose (-(10 ^ (17 :: Int)), 10 ^ (17 :: Int))
+
+someRecognition :: Gen RecognitionReport
+someRecognition =
+  RecognitionReport canonicalProfile
+    <$> several someText
+    <*> anyOf
+    <*> maybeOf someText
+    <*> someText
+    <*> maybeOf somePosition
+    <*> several somePosition
+    <*> someWhereabouts
+    <*> maybeOf somePoint
+    <*> maybeOf someTurns
+    <*> maybeOf someReal
+    <*> maybeOf someChance
+    <*> maybeOf someInt
+    <*> maybeOf someInt
+    <*> maybeOf (several someInt)
+    <*> maybeOf someNatural
+    <*> maybeOf someNatural
+    <*> several (SymbolReport <$> someSighting <*> maybeOf someClass)
+    <*> several (SymbolReport <$> someSighting <*> someReal)
+    <*> several someWindow
+  where
+    someTurns = choose (0, 3)
+    someClass = (,,) <$> someInt <*> someText <*> someTurns
+    someSighting =
+      Sighting
+        <$> someInt
+        <*> somePoint
+        <*> ((,,) <$> someInt <*> someTurns <*> someReal)
+        <*> maybeOf somePosition
+        <*> maybeOf someInt
+        <*> maybeOf arbitrary
+    someWindow =
+      WindowReport
+        <$> somePosition
+        <*> several (several (maybeOf someInt))
+        <*> several (several (maybeOf someText))
+        <*> somePoint
+        <*> someWhereabouts
+    someWhereabouts =
+      WhereaboutsReport
+        <$> maybeOf anyOf
+        <*> maybeOf someFace
+        <*> several someFace
+        <*> maybeOf someVertex
+        <*> several someVertex
+        <*> maybeOf somePoint
+    someFace = Face <$> (ObjectName <$> someText) <*> (FaceName <$> several someVertex)
+    someVertex = VertexName <$> someText
+
+maybeOf :: Gen a -> Gen (Maybe a)
+maybeOf one = oneof [pure Nothing, Just <$> one]
+
+several :: Gen a -> Gen [a]
+several one = choose (0, 3) >>= \n -> vectorOf n one
+
+anyOf :: (Bounded a, Enum a) => Gen a
+anyOf = elements [minBound ..]
+
+someText :: Gen String
+someText = several (elements "aA^2 \"\\\n\233\8304")
+
+someInt :: Gen Int
+someInt = choose (-9, 999)
+
+-- | Of any size: below and above what JSON numbers are read exactly to.
+someNatural :: (Num n) => Gen n
+someNatural = fromInteger <$> oneof [choose (0, 9), choose (0, 2 ^ (108 :: Int))]
+
+somePosition :: Gen Position
+somePosition = Position <$> someNatural <*> someNatural
+
+someChance :: Gen Chance
+someChance = Chance <$> someReal <*> arbitrary
+
+-- | Finite, of all magnitudes.
+someReal :: Gen Double
+someReal = oneof [choose (0, 1), scaled <$> choose (-1, 1) <*> choose (-300, 300)]
+  where
+    scaled x n = x * 10 ^^ (n :: Int)
+
+somePoint :: Gen (Double, Double)
+somePoint = (,) <$> someReal <*> someReal
