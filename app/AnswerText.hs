@@ -5,7 +5,6 @@ module AnswerText
     answerText,
     reportOf,
     candidatesOf,
-    degrees,
     orientationText,
     pairText,
   )
@@ -17,6 +16,7 @@ import PraTactile.Format (AnswerContext (..), AnswerReport, answerReport)
 import PraTactile.Locate
 import PraTactile.Position
 import PraTactile.Profile (Profile)
+import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Symmetry
 
 -- | What was asked, as far as the words of the answer depend on it.
@@ -110,18 +110,6 @@ candidatesOf answer = case answerOutcome answer of
   Unique candidate _ -> [candidate]
   Ambiguous candidates _ -> candidates
   _ -> []
-
--- | Clockwise.
-degrees :: Symmetry -> Int
-degrees o = 90 * quarterTurns o
-
--- | How a patch is seen.
-orientationText :: Symmetry -> String
-orientationText o = case (mirrored o, degrees o) of
-  (False, 0) -> "upright"
-  (True, 0) -> "mirrored"
-  (flipped, turn) ->
-    (if flipped then "mirrored and " else "") ++ "turned by " ++ show turn ++ " degrees"
 
 -- | @r,c@.
 pairText :: Position -> String

@@ -19,15 +19,13 @@ import qualified Test.Code.Locate
 import qualified Test.Code.LocateBounded
 import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateChance
+import qualified Test.Code.LocateContents
 import qualified Test.Code.LocateDefinition
 import qualified Test.Code.LocateJoint
-import qualified Test.Code.LocateListing
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
+import qualified Test.Code.LocateProbabilities
 import qualified Test.Code.LocateRates
-import qualified Test.Code.LocateRoads
-import qualified Test.Code.LocateSheet
-import qualified Test.Code.LocateSoft
 import qualified Test.Code.Polynomial
 import qualified Test.Code.PolynomialSearch
 import qualified Test.Code.Profile
@@ -118,13 +116,11 @@ specs = do
     describe "Exhaustive proofs" Test.Code.Exhaustive.spec
     describe "Locating" Test.Code.Locate.spec
     describe "Locating in bulk" Test.Code.LocateBulk.spec
-    describe "The roads to a position" Test.Code.LocateRoads.spec
+    describe "The decoders on every content" Test.Code.LocateContents.spec
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
     describe "Chance" Test.Code.LocateChance.spec
-    describe "Locating on the sheet" Test.Code.LocateSheet.spec
-    describe "Locating from probabilities" Test.Code.LocateSoft.spec
-    describe "Locating from probabilities on large arrays" Test.Code.LocateListing.spec
+    describe "Locating from probabilities" Test.Code.LocateProbabilities.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
     describe "Several patches" Test.Code.LocateJoint.spec

@@ -13,7 +13,7 @@ import PraTactile.Format (encodeComparison)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Recognise.Summary (turnText, upperLeftVertex)
+import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Truth
 import Text.Printf (printf)
 
@@ -59,7 +59,7 @@ comparison truth claim =
   ( "truth     "
       ++ faceWords (truthFace truth)
       ++ ", "
-      ++ turnText (90 * regionTurns (truthRegion truth))
+      ++ orientationText (regionSymmetry (truthRegion truth))
   ) :
   ( "          the region's upper left corner: "
       ++ spotWords (truthFace truth) (regionCorner (truthRegion truth))
@@ -68,7 +68,7 @@ comparison truth claim =
     [ ( "          what the composite shows as the window's centre: "
           ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said))
       ) :
-      [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ turnText (claimDegrees said),
+      [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ orientationText (claimSymmetry said),
         "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said)
       ]
       | Just said <- [claim]

@@ -26,6 +26,7 @@ import PraTactile.Probe.Sensor (HeightMap)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
+import PraTactile.Symmetry (Symmetry, rotations)
 import Progress
 import Setup
 import Text.Printf (printf)
@@ -35,7 +36,7 @@ data Options = Options
     seed :: Int,
     size :: (Int, Int),
     sensor :: SensorChoice,
-    turns :: [Int],
+    turns :: [Symmetry],
     tolerance :: Tolerance,
     network :: Maybe FilePath,
     form :: AnswerForm
@@ -60,7 +61,7 @@ command =
         <*> sensorOptions
         <*> flag
           halfTurns
-          quarterTurns
+          rotations
           ( long "quarter-turns"
               <> help
                 "The faces lie in any of four ways (default: upright or turned by 180 degrees)"

@@ -25,8 +25,9 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Profile
-import PraTactile.Recognise.Summary (turnText)
+import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Relief
+import PraTactile.Symmetry
 import PraTactile.Truth (Truth (..))
 import Setup
 import System.Random (StdGen, mkStdGen, randomR)
@@ -39,7 +40,7 @@ data Options = Options
     at :: Maybe (Double, Double),
     size :: (Int, Int),
     -- | quarter turns
-    turned :: Maybe Int,
+    orientation :: Maybe Symmetry,
     sensor :: SensorChoice,
     seed :: Int,
     origin :: (Double, Double),
@@ -106,20 +107,20 @@ optionsParser =
   where
     place = pairReader ',' "12.7,40"
 
--- | By how many quarter turns the face lies turned.
-turnOption :: Parser Int
+-- | How the face lies turned.
+turnOption :: Parser Symmetry
 turnOption =
   flag'
-    0
+    identity
     ( long "upright"
         <> help
           "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by \
           \chance)"
     )
-    <|> flag' 2 (long "turned" <> help "The face lies turned by 180 degrees")
+    <|> flag' (turned 2) (long "turned" <> help "The face lies turned by 180 degrees")
     <|> choosing
       "quarter turn"
-      [(show (90 * turns), turns) | turns <- quarterTurns]
+      [(show (degreesClockwise symmetry :: Int), symmetry) | symmetry <- rotations]
       "turn"
       "0|90|180|270"
       "The face lies turned clockwise by so many degrees"
@@ -163,7 +164,7 @@ pressedFace options faces = case face options of
 -- not lie on the face.
 pressedRegion :: Options -> LaidFace -> StdGen -> IO (Region, StdGen)
 pressedRegion options pressed generator =
-  case randomRegion (maybe halfTurns pure (turned options)) (size options) pressed generator of
+  case randomRegion (maybe halfTurns pure (orientation options)) (size options) pressed generator of
     Just (drawn, generator1)
       | fits (placed drawn) -> pure (placed drawn, generator1)
     _ -> unusable tooLarge
@@ -184,7 +185,7 @@ pressedRegion options pressed generator =
         ++ ", which is "
         ++ sizeText (spotMillimetres (laidExtent pressed))
         ++ " mm; choose another --size or --at"
-    onTheFace = (if maybe False odd (turned options) then swap else id) (size options)
+    onTheFace = (if maybe False exchangesAxes (orientation options) then swap else id) (size options)
     millimetres taxels = taxelPitch * fromIntegral taxels
     sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
 
@@ -228,7 +229,7 @@ truthText truth =
       faceText (faceName (truthFace truth)) ++ ", region from",
       uncurry (printf "%.2f,%.2f") (regionCorner region),
       "mm,",
-      turnText (90 * regionTurns region)
+      orientationText (regionSymmetry region)
     ]
   where
     region = truthRegion truth

@@ -17,10 +17,10 @@ import Output
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Format.Rates
-import PraTactile.LinearCode.Rates
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Profile
 import PraTactile.Rates
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import Progress
 import RatesPlot
@@ -115,7 +115,7 @@ run choice options
 -- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
 -- wrong and missing cells, per cent.
 data Setting k = Setting
-  { settingTrials :: Ground k,
+  { settingTrials :: TrialSetup k,
     settingSize :: Shape,
     settingExact :: Damage -> Maybe Rates,
     settingErrors :: Double,
@@ -178,9 +178,9 @@ settingsOf options codebook = do
   where
     withSize size = do
       mask <- orUnusable windowMessage (rectangle size)
-      place <- orUnusable groundMessage (ground codebook size)
+      setup <- orUnusable setupMessage (trialSetup codebook size)
       let exact = exactRates (radius options) codebook mask
-      pure [Setting place size exact p s | s <- erasures options, p <- errors options]
+      pure [Setting setup size exact p s | s <- erasures options, p <- errors options]
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
     chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray codebook)))
     tooWrong =

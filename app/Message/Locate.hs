@@ -2,7 +2,7 @@
 module Message.Locate
   ( locateMessage,
     locatorMessage,
-    groundMessage,
+    setupMessage,
     beliefMessage,
     reasonMessage,
   )
@@ -12,7 +12,7 @@ import Json (surfaceName)
 import Message.Code
 import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Locate
-import PraTactile.Rates (GroundError (..))
+import PraTactile.Rates (SetupError (..))
 
 locateMessage :: LocateError -> String
 locateMessage e = case e of
@@ -52,11 +52,11 @@ locatorMessage e = case e of
     \logarithms that can be taken; leave out --radius"
   NoSymmetry -> "there is no orientation in which the patches may be seen"
 
-groundMessage :: GroundError -> String
-groundMessage e = case e of
-  GroundSheet -> "patches are read on the array's own surface, not on the sheet"
-  GroundEmpty -> "the patch has no cells"
-  GroundTooLarge cells limit ->
+setupMessage :: SetupError -> String
+setupMessage e = case e of
+  SetupOnSheet -> "patches are read on the array's own surface, not on the sheet"
+  SetupEmpty -> "the patch has no cells"
+  SetupTooLarge cells limit ->
     "patches at all positions have "
       ++ show cells
       ++ " cells together; at most "

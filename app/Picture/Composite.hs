@@ -25,6 +25,7 @@ import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
+import PraTactile.Symmetry (exchangesAxes)
 
 -- | What was made of a symbol or a part of one.
 data Reading = AsExpected | Contradicting | Unrecognised | PartOf | PartContradicting
@@ -63,7 +64,7 @@ readingPaint reading
 -- them.
 answeringCells :: Finding -> (Double, Double)
 answeringCells found
-  | isSideways (foundOrientation found) = (down, across)
+  | exchangesAxes (foundOrientation found) = (down, across)
   | otherwise = (across, down)
   where
     cells = windowClasses (foundWindow found)
@@ -119,7 +120,7 @@ symbolMark alphabet nameOf unit felt reading symbol =
     label = maybe "?" (nameOf . snd) (readClass symbol)
     at = centred unit (symbolCentre (readImage symbol))
     (w, h)
-      | isSideways (fst (readLikeliest symbol)) = (symbolHeight, symbolWidth)
+      | exchangesAxes (fst (readLikeliest symbol)) = (symbolHeight, symbolWidth)
       | otherwise = (symbolWidth, symbolHeight)
     box = around (unit * fromIntegral w, unit * fromIntegral h) at
 

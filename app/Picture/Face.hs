@@ -18,6 +18,7 @@ import PraTactile.Probe (taxelPitch)
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
+import PraTactile.Symmetry
 
 -- | What is drawn of a face.
 data FaceView = FaceView
@@ -84,7 +85,7 @@ outline view =
 symbolMarks :: FaceView -> Drawing
 symbolMarks view =
   concat
-    [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel Upright c (centre i j)
+    [ shapeMark "embossed" (filled pale 1) (viewAlphabet view) taxel identity c (centre i j)
       | (i, line) <- zip [0 ..] (viewClasses view),
         (j, c) <- zip [0 ..] line
     ]
@@ -139,8 +140,4 @@ onFace found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
   where
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
-    (right, below) = onComposite back (u - u0, v - v0)
-    back = case foundOrientation found of
-      TurnedRight -> TurnedLeft
-      TurnedLeft -> TurnedRight
-      other -> other
+    (right, below) = onOffset (invert (foundOrientation found)) (u - u0, v - v0)

@@ -27,15 +27,14 @@ where
 
 import Data.Text (Text)
 import Drawing
-import PraTactile.Recognise (Orientation (..))
 import PraTactile.Shape
   ( Alphabet,
-    Symmetry (..),
+    bitmapRows,
     shapeOf,
     symbolHeight,
     symbolWidth,
-    transformedRows,
   )
+import PraTactile.Symmetry
 
 -- | Blue, vermilion, purple and green, which the colour-blind tell apart as well (M. Okabe and K.
 -- Ito 2002).
@@ -73,20 +72,19 @@ shapeMark ::
   Paint ->
   Alphabet ->
   Double ->
-  Orientation ->
+  Symmetry ->
   Int ->
   (Double, Double) ->
   Drawing
 shapeMark name paint alphabet taxel orientation c (x, y) =
-  [ Mark name (Patches paint (concat (zipWith patches [0 ..] (transformedRows turn shape))))
-    | Right shape <- [shapeOf alphabet c]
+  [ Mark name (Patches paint (concat (zipWith patches [0 ..] seen)))
+    | Right shape <- [shapeOf alphabet c],
+      let seen = onRows orientation (bitmapRows shape)
   ]
   where
-    (turn, w, h) = case orientation of
-      Upright -> (Identity, symbolWidth, symbolHeight)
-      TurnedRight -> (QuarterTurn, symbolHeight, symbolWidth)
-      HalfTurned -> (HalfTurn, symbolWidth, symbolHeight)
-      TurnedLeft -> (ThreeQuarterTurn, symbolHeight, symbolWidth)
+    (w, h)
+      | exchangesAxes orientation = (symbolHeight, symbolWidth)
+      | otherwise = (symbolWidth, symbolHeight)
     patches :: Int -> [Bool] -> [Extent]
     patches v line =
       [Extent (across from) (down v) (across to) (down (v + 1)) | (from, to) <- runs 0 line]

@@ -34,8 +34,8 @@ import Graphics.Svg
 import PraTactile.Array (Shape)
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
-import PraTactile.LinearCode.Rates
 import PraTactile.Rates
+import PraTactile.Rates.Formulas
 import RatesTable
 
 panelWide, panelHigh :: Double

@@ -206,8 +206,8 @@ located outcome = case outcome of
   _ -> 1000
 
 -- | The paper's array with all that is known of it before the first patch.
-shelf :: Codebook GF4
-shelf = sure (buildCodebook Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
+codebook :: Codebook GF4
+codebook = sure (buildCodebook Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
 
 -- | 1000 patches of 4 x 4 cells of the paper's array, by their codes, with 0 ... 4 wrong cells;
 -- then a number for each cell.
@@ -217,7 +217,7 @@ damaged = map one' [0 .. 999]
     one' i =
       [ ( ( toCode
               ( cellAt
-                  (codebookArray shelf)
+                  (codebookArray codebook)
                   (Position (fromIntegral (r + a)) (fromIntegral (c + b)))
               )
               + wrong (4 * a + b)
@@ -239,9 +239,9 @@ nearestEach :: IO (IO Measurement)
 nearestEach = do
   patches <- mapM (evaluate . sure . patch . square . map (Just . sure . fromCode . fst)) damaged
   pure $ do
-    (seconds, _) <- timedEach (answer . nearest shelf Guaranteed) 0 patches
+    (seconds, _) <- timedEach (answer . nearest codebook Guaranteed) 0 patches
     pure
-      (Measurement seconds Seconds (weightedSum (map (answer . nearest shelf Guaranteed) patches)))
+      (Measurement seconds Seconds (weightedSum (map (answer . nearest codebook Guaranteed) patches)))
   where
     answer found =
       packed (decisionOutcome found) + 1000 * length (corrected (decisionDistances found))
@@ -250,8 +250,8 @@ softEach :: IO (IO Measurement)
 softEach = do
   patches <- mapM (evaluate . sure . patch . square . map (Just . doubtful)) damaged
   pure $ do
-    (seconds, _) <- timedEach (answer . posterior shelf) 0 patches
-    pure (Measurement seconds Seconds (weightedSum (map (answer . posterior shelf) patches)))
+    (seconds, _) <- timedEach (answer . posterior codebook) 0 patches
+    pure (Measurement seconds Seconds (weightedSum (map (answer . posterior codebook) patches)))
   where
     -- How likely the symbol is that was read: 0.5 ... 0.95.
     doubtful (code, x) =

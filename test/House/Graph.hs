@@ -64,6 +64,7 @@ dot house =
       Common -> "#f2efe6"
       Code -> "#dbe9f6"
       Touch -> "#fbe6d4"
+      Simulation -> "#f6dfdc"
       Recognition -> "#e3f1dd"
       Formats -> "#dff0ee"
       Files -> "#f3e3ea"

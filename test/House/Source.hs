@@ -15,7 +15,17 @@ import System.FilePath (dropExtension, (</>))
 import System.IO (IOMode (..), hGetContents, hSetEncoding, utf8, withFile)
 
 -- | The parts of the house, those below first.
-data Wing = Common | Code | Touch | Recognition | Formats | Files | Store | Conformance | App
+data Wing
+  = Common
+  | Code
+  | Touch
+  | Simulation
+  | Recognition
+  | Formats
+  | Files
+  | Store
+  | Conformance
+  | App
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a wing is called where the house is drawn; but for the last, its folder in @src@.
@@ -24,6 +34,7 @@ wingName wing = case wing of
   Common -> "common"
   Code -> "code"
   Touch -> "touch"
+  Simulation -> "simulation"
   Recognition -> "recognition"
   Formats -> "formats"
   Files -> "files"

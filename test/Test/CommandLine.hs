@@ -11,9 +11,9 @@ import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf)
 import System.Directory
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -49,36 +49,23 @@ codeSpec = describe "the code" $ do
     (status, out, _) <- pra ["array", "--format", "csv"]
     let cells = map (words . map (\c -> if c == ',' then ' ' else c)) (lines out)
     (status, length cells, map length cells) `shouldBe` (0, 15, replicate 15 17)
-    [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` ["3", "2", "3", "1"]
-  it
-    "prove --json: the canonical array by both roads; a refuted window with its collision and \
-    \status 1"
-    $ do
-      (proved, out, _) <- pra ["prove", "--json"]
-      proved `shouldBe` 0
-      map
-        (`key` out)
-        [["proved"], ["enumeration"], ["rank_road"], ["rank"], ["needed"], ["windows"], ["surface"]]
-        `shouldBe` map
-          Just
-          [Bool True, Bool True, Bool True, Number 4, Number 4, Number 255, "torus"]
-      (refuted, out', _) <-
-        pra
-          [ "prove",
-            "--json",
-            "--q",
-            "4",
-            "--polynomial",
-            "3,2,1,0,1",
-            "--shape",
-            "15x17",
-            "--window",
-            "1x2"
-          ]
-      (refuted, key ["proved"] out') `shouldBe` (1, Just (Bool False))
-      key ["collision"] out' `shouldSatisfy` maybe False (/= Null)
+    [cells !! r !! c | (r, c) <- [(6, 5), (6, 6), (7, 5), (7, 6)]] `shouldBe` words "3 2 3 1"
+  it "prove --json: the canonical array; a refuted window with its collision, status 1" $ do
+    (proved, out, _) <- pra ["prove", "--json"]
+    proved `shouldBe` 0
+    map
+      (`key` out)
+      [["proved"], ["enumeration"], ["rank_road"], ["rank"], ["needed"], ["windows"], ["surface"]]
+      `shouldBe` map
+        Just
+        [Bool True, Bool True, Bool True, Number 4, Number 4, Number 255, "torus"]
+    (refuted, out', _) <-
+      pra
+        (words "prove --json --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x2")
+    (refuted, key ["proved"] out') `shouldBe` (1, Just (Bool False))
+    key ["collision"] out' `shouldSatisfy` maybe False (/= Null)
   it "prove --surface sheet: 224 windows" $ do
-    (_, out, _) <- pra ["prove", "--json", "--surface", "sheet"]
+    (_, out, _) <- pra (words "prove --json --surface sheet")
     key ["windows"] out `shouldBe` Just (Number 224)
   it "table --format csv: each of the 255 windows once, and locate agrees with it" $ do
     (status, out, _) <- pra ["table", "--format", "csv"]
@@ -91,31 +78,31 @@ codeSpec = describe "the code" $ do
     let entries = filter (not . ("//" `isPrefixOf`)) (lines mem)
     (length entries, take 1 (drop 237 entries)) `shouldBe` (256, ["6b"]) -- 6 * 17 + 5 = 107
   it "profile: what it prints chooses the same array with --profile" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
-      let choice = ["--q", "2", "--polynomial", "1,1,0,0,1", "--shape", "3x5"]
+    inFolder $ \folder -> do
+      let choice = words "--q 2 --polynomial 1,1,0,0,1 --shape 3x5"
       (status, out, _) <- pra ("profile" : choice)
       status `shouldBe` 0
       writeFile (folder </> "p.json") out
       expected <- pra (["array", "--format", "csv"] ++ choice)
       pra ["array", "--format", "csv", "--profile", folder </> "p.json"] `shouldReturn` expected
   it "objects --at: what lies at a position, from memory and from a database" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    inFolder $ \folder -> do
       let file = folder </> "mapping.sqlite"
       prints ["objects", "--write", file] ["wrote " ++ file]
-      for_ ["6,5", "0,16", "3,0", "14,16"] $ \at -> do
+      for_ (words "6,5 0,16 3,0 14,16") $ \at -> do
         expected <- pra ["objects", "--json", "--at", at]
         pra ["objects", "--json", "--at", at, "--database", file] `shouldReturn` expected
       prints ["objects", "--at", "6,5"] ["cube, face C1 C2 C3 C4, corner C2"]
   it "an impossible choice of the array says why, with status 2" $ do
     complains
-      ["array", "--q", "4", "--polynomial", "2,1,1,0,0,0,1", "--shape", "15x273"]
+      (words "array --q 4 --polynomial 2,1,1,0,0,0,1 --shape 15x273")
       "divisible by 3"
     complains
-      ["array", "--q", "6", "--polynomial", "1,1", "--shape", "1x5"]
+      (words "array --q 6 --polynomial 1,1 --shape 1x5")
       "6 is not a prime power"
-    complains ["array", "--q", "4", "--shape", "15x17"] "--polynomial"
-    complains ["array", "--q", "4", "--polynomial", "1,0,0,0,1", "--shape", "15x17"] "not primitive"
-    complains ["array", "--q", "4", "--polynomial", "3,2,1,0,1", "--shape", "17x15"] "--window"
+    complains (words "array --q 4 --shape 15x17") "--polynomial"
+    complains (words "array --q 4 --polynomial 1,0,0,0,1 --shape 15x17") "not primitive"
+    complains (words "array --q 4 --polynomial 3,2,1,0,1 --shape 17x15") "--window"
 
 touchSpec :: Spec
 touchSpec = describe "touch" $ do
@@ -141,17 +128,17 @@ touchSpec = describe "touch" $ do
     folder <- pra ["decode", "--json", "data/worked-example/frames"]
     pra (["decode", "--json"] ++ map ("data/worked-example/frames" </>) names) `shouldReturn` folder
     (_, out, _) <-
-      pra ["decode", "--json", "data/worked-example/composite.pgm", "data/worked-example/frames"]
+      pra (words "decode --json data/worked-example/composite.pgm data/worked-example/frames")
     length (lines out) `shouldBe` 2
   it "decode --database: the same answer from the database" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    inFolder $ \folder -> do
       let file = folder </> "mapping.sqlite"
       void (pra ["objects", "--write", file])
       expected <- pra ["decode", "--json", "data/worked-example/composite.pgm"]
       pra ["decode", "--json", "data/worked-example/composite.pgm", "--database", file]
         `shouldReturn` expected
   it "probe, stitch, decode: a place that is told is found, upright and turned" $
-    withSystemTempDirectory "pra-tactile" $ \folder ->
+    inFolder $ \folder ->
       for_ [("--upright", 0), ("--turned", 180)] $ \(way, degrees) -> do
         let frames = folder </> drop 2 way
         (probed, _, _) <-
@@ -180,14 +167,14 @@ touchSpec = describe "touch" $ do
             `shouldBe` (0, Just "parallelepiped", Just (Number degrees))
           key ["face"] out `shouldBe` Just (toJSON ["P6", "P5", "P8", "P7" :: String])
   it "decode: a blank composite is refused with status 1" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    inFolder $ \folder -> do
       Bytes.writeFile (folder </> "blank.pgm") ("P5 40 52 255\n" <> Bytes.replicate (40 * 52) 0)
       (status, out, _) <- pra ["decode", "--json", folder </> "blank.pgm"]
       (status, key ["outcome"] out, key ["reason"] out)
         `shouldBe` (1, Just "refused", Just "no-symbols")
   it "evaluate: the counts add up, nothing is wrong, and stitching is clearly better than none" $ do
     (status, out, _) <-
-      pra ["evaluate", "--presses", "48", "--seed", "11", "--position-error", "2", "--json"]
+      pra (words "evaluate --presses 48 --seed 11 --position-error 2 --json")
     status `shouldBe` 0
     let count way what = key [way, what] out >>= number
         number v = case fromJSON v of Success n -> Just (n :: Int); _ -> Nothing
@@ -200,109 +187,81 @@ touchSpec = describe "touch" $ do
 
 badInputSpec :: Spec
 badInputSpec = describe "bad input: one line, status 2, nothing written" $ do
-  inFolder
-    "a truncated PGM"
-    ( \folder -> do
-        Bytes.readFile "data/worked-example/composite.pgm"
-          >>= Bytes.writeFile (folder </> "cut.pgm") . Bytes.take 500
-        complains ["decode", folder </> "cut.pgm"] "cut off"
-    )
-  inFolder
-    "a PNG renamed to .pgm"
-    ( \folder -> do
-        void (pra ["stitch", "data/worked-example/frames", "--output", folder </> "c.png"])
-        renameFile (folder </> "c.png") (folder </> "c.pgm")
-        complains ["decode", folder </> "c.pgm"] "PNG"
-    )
-  inFolder
-    "a header of 10^9 x 10^9"
-    ( \folder -> do
-        Bytes8.writeFile (folder </> "huge.pgm") "P5\n1000000000 1000000000\n255\n"
-        complains ["decode", folder </> "huge.pgm"] "1000000000"
-    )
-  inFolder "an empty folder" (\folder -> complains ["decode", folder] "manifest.csv")
-  inFolder
-    "a folder for a file"
-    ( \folder -> do
-        complains ["locate", "--profile", folder, "1"] "folder"
-        complains ["decode", "data/worked-example/composite.pgm", "--network", folder] "folder"
-        complains ["decode", "data/worked-example/composite.pgm", "--database", folder] "folder"
-    )
+  it "a truncated PGM" $
+    inFolder $ \folder -> do
+      Bytes.readFile "data/worked-example/composite.pgm"
+        >>= Bytes.writeFile (folder </> "cut.pgm") . Bytes.take 500
+      complains ["decode", folder </> "cut.pgm"] "cut off"
+  it "a PNG renamed to .pgm" $
+    inFolder $ \folder -> do
+      void (pra ["stitch", "data/worked-example/frames", "--output", folder </> "c.png"])
+      renameFile (folder </> "c.png") (folder </> "c.pgm")
+      complains ["decode", folder </> "c.pgm"] "PNG"
+  it "a header of 10^9 x 10^9" $
+    inFolder $ \folder -> do
+      Bytes8.writeFile (folder </> "huge.pgm") "P5\n1000000000 1000000000\n255\n"
+      complains ["decode", folder </> "huge.pgm"] "1000000000"
+  it "an empty folder" $ inFolder $ \folder -> complains ["decode", folder] "manifest.csv"
+  it "a folder for a file" $
+    inFolder $ \folder -> do
+      complains ["locate", "--profile", folder, "1"] "folder"
+      complains ["decode", "data/worked-example/composite.pgm", "--network", folder] "folder"
+      complains ["decode", "data/worked-example/composite.pgm", "--database", folder] "folder"
   it "a path that does not exist" $ complains ["decode", "no/such/file.pgm"] "no/such/file.pgm"
-  inFolder
-    "a manifest that names a missing frame"
-    ( \folder -> do
-        writeFile
-          (folder </> "manifest.csv")
-          "file,x_mm,y_mm,rotation_deg,force_n\nframe.pgm,0,0,0,10\n"
-        complains ["decode", folder] "frame.pgm"
-    )
-  inFolder
-    "a manifest with a bad number"
-    ( \folder -> do
-        writeFile
-          (folder </> "manifest.csv")
-          "file,x_mm,y_mm,rotation_deg,force_n\nframe.pgm,0,here,0,10\n"
-        complains ["decode", folder] "line 2"
-    )
-  inFolder
-    "an unknown object"
-    ( \folder -> do
-        complains
-          ["probe", "--object", "sphere", "--seed", "1", "--output", folder </> "frames"]
-          "sphere"
-        doesPathExist (folder </> "frames") `shouldReturn` False
-    )
-  inFolder
-    "an unknown face"
-    ( \folder ->
-        complains
-          [ "probe",
-            "--object",
-            "cube",
-            "--face",
-            "C1 C2 C3 C9",
-            "--seed",
-            "1",
-            "--output",
-            folder </> "frames"
-          ]
-          "C1 C2 C3 C4"
-    )
-  inFolder
-    "a region off the face"
-    ( \folder ->
-        complains
-          [ "probe",
-            "--object",
-            "cube",
-            "--at",
-            "100,100",
-            "--seed",
-            "1",
-            "--output",
-            folder </> "frames"
-          ]
-          "does not lie on the face"
-    )
-  inFolder
-    "an output folder that is not empty"
-    ( \folder -> do
-        writeFile (folder </> "mine") "precious"
-        complains ["probe", "--object", "cube", "--seed", "1", "--output", folder] "not empty"
-        readFile (folder </> "mine") `shouldReturn` "precious"
-    )
-  inFolder
-    "a file that cannot be written"
-    ( \folder ->
-        complains
-          [ "stitch",
-            "data/worked-example/frames",
-            "--output",
-            folder </> "no" </> "such" </> "c.pgm"
-          ]
-          "folder does not exist"
-    )
+  it "a manifest that names a missing frame" $
+    inFolder $ \folder -> do
+      writeFile
+        (folder </> "manifest.csv")
+        "file,x_mm,y_mm,rotation_deg,force_n\nframe.pgm,0,0,0,10\n"
+      complains ["decode", folder] "frame.pgm"
+  it "a manifest with a bad number" $
+    inFolder $ \folder -> do
+      writeFile
+        (folder </> "manifest.csv")
+        "file,x_mm,y_mm,rotation_deg,force_n\nframe.pgm,0,here,0,10\n"
+      complains ["decode", folder] "line 2"
+  it "an unknown object" $
+    inFolder $ \folder -> do
+      complains
+        (words "probe --object sphere --seed 1 --output" ++ [folder </> "frames"])
+        "sphere"
+      doesPathExist (folder </> "frames") `shouldReturn` False
+  it "an unknown face" $
+    inFolder $ \folder ->
+      complains
+        [ "probe",
+          "--object",
+          "cube",
+          "--face",
+          "C1 C2 C3 C9",
+          "--seed",
+          "1",
+          "--output",
+          folder </> "frames"
+        ]
+        "C1 C2 C3 C4"
+  it "a region off the face" $
+    inFolder $ \folder ->
+      complains
+        ( words "probe --object cube --at 100,100 --seed 1 --output"
+            ++ [ folder </> "frames"
+               ]
+        )
+        "does not lie on the face"
+  it "an output folder that is not empty" $
+    inFolder $ \folder -> do
+      writeFile (folder </> "mine") "precious"
+      complains (words "probe --object cube --seed 1 --output" ++ [folder]) "not empty"
+      readFile (folder </> "mine") `shouldReturn` "precious"
+  it "a file that cannot be written" $
+    inFolder $ \folder ->
+      complains
+        [ "stitch",
+          "data/worked-example/frames",
+          "--output",
+          folder </> "no" </> "such" </> "c.pgm"
+        ]
+        "folder does not exist"
   for_
     [ ("ragged rows", "1 2 / 3"),
       ("a symbol of q or more", "1 2 / 3 4"),
@@ -320,26 +279,9 @@ badInputSpec = describe "bad input: one line, status 2, nothing written" $ do
     (status, out, _) <- pra ["--version"]
     (status, "pra-tactile " `isPrefixOf` out) `shouldBe` (0, True)
     for_
-      [ "array",
-        "prove",
-        "locate",
-        "table",
-        "probe",
-        "stitch",
-        "train",
-        "decode",
-        "compare",
-        "evaluate",
-        "objects",
-        "profile",
-        "shapes",
-        "sequence",
-        "synthesise",
-        "advise",
-        "rates"
-      ]
+      ( words "array prove locate table probe stitch train decode compare evaluate objects"
+          ++ words "profile shapes sequence synthesise advise rates"
+      )
       $ \name -> do
         (helped, text, _) <- pra [name, "--help"]
         (helped, "Example" `isInfixOf` text) `shouldBe` (0, True)
-  where
-    inFolder name = it name . withSystemTempDirectory "pra-tactile"

@@ -10,11 +10,11 @@ import House.Source (readText)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck (property)
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -119,7 +119,7 @@ examplesIn help =
 
 -- | A folder of its own, in which the shipped data are where they are in the repository.
 scratch :: (FilePath -> IO a) -> IO a
-scratch act = withSystemTempDirectory "pra-tactile" $ \folder -> do
+scratch act = inFolder $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
   createDirectory (folder </> "docs")

@@ -78,7 +78,7 @@ certificateOfFirst k n = do
   window <- right (rectangle (Shape 1 (fromIntegral n)))
   right
     ( certify
-        RankRoad
+        RankMethod
         profile {profileFolding = RowMajor, profileSurface = TwistedTorus}
         window
     )

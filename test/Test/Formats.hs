@@ -12,7 +12,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
-import Data.Maybe (fromMaybe)
+import Data.Foldable (fold)
 import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
@@ -22,6 +22,7 @@ import PraTactile.Format
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
 import Test.Formats.Answers
 import Test.Hspec
@@ -76,11 +77,11 @@ roundTrips = do
         report = recognitionReport source recognition
     decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
-      `shouldBe` Right (Just (Claim top 0 (25.4, 95.25) (1.5, -2.5)))
+      `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5)))
   where
     top = Face "cube" (readFaceName "C1 C2 C3 C4")
     cornerOf = regionCorner . truthRegion
-    whole region = (regionWidth region, regionHeight region, regionTurns region)
+    whole region = (regionWidth region, regionHeight region, regionSymmetry region)
     near (x, y) (u, v) = abs (x - u) < 1e-6 && abs (y - v) < (1e-6 :: Double)
     right :: Show e => Either e a -> IO a
     right = either (fail . show) pure
@@ -170,7 +171,7 @@ refusals = do
       ]
 
 fields :: ByteString -> Object
-fields = fromMaybe mempty . decodeStrict
+fields = fold . decodeStrict
 
 written :: Object -> ByteString
 written = Lazy.toStrict . encode
@@ -239,7 +240,7 @@ someTruth =
             <*> offset
             <*> choose (1, 99)
             <*> choose (1, 99)
-            <*> elements quarterTurns
+            <*> elements rotations
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
   where

@@ -30,6 +30,7 @@ import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import PraTactile.Truth
 import System.Random (mkStdGen)
 import Test.Hspec hiding (around)
@@ -131,19 +132,14 @@ pictureSpec ::
   Spec
 pictureSpec (layout, _, alphabet) array reader = describe "pictures of recognitions" $ do
   modifyMaxSuccess (const 30) $
-    prop
-      "composite, face, answer and legend keep apart, and so does all text, whatever was felt and \
-      \however it was turned"
-      $ \seed ->
-        forAll (elements (laidFaces layout)) $ \face ->
-          forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
-            explored size seed face $ \_ composite recognition ->
-              let page = pageOf composite recognition
-               in apart page .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
-  prop
-    "symbols and parts anywhere on the composite, upright or on their side: their boxes stay out \
-    \of all other text and of the rest"
-    $ \(Positive w) (Positive h) ->
+    prop "composite, face, answer and legend keep apart, and so does all text" $ \seed ->
+      forAll (elements (laidFaces layout)) $ \face ->
+        forAll (elements [(40, 52), (24, 36), (16, 16), (52, 40)]) $ \size ->
+          explored size seed face $ \_ composite recognition ->
+            let page = pageOf composite recognition
+             in apart page .&&. disjoint (mapMaybe markExtent (filter isText (pageDrawing page)))
+  prop "symbols and parts anywhere: their boxes stay out of all text and of the rest" $
+    \(Positive w) (Positive h) ->
       forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \symbols ->
         forAllShrink (listOf (symbolWithin (w, h))) (shrinkList (const [])) $ \others ->
           let numbered = zipWith (\n s -> s {readNumber = n}) [0 ..]
@@ -154,10 +150,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
            in length (named "symbol" (pageComposite page)) === length symbols + length others
                 .&&. apart page
   modifyMaxSuccess (const 20) $
-    prop
-      "the window that gives the answer is framed on both sides: its cells, the place in their \
-      \middle"
-      $ \seed ->
+    prop "the window that gives the answer is framed on both sides, its place in the middle" $
+      \seed ->
         forAll (elements (laidFaces layout)) $ \face ->
           forAll (elements [(40, 52), (60, 56)]) $ \size ->
             explored size seed face $
@@ -175,7 +169,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                             within
                               (only "face" (pageFace page))
                               (fromRational (spotRight (laidExtent face)))
-                          sideways = odd (orientationDegrees (foundOrientation found) `div` 90)
+                          sideways = exchangesAxes (foundOrientation found)
                           (x, y) = windowSeenAt (foundWindow found)
                        in counterexample
                             "on the composite"
@@ -204,9 +198,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   (Right _, _) -> counterexample "another face" False
                   (Left _, page) -> pageFace page === []
   modifyMaxSuccess (const 20) $
-    prop
-      "the outline on the face is where the composite truly was, to two taxels, turned as it was"
-      $ \seed -> forAll (elements (laidFaces layout)) $ \face ->
+    prop "the outline on the face is where the composite was, to two taxels, turned so" $
+      \seed -> forAll (elements (laidFaces layout)) $ \face ->
         explored standardRegionSize seed face $ \known composite recognition -> case named
           "outline"
           (pageFace (pageOf composite recognition)) of
@@ -237,10 +230,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   .&&. length points
                   === 4
           _ -> property True
-  it
-    "each face is drawn with the symbols that are embossed on it, taxel by taxel, and its four \
-    \vertices"
-    $ for_
+  it "each face is drawn with its symbols, taxel by taxel, and its four vertices" $
+    for_
       [ (face, heights)
         | face <- laidFaces layout,
           Right heights <- [relief array layout alphabet face]
@@ -318,7 +309,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
       Property
     explored size seed face check = case relief array layout alphabet face of
       Right heights
-        | Just known <- trial standardSensor quarterTurns size (face, heights) (mkStdGen seed),
+        | Just known <- trial standardSensor rotations size (face, heights) (mkStdGen seed),
           Right composite <- stitch standardRegistration (trialFrames known),
           Right recognition <- recognise reader composite ->
           check known composite recognition
@@ -328,7 +319,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
 symbolWithin :: (Int, Int) -> Gen ReadSymbol
 symbolWithin (w, h) = do
   centre <- (,) <$> choose (-0.5, fromIntegral w - 0.5) <*> choose (-0.5, fromIntegral h - 0.5)
-  what <- (,) <$> arbitraryBoundedEnum <*> choose (0, 3)
+  what <- (,) <$> elements rotations <*> choose (0, 3)
   known <- arbitrary
   pure
     ReadSymbol
@@ -354,7 +345,7 @@ only name drawing = extentOf [Mark name (unstroked form) | Mark _ form <- named 
       Rectangle paint e -> Rectangle paint {strokeWidth = 0} e
       other -> other
 
--- | In units of which the reference is so many wide, from its upper left corner.
+-- | In units of which the reference is this many wide, from its upper left corner.
 within :: Extent -> Double -> Extent -> Extent
 within reference size (Extent l t r b) = Extent (across l) (down t) (across r) (down b)
   where

@@ -6,17 +6,18 @@ import Data.List (nub, sort, unfoldr)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.LinearCode.Rates
+import PraTactile.Locate (DecoderName (..), locator)
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
-import PraTactile.Rates.Ground
+import PraTactile.Rates.Decoding
+import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
-import PraTactile.Rates.Verdict
 import PraTactile.Window
 import System.Random (mkStdGen)
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -30,22 +31,25 @@ spec = do
       abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
   it "the noise for no errors makes none" $
     forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
-  it "the fast verdict of a trial is that of the decoders" $ do
-    paper <- paperBook
-    let judged name shelf size damage = do
-          place <- right (ground shelf size)
-          let verdicts = take 150 (trialsOf place damage 5)
-          forM_ verdicts $ \trial ->
-            forM_
-              [Guaranteed, UpTo 0, UpTo 2, UpTo 100]
-              $ \radius -> case (judge radius place trial, judgeByDecoders radius place trial) of
-                (Verdict a b doubt, Just (Verdict a' b' doubt')) -> do
+  it "the fast decoding of a trial is that of locate" $ do
+    paper <- paperCodebook Torus
+    let judged name codebook size damage = do
+          setup <- right (trialSetup codebook size)
+          let drawn = take 150 (trialsOf setup damage 5)
+              by decoder =
+                locator (Just decoder) MostSignificantFirst (codebookArray codebook) (codebookMask codebook)
+              located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
+          forM_ drawn $ \trial ->
+            forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
+              let TrialResult a b doubt = decodeTrial radius setup trial
+              case located radius setup trial of
+                Just (TrialResult a' b' doubt') -> do
                   (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
-                  -- Below 1e-20 doubts are not told apart.
+                  -- Doubts below 1e-20 are counted alike.
                   abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
-                (_, Nothing) -> expectationFailure "no verdict"
+                Nothing -> expectationFailure "no answer"
           -- The answers are not all alike.
-          pure [verdictAnswer (judge Guaranteed place trial) | trial <- verdicts]
+          pure [resultHard (decodeTrial Guaranteed setup trial) | trial <- drawn]
     answers <-
       concat
         <$> sequence
@@ -72,7 +76,7 @@ spec = do
     "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
     \errors"
     $ do
-      shelf <- paperBook
+      codebook <- paperCodebook Torus
       let cases =
             [ (Shape 2 2, Damage 0.02 0),
               (Shape 3 3, Damage 0.1 0),
@@ -81,13 +85,13 @@ spec = do
             ]
       forM_ cases $ \(size, damage) -> do
         m <- right (rectangle size)
-        place <- right (ground shelf size)
+        setup <- right (trialSetup codebook size)
         exact <-
           maybe
             (expectationFailure "nothing" >> fail "nothing")
             pure
-            (exactRates Guaranteed shelf m damage)
-        let found = hardRates (simulate Guaranteed place damage trials 1)
+            (exactRates Guaranteed codebook m damage)
+        let found = hardRates (simulate Guaranteed setup damage trials 1)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate found - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
@@ -95,44 +99,44 @@ spec = do
     "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
     \right, and more are wrong"
     $ do
-      shelf <- paperBook
+      codebook <- paperCodebook Torus
       m <- right (rectangle (Shape 4 4))
-      place <- right (ground shelf (Shape 4 4))
+      setup <- right (trialSetup codebook (Shape 4 4))
       let damage = Damage 0.2 0
-          found = map (\e -> hardRates (simulate (UpTo e) place damage 20000 5)) [0 .. 7]
+          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 5)) [0 .. 7]
       forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
         exact <-
           maybe
             (expectationFailure "nothing" >> fail "nothing")
             pure
-            (exactRates (UpTo e) shelf m damage)
+            (exactRates (UpTo e) codebook m damage)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate rates - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
-      exactRates (UpTo 5) shelf m damage `shouldBe` Nothing
-      exactRates (UpTo 4) shelf m (Damage 0.2 0.1) `shouldBe` Nothing
+      exactRates (UpTo 5) codebook m damage `shouldBe` Nothing
+      exactRates (UpTo 4) codebook m (Damage 0.2 0.1) `shouldBe` Nothing
       and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
       and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
   it
     "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
     \threshold"
     $ do
-      shelf <- paperBook
+      codebook <- paperCodebook Torus
       forM_
         [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
         $ \(size, damage) -> do
-          place <- right (ground shelf size)
-          let tally = simulate Guaranteed place damage trials 2
+          setup <- right (trialSetup codebook size)
+          let tally = simulate Guaranteed setup damage trials 2
           forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
             let Calibration answers expected wrong = calibration tolerated tally
             abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
             expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
           calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
-    shelf <- paperBook
-    place <- right (ground shelf (Shape 3 3))
+    codebook <- paperCodebook Torus
+    setup <- right (trialSetup codebook (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
-      let tally = simulate Guaranteed place damage trials 3
+      let tally = simulate Guaranteed setup damage trials 3
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
@@ -140,49 +144,45 @@ spec = do
     "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
     \gives all"
     $ do
-      shelf <- paperBook
-      place <- right (ground shelf (Shape 2 2))
-      let tally = simulate Guaranteed place (Damage 0.1 0) 1000 4
+      codebook <- paperCodebook Torus
+      setup <- right (trialSetup codebook (Shape 2 2))
+      let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 4
           Rates none none' all' = softRatesAtMost 0 tally
           Rates a b c = softRatesAtMost 1 tally
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
       (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
-    shelf <- paperBook
-    place <- right (ground shelf (Shape 3 3))
-    other <- right (ground shelf (Shape 3 4))
-    let part = simulate Guaranteed place (Damage 0.05 0.1) 50
+    codebook <- paperCodebook Torus
+    setup <- right (trialSetup codebook (Shape 3 3))
+    other <- right (trialSetup codebook (Shape 3 4))
+    let part = simulate Guaranteed setup (Damage 0.05 0.1) 50
         whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
     part 7 `shouldBe` part 7
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
-    map tallyTrials (simulations Guaranteed place (Damage 0.05 0.1) 2500 7)
+    map tallyTrials (simulations Guaranteed setup (Damage 0.05 0.1) 2500 7)
       `shouldBe` [1000, 1000, 500]
-    whole place (Damage 0.05 0.1) 7 `shouldBe` whole place (Damage 0.05 0.1) 7
+    whole setup (Damage 0.05 0.1) 7 `shouldBe` whole setup (Damage 0.05 0.1) 7
     let results =
-          [ whole place (Damage p s) seed
+          [ whole setup (Damage p s) seed
             | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]
           ]
             ++ [whole other (Damage 0.05 0.1) 7]
     length (nub (map show results)) `shouldBe` 5
   it "the sheet, no cells and too many cells are refused" $ do
-    shelf <- paperBook
-    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-    sheet <- bookOn Sheet array
-    either Left (const (Right ())) (ground sheet (Shape 2 2)) `shouldBe` Left GroundSheet
-    either Left (const (Right ())) (ground shelf (Shape 0 2)) `shouldBe` Left GroundEmpty
-    either Left (const (Right ())) (ground shelf (Shape 1000 1000))
-      `shouldBe` Left (GroundTooLarge 255000000 largestGround)
+    codebook <- paperCodebook Torus
+    sheet <- paperCodebook Sheet
+    either Left (const (Right ())) (trialSetup sheet (Shape 2 2)) `shouldBe` Left SetupOnSheet
+    either Left (const (Right ())) (trialSetup codebook (Shape 0 2)) `shouldBe` Left SetupEmpty
+    either Left (const (Right ())) (trialSetup codebook (Shape 1000 1000))
+      `shouldBe` Left (SetupTooLarge 255000000 largestSetup)
   where
     trials = 5000 :: Int
-    trialsOf place damage seed =
+    trialsOf setup damage seed =
       unfoldr
-        (Just . drawTrial place (noiseOf place damage) (damageErasures damage))
+        (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
         (mkStdGen seed)
-    noiseOf place damage =
-      noiseFor (fieldOrder (codebookArray (groundBook place))) (damageErrors damage)
-
-paperBook :: IO (Codebook GF4)
-paperBook = right paperPrimitive >>= right . folded Diagonal (Shape 15 17) >>= bookOn Torus
+    noiseOf setup damage =
+      noiseFor (fieldOrder (codebookArray (setupBook setup))) (damageErrors damage)
 
 bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
 bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array

@@ -7,26 +7,24 @@ import House.Source (readText)
 import System.Directory (getCurrentDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = beforeAll (library <$> readText "README.md") $ do
   it "the program is of ten lines or less, and prints what is printed there" $ \text ->
     inFolder $ \folder -> do
-      let (program, below) = fenced "```haskell" text
+      let (program, rest) = fenced "```haskell" text
       length program `shouldSatisfy` (\n -> n > 0 && n <= 10)
       writeFile (folder </> "Readme.hs") (unlines program)
       cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
-        `shouldReturn` (ExitSuccess, unlines (indented below), "")
-  it
-    "a package with the lines for cabal.project and build-depends is planned with the libraries \
-    \that they name"
-    $ \text -> inFolder $ \folder -> do
+        `shouldReturn` (ExitSuccess, unlines (indented rest), "")
+  it "a package with the lines for cabal.project is planned with these libraries" $
+    \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
-      let (project, below) = fenced "```cabal-project" text
-          (depends, _) = fenced "```cabal" below
+      let (project, rest) = fenced "```cabal-project" text
+          (depends, _) = fenced "```cabal" rest
           found line = if words line == ["../pra-tactile"] then "          " ++ here else line
       [() | line <- project, words line == ["../pra-tactile"]] `shouldBe` [()]
       writeFile (folder </> "cabal.project") (unlines (map found project))
@@ -61,7 +59,6 @@ spec = beforeAll (library <$> readText "README.md") $ do
             ]
       seen `shouldMatchList` ["(lib:common)", "(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
   where
-    inFolder = withSystemTempDirectory "pra-tactile"
     library = dropWhile (/= "## The library") . lines
     cabal arguments = readProcessWithExitCode "tools/cabal.sh" arguments ""
 

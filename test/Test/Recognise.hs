@@ -24,6 +24,7 @@ import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape
 import PraTactile.Stitch (compositeOf, standardRegistration)
+import PraTactile.Symmetry
 import PraTactile.Window (Mask)
 import System.Random (mkStdGen)
 import Test.Hspec
@@ -90,9 +91,8 @@ groupSpec = describe "groups of symbols" $ do
           groups
             [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
      in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
-  it
-    "have each symbol once, in its cell, wherever the symbols lie and in whatever order they come"
-    $ property $
+  it "have each symbol once, in its cell, wherever and in whatever order they come" $
+    property $
       forAll (shuffle (zip [0 ..] [(i, j) | i <- [0 .. 2], j <- [0 .. 3]])) $ \placed ->
         forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
           map
@@ -112,8 +112,8 @@ groupSpec = describe "groups of symbols" $ do
           readAt = centre,
           readClass = Nothing,
           readSeen = 1,
-          readLikeliest = (Upright, 0),
-          readChances = [((Upright, 0), 1)]
+          readLikeliest = (identity, 0),
+          readChances = [((identity, 0), 1)]
         }
 
 -- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
@@ -139,9 +139,8 @@ reliefSpec parts array = describe "reliefs" $ do
                        r <- [r0 .. r0 + h - 1],
                        c <- [c0 .. c0 + w - 1]
                    ]
-  it
-    "each cell holds its symbol's bitmap, 8 x 12 in the middle of 16 x 20 taxels, and nothing else"
-    $ for_ (reliefs parts array) $ \(face, heights) -> do
+  it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, nothing else" $
+    for_ (reliefs parts array) $ \(face, heights) -> do
       let margin side = round (side (laidMargin face) / taxelPitch) :: Int
       for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) ->
         for_ (zip [0 ..] line) $ \(j, c) -> do
@@ -156,7 +155,7 @@ exploreSpec :: Parts -> Spec
 exploreSpec parts = describe "explorations" $ do
   prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
     forAll (elements (laidFaces (placementOf parts))) $ \face ->
-      case randomRegion quarterTurns standardRegionSize face (mkStdGen seed) of
+      case randomRegion rotations standardRegionSize face (mkStdGen seed) of
         Nothing -> counterexample "no room" False
         Just (r, _) ->
           let extent side = fromRational (side (laidExtent face)) + 1e-9
@@ -191,10 +190,10 @@ recogniseSpec parts array reader = describe "recognition" $ do
     length cases `shouldBe` 132
     for_ cases $ \(face, heights, i, j) ->
       for_
-        [ (Upright, id),
-          (TurnedRight, quarterTurn),
-          (HalfTurned, halfTurn),
-          (TurnedLeft, halfTurn . quarterTurn)
+        [ (identity, id),
+          (turned 1, onRaster (turned 1)),
+          (turned 2, onRaster (turned 2)),
+          (turned 3, onRaster (turned 3))
         ]
         $ \(orientation, turn) -> do
           let margin side = round (side (laidMargin face) / taxelPitch) :: Int
@@ -218,27 +217,24 @@ recogniseSpec parts array reader = describe "recognition" $ do
     refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
       `shouldBe` Just (NotLocated NoCompleteWindow)
   it "one symbol half-turned among upright ones is a contradiction of orientation" $
-    refusal (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, halfTurn)])
+    refusal
+      (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
       `shouldBe` Just OrientationContradicts
   it "a mirror image is refused as one, whichever way up" $
-    for_
-      [mirrorColumns, mirrorRows, quarterTurn . mirrorColumns, quarterTurn . mirrorRows]
-      $ \change ->
-        refusal (change (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]))
-          `shouldBe` Just Mirrored
+    for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
+      let window = pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
+      refusal (onRaster symmetry window) `shouldBe` Just Mirrored
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
   modifyMaxSuccess (const 40) $
-    prop
-      "noise and position errors: a random exploration is right or refused, never wrong"
-      $ \seed ->
-        forAll (elements (reliefs parts array)) $ \face ->
-          case trial standardSensor quarterTurns standardRegionSize face (mkStdGen seed) of
-            Nothing -> counterexample "the region does not lie on the face" False
-            Just t ->
-              case withStitching (runTrial standardTolerance reader standardRegistration t) of
-                Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
-                _ -> property True
+    prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
+      forAll (elements (reliefs parts array)) $ \face ->
+        case trial standardSensor rotations standardRegionSize face (mkStdGen seed) of
+          Nothing -> counterexample "the region does not lie on the face" False
+          Just t ->
+            case withStitching (runTrial standardTolerance reader standardRegistration t) of
+              Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
+              _ -> property True
   where
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)

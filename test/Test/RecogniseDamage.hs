@@ -30,6 +30,7 @@ import PraTactile.Relief (relief)
 import PraTactile.Segment
 import PraTactile.Shape hiding (area)
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -61,10 +62,8 @@ damageSpec ::
   Spec
 damageSpec alphabetOfAll layout net array mask = do
   describe "missing symbols" $ do
-    it
-      "of a 3 x 3 block any four may be missing that leave four independent ones; without, the \
-      \answer is refused"
-      $ for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
+    it "of a 3 x 3 block any four may be missing that leave four independent ones" $
+      for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
         for_ (choose4 [0 .. 8]) $ \gone -> do
           let kept = [o | (i, o) <- zip [0 :: Int ..] offsets3, i `notElem` gone]
           let damaged = removing gone (cells 3 3 place)
@@ -88,10 +87,8 @@ damageSpec alphabetOfAll layout net array mask = do
           length (catMaybes (concat (windowClasses (foundWindow found)))) `shouldBe` 2
         _ -> expectationFailure "not located"
   describe "wrong symbols" $ do
-    it
-      "of a 3 x 3 block, whose distance is 4, any one may be any other symbol, or lie upside \
-      \down: it is named"
-      $ for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
+    it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
+      for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
         for_ [0 .. 8] $ \i -> for_ wrongs $ \change -> do
           let damaged = changing i change (cells 3 3 place)
           recognition <- recognised damaged
@@ -145,8 +142,8 @@ damageSpec alphabetOfAll layout net array mask = do
     it "that are too little each are enough together, whichever way the face lies" $
       for_
         [ (id, \c -> (25.4 * c, 0)),
-          (halfTurn, \c -> (-25.4 * c, 0)),
-          (quarterTurn, \c -> (0, 25.4 * c))
+          (onRaster (turned 2), \c -> (-25.4 * c, 0)),
+          (onRaster (turned 1), \c -> (0, 25.4 * c))
         ]
         $ \(turn, shift) -> do
           let left = compositeOf (turn (drawing (cells 2 1 (Position 6 5))))
@@ -206,22 +203,18 @@ damageSpec alphabetOfAll layout net array mask = do
                 <$> recognisedWith standardTolerance [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
               `shouldBe` (cut, Just (sort (blockOf 2 2 place)))
-    it
-      "they are not counted among the symbols that the network knows, and a flat place is none"
-      $ do
-        recognition <-
-          recognisedWith
-            standardTolerance
-            [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
-        (length (recognisedSymbols recognition), length (recognisedParts recognition))
-          `shouldBe` (2, 2)
-        map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
-        flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
-        length (recognisedParts flat) `shouldBe` 0
-    it
-      "of a part the likeliest shape is one that has that part, whatever rectangle of it was \
-      \touched"
-      $ for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
+    it "they are not counted among the symbols known, and a flat place is none" $ do
+      recognition <-
+        recognisedWith
+          standardTolerance
+          [compositeOf (cropped (0, 0, 32, 32) (drawing (cells 2 2 (Position 6 5))))]
+      (length (recognisedSymbols recognition), length (recognisedParts recognition))
+        `shouldBe` (2, 2)
+      map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
+      flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
+      length (recognisedParts flat) `shouldBe` 0
+    it "of any rectangle of a symbol the likeliest shape is one that has it" $
+      for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [identity, turned 2] $ \symmetry ->
         for_
           [ (l, t, r, b)
             | l <- [0, 2, 4],
@@ -232,7 +225,7 @@ damageSpec alphabetOfAll layout net array mask = do
               b > t
           ]
           $ \(l, t, r, b) -> do
-            let image = (if turned then halfTurn else id) (toRaster shape)
+            let image = onRaster symmetry (toRaster shape)
                 seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
                 masked =
                   generate
@@ -242,10 +235,10 @@ damageSpec alphabetOfAll layout net array mask = do
                 part = Part masked seen
                 e = estimatePart (templates alphabetOfAll) part
                 (distances, _) = partDistances (templates alphabetOfAll) part
-            lookup (c, turned) distances `shouldBe` Just 0
+            lookup (c, symmetry) distances `shouldBe` Just 0
             lookup (estimateLikeliest e) distances `shouldBe` Just 0
             -- What has the same part in the same place is as likely.
-            estimateChance e (c, turned)
+            estimateChance e (c, symmetry)
               `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
             sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
   describe "surfaces" $ do
@@ -328,7 +321,7 @@ damageSpec alphabetOfAll layout net array mask = do
           | Position i j <- kept,
             codeAt (Position (r + i) (c + j)) /= codeAt (Position (r' + i) (c' + j))
         ]
-    wrongs = [otherBy 1, otherBy 2, otherBy 3, \(c, change) -> (c, halfTurn . change)]
+    wrongs = [otherBy 1, otherBy 2, otherBy 3, \(c, change) -> (c, onRaster (turned 2) . change)]
     otherBy by (c, change) = ((c + by) `mod` 4, change)
     -- Every symbol drawn is told to lie where the block's cell is, if its upper left cell is at the
     -- position.
@@ -352,7 +345,7 @@ damageSpec alphabetOfAll layout net array mask = do
             v
         _ -> 0
 
--- | Two images side by side, so many blank columns between them.
+-- | Two images side by side, with this many blank columns between them.
 beside :: Int -> Raster -> Raster -> Raster
 beside gap a b =
   generate (rasterWidth a + gap + rasterWidth b) (max (rasterHeight a) (rasterHeight b)) $ \x y ->
@@ -407,7 +400,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
           Left _ -> []
           Right (composite, recognition) ->
             [ ( readDoubt part,
-                (c, orientationDegrees o) /= (truth, 90 * regionTurns (trialRegion t))
+                (c, o) /= (truth, regionSymmetry (trialRegion t))
               )
               | part <- recognisedParts recognition,
                 let (o, c) = readLikeliest part,
@@ -423,7 +416,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         doubts =
           concatMap
             ofParts
-            (catMaybes (take 150 (trials standardSensor quarterTurns (36, 46) faces 78)))
+            (catMaybes (take 150 (trials standardSensor rotations (36, 46) faces 78)))
         expected = sum (map fst doubts)
         wrong = fromIntegral (length (filter snd doubts)) :: Double
     length doubts `shouldSatisfy` (> 300)
@@ -443,15 +436,16 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
                     && abs (sum (map snd (estimateChances e)) - 1) < 1e-9
                 )
   it "is least for the shapes themselves, which are told right in both orientations" $
-    for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [False, True] $ \turned ->
-      case estimate
-        (templates alphabetOfAll)
-        net
-        ((if turned then halfTurn else id) (toRaster shape)) of
-        Left e -> expectationFailure (show e)
-        Right e -> do
-          estimateLikeliest e `shouldBe` (c, turned)
-          estimateDoubt e `shouldSatisfy` (< 1e-4)
+    for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
+      for_ [identity, turned 2] $ \symmetry ->
+        case estimate
+          (templates alphabetOfAll)
+          net
+          (onRaster symmetry (toRaster shape)) of
+          Left e -> expectationFailure (show e)
+          Right e -> do
+            estimateLikeliest e `shouldBe` (c, symmetry)
+            estimateDoubt e `shouldSatisfy` (< 1e-4)
   it "a shape matches itself, and no other as well" $
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [0 .. 3] $ \other ->
@@ -472,7 +466,7 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
     judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
       Left _ -> []
       Right composite ->
-        [ (estimateDoubt e, estimateLikeliest e /= (truth, regionTurns (trialRegion t) == 2))
+        [ (estimateDoubt e, estimateLikeliest e /= (truth, regionSymmetry (trialRegion t)))
           | symbol <- segmentedSymbols (segment composite),
             Right e <- [estimate (templates alphabetOfAll) net (symbolPixels symbol)],
             Just truth <-

@@ -18,9 +18,9 @@ import PraTactile.Source
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hSetFileSize, withBinaryFile)
-import System.IO.Temp (withSystemTempDirectory)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -45,13 +45,11 @@ bytesSpec = do
   it "a name that leads out of the folder is refused, even if there are bytes for it" $
     [folderFrames (Folder (manifest [name]) (Map.singleton name flat)) | name <- elsewhere]
       `shouldBe` map (Left . ImageElsewhere) elsewhere
-  it
-    "an image that is not there, or none, is refused by its name; and so is what is no manifest"
-    $ do
-      folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
-      folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
-        `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
-      folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
+  it "an image that is not there, or none, is refused by its name; so is a manifest" $ do
+    folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
+    folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
+      `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
+    folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
   it "the images to be read are those in the folder, each once" $ do
     namedImages (manifest (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
       `shouldBe` ["b.pgm", "sub/a.pgm"]
@@ -77,47 +75,48 @@ flat = either (const Bytes.empty) (encodePgm Binary) (pgmFromIntensity 255 (cons
 
 diskSpec :: Spec
 diskSpec = do
-  inFolder "the manifest and the images that it names, and no others" $ \folder -> do
-    Bytes.writeFile (folder </> "a.pgm") flat
-    Bytes.writeFile (folder </> "other.pgm") flat
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
-    readFolder folder
-      >>= (`shouldBe` Right (Folder (manifest ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat)))
-    readChosen (const False) folder >>= (`shouldBe` Right Map.empty) . fmap folderImages
-  inFolder "each thing that is missing or wrong is told apart" $ \folder -> do
-    problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
-    problem (readFolder (folder </> "none")) `shouldReturn` Just (NoSuchFolder (folder </> "none"))
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
-    problem (readFolder folder) `shouldReturn` Just (NoSuchFile (folder </> "a.pgm"))
-    problem (readFolder (folder </> "manifest.csv"))
-      `shouldReturn` Just (IsFile (folder </> "manifest.csv"))
-    createDirectory (folder </> "a.pgm")
-    problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
-    problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
-  inFolder "an image beyond the limit is not read" $ \folder -> do
-    Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
-    withBinaryFile (folder </> "a.pgm") WriteMode (`hSetFileSize` (toInteger largestInput + 1))
-    problem (readFolder folder) `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
-    problem (readImage (folder </> "a.pgm"))
-      `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
+  it "the manifest and the images that it names, and no others" $
+    inFolder $ \folder -> do
+      Bytes.writeFile (folder </> "a.pgm") flat
+      Bytes.writeFile (folder </> "other.pgm") flat
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
+      readFolder folder
+        `shouldReturn` Right
+          (Folder (manifest ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
+      readChosen (const False) folder >>= (`shouldBe` Right Map.empty) . fmap folderImages
+  it "each thing that is missing or wrong is told apart" $
+    inFolder $ \folder -> do
+      problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
+      let none = folder </> "none"
+      problem (readFolder none) `shouldReturn` Just (NoSuchFolder none)
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
+      problem (readFolder folder) `shouldReturn` Just (NoSuchFile (folder </> "a.pgm"))
+      problem (readFolder (folder </> "manifest.csv"))
+        `shouldReturn` Just (IsFile (folder </> "manifest.csv"))
+      createDirectory (folder </> "a.pgm")
+      problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+      problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+  it "an image beyond the limit is not read" $
+    inFolder $ \folder -> do
+      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
+      withBinaryFile (folder </> "a.pgm") WriteMode (`hSetFileSize` (toInteger largestInput + 1))
+      problem (readFolder folder) `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
+      problem (readImage (folder </> "a.pgm"))
+        `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
   where
-    inFolder name = it name . withSystemTempDirectory "pra-tactile"
     problem reading = either Just (const Nothing) <$> reading
 
 decodeSpec :: Spec
 decodeSpec = do
-  it
-    "the paper's worked example: from the frames, and from the composite, (6, 5) at corner C2 of \
-    \C1 C2 C3 C4"
-    $ do
-      folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
-      image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
-      let decodings =
-            [ canonicalDecoder >>= (`decodeFolder` folder),
-              canonicalDecoder >>= (`decodeImage` image)
-            ]
-      map (fmap place) decodings
-        `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
+  it "the paper's worked example: (6, 5) at corner C2 of C1 C2 C3 C4" $ do
+    folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
+    image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
+    let decodings =
+          [ canonicalDecoder >>= (`decodeFolder` folder),
+            canonicalDecoder >>= (`decodeImage` image)
+          ]
+    map (fmap place) decodings
+      `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalDecoder >>= (`decodeImage` flat))
       `shouldBe` Right ["refused: no-symbols"]

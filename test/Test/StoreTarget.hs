@@ -15,16 +15,15 @@ import PraTactile.Object.Placement (Placement)
 import PraTactile.Store
 import System.Directory (createDirectory, createFileLink, listDirectory, pathIsSymbolicLink)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Files
 import System.Posix.User (getEffectiveUserID)
 import Test.Hspec
-import Test.Object.Support (right)
+import Test.Support
 
 spec :: Spec
 spec = describe "create" $ do
   it "writes under a new name, and over a store, of an older version too" $
-    inFolder $ \folder place -> do
+    placed $ \folder place -> do
       let path = folder </> "a.sqlite"
       create path "one" place `shouldReturn` Right ()
       create path "two" place `shouldReturn` Right ()
@@ -34,7 +33,7 @@ spec = describe "create" $ do
       profileIn path `shouldReturn` Right "three"
       listDirectory folder `shouldReturn` ["a.sqlite"]
   it "follows a link to a store: the store is replaced, the link stays" $
-    inFolder $ \folder place -> do
+    placed $ \folder place -> do
       let (path, link) = (folder </> "a.sqlite", folder </> "link")
       create path "one" place `shouldReturn` Right ()
       createFileLink "a.sqlite" link
@@ -42,10 +41,8 @@ spec = describe "create" $ do
       profileIn path `shouldReturn` Right "two"
       pathIsSymbolicLink link `shouldReturn` True
       sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "link"]
-  it
-    "refuses a text file, an empty one, one that begins as a database, and another database; they \
-    \stay to the byte"
-    $ inFolder $ \folder place -> do
+  it "refuses a text file, an empty one and other databases; they stay to the byte" $
+    placed $ \folder place -> do
       let path = folder </> "mine"
       execute (folder </> "other") "CREATE TABLE metadata (schema_version INTEGER, profile TEXT)"
       execute (folder </> "wal") "PRAGMA journal_mode = WAL"
@@ -66,10 +63,8 @@ spec = describe "create" $ do
           Bytes.readFile path `shouldReturn` content
           removeLink (path ++ ".link")
       sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
-  it
-    "refuses a folder, a pipe, a device, a link to any of them and a link to nothing, and opens \
-    \none"
-    $ inFolder $ \folder place -> do
+  it "refuses a folder, a pipe, a device, a link to them or to nothing; opens none" $
+    placed $ \folder place -> do
       createDirectory (folder </> "folder")
       createNamedPipe (folder </> "pipe") 0o600
       createFileLink (folder </> "pipe") (folder </> "to-pipe")
@@ -95,7 +90,7 @@ spec = describe "create" $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True
   it "uses up what an interrupted run left behind, its journal too, and nothing else of that name" $
-    inFolder $ \folder place -> do
+    placed $ \folder place -> do
       let path = folder </> "a.sqlite"
           part = path ++ ".part"
       create (folder </> "b.sqlite") "old" place `shouldReturn` Right ()
@@ -111,9 +106,8 @@ spec = describe "create" $ do
       Bytes.readFile part `shouldReturn` "precious\n"
       profileIn path `shouldReturn` Right "new"
 
-inFolder :: (FilePath -> Placement -> Expectation) -> Expectation
-inFolder test =
-  withSystemTempDirectory "pra-tactile" $ \folder -> right canonicalPlacement (test folder)
+placed :: (FilePath -> Placement -> Expectation) -> Expectation
+placed test = inFolder $ \folder -> right canonicalPlacement >>= test folder
 
 profileIn :: FilePath -> IO (Either StoreError String)
 profileIn path = withStore path Nothing (pure . storedProfile)

@@ -65,6 +65,21 @@ spec = do
         forM_ symmetries $ \g -> forM_ symmetries $ \h -> forM_ (concat (cellsOf shape)) $ \cell ->
           onPosition (g <> h) shape cell
             `shouldBe` onPosition g (onShape h shape) (onPosition h shape cell)
+    it "onPixel is onPosition, columns before rows" $
+      forM_ shapes $ \shape@(Shape h w) -> forM_ symmetries $ \g ->
+        forM_ (concat (cellsOf shape)) $ \cell@(Position i j) -> do
+          let Position i' j' = onPosition g shape cell
+              whole n = toInteger n
+          onPixel g (whole w, whole h) (whole j, whole i) `shouldBe` (whole j', whole i')
+    it "onOffset is the difference of places" $
+      forM_ symmetries $ \g -> forM_ [(x, y) | x <- [-2 .. 2], y <- [-2 .. 2]] $ \(x, y) -> do
+        let (x0, y0) = onPixel g (3, 4) (0, 0)
+            (x1, y1) = onPixel g (3, 4) (x, y)
+        onOffset g (x, y) `shouldBe` (x1 - x0, y1 - y0 :: Int)
+    it "turnedByDegrees is the inverse of degreesClockwise, modulo 360" $ do
+      [turnedByDegrees (360 * n + degreesClockwise g) | n <- [-2 .. 2], g <- rotations]
+        `shouldBe` [Just g | _ <- [-2 .. 2 :: Int], g <- rotations]
+      map turnedByDegrees [1, 89.9, -45, 1 / 0, 0 / 0] `shouldBe` replicate 5 Nothing
   where
     scene = ["abc", "def"]
     shapes = [Shape h w | h <- [1 .. 3], w <- [1 .. 4]]

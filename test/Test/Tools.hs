@@ -10,10 +10,10 @@ import Data.Maybe (fromMaybe)
 import System.Directory (doesDirectoryExist, doesFileExist, findExecutable, listDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath (makeRelative, (</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcess, readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -38,11 +38,11 @@ completions typed = do
 -- values as the help has them.
 fixedValues :: [([String], String, [String])]
 fixedValues =
-  [ (["array"], "--format", ["text", "csv", "json", "pgm", "svg"]),
+  [ (["array"], "--format", words "text csv json pgm svg"),
     (["array"], "--folding", ["diagonal", "row-major"]),
     (["table"], "--format", ["csv", "c", "mem"]),
     (["prove"], "--surface", ["torus", "twisted-torus", "sheet"]),
-    ( ["rates", "--trials", "1", "--size", "2x2", "--errors", "2", "--erasures", "0"],
+    ( words "rates --trials 1 --size 2x2 --errors 2 --erasures 0",
       "--format",
       ["text", "csv", "json"]
     ),
@@ -135,10 +135,8 @@ manualSpec = describe "manual pages" $
 
 installSpec :: Spec
 installSpec = describe "installing" $
-  it
-    "puts the program, its pages and completions under DESTDIR and PREFIX; uninstalling leaves no \
-    \file"
-    $ inFolder $ \folder -> do
+  it "puts program, pages and completions under DESTDIR and PREFIX; and takes them away" $
+    inFolder $ \folder -> do
       program <- fromMaybe "pra-tactile" <$> findExecutable "pra-tactile"
       let run what =
             readProcessWithExitCode
@@ -236,9 +234,6 @@ makeSpec = describe "make help" $
 
 withShell :: FilePath -> (FilePath -> Expectation) -> Expectation
 withShell name test = findExecutable name >>= maybe (pendingWith (name ++ " is not there")) test
-
-inFolder :: (FilePath -> IO a) -> IO a
-inFolder = withSystemTempDirectory "pra-tactile"
 
 -- | A file that breaks every restriction once: each is found there, with the settings that @make
 -- lint@ gives to pure code.

@@ -6,6 +6,7 @@ import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -13,10 +14,8 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop
-    "the region's corners, as the robot sees them, are the corners of the rectangle on the face, \
-    \turned clockwise"
-    $ forAllShrink someTruth simpler $ \truth ->
+  prop "the region's corners, as the robot sees them, are those on the face, turned" $
+    forAllShrink someTruth simpler $ \truth ->
       let region = truthRegion truth
           (wide, high) =
             ( taxelPitch * fromIntegral (regionWidth region),
@@ -27,18 +26,18 @@ spec = do
           -- turned clockwise by a quarter shows its lower left corner at the upper left.
           seen = [(ox, oy), (ox + wide, oy), (ox + wide, oy + high), (ox, oy + high)]
           (left, top) = (taxelPitch * regionRight region, taxelPitch * regionDown region)
-          (across, down) = if odd (regionTurns region) then (high, wide) else (wide, high)
+          (across, down)
+            | exchangesAxes (regionSymmetry region) = (high, wide)
+            | otherwise = (wide, high)
           onFace =
             [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
-          turned = take 4 (drop ((4 - regionTurns region) `mod` 4) (cycle onFace))
-       in conjoin (zipWith near (map (truePlace truth) seen) turned)
-  prop
-    "an answer that names the true place of what it saw agrees to nothing; moved less than half a \
-    \cell, to as much; more, it is elsewhere"
-    $ forAllShrink someTruth simpler $ \truth point (dx, dy) ->
+          corners = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
+       in conjoin (zipWith near (map (truePlace truth) seen) corners)
+  prop "an answer agrees with its truth to less than half a cell; else it is elsewhere" $
+    forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
-            Claim (truthFace truth) (90 * regionTurns (truthRegion truth)) (x + dx, y + dy) point
+            Claim (truthFace truth) (regionSymmetry (truthRegion truth)) (x + dx, y + dy) point
           distance = sqrt (dx * dx + dy * dy)
        in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
             Right far ->
@@ -51,7 +50,7 @@ spec = do
       let right =
             Claim
               (truthFace truth)
-              (90 * regionTurns (truthRegion truth))
+              (regionSymmetry (truthRegion truth))
               (truePlace truth point)
               point
        in ( compared
@@ -60,7 +59,7 @@ spec = do
               right
                 { claimFace = Face (ObjectName "cube") (readFaceName "C2 C6 C7 C3")
                 },
-            compared canonicalPitch truth right {claimDegrees = (claimDegrees right + 90) `mod` 360}
+            compared canonicalPitch truth right {claimSymmetry = turned 1 <> claimSymmetry right}
           )
             === (Left OtherFace, Left OtherWayUp)
   where
@@ -76,7 +75,7 @@ someTruth =
             <*> choose (0, 30)
             <*> choose (16, 50)
             <*> choose (16, 50)
-            <*> choose (0, 3)
+            <*> elements rotations
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
 
@@ -87,7 +86,7 @@ simpler truth =
     (/= truth)
     [ truth {truthOrigin = (0, 0)},
       truth {truthRegion = region {regionRight = 0, regionDown = 0}},
-      truth {truthRegion = region {regionTurns = 0}}
+      truth {truthRegion = region {regionSymmetry = identity}}
     ]
   where
     region = truthRegion truth

@@ -1,6 +1,7 @@
 -- | The eight symmetries of the square: how a face, a patch or a symbol may be seen turned or
 -- mirrored. They are the dihedral group of order 8, with composition as '<>', and act on rows of
--- cells, on the shapes of rectangles and on the cells within them.
+-- cells, on the shapes of rectangles and on the cells within them, on places in images and on
+-- displacements.
 --
 -- The corners of a square with the letters a to d, clockwise from the upper left, and how they are
 -- seen:
@@ -17,6 +18,11 @@ module PraTactile.Symmetry
     turned,
     mirror,
     invert,
+    exchangesAxes,
+
+    -- * Turns in degrees
+    degreesClockwise,
+    turnedByDegrees,
 
     -- * Its elements
     rotations,
@@ -26,6 +32,8 @@ module PraTactile.Symmetry
     onRows,
     onShape,
     onPosition,
+    onPixel,
+    onOffset,
   )
 where
 
@@ -67,6 +75,27 @@ invert symmetry
   | mirrored symmetry = symmetry
   | otherwise = turned (negate (quarterTurns symmetry))
 
+-- | Whether rows are seen as columns and columns as rows.
+exchangesAxes :: Symmetry -> Bool
+exchangesAxes = odd . quarterTurns
+
+-- | By how many degrees clockwise something is turned, after being mirrored if it is: 0, 90, 180 or
+-- 270.
+degreesClockwise :: Num degrees => Symmetry -> degrees
+degreesClockwise symmetry = fromIntegral (90 * quarterTurns symmetry)
+
+-- | Turned clockwise by this many degrees, if they are a multiple of 90.
+--
+-- >>> quarterTurns <$> turnedByDegrees (-90)
+-- Just 3
+turnedByDegrees :: Double -> Maybe Symmetry
+turnedByDegrees degrees = case degrees - 360 * fromIntegral (floor (degrees / 360) :: Integer) of
+  0 -> Just identity
+  90 -> Just (turned 1)
+  180 -> Just (turned 2)
+  270 -> Just (turned 3)
+  _ -> Nothing
+
 -- | The four rotations of an object seen from outside, the identity first.
 rotations :: [Symmetry]
 rotations = map turned [0 .. 3]
@@ -90,7 +119,7 @@ onRows (Symmetry flipped turns) cells =
 -- >>> onShape (turned 1) (Shape 2 3)
 -- Shape {rows = 3, columns = 2}
 onShape :: Symmetry -> Shape -> Shape
-onShape symmetry (Shape h w) = if odd (quarterTurns symmetry) then Shape w h else Shape h w
+onShape symmetry (Shape h w) = if exchangesAxes symmetry then Shape w h else Shape h w
 
 -- | Where a cell of a rectangle of this shape is seen, in the rectangle of the shape that 'onShape'
 -- tells; for cells within it.
@@ -105,5 +134,33 @@ onPosition (Symmetry flipped turns) (Shape h w) (Position i j) = case turns of
   _ -> Position (w `less` j') i
   where
     j' = if flipped then w `less` j else j
-    -- As far from the last of so many as the index is from the first.
+    -- As far from the last of n as the index is from the first.
     less n k = if k < n then n - 1 - k else 0
+
+-- | Where a place of an image of this width and height is seen: to the right and down, both from 0
+-- at the centre of the upper left pixel.
+--
+-- >>> onPixel (turned 1) (3, 2) (2, 0)
+-- (1,2)
+onPixel :: Num a => Symmetry -> (a, a) -> (a, a) -> (a, a)
+onPixel (Symmetry flipped turns) (w, h) (x, y) = case turns of
+  0 -> (x', y)
+  1 -> (h - 1 - y, x')
+  2 -> (w - 1 - x', h - 1 - y)
+  _ -> (y, w - 1 - x')
+  where
+    x' = if flipped then w - 1 - x else x
+{-# INLINE onPixel #-}
+
+-- | How a displacement, to the right and down, is seen.
+--
+-- >>> onOffset (turned 1) (1, 0)
+-- (0,1)
+onOffset :: Num a => Symmetry -> (a, a) -> (a, a)
+onOffset (Symmetry flipped turns) (across, down) = case turns of
+  0 -> (across', down)
+  1 -> (negate down, across')
+  2 -> (negate across', negate down)
+  _ -> (down, negate across')
+  where
+    across' = if flipped then negate across else across

@@ -32,6 +32,7 @@ import PraTactile.Probe (Frame)
 import PraTactile.Probe.Sensor (HeightMap, Sensor)
 import PraTactile.Recognise
 import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
+import PraTactile.Symmetry (Symmetry)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)
 
@@ -43,28 +44,28 @@ data Trial = Trial
   }
 
 -- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of
--- the given ways (quarter turns clockwise); @Nothing@ if it does not fit.
-trial :: Sensor -> [Int] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trial sensor turns size (face, heights) generator = do
-  (region, generator1) <- randomRegion turns size face generator
+-- the given rotations; @Nothing@ if it does not fit.
+trial :: Sensor -> [Symmetry] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
+trial sensor possible size (face, heights) generator = do
+  (region, generator1) <- randomRegion possible size face generator
   (frames, _) <- either (const Nothing) Just (explore sensor heights region generator1)
   pure (Trial face region frames)
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
 -- one can be run alone.
-trials :: Sensor -> [Int] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trials sensor turns size faces seed =
-  zipWith (trial sensor turns size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+trials :: Sensor -> [Symmetry] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trials sensor possible size faces seed =
+  zipWith (trial sensor possible size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
--- | Whether so many 'trials' all find room on their faces; costs next to nothing beside running
+-- | Whether this many 'trials' all find room on their faces; costs next to nothing beside running
 -- them.
-fitting :: [Int] -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
-fitting turns size faces seed count = go count (cycle faces) (mkStdGen seed)
+fitting :: [Symmetry] -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
+fitting possible size faces seed count = go count (cycle faces) (mkStdGen seed)
   where
     go n (face : others) generator
       | n > 0 =
         let (own, next) = split generator
-         in isJust (randomRegion turns size face own) && go (n - 1) others next
+         in isJust (randomRegion possible size face own) && go (n - 1) others next
     go _ _ _ = True
 
 -- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
@@ -114,7 +115,7 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
               truth
               Claim
                 { claimFace = placeFace place,
-                  claimDegrees = orientationDegrees orientation,
+                  claimSymmetry = orientation,
                   claimPlace = spotMillimetres (placeCentre place),
                   claimSeenAt = compositePosition composite (windowSeenAt window)
                 }

@@ -10,7 +10,6 @@ module PraTactile.Explore
     randomRegion,
     standardRegionSize,
     halfTurns,
-    quarterTurns,
 
     -- * Pressing
     explore,
@@ -22,6 +21,7 @@ import PraTactile.Object.Placement (LaidFace (..), Spot (..))
 import PraTactile.Probe (Frame, Motion (..), ProbeError, planScan, taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap, Sensor, scan)
 import PraTactile.Random (uniform)
+import PraTactile.Symmetry
 import System.Random (RandomGen)
 
 -- | A rectangle of a face that the probe covers.
@@ -34,15 +34,15 @@ data Region = Region
     regionWidth :: !Int,
     -- | likewise
     regionHeight :: !Int,
-    -- | by how many quarter turns clockwise, 0 to 3, the face is turned in the robot's frame
-    regionTurns :: !Int
+    -- | the rotation of the face in the robot's frame
+    regionSymmetry :: !Symmetry
   }
   deriving stock (Eq, Show)
 
 -- | The region's width and height on the face, taxels.
 regionExtent :: Region -> (Int, Int)
 regionExtent region
-  | odd (regionTurns region) = (regionHeight region, regionWidth region)
+  | exchangesAxes (regionSymmetry region) = (regionHeight region, regionWidth region)
   | otherwise = (regionWidth region, regionHeight region)
 
 -- | The region's upper left corner on the face, in millimetres to the right of and below the face's
@@ -55,14 +55,14 @@ regionCorner region = (taxelPitch * regionRight region, taxelPitch * regionDown 
 regionMotion :: Region -> Motion
 regionMotion region =
   Motion
-    { motionRotation = 90 * fromIntegral ((4 - turns) `mod` 4),
+    { motionRotation = degreesClockwise (invert (regionSymmetry region)),
       motionX =
         taxelPitch * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
       motionY =
         taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
     }
   where
-    turns = regionTurns region `mod` 4
+    turns = quarterTurns (regionSymmetry region)
     (wide, high) = regionExtent region
 
 -- | 40 wide, 52 tall, in taxels: enough to hold a whole 2-by-2 window at every phase of the grid.
@@ -70,38 +70,34 @@ standardRegionSize :: (Int, Int)
 standardRegionSize = (40, 52)
 
 -- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face, turned by one of these numbers of quarter turns clockwise, all
--- equally likely; @Nothing@ if the face, so turned, is smaller than the region.
-randomRegion :: RandomGen g => [Int] -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
-randomRegion turns (width, height) face generator
+-- real-valued place on a face, seen in one of these rotations, all equally likely; @Nothing@ if the
+-- face, so turned, is smaller than the region.
+randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
+randomRegion possible (width, height) face generator
   | roomRight < 0 || roomDown < 0 = Nothing
-  | otherwise = Just (turned {regionRight = u * roomRight, regionDown = v * roomDown}, generator3)
+  | otherwise = Just (region {regionRight = u * roomRight, regionDown = v * roomDown}, generator3)
   where
-    turned =
+    region =
       Region
         { regionRight = 0,
           regionDown = 0,
           regionWidth = width,
           regionHeight = height,
-          regionTurns = drawn
+          regionSymmetry = drawn
         }
-    roomRight = room (spotRight (laidExtent face)) (fst (regionExtent turned))
-    roomDown = room (spotDown (laidExtent face)) (snd (regionExtent turned))
+    roomRight = room (spotRight (laidExtent face)) (fst (regionExtent region))
+    roomDown = room (spotDown (laidExtent face)) (snd (regionExtent region))
     room millimetres size = fromRational millimetres / taxelPitch - fromIntegral size :: Double
-    drawn = case drop (floor (w * fromIntegral (length turns))) turns of
-      turn : _ -> turn `mod` 4
-      [] -> 0
+    drawn = case drop (floor (w * fromIntegral (length possible))) possible of
+      symmetry : _ -> symmetry
+      [] -> identity
     (u, generator1) = uniform generator
     (v, generator2) = uniform generator1
     (w, generator3) = uniform generator2
 
 -- | A face that lies upright or turned by 180 degrees.
-halfTurns :: [Int]
-halfTurns = [2, 0]
-
--- | A face that lies in any of its four ways.
-quarterTurns :: [Int]
-quarterTurns = [0 .. 3]
+halfTurns :: [Symmetry]
+halfTurns = [turned 2, identity]
 
 -- | The distance of neighbouring presses: 8 taxels, half the sensor's width.
 frameSpacing :: Int

@@ -13,6 +13,7 @@ where
 import PraTactile.Explore
 import PraTactile.Object.Placement
 import PraTactile.Probe (movePoint)
+import PraTactile.Symmetry (Symmetry)
 
 -- | Where an exploration was.
 data Truth = Truth
@@ -33,8 +34,8 @@ truePlace truth (x, y) = movePoint (regionMotion (truthRegion truth)) (x - origi
 -- | What an answer says.
 data Claim = Claim
   { claimFace :: Face,
-    -- | how the face is turned in the robot's frame, clockwise
-    claimDegrees :: Int,
+    -- | the rotation of the face in the robot's frame
+    claimSymmetry :: Symmetry,
     -- | a point in millimetres right of and below the face's upper left vertex
     claimPlace :: (Double, Double),
     -- | the same point in the robot's coordinates, millimetres
@@ -48,7 +49,7 @@ data Difference
     OtherFace
   | -- | on the face, but turned otherwise
     OtherWayUp
-  | -- | so many millimetres away on the face, half a cell or more along one of its sides
+  | -- | this many millimetres away on the face, half a cell or more along one of its sides
     Elsewhere Double
   deriving stock (Eq, Show)
 
@@ -58,7 +59,7 @@ data Difference
 compared :: Pitch -> Truth -> Claim -> Either Difference Double
 compared pitch truth claim
   | claimFace claim /= truthFace truth = Left OtherFace
-  | claimDegrees claim /= 90 * (regionTurns (truthRegion truth) `mod` 4) = Left OtherWayUp
+  | claimSymmetry claim /= regionSymmetry (truthRegion truth) = Left OtherWayUp
   | abs dx < half pitchRight && abs dy < half pitchDown = Right distance
   | otherwise = Left (Elsewhere distance)
   where

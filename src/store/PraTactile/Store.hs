@@ -55,6 +55,8 @@ import PraTactile.Store.Error
 import PraTactile.Store.Guard
 import PraTactile.Store.Query
 import PraTactile.Store.Rows
+import PraTactile.Store.Rows.Read
+import PraTactile.Store.Rows.Write
 import PraTactile.Store.Schema (migrateAll, schemaVersion, tableColumns, textColumns)
 import PraTactile.Store.Target
 import System.Directory (doesDirectoryExist, doesPathExist, renameFile)
@@ -209,7 +211,7 @@ connection path =
     -- so that no file's name is one of SQLite's own: @:memory:@, @file:...@
     plain = if isRelative path then "." </> path else path
 
--- Whether the database can be told the file's name.
+-- Whether the database can be given the file's name.
 speakable :: FilePath -> Bool
 speakable path = Text.unpack (Text.pack path) == path && '\0' `notElem` path
 

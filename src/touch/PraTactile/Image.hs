@@ -24,11 +24,7 @@ module PraTactile.Image
 
     -- * Parts and symmetries
     crop,
-    halfTurn,
-    quarterTurn,
-    mirrorColumns,
-    mirrorRows,
-    transposed,
+    onRaster,
 
     -- * Value by value
     mapRaster,
@@ -48,6 +44,7 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image.Error (ImageError (..))
+import PraTactile.Symmetry
 
 -- | An image: its width, its height, and its values row by row. There are always width times height
 -- of them.
@@ -136,10 +133,9 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
     i = truncate t' :: Int
 {-# INLINE bracket #-}
 
--- Note [Bounds] ~~~~~~~~~~~~~ 'bracket' clamps the place to [0, n - 1] before it takes its integer
--- part, so both its indices lie in [0, n
--- - 1]; the constructor is hidden and every function here keeps width * height values; so r * w + x
--- is an index of the vector.
+{- Note [Bounds] 'bracket' clamps the place to [0, n - 1] before it takes its integer part, so both
+   its indices lie in [0, n - 1]; the constructor is hidden and every function here keeps width *
+   height values; so r * w + x is an index of the vector. -}
 
 -- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage')
 -- what is not wholly in the image.
@@ -149,28 +145,16 @@ crop x y cw ch image@(Raster w h _)
     Left (OutsideImage (x, y, cw, ch) (w, h))
   | otherwise = Right (rearranged cw ch (\i j -> (x + i, y + j)) image)
 
--- | Turned by 180 degrees.
-halfTurn :: Raster -> Raster
-halfTurn (Raster w h v) = Raster w h (V.reverse v)
-
--- | Turned clockwise by 90 degrees.
+-- | The image as it is seen turned or mirrored.
 --
--- >>> toRows . quarterTurn <$> fromRows [[1, 2], [3, 4]]
+-- >>> toRows . onRaster (turned 1) <$> fromRows [[1, 2], [3, 4]]
 -- Right [[3.0,1.0],[4.0,2.0]]
-quarterTurn :: Raster -> Raster
-quarterTurn image@(Raster w h _) = rearranged h w (\x y -> (y, h - 1 - x)) image
-
--- | Left and right exchanged.
-mirrorColumns :: Raster -> Raster
-mirrorColumns image@(Raster w h _) = rearranged w h (\x y -> (w - 1 - x, y)) image
-
--- | Top and bottom exchanged.
-mirrorRows :: Raster -> Raster
-mirrorRows image@(Raster w h _) = rearranged w h (\x y -> (x, h - 1 - y)) image
-
--- | Rows and columns exchanged.
-transposed :: Raster -> Raster
-transposed image@(Raster w h _) = rearranged h w (\x y -> (y, x)) image
+onRaster :: Symmetry -> Raster -> Raster
+onRaster symmetry image@(Raster w h v)
+  | symmetry == identity = image
+  | symmetry == turned 2 = Raster w h (V.reverse v)
+  | exchangesAxes symmetry = rearranged h w (curry (onPixel (invert symmetry) (h, w))) image
+  | otherwise = rearranged w h (curry (onPixel (invert symmetry) (w, h))) image
 
 -- | A raster of another size that takes each pixel from the place the function names; 0 where there
 -- is none.

@@ -11,8 +11,8 @@ module PraTactile.Segment
     Cause (..),
 
     -- * On the side
-    counterclockwise,
-    turnedBack,
+    onComposite,
+    segmentAlong,
 
     -- * Parts of symbols
     Part (..),
@@ -31,9 +31,8 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image
   ( Raster,
     generate,
-    halfTurn,
     index,
-    quarterTurn,
+    onRaster,
     rasterHeight,
     rasterValues,
     rasterWidth,
@@ -45,6 +44,7 @@ import PraTactile.Segment.Component (Pixel, components)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, threshold)
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import PraTactile.Stitch.Composite (Composite (..))
+import PraTactile.Symmetry
 
 -- | One symbol found in a composite.
 data SymbolImage = SymbolImage
@@ -108,16 +108,13 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
           Just c <- [Map.lookup (x + 1, y) touched]
       ]
 
--- | The composite turned by 90 degrees counterclockwise: what pointed down points right. A pixel at
--- x, y comes from width - 1 - y, x; the origin is left as it was.
-counterclockwise :: Composite -> Composite
-counterclockwise composite =
+-- | The composite as it is seen turned or mirrored; its origin is left as it was.
+onComposite :: Symmetry -> Composite -> Composite
+onComposite symmetry composite =
   composite
-    { compositeImage = turned (compositeImage composite),
-      compositeCoverage = turned (compositeCoverage composite)
+    { compositeImage = onRaster symmetry (compositeImage composite),
+      compositeCoverage = onRaster symmetry (compositeCoverage composite)
     }
-  where
-    turned = quarterTurn . halfTurn
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double
@@ -139,19 +136,27 @@ blended (Composite image coverage _ _) =
     id
     (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
 
--- | The segmentation of a composite, from that of the composite turned 'counterclockwise': symbols
--- that lie on their side, turned by 90 degrees or by 270. Centres and boxes are in the composite's
--- pixels; the symbols' axis is 90, and their images and sizes are as seen along that axis.
-turnedBack :: Composite -> Segmentation -> Segmentation
-turnedBack composite found =
-  found
-    { segmentedSymbols = map symbolBack (segmentedSymbols found),
-      segmentedRejects = map boxBack (segmentedRejects found)
-    }
+-- | The segmentation of a composite along an axis: of symbols that are turned so, or by 180 degrees
+-- more. It is also given for the composite turned upright, in the pixels of that. Centres and boxes
+-- are in the composite's pixels; images and sizes are as seen along the axis.
+segmentAlong :: Symmetry -> Composite -> (Composite, Segmentation, Segmentation)
+segmentAlong axis composite = (upright, found, back)
   where
-    right = fromIntegral (rasterWidth (compositeImage composite)) - 1
-    symbolBack s = let (x, y) = symbolCentre s in s {symbolCentre = (right - y, x), symbolAxis = 90}
-    boxBack (Reject (l, t, r, b) why) = Reject (right - b, l, right - t, r) why
+    upright = onComposite (invert axis) composite
+    found = segment upright
+    back =
+      found
+        { segmentedSymbols = map symbolBack (segmentedSymbols found),
+          segmentedRejects = map boxBack (segmentedRejects found)
+        }
+    pixelBack = onPixel axis (size rasterWidth, size rasterHeight)
+    size side = fromIntegral (side (compositeImage upright))
+    symbolBack s =
+      s {symbolCentre = pixelBack (symbolCentre s), symbolAxis = degreesClockwise axis}
+    boxBack (Reject (l, t, r, b) why) =
+      let (x, y) = pixelBack (l, t)
+          (x', y') = pixelBack (r, b)
+       in Reject (min x x', min y y', max x x', max y y') why
 
 -- | What was touched of a place where a symbol is expected.
 data Part = Part
@@ -185,7 +190,7 @@ partAt composite found = look
         pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
         seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
 
--- | The fewest taxels of a symbol's 96 that are worth a look.
+-- | The fewest taxels of a symbol's 96 that are looked at.
 leastSeen :: Int
 leastSeen = 16
 
@@ -236,7 +241,7 @@ within (Extent from to) = atMost . atLeast
 leastCoverage :: Double
 leastCoverage = 0.4
 
--- | Fewer pixels than this are not worth a mention: noise.
+-- | Fewer pixels than this are noise.
 leastPixels :: Int
 leastPixels = 4
 

@@ -17,9 +17,6 @@ module PraTactile.Shape
     symbolHeight,
 
     -- * Symmetries
-    Symmetry (..),
-    symmetries,
-    transformedRows,
     halfTurned,
     mirroredColumns,
     mirroredRows,
@@ -49,22 +46,23 @@ import Control.Monad (zipWithM_)
 import Data.Bits (popCount, setBit, testBit)
 import Data.Char (isSpace)
 import Data.FileEmbed (embedFile)
-import Data.List (foldl', transpose)
+import Data.List (foldl')
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate)
+import PraTactile.Symmetry
 
 -- | Why a bitmap, an alphabet, its drawing file or a design is refused.
 data ShapeError
-  = -- | A bitmap must have 12 rows; this one has so many.
+  = -- | A bitmap must have 12 rows; this one has this many.
     WrongRowCount Int
-  | -- | A row (counted from 0) must be 8 taxels wide; this one has so many.
+  | -- | A row (counted from 0) must be 8 taxels wide; this one has this many.
     WrongRowWidth Int Int
   | -- | An alphabet has at least one shape.
     EmptyAlphabet
-  | -- | A shape without any embossed taxel could not be told from a face without symbols.
+  | -- | A shape without any embossed taxel could not be distinguished from a face without symbols.
     BlankShape Text
   | -- | Two shapes have the same name.
     RepeatedName Text
@@ -72,7 +70,7 @@ data ShapeError
     RepeatedShape Text Text
   | -- | A name must be printable without spaces at either end, and not empty.
     BadName Text
-  | -- | There is no such class in an alphabet of so many.
+  | -- | There is no such class in an alphabet of this many.
     UnknownClass Int Int
   | -- | The line of the drawing file (counted from 1) is neither a row of @#@ and @.@, nor @symbol
     -- NAME@, nor a comment, nor empty.
@@ -134,51 +132,21 @@ area (Bitmap bits) = popCount bits
 toRaster :: Bitmap -> Raster
 toRaster b = generate symbolWidth symbolHeight (\x y -> if embossedAt b x y then 1 else 0)
 
--- | The eight symmetries of the square, about the box's centre. Turns are clockwise.
-data Symmetry
-  = Identity
-  | HalfTurn
-  | QuarterTurn
-  | ThreeQuarterTurn
-  | -- | Left and right exchanged.
-    MirrorColumns
-  | -- | Top and bottom exchanged.
-    MirrorRows
-  | -- | Rows and columns exchanged.
-    MirrorDiagonal
-  | -- | Rows and columns exchanged, then a half turn.
-    MirrorAntidiagonal
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
-
--- | All eight, 'Identity' first.
-symmetries :: [Symmetry]
-symmetries = [minBound .. maxBound]
-
--- | The rows of the transformed shape: 12 of 8, or 8 of 12 when rows and columns are exchanged.
-transformedRows :: Symmetry -> Bitmap -> [[Bool]]
-transformedRows symmetry = move . bitmapRows
-  where
-    move = case symmetry of
-      Identity -> id
-      HalfTurn -> reverse . map reverse
-      QuarterTurn -> map reverse . transpose
-      ThreeQuarterTurn -> reverse . transpose
-      MirrorColumns -> map reverse
-      MirrorRows -> reverse
-      MirrorDiagonal -> transpose
-      MirrorAntidiagonal -> reverse . map reverse . transpose
-
 -- | Turned by 180 degrees.
 halfTurned :: Bitmap -> Bitmap
-halfTurned = fromRows . transformedRows HalfTurn
+halfTurned = seenAs (turned 2)
 
 -- | Left and right exchanged.
 mirroredColumns :: Bitmap -> Bitmap
-mirroredColumns = fromRows . transformedRows MirrorColumns
+mirroredColumns = seenAs mirror
 
 -- | Top and bottom exchanged.
 mirroredRows :: Bitmap -> Bitmap
-mirroredRows = fromRows . transformedRows MirrorRows
+mirroredRows = seenAs (turned 2 <> mirror)
+
+-- | Turned or mirrored; the callers exchange no axes.
+seenAs :: Symmetry -> Bitmap -> Bitmap
+seenAs symmetry = fromRows . onRows symmetry . bitmapRows
 
 -- | The callers hold 12 rows of 8.
 fromRows :: [[Bool]] -> Bitmap

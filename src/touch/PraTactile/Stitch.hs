@@ -24,8 +24,7 @@ import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
   ( Raster,
-    halfTurn,
-    quarterTurn,
+    onRaster,
     rasterHeight,
     rasterValues,
     rasterWidth,
@@ -36,6 +35,7 @@ import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
+import PraTactile.Symmetry
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
 data StitchError
@@ -138,14 +138,10 @@ upright :: Int -> Frame -> Either StitchError (Place, Raster)
 upright i (Frame (Pose x y r) _ image)
   | width /= sensorSide || height /= sensorSide = Left (FrameSize i width height)
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
-  | otherwise = (,) (x - half, y - half) <$> turned
+  | otherwise = case turnedByDegrees r of
+    Just symmetry -> Right ((x - half, y - half), onRaster symmetry image)
+    Nothing -> Left (FrameRotation i r)
   where
     (width, height) = (rasterWidth image, rasterHeight image)
     half = taxelPitch * fromIntegral (sensorSide - 1) / 2
     finite v = not (isNaN v || isInfinite v)
-    turned = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
-      0 -> Right image
-      90 -> Right (quarterTurn image)
-      180 -> Right (halfTurn image)
-      270 -> Right (quarterTurn (halfTurn image))
-      _ -> Left (FrameRotation i r)

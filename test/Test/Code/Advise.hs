@@ -21,31 +21,28 @@ import Test.Hspec
 spec :: Spec
 spec = do
   describe "15 x 273 over GF(4) with 2 x 3 windows" $ do
-    it
-      "is not coprime; instead 63 x 65 with 3 x 2, row by row with 2 x 3, or three arrays of 15 x \
-      \91 with 2 x 3"
-      $ do
-        advice <- asked 4 15 273 (Just (Shape 2 3))
-        let seen =
-              [ ( n1,
-                  n2,
-                  g,
-                  [ (optionLayout o, optionShape o, map fitWindow (take 1 (optionFits o)))
-                    | o <- instead
-                  ]
-                )
-                | SidesShareDivisor 6 n1 n2 g instead <- adviceObstacles advice
-              ]
-        seen
-          `shouldBe` [ ( 15,
-                         273,
-                         3,
-                         [ (Single Diagonal, Shape 63 65, [Shape 3 2]),
-                           (Single RowMajor, Shape 15 273, [Shape 2 3]),
-                           (Joint 3, Shape 15 91, [Shape 2 3])
-                         ]
-                       )
-                     ]
+    it "is not coprime; instead 63 x 65, row by row, or three arrays of 15 x 91" $ do
+      advice <- asked 4 15 273 (Just (Shape 2 3))
+      let seen =
+            [ ( n1,
+                n2,
+                g,
+                [ (optionLayout o, optionShape o, map fitWindow (take 1 (optionFits o)))
+                  | o <- instead
+                ]
+              )
+              | SidesShareDivisor 6 n1 n2 g instead <- adviceObstacles advice
+            ]
+      seen
+        `shouldBe` [ ( 15,
+                       273,
+                       3,
+                       [ (Single Diagonal, Shape 63 65, [Shape 3 2]),
+                         (Single RowMajor, Shape 15 273, [Shape 2 3]),
+                         (Joint 3, Shape 15 91, [Shape 2 3])
+                       ]
+                     )
+                   ]
     it "is possible row by row, and only so" $ do
       advice <- asked 4 15 273 (Just (Shape 2 3))
       [(optionLayout o, optionShape o) | o <- adviceOptions advice]
@@ -55,20 +52,15 @@ spec = do
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]
       `shouldBe` [(Single Diagonal, Shape 15 17, [Fit (Shape 2 2) True [3, 2, 1, 0, 1]])]
     adviceObstacles advice `shouldBe` []
-  it
-    "30 x 40 over GF(4): degree 6, every factor pair of 4095 in range, and 39 x 105 on the torus \
-    \is not possible"
-    $ do
-      advice <- asked 4 30 40 Nothing
-      let at layout = [optionShape o | o <- adviceOptions advice, optionLayout o == layout]
-          inRange = [Shape a (4095 `div` a) | a <- [30 .. 102], 4095 `mod` a == 0]
-      at (Single RowMajor) `shouldBe` inRange
-      at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
-      [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
-  it
-    "the windows said to work for every polynomial do, and those for one do for that one: by \
-    \visiting"
-    $ forM_ requests $ \(q, high, wide, window) -> do
+  it "30 x 40 over GF(4): degree 6, every factor pair in range, 39 x 105 impossible" $ do
+    advice <- asked 4 30 40 Nothing
+    let at layout = [optionShape o | o <- adviceOptions advice, optionLayout o == layout]
+        inRange = [Shape a (4095 `div` a) | a <- [30 .. 102], 4095 `mod` a == 0]
+    at (Single RowMajor) `shouldBe` inRange
+    at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
+    [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
+  it "the windows said to work for every polynomial do, and those for one, by visiting" $
+    forM_ requests $ \(q, high, wide, window) -> do
       advice <- asked q high wide window
       forM_
         ( adviceOptions advice
@@ -95,17 +87,15 @@ spec = do
   it "the degree of an element of order m over GF(q) is the least d with m dividing q^d - 1" $
     [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]]
       `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
-  it
-    "sure windows have rank n for every primitive polynomial, every shape and every layout: q^n \
-    \<= 1024"
-    $ forM_
+  it "sure windows have rank n for every polynomial, shape and layout: q^n <= 1024" $
+    forM_
       ( [(2, n) | n <- [2 .. 10]]
           ++ [(3, n) | n <- [2 .. 6]]
           ++ [(4, n) | n <- [2 .. 5]]
           ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3)]
           ++ [(9, 2), (9, 3), (16, 2), (25, 2)]
       )
-      $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+      $ \(q, n) -> overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
         let terms = fromIntegral q ^ n - 1 :: Natural
             ds = [d | d <- [1 .. terms], terms `mod` d == 0]
@@ -170,7 +160,7 @@ asked q high wide window = right (advise (Request q high wide window))
 
 -- | Visit the windows of the arrays of an option.
 proves :: Int -> Option -> Fit -> Expectation
-proves q option claim = forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+proves q option claim = overField q $ \(_ :: Proxy k) -> do
   window <- right (rectangle (fitWindow claim))
   stated <- right (elementsFromCodes (fitPolynomial claim)) >>= right . checkPrimitive . polynomial
   others <-

@@ -15,21 +15,22 @@ import PraTactile.Polynomial
 import PraTactile.Sequence
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
   describe "the paper's array" $ do
     it "is the diagonal fold: a[i mod 15][i mod 17] = s(i)" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       array <- right (folded Diagonal (Shape 15 17) h)
       [cellAt array (Position (i `mod` 15) (i `mod` 17)) | i <- [0 .. 254]]
         `shouldBe` take 255 (mSequence h (canonicalState h))
     it "has the window [[A^2, A], [A^2, 1]] of the worked example at (6, 5)" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       [toCode (cellAt array (Position r c)) | r <- [6, 7], c <- [5, 6]] `shouldBe` [3, 2, 3, 1]
     it "continues at its edges as a torus" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       let failing =
             [ ()
               | r <- [0 .. 14],
@@ -60,7 +61,7 @@ spec = do
           (RowMajor, Shape 255 1)
         ]
         $ \(folding, shape) -> do
-          array <- right paperPrimitive >>= right . folded folding shape
+          array <- paperPrimitive >>= right . folded folding shape
           cells <- right (toRows array)
           grid <- right (toGrid array)
           gridShape grid `shouldBe` shape
@@ -70,40 +71,36 @@ spec = do
             `shouldBe` [ [cellAt array (Position r c) | c <- [0 .. columns shape - 1]]
                          | r <- [0 .. rows shape - 1]
                        ]
-    it
-      "row-major, a[r][c] = s(n2 r + c), one past the last column being the next row's column 0"
-      $ do
-        h <- right paperPrimitive
-        array <- right (folded RowMajor (Shape 15 17) h)
-        [cellAt array (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
-          `shouldBe` take 255 (mSequence h (canonicalState h))
-        let offending =
-              [ ()
-                | r <- [0 .. 14],
-                  c <- [0 .. 16],
-                  cellAt array (Position r (c + 17)) /= cellAt array (Position (r + 1) c)
-              ]
-        offending `shouldBe` []
+    it "row-major, a[r][c] = s(n2 r + c); past the last column comes the next row" $ do
+      h <- paperPrimitive
+      array <- right (folded RowMajor (Shape 15 17) h)
+      [cellAt array (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
+        `shouldBe` take 255 (mSequence h (canonicalState h))
+      let offending =
+            [ ()
+              | r <- [0 .. 14],
+                c <- [0 .. 16],
+                cellAt array (Position r (c + 17)) /= cellAt array (Position (r + 1) c)
+            ]
+      offending `shouldBe` []
     it "positionOfIndex and sequenceIndex are inverse, for both foldings" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       forM_ [Diagonal, RowMajor] $ \folding -> do
         array <- right (folded folding (Shape 15 17) h)
         [sequenceIndex array (positionOfIndex array i) | i <- [0 .. 254]] `shouldBe` [0 .. 254]
     it "starts from any state" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       state <- right (initialState h [2, 0, 3, 1])
       array <- right (fold Diagonal (Shape 15 17) h state)
       [cellAt array (positionOfIndex array i) | i <- [0 .. 254]]
         `shouldBe` take 255 (mSequence h state)
-    it
-      "refuses the paper's larger example, 15 x 273: gcd 3, of 4095 cells the fold reaches 1365"
-      $ do
-        h <- right (firstPrimitive 6 :: Either PolynomialError (Primitive GF4))
-        (() <$ folded Diagonal (Shape 15 273) h) `shouldBe` Left (NotCoprime 15 273 3)
-        Set.size (Set.fromList [(i `mod` 15, i `mod` 273) | i <- [0 .. 4094 :: Int]])
-          `shouldBe` 1365
-        isRight (folded RowMajor (Shape 15 273) h) `shouldBe` True
-        isRight (folded Diagonal (Shape 63 65) h) `shouldBe` True
+    it "refuses the paper's 15 x 273: gcd 3, of 4095 cells the fold reaches 1365" $ do
+      h <- firstOver gf4 6
+      (() <$ folded Diagonal (Shape 15 273) h) `shouldBe` Left (NotCoprime 15 273 3)
+      Set.size (Set.fromList [(i `mod` 15, i `mod` 273) | i <- [0 .. 4094 :: Int]])
+        `shouldBe` 1365
+      isRight (folded RowMajor (Shape 15 273) h) `shouldBe` True
+      isRight (folded Diagonal (Shape 63 65) h) `shouldBe` True
     it "on the diagonal succeeds exactly where gcd (q^k1 - 1, k2) = 1" $
       forM_
         [ (2, 4, 2),
@@ -121,13 +118,13 @@ spec = do
           (5, 1, 3),
           (9, 1, 2)
         ]
-        $ \(q, k1, k2) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+        $ \(q, k1, k2) -> overField q $ \k -> do
           h <- firstOver k (k1 * k2)
           let n1 = fromIntegral q ^ k1 - 1
               shape = Shape n1 ((fromIntegral q ^ (k1 * k2) - 1) `div` n1)
           (q, k1, k2, isRight (folded Diagonal shape h)) `shouldBe` (q, k1, k2, gcd n1 k2 == 1)
     it "refuses shapes that do not have q^n - 1 cells, empty ones among them" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       forM_
         [ (Diagonal, Shape 15 16),
           (RowMajor, Shape 16 16),
@@ -139,7 +136,7 @@ spec = do
           (() <$ folded folding shape h) `shouldBe` Left (WrongArea shape 255)
   describe "arrays of any size" $ do
     it "tell their cells without being held in memory, and refuse to be held" $ do
-      h <- right (firstPrimitive 18 :: Either PolynomialError (Primitive GF4))
+      h <- firstOver gf4 18
       let shape = Shape (4 ^ (9 :: Int) - 1) (4 ^ (9 :: Int) + 1)
       array <- right (folded Diagonal shape h)
       let s = mSequence h (canonicalState h)
@@ -171,10 +168,8 @@ gridSpec = do
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2]) `shouldBe` Left (GridCells 3)
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2, 4])
       `shouldBe` Left (GridCode (Position 1 1) 4)
-  it
-    "canonicalPosition on the torus is the remainder by the sides; on the twisted one the \
-    \remainder of the index"
-    $ property $ \r c -> forAll (choose (1, 9)) $ \h -> forAll (choose (1, 9)) $ \w ->
+  it "canonicalPosition is a remainder by the sides, or on the twisted torus of the index" $
+    property $ \r c -> forAll (choose (1, 9)) $ \h -> forAll (choose (1, 9)) $ \w ->
       let shape = Shape (fromInteger h) (fromInteger w)
           position i j = Just (Position (fromInteger i) (fromInteger j))
           (r', c') = ((r * w + c) `mod` (h * w)) `divMod` w

@@ -3,7 +3,6 @@ module Test.Code.ArrayCode (spec) where
 
 import Control.Monad (forM_)
 import qualified Data.Set as Set
-import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.ArrayCode
 import PraTactile.ArrayCode.Proof
@@ -15,6 +14,7 @@ import PraTactile.Sequence
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -60,12 +60,12 @@ spec = do
         (9, 2, Shape 5 8),
         (2, 12, Shape 1 455)
       ]
-      $ \(q, n, shape) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+      $ \(q, n, shape) -> overField q $ \k -> do
         h <- firstOver k n
         code <- coded shape h
         let g = codeArrays code
             s = mSequence h (canonicalState h)
-            cellsOf j =
+            contents j =
               [ codeCellAt code (Place j (Position (i `mod` rows shape) (i `mod` columns shape)))
                 | i <- [0 .. area shape - 1]
               ]
@@ -73,7 +73,7 @@ spec = do
             every _ [] = []
         g * area shape `shouldBe` period h
         forM_ [0 .. g - 1] $ \j -> do
-          cellsOf j
+          contents j
             `shouldBe` take
               (fromIntegral (area shape))
               (every (fromIntegral g) (drop (fromIntegral j) s))
@@ -90,7 +90,7 @@ spec = do
     forM_
       [(2, 4), (2, 6), (2, 8), (3, 4), (4, 2), (4, 3), (4, 4), (5, 2), (7, 2), (16, 2)]
       $ \(q, n) ->
-        forM_ (lookup q everyField) $ \(SomeField k) -> do
+        overField q $ \k -> do
           h <- firstOver k n
           forM_
             [ Shape a b
@@ -108,7 +108,7 @@ spec = do
                 codeVisited verdict
                   `shouldBe` Just (fromIntegral (Set.size (Set.fromList (contentsOf code window))))
   it "with one array is that array" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     code <- coded (Shape 15 17) h
     array <- right (folded Diagonal (Shape 15 17) h)
     codeArrays code `shouldBe` 1
@@ -130,14 +130,10 @@ coded shape h = right (foldCode shape h (canonicalState h))
 -- | The contents of all windows of all arrays.
 contentsOf :: ArrayCode k -> Mask -> [[Int]]
 contentsOf code window =
-  [ contentAt code window (Place j (Position r c))
+  [ contentAt code window (Place j p)
     | j <- below (codeArrays code),
-      r <- below (rows (codeShape code)),
-      c <- below (columns (codeShape code))
+      p <- cellsOf (codeShape code)
   ]
-  where
-    below :: Natural -> [Natural]
-    below m = takeWhile (< m) [0 ..]
 
 contentAt :: ArrayCode k -> Mask -> Place -> [Int]
 contentAt code window (Place j (Position r c)) =

@@ -3,7 +3,6 @@ module Test.Code.Census (spec) where
 
 import Control.Monad (forM_)
 import Data.List (nub, sort, sortOn)
-import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census
@@ -26,46 +25,38 @@ spec = do
       map entryNumber entries `shouldBe` takeWhile (< size) [0 ..]
       let keys = [(entryPolynomial e, entryFolding e, entryShape e, entryWindow e) | e <- entries]
       length (nub (sort keys)) `shouldBe` length keys
-  it
-    "of quartics over GF(4): 32 polynomials; along the diagonal the shapes with coprime sides, \
-    \row by row all"
-    $ do
-      scope <- right (standardScope 4 4)
-      entries <- right (census (const True) scope)
-      quartics <- right (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4])
-      nub (map entryPolynomial entries)
-        `shouldBe` map (map (fromIntegral . toCode) . coefficients . primitivePolynomial) quartics
-      let shapes folding = nub [rows (entryShape e) | e <- entries, entryFolding e == folding]
-          divisorsOf255 = [d | d <- [1 .. 255], 255 `mod` d == 0]
-      shapes Diagonal `shouldBe` [d | d <- divisorsOf255, gcd d (255 `div` d) == 1]
-      shapes RowMajor `shouldBe` divisorsOf255
-  it
-    "knows the paper's array: 2 x 2 windows are distinct at distance 1, 2 x 3 and 3 x 2 at \
-    \distance 2, for all 32 polynomials"
-    $ do
-      scope <- right (standardScope 4 4)
-      entries <-
-        right
-          ( census
-              (const True)
-              scope
-                { scopeFoldings = [Diagonal],
-                  scopeWindows = [Shape 2 2, Shape 2 3, Shape 3 2]
-                }
-          )
-      let found window =
-            [ (fmap proved (entryVerdict e), fmap distance (entryDistance e))
-              | e <- entries,
-                entryShape e == Shape 15 17,
-                entryWindow e == window
-            ]
-      found (Shape 2 2) `shouldBe` replicate 32 (Right True, Right 1)
-      take 1 (found (Shape 2 3)) `shouldBe` [(Right True, Right 2)]
-      take 1 (found (Shape 3 2)) `shouldBe` [(Right True, Right 2)]
-  it
-    "finds the windows distinct exactly where the distance is not 0, and both roads to agree \
-    \everywhere"
-    $ forM_ [(2, 6), (3, 4), (4, 3), (5, 2), (8, 2)] $ \(q, n) -> do
+  it "of quartics over GF(4): 32 polynomials, coprime sides, row by row all shapes" $ do
+    scope <- right (standardScope 4 4)
+    entries <- right (census (const True) scope)
+    quartics <- right (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4])
+    nub (map entryPolynomial entries)
+      `shouldBe` map (map (fromIntegral . toCode) . coefficients . primitivePolynomial) quartics
+    let shapes folding = nub [rows (entryShape e) | e <- entries, entryFolding e == folding]
+        divisorsOf255 = [d | d <- [1 .. 255], 255 `mod` d == 0]
+    shapes Diagonal `shouldBe` [d | d <- divisorsOf255, gcd d (255 `div` d) == 1]
+    shapes RowMajor `shouldBe` divisorsOf255
+  it "knows the paper's array: distance 1 of 2 x 2, 2 of 2 x 3 and 3 x 2 windows" $ do
+    scope <- right (standardScope 4 4)
+    entries <-
+      right
+        ( census
+            (const True)
+            scope
+              { scopeFoldings = [Diagonal],
+                scopeWindows = [Shape 2 2, Shape 2 3, Shape 3 2]
+              }
+        )
+    let found window =
+          [ (fmap proved (entryVerdict e), fmap distance (entryDistance e))
+            | e <- entries,
+              entryShape e == Shape 15 17,
+              entryWindow e == window
+          ]
+    found (Shape 2 2) `shouldBe` replicate 32 (Right True, Right 1)
+    take 1 (found (Shape 2 3)) `shouldBe` [(Right True, Right 2)]
+    take 1 (found (Shape 3 2)) `shouldBe` [(Right True, Right 2)]
+  it "finds windows distinct exactly where the distance is not 0; the methods agree" $
+    forM_ [(2, 6), (3, 4), (4, 3), (5, 2), (8, 2)] $ \(q, n) -> do
       scope <- right (standardScope q n)
       entries <- right (census (const True) scope)
       forM_ entries $ \e -> do
@@ -107,4 +98,4 @@ spec = do
             scope {scopeWindows = [Shape 2 2]}
           ]
     length (nub (map scopeText others)) `shouldBe` length others
-    countPrimitive (Proxy :: Proxy GF4) 4 `shouldBe` Right 32
+    countPrimitive gf4 4 `shouldBe` Right 32

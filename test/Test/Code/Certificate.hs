@@ -17,6 +17,7 @@ import PraTactile.Profile
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -29,22 +30,20 @@ spec = do
         `shouldBe` "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"
       sha256 (Bytes.replicate 1000000 97)
         `shouldBe` "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0"
-    it
-      "the digest of windows is that of their positions, eight bytes each, by increasing content"
-      $ do
-        -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
-        h <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF2))
-        array <- right (folded RowMajor (Shape 1 3) h)
-        grid <- right (toGrid array)
-        m <- right (rectangle (Shape 1 2))
-        toRows array `shouldBe` Right [[0, 1, 1]]
-        digestOfWindows MostSignificantFirst Sheet grid m
-          `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [0, 1])))
-        digestOfWindows LeastSignificantFirst Torus grid m
-          -- 01, 11 and 10, read backwards: 2, 3 and 1.
-          `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
+    it "the digest of windows is that of their positions by content, eight bytes each" $ do
+      -- The windows of 0 1 1 on the sheet, two cells each: 01 at 0, 11 at 1.
+      h <- firstOver gf2 2
+      array <- right (folded RowMajor (Shape 1 3) h)
+      grid <- right (toGrid array)
+      m <- right (rectangle (Shape 1 2))
+      toRows array `shouldBe` Right [[0, 1, 1]]
+      digestOfWindows MostSignificantFirst Sheet grid m
+        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [0, 1])))
+      digestOfWindows LeastSignificantFirst Torus grid m
+        -- 01, 11 and 10, read backwards: 2, 3 and 1.
+        `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
     it "there is none of windows that repeat" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       grid <- right (toGrid array)
       m <- right (rectangle (Shape 1 2))
       digestOfWindows MostSignificantFirst Torus grid m `shouldBe` Nothing
@@ -61,10 +60,8 @@ spec = do
       (checkCertificate c, certificateWindows c, isRank c) `shouldBe` (Right (), 32, False)
       certified RankMethod sheet m >>= (`shouldSatisfy` isLeft)
       certified AnyMethod canonicalProfile m >>= (`shouldSatisfy` isLeft)
-    it
-      "row by row on the twisted torus, with the reciprocal reading, other packing, other states, \
-      \other fields"
-      $ forM_
+    it "of other foldings, readings, packings, states and fields" $
+      forM_
         [ canonicalProfile
             { profileFolding = RowMajor,
               profileSurface = TwistedTorus,
@@ -210,18 +207,16 @@ spec = do
           }
         `shouldBe` Left RepeatedFault
   describe "a polynomial that is not primitive" $
-    it
-      "is not accepted in the place of one: the 28 irreducible quartics over GF(4) that are not"
-      $ do
-        c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
-        let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
-        length irreducible `shouldBe` 28
-        forM_ irreducible $ \codes ->
-          checkCertificate
-            c
-              { certificateProfile = (certificateProfile c) {profilePolynomial = codes}
-              }
-            `shouldSatisfy` isLeft
+    it "is not accepted: the 28 irreducible quartics over GF(4) that are not" $ do
+      c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))
+      let irreducible = [codes | codes <- quartics, isIrreducible' codes, notPrimitive codes]
+      length irreducible `shouldBe` 28
+      forM_ irreducible $ \codes ->
+        checkCertificate
+          c
+            { certificateProfile = (certificateProfile c) {profilePolynomial = codes}
+            }
+          `shouldSatisfy` isLeft
   where
     mapFirst change list = map change (take 1 list) ++ drop 1 list
     quartics =
@@ -231,11 +226,7 @@ spec = do
     notPrimitive = maybe False (isLeft . checkPrimitive) . over
     isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
 
-certified ::
-  Method ->
-  Profile ->
-  Either WindowError Mask ->
-  IO (Either CertificateError Certificate)
+certified :: Method -> Profile -> Either WindowError Mask -> IO (Either CertificateError Certificate)
 certified road profile window = certify road profile <$> right window
 
 made :: Method -> Profile -> Either WindowError Mask -> IO Certificate

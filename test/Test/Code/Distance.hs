@@ -5,16 +5,17 @@ import Control.Monad (forM_)
 import Data.List (nub, subsequences)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
+import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Polynomial
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck
 
 spec :: Spec
@@ -31,7 +32,7 @@ spec = do
       paper <- paperArray
       every <- right (rectangle (Shape 15 17))
       fmap distance (minimumDistance paper every) `shouldBe` Right (4 ^ (4 :: Int) - 4 ^ (3 :: Int))
-      h <- right (firstPrimitive 3 :: Either PolynomialError (Primitive GF9))
+      h <- firstOver (Proxy :: Proxy GF9) 3
       array <- right (folded Diagonal (Shape 8 91) h)
       every' <- right (rectangle (Shape 8 91))
       fmap distance (minimumDistance array every')
@@ -40,21 +41,19 @@ spec = do
       array <- paperArray
       m <- right (rectangle (Shape 1 2))
       minimumDistance array m `shouldBe` Right (Distance 0 [])
-    it
-      "is that of the windows of the array: the lightest of them, and no two differ in fewer cells"
-      $ do
-        array <- paperArray
-        holds 100 $
-          forAll genMask $ \m ->
-            fmap distance (minimumDistance array m) === Right (lightestWindow array m)
-        m <- right (rectangle (Shape 3 2))
-        let windows = allWindows array m
-        minimum
-          [ length (filter id (zipWith (/=) a b))
-            | (i, a) <- zip [0 :: Int ..] windows,
-              b <- drop (i + 1) windows
-          ]
-          `shouldBe` 2
+    it "is the weight of the lightest window, and no two windows differ in fewer cells" $ do
+      array <- paperArray
+      holds 100 $
+        forAll genMask $ \m ->
+          fmap distance (minimumDistance array m) === Right (lightestWindow array m)
+      m <- right (rectangle (Shape 3 2))
+      let windows = allWindows array m
+      minimum
+        [ length (filter id (zipWith (/=) a b))
+          | (i, a) <- zip [0 :: Int ..] windows,
+            b <- drop (i + 1) windows
+        ]
+        `shouldBe` 2
     it "of other fields, likewise" $ do
       forM_
         [ (2, 6, Shape 7 9),
@@ -65,7 +64,7 @@ spec = do
           (17, 2, Shape 9 32)
         ]
         $ \(q, n, shape) ->
-          forM_ (lookup q everyField) $ \(SomeField k) -> do
+          overField q $ \k -> do
             h <- firstOver k n
             array <- right (folded Diagonal shape h)
             holds 100 $
@@ -122,31 +121,27 @@ spec = do
             ]
       seen `shouldSatisfy` (not . null)
   describe "weights" $ do
-    it
-      "are those of the windows, each as often as the positions repeat it, and of the zero window"
-      $ do
-        array <- paperArray
-        holds 100 $
-          forAll genMask $ \m ->
-            let repeated = 4 ^ (4 - windowRank array m)
-             in fmap (Map.map (* repeated)) (weightEnumerator array m)
-                  === Right (Map.insertWith (+) 0 1 (windowWeights array m))
+    it "are those of the windows, as often as positions repeat them, and of zero" $ do
+      array <- paperArray
+      holds 100 $
+        forAll genMask $ \m ->
+          let repeated = 4 ^ (4 - windowRank array m)
+           in fmap (Map.map (* repeated)) (weightEnumerator array m)
+                === Right (Map.insertWith (+) 0 1 (windowWeights array m))
     it "of n cells of rank n: binomially many" $ do
-      h <- right (firstPrimitive 16 :: Either PolynomialError (Primitive GF2))
+      h <- firstOver gf2 16
       array <- right (folded Diagonal (Shape 255 257) h)
       m <- right (maskFrom [Position i j | i <- [0 .. 7], j <- [0, 1]])
       windowRank array m `shouldBe` 16
       weightEnumerator array m `shouldBe` Right (Map.fromList (zip [0 ..] (binomials 16)))
     it "are refused when neither the windows nor the dual code's are few" $ do
-      h <- right (firstPrimitive 32 :: Either PolynomialError (Primitive GF2))
+      h <- firstOver gf2 32
       array <- right (folded RowMajor (Shape 1 (2 ^ (32 :: Int) - 1)) h)
       m <- right (rectangle (Shape 1 64))
       weightEnumerator array m `shouldBe` Left (TooManyCodewords (2 ^ (32 :: Int)))
   it "corrects e errors and s erasures iff 2 e + s < d" $
     [(e, s) | e <- [0 .. 3], s <- [0 .. 5], corrects 4 e s]
       `shouldBe` [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (1, 1)]
-  where
-    paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
 
 -- | A mask of up to 9 cells near each other, in any order.
 genMask :: Gen Mask

@@ -30,7 +30,7 @@ spec = do
             ++ show q
             ++ "), by both roads, where gcd(q^k1 - 1, k2) = 1; row by row elsewhere"
         )
-        $ forM_ (lookup q everyField) $ \(SomeField k) ->
+        $ overField q $ \k ->
           forM_ (sizes (fromIntegral q) (2 ^ bits)) $ \(k1, k2) ->
             firstOver k (k1 * k2) >>= bothRoads k1 k2
   -- Up to 2^12 these are among the next.
@@ -38,13 +38,13 @@ spec = do
     describe ("the same of every primitive polynomial, q^(k1 k2) <= 2^" ++ show (bits - 4)) $
       forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
         it ("over GF(" ++ show q ++ ")") $
-          forM_ (lookup q everyField) $ \(SomeField k) ->
+          overField q $ \k ->
             forM_ (sizes (fromIntegral q) (2 ^ (bits - 4))) $ \(k1, k2) ->
               allOver k (k1 * k2) >>= mapM_ (bothRoads k1 k2)
   describe "every primitive polynomial and every shape, q^n <= 4096" $
     forM_ [2, 3, 4, 5, 7, 8, 9, 16] $ \q ->
       it ("over GF(" ++ show q ++ "): the windows that are sure to work do, by both roads") $
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ (takeWhile (\n -> (fromIntegral q :: Natural) ^ n <= 4096) [1 ..]) $ \n ->
             everyShape k n
   where

@@ -12,13 +12,14 @@ import PraTactile.Field.Named
 import PraTactile.Polynomial
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
   describe "GF(q^n)" $ do
     it "alpha^i alpha^j = alpha^(i+j), of which n coefficients are told" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       quickCheckHere $ \(NonNegative i) (NonNegative j) ->
         let power' e = powerOfRoot h (fromInteger e)
          in multiplyModulo h (power' i) (power' j) == power' (i + j)
@@ -146,8 +147,8 @@ spec = do
           )
           `shouldBe` (q, n, [])
     it "a residue of another h counts as the polynomial that represents it" $ do
-      small <- right (firstPrimitive 2 :: Either PolynomialError (Primitive GF4))
-      large <- right (firstPrimitive 5 :: Either PolynomialError (Primitive GF4))
+      small <- firstOver gf4 2
+      large <- firstOver gf4 5
       let foreign' = powerOfRoot large 1000
           own = residue small (polynomial (residueCoefficients large foreign'))
       multiplyModulo small foreign' foreign' `shouldBe` multiplyModulo small own own
@@ -175,31 +176,26 @@ logarithmSpec = do
         (q, n, [t | (t, a) <- zip [0 ..] states, logarithmFrom logarithms a /= Right t])
           `shouldBe` (q, n, [])
   it "in the paper's field, of all 255 states, one at a time" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     [t | t <- [0 .. 254], discreteLogarithm h (powerOfRoot h t) /= Right t] `shouldBe` []
-  it
-    "in GF(2^64), GF(4^32), GF(3^20), GF(2^31), GF(9^13), GF(5^17), GF(16^15): positions of any \
-    \size"
-    $ do
-      largeLogarithms (Proxy :: Proxy GF2) 64
-      largeLogarithms (Proxy :: Proxy GF4) 32
-      largeLogarithms (Proxy :: Proxy GF3) 20
-      largeLogarithms (Proxy :: Proxy GF2) 31
-      largeLogarithms (Proxy :: Proxy GF9) 13
-      largeLogarithms (Proxy :: Proxy GF5) 17
-      largeLogarithms (Proxy :: Proxy GF16) 15
+  it "in fields from GF(9^13) to GF(2^64): positions of any size" $ do
+    largeLogarithms gf2 64
+    largeLogarithms gf4 32
+    largeLogarithms gf3 20
+    largeLogarithms gf2 31
+    largeLogarithms (Proxy :: Proxy GF9) 13
+    largeLogarithms (Proxy :: Proxy GF5) 17
+    largeLogarithms (Proxy :: Proxy GF16) 15
   it "zero has none" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     discreteLogarithm h (residue h 0) `shouldBe` Left LogarithmOfZero
-  it
-    "where a prime beyond 2^40 divides q^n - 1 they are refused, with that prime: 2^61 - 1 is one"
-    $ do
-      h <- right (firstPrimitive 61 :: Either PolynomialError (Primitive GF2))
-      discreteLogarithm h (powerOfRoot h 5)
-        `shouldBe` Left (LogarithmInfeasible (2 ^ (61 :: Int) - 1) (2 ^ (40 :: Int)))
-      h' <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
-      discreteLogarithm h' (powerOfRoot h' 5)
-        `shouldBe` Left (LogarithmInfeasible 67280421310721 (2 ^ (40 :: Int)))
+  it "where a prime beyond 2^40 divides q^n - 1 they are refused, with that prime" $ do
+    h <- firstOver gf2 61
+    discreteLogarithm h (powerOfRoot h 5)
+      `shouldBe` Left (LogarithmInfeasible (2 ^ (61 :: Int) - 1) (2 ^ (40 :: Int)))
+    h' <- firstOver gf2 128
+    discreteLogarithm h' (powerOfRoot h' 5)
+      `shouldBe` Left (LogarithmInfeasible 67280421310721 (2 ^ (40 :: Int)))
   where
     takeWhile' count = map snd . takeWhile ((< count) . fst) . zip [0 ..]
 

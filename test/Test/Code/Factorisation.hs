@@ -85,25 +85,21 @@ spec = do
     it "reaches 4^64 - 1, which is 2^128 - 1, and 3^20 - 1" $ do
       factorisePowerMinusOne 4 64 `shouldBe` factorisePowerMinusOne 2 128
       factorisePowerMinusOne 3 20 `shouldBe` Right [(2, 4), (5, 2), (11, 2), (61, 1), (1181, 1)]
-    it
-      "proves each of the primes that it finds: the product is the number, for 2^1 - 1 ... 2^120 \
-      \- 1"
-      $ forM_ [1 .. 120] $ \n -> case factorisePowerMinusOne 2 n of
+    it "proves each prime that it finds, and their product, for 2^1 - 1 ... 2^120 - 1" $
+      forM_ [1 .. 120] $ \n -> case factorisePowerMinusOne 2 n of
         Left e -> expectationFailure (show (n, e))
         Right factors -> do
           (n, product [p ^ e | (p, e) <- factors]) `shouldBe` (n, 2 ^ n - 1)
           [p | (p, _) <- factors, isPrime p /= Right True] `shouldBe` []
-    it
-      "has the values of the cyclotomic polynomials as parts, whose product over the divisors of \
-      \d is b^d - 1"
-      $ [ (b, n, d)
-          | b <-
-              [2 .. 7],
-            n <- [1 .. 30],
-            d <- [1 .. n],
-            n `mod` d == 0,
-            product [v | (e, v) <- cyclotomicValues b n, d `mod` e == 0] /= b ^ d - 1
-        ]
+    it "has the cyclotomic values as parts: their product over the divisors is b^d - 1" $
+      [ (b, n, d)
+        | b <-
+            [2 .. 7],
+          n <- [1 .. 30],
+          d <- [1 .. n],
+          n `mod` d == 0,
+          product [v | (e, v) <- cyclotomicValues b n, d `mod` e == 0] /= b ^ d - 1
+      ]
         `shouldBe` []
     it "reaches 2^128 - 1 by its algebraic factors" $
       fmap (map fst) (factorisePowerMinusOne 2 128)

@@ -32,10 +32,8 @@ spec = do
                   length (filter ((== Right (fromIntegral d)) . elementOrder) (elementsOf k))
                     /= length (filter ((== 1) . gcd d) [1 .. d])
               ]
-    it
-      "exponential is the inverse of logarithm, and takes sums to products, of negative exponents \
-      \too"
-      $ everyFieldHas $ \k ->
+    it "exponential (logarithm a) = a, and exponential (i + j) = exponential i exponential j" $
+      everyFieldHas $ \k ->
         exceptions
           [ a
             | a <-
@@ -106,10 +104,8 @@ spec = do
         let m = fromIntegral (fieldDegree k)
          in exceptions $
               [d | d <- [0 .. 9], d == 0 || m `mod` d /= 0, subfieldIn k d /= Left (NoSubfield d m)]
-    it
-      "the trace lies in the subfield, is linear over it, and takes each of its values equally \
-      \often"
-      $ everyFieldHas $ \k ->
+    it "the trace lies in the subfield, is linear, and takes each value equally often" $
+      everyFieldHas $ \k ->
         exceptions
           [ subfieldDegree s
             | s <-
@@ -143,10 +139,8 @@ spec = do
                 ]
           ]
   describe "minimal polynomials, over every subfield" $ do
-    it
-      "have the element as root, coefficients in the subfield, and the degree that its powers \
-      \have rank"
-      $ forM_ (fieldsUpTo 81) $ \(q, SomeField k) ->
+    it "have the element as root, coefficients in the subfield, and the right degree" $
+      forM_ (fieldsUpTo 81) $ \(q, SomeField k) ->
         ( q,
           [ (subfieldDegree s, a)
             | s <-
@@ -196,10 +190,8 @@ spec = do
 
 embeddingSpec :: Spec
 embeddingSpec = do
-  it
-    "every irreducible modulus of every field up to 64 makes a field isomorphic to the default \
-    \one, in m ways"
-    $ forM_ (fieldsUpTo 64) $ \(q, SomeField k) ->
+  it "every irreducible modulus of a field up to 64 is isomorphic to the default, in m ways" $
+    forM_ (fieldsUpTo 64) $ \(q, SomeField k) ->
       forM_ (lookup (fieldCharacteristic k) everyField) $ \(SomeField p) ->
         forM_ (moduli p (fieldDegree k)) $ \f ->
           (q, f, withField (fromIntegral (fieldCharacteristic k)) f (isomorphisms k))

@@ -4,6 +4,7 @@
 module Test.Code.Folding (spec) where
 
 import Control.Monad (forM_, unless)
+import Data.Proxy (Proxy)
 import qualified Data.Vector.Primitive as Primitive
 import qualified Data.Vector.Primitive.Mutable as Mutable
 import Data.Word (Word8)
@@ -20,7 +21,7 @@ spec :: Spec
 spec = do
   describe "every factorisation n1 n2 = q^n - 1 <= 4095, over every field" $ do
     it "folds along the diagonal iff gcd (n1, n2) = 1, and then each cell is reached once" $
-      forM_ (sizesUpTo 4096) $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+      forM_ (sizesUpTo 4096) $ \(q, n) -> overField q $ \k -> do
         h <- firstOver k n
         forM_ (shapesOf (period h)) $ \shape@(Shape n1 n2) -> do
           let reached = walk shape
@@ -32,7 +33,7 @@ spec = do
                 `shouldBe` (shape, Primitive.length reached `div` fromIntegral (gcd n1 n2))
     it "with every primitive polynomial, a[i mod n1][i mod n2] = s(i)" $
       forM_ (sizesUpTo 4096) $ \(q, n) ->
-        forM_ (lookup q everyField) $ \(SomeField (_ :: proxy k)) -> do
+        overField q $ \(_ :: Proxy k) -> do
           found <- right (primitivePolynomials n)
           let coprime =
                 [ (shape, walk shape)
@@ -49,7 +50,7 @@ spec = do
   describe "wide, tall and square arrays of more cells, written a block at a time" $
     forM_ [(2, 16), (3, 11), (4, 9), (5, 7), (8, 6), (9, 5), (251, 2), (256, 2)] $ \(q, n) ->
       it ("GF(" ++ show q ++ "), degree " ++ show n ++ ", every factorisation") $
-        forM_ (lookup q everyField) $ \(SomeField k) -> do
+        overField q $ \k -> do
           h <- firstOver k n
           let s = codes (sequenceVector h (canonicalState h) (fromIntegral (period h)))
           forM_ (shapesOf (period h)) $ \shape ->

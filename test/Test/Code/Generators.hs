@@ -1,4 +1,7 @@
+{-# LANGUAGE AllowAmbiguousTypes #-}
 {-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE RankNTypes #-}
+{-# LANGUAGE TypeApplications #-}
 
 -- | Fields, elements and arrays for the tests of the code wing.
 module Test.Code.Generators
@@ -6,6 +9,10 @@ module Test.Code.Generators
     SomeField (..),
     everyField,
     fieldsUpTo,
+    overField,
+    gf2,
+    gf3,
+    gf4,
 
     -- * Elements
     genElement,
@@ -14,18 +21,17 @@ module Test.Code.Generators
     shrinkElements,
 
     -- * Arrays
-    paperPrimitive,
     firstOver,
     folded,
+    arrayOver,
+    Setting,
+    onArray,
     mask,
 
     -- * Probabilities
     genChances,
     genChancesOf,
-
-    -- * Answers
-    right,
-    holds,
+    module Test.Support,
   )
 where
 
@@ -37,9 +43,10 @@ import PraTactile.Field.Named
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
-import Test.Hspec (Expectation, HasCallStack, expectationFailure)
+import Test.Hspec (Expectation, expectationFailure)
 import Test.QuickCheck (Gen, shrinkList, vectorOf)
 import qualified Test.QuickCheck as QuickCheck
+import Test.Support
 
 -- | A field with its name in "PraTactile.Field.Named".
 data SomeField = forall k. KnownField k => SomeField (Proxy k)
@@ -47,81 +54,99 @@ data SomeField = forall k. KnownField k => SomeField (Proxy k)
 -- | The named fields, by order.
 everyField :: [(Int, SomeField)]
 everyField =
-  [ (2, SomeField (Proxy :: Proxy GF2)),
-    (3, SomeField (Proxy :: Proxy GF3)),
-    (4, SomeField (Proxy :: Proxy GF4)),
-    (5, SomeField (Proxy :: Proxy GF5)),
-    (7, SomeField (Proxy :: Proxy GF7)),
-    (8, SomeField (Proxy :: Proxy GF8)),
-    (9, SomeField (Proxy :: Proxy GF9)),
-    (11, SomeField (Proxy :: Proxy GF11)),
-    (13, SomeField (Proxy :: Proxy GF13)),
-    (16, SomeField (Proxy :: Proxy GF16)),
-    (17, SomeField (Proxy :: Proxy GF17)),
-    (19, SomeField (Proxy :: Proxy GF19)),
-    (23, SomeField (Proxy :: Proxy GF23)),
-    (25, SomeField (Proxy :: Proxy GF25)),
-    (27, SomeField (Proxy :: Proxy GF27)),
-    (29, SomeField (Proxy :: Proxy GF29)),
-    (31, SomeField (Proxy :: Proxy GF31)),
-    (32, SomeField (Proxy :: Proxy GF32)),
-    (37, SomeField (Proxy :: Proxy GF37)),
-    (41, SomeField (Proxy :: Proxy GF41)),
-    (43, SomeField (Proxy :: Proxy GF43)),
-    (47, SomeField (Proxy :: Proxy GF47)),
-    (49, SomeField (Proxy :: Proxy GF49)),
-    (53, SomeField (Proxy :: Proxy GF53)),
-    (59, SomeField (Proxy :: Proxy GF59)),
-    (61, SomeField (Proxy :: Proxy GF61)),
-    (64, SomeField (Proxy :: Proxy GF64)),
-    (67, SomeField (Proxy :: Proxy GF67)),
-    (71, SomeField (Proxy :: Proxy GF71)),
-    (73, SomeField (Proxy :: Proxy GF73)),
-    (79, SomeField (Proxy :: Proxy GF79)),
-    (81, SomeField (Proxy :: Proxy GF81)),
-    (83, SomeField (Proxy :: Proxy GF83)),
-    (89, SomeField (Proxy :: Proxy GF89)),
-    (97, SomeField (Proxy :: Proxy GF97)),
-    (101, SomeField (Proxy :: Proxy GF101)),
-    (103, SomeField (Proxy :: Proxy GF103)),
-    (107, SomeField (Proxy :: Proxy GF107)),
-    (109, SomeField (Proxy :: Proxy GF109)),
-    (113, SomeField (Proxy :: Proxy GF113)),
-    (121, SomeField (Proxy :: Proxy GF121)),
-    (125, SomeField (Proxy :: Proxy GF125)),
-    (127, SomeField (Proxy :: Proxy GF127)),
-    (128, SomeField (Proxy :: Proxy GF128)),
-    (131, SomeField (Proxy :: Proxy GF131)),
-    (137, SomeField (Proxy :: Proxy GF137)),
-    (139, SomeField (Proxy :: Proxy GF139)),
-    (149, SomeField (Proxy :: Proxy GF149)),
-    (151, SomeField (Proxy :: Proxy GF151)),
-    (157, SomeField (Proxy :: Proxy GF157)),
-    (163, SomeField (Proxy :: Proxy GF163)),
-    (167, SomeField (Proxy :: Proxy GF167)),
-    (169, SomeField (Proxy :: Proxy GF169)),
-    (173, SomeField (Proxy :: Proxy GF173)),
-    (179, SomeField (Proxy :: Proxy GF179)),
-    (181, SomeField (Proxy :: Proxy GF181)),
-    (191, SomeField (Proxy :: Proxy GF191)),
-    (193, SomeField (Proxy :: Proxy GF193)),
-    (197, SomeField (Proxy :: Proxy GF197)),
-    (199, SomeField (Proxy :: Proxy GF199)),
-    (211, SomeField (Proxy :: Proxy GF211)),
-    (223, SomeField (Proxy :: Proxy GF223)),
-    (227, SomeField (Proxy :: Proxy GF227)),
-    (229, SomeField (Proxy :: Proxy GF229)),
-    (233, SomeField (Proxy :: Proxy GF233)),
-    (239, SomeField (Proxy :: Proxy GF239)),
-    (241, SomeField (Proxy :: Proxy GF241)),
-    (243, SomeField (Proxy :: Proxy GF243)),
-    (251, SomeField (Proxy :: Proxy GF251)),
-    (256, SomeField (Proxy :: Proxy GF256))
+  [ (2, some @GF2),
+    (3, some @GF3),
+    (4, some @GF4),
+    (5, some @GF5),
+    (7, some @GF7),
+    (8, some @GF8),
+    (9, some @GF9),
+    (11, some @GF11),
+    (13, some @GF13),
+    (16, some @GF16),
+    (17, some @GF17),
+    (19, some @GF19),
+    (23, some @GF23),
+    (25, some @GF25),
+    (27, some @GF27),
+    (29, some @GF29),
+    (31, some @GF31),
+    (32, some @GF32),
+    (37, some @GF37),
+    (41, some @GF41),
+    (43, some @GF43),
+    (47, some @GF47),
+    (49, some @GF49),
+    (53, some @GF53),
+    (59, some @GF59),
+    (61, some @GF61),
+    (64, some @GF64),
+    (67, some @GF67),
+    (71, some @GF71),
+    (73, some @GF73),
+    (79, some @GF79),
+    (81, some @GF81),
+    (83, some @GF83),
+    (89, some @GF89),
+    (97, some @GF97),
+    (101, some @GF101),
+    (103, some @GF103),
+    (107, some @GF107),
+    (109, some @GF109),
+    (113, some @GF113),
+    (121, some @GF121),
+    (125, some @GF125),
+    (127, some @GF127),
+    (128, some @GF128),
+    (131, some @GF131),
+    (137, some @GF137),
+    (139, some @GF139),
+    (149, some @GF149),
+    (151, some @GF151),
+    (157, some @GF157),
+    (163, some @GF163),
+    (167, some @GF167),
+    (169, some @GF169),
+    (173, some @GF173),
+    (179, some @GF179),
+    (181, some @GF181),
+    (191, some @GF191),
+    (193, some @GF193),
+    (197, some @GF197),
+    (199, some @GF199),
+    (211, some @GF211),
+    (223, some @GF223),
+    (227, some @GF227),
+    (229, some @GF229),
+    (233, some @GF233),
+    (239, some @GF239),
+    (241, some @GF241),
+    (243, some @GF243),
+    (251, some @GF251),
+    (256, some @GF256)
   ]
+  where
+    some :: forall k. KnownField k => SomeField
+    some = SomeField (Proxy :: Proxy k)
 
 -- | Those of at most this order.
 fieldsUpTo :: Int -> [(Int, SomeField)]
 fieldsUpTo q = takeWhile ((<= q) . fst) everyField
+
+-- | The same of the named field of this order.
+overField :: Int -> (forall k. KnownField k => Proxy k -> Expectation) -> Expectation
+overField q test = case lookup q everyField of
+  Just (SomeField k) -> test k
+  Nothing -> expectationFailure ("no field of order " ++ show q)
+
+gf2 :: Proxy GF2
+gf2 = Proxy
+
+gf3 :: Proxy GF3
+gf3 = Proxy
+
+gf4 :: Proxy GF4
+gf4 = Proxy
 
 genElement :: KnownField k => Gen (GF k)
 genElement = QuickCheck.elements elements
@@ -137,12 +162,6 @@ genElements size = vectorOf size genElement
 shrinkElements :: KnownField k => [GF k] -> [[GF k]]
 shrinkElements = shrinkList shrinkElement
 
--- | x^4 + x^2 + A x + A^2 over GF(4).
-paperPrimitive :: Either PolynomialError (Primitive GF4)
-paperPrimitive = checkPrimitive (polynomial [a * a, a, 1, 0, 1])
-  where
-    a = primitive
-
 -- | The first primitive polynomial of a degree.
 firstOver :: KnownField k => Proxy k -> Natural -> IO (Primitive k)
 firstOver _ n = right (firstPrimitive n)
@@ -151,15 +170,23 @@ firstOver _ n = right (firstPrimitive n)
 folded :: KnownField k => Folding -> Shape -> Primitive k -> Either FoldError (PseudorandomArray k)
 folded folding shape h = fold folding shape h (canonicalState h)
 
+-- | The array of the first primitive polynomial of a degree.
+arrayOver ::
+  KnownField k => Proxy k -> Natural -> Folding -> Shape -> IO (PseudorandomArray k)
+arrayOver k n folding shape = firstOver k n >>= right . folded folding shape
+
+-- | The order of a field, a degree, a folding, the shape of an array, and that of its windows.
+type Setting = (Int, Natural, Folding, Shape, Shape)
+
+onArray ::
+  Setting -> (forall k. KnownField k => PseudorandomArray k -> Mask -> Expectation) -> Expectation
+onArray (q, n, folding, shape, window) test = overField q $ \k -> do
+  array <- arrayOver k n folding shape
+  right (rectangle window) >>= test array
+
 -- | The mask of these offsets, row and column.
 mask :: [(Natural, Natural)] -> Either WindowError Mask
 mask = maskFrom . map (uncurry Position)
-
--- | The answer, or a failure of the test that shows the refusal.
-right :: (HasCallStack, Show e) => Either e a -> IO a
-right = either (\e -> expectationFailure' (show e)) pure
-  where
-    expectationFailure' message = expectationFailure message >> fail message
 
 -- | Of each cell of a patch of one to three rows and columns the probabilities of four symbols in
 -- 64ths, or nothing.
@@ -169,7 +196,7 @@ genChances = do
   w <- QuickCheck.choose (1, 3)
   genChancesOf h w
 
--- | The same of so many rows and columns.
+-- | The same of this many rows and columns.
 genChancesOf :: Int -> Int -> Gen [[Maybe [Integer]]]
 genChancesOf h w = vectorOf h (vectorOf w cell)
   where
@@ -181,13 +208,3 @@ genChancesOf h w = vectorOf h (vectorOf w cell)
       b <- QuickCheck.choose (0, 64 - a)
       c <- QuickCheck.choose (0, 64 - a - b)
       QuickCheck.shuffle [a, b, c, 64 - a - b - c]
-
--- | A property holds in so many cases.
-holds :: QuickCheck.Testable p => Int -> p -> Expectation
-holds count p =
-  QuickCheck.quickCheckWithResult
-    QuickCheck.stdArgs {QuickCheck.chatty = False, QuickCheck.maxSuccess = count}
-    p
-    >>= \r -> case r of
-      QuickCheck.Success {} -> pure ()
-      _ -> expectationFailure (QuickCheck.output r)

@@ -1,5 +1,5 @@
--- | Decoding by information sets: on small arrays what comparing with every position says, on large
--- ones the position that the patch was taken from.
+-- | Decoding by information sets, on the paper's array and on large ones. On small ones it is
+-- compared with the definition in "Test.Code.LocateDefinition".
 module Test.Code.LocateBounded (spec) where
 
 import Control.Monad (forM_)
@@ -8,28 +8,25 @@ import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Algebra
-import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Decoder.InformationSet
-import PraTactile.Locate.Decoder.Nearest
+import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Rank
-import Test.Code.Decided
 import Test.Code.Generators
+import Test.Code.LocateScenes
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
-import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
   it "on the paper's array, every pattern of errors within the guaranteed radius leads back" $ do
-    array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-    window <- right (rectangle (Shape 2 2))
-    algebra <- right (prepareAlgebra Torus array window)
+    array <- paperArray
+    algebra <- paperAlgebra Torus
     -- The code is linear, so that patterns at a few positions stand for those at all, and one of
     -- each pattern's multiples for the others.
     forM_
@@ -46,385 +43,201 @@ spec = do
         ready <- right (decoder standardEffort algebra (maskOffsets m))
         decoderDistance ready `shouldBe` Exactly (distance d)
         let wronged =
-              [ (place, wrong, decoded)
+              [ (place, wrong, decoded ready Guaranteed word)
                 | i <- take places [5, 42 ..],
                   let place = Position (i `mod` 15) (i `mod` 17),
+                  k <- [0 .. t],
                   (wrong, word) <-
-                    patterns t (zip (maskOffsets m) (content array place (maskOffsets m))),
-                  let decoded =
-                        patch (rowsOf (columns size) (map Just word))
-                          `orElse` decodeWith ready Guaranteed
+                    errorPatterns True k (zip (maskOffsets m) (content array place (maskOffsets m)))
               ]
         length wronged `shouldSatisfy` (>= places)
         take
           3
           [ bad
-            | bad@(place, wrong, decoded) <- wronged,
-              fmap (\x -> (placeOf (decisionOutcome x), decisionWrong x)) decoded
-                /= Right (Just place, wrong)
+            | bad@(place, wrong, found) <- wronged,
+              fmap located found /= Right (Just place, wrong)
           ]
           `shouldBe` []
-  describe
-    "any patch with holes and errors is decoded as the comparison with every position says"
-    $ do
-      forM_ [(Diagonal, Torus), (Diagonal, Sheet)] $ \(folding, surface) ->
-        it ("of the paper's array: " ++ show surface) $ do
-          array <- right paperPrimitive >>= right . folded folding (Shape 15 17)
-          asNearest 700 surface array (Shape 2 2)
-      forM_ fields $ \(q, n, folding, shape, window) ->
-        it ("over GF(" ++ show q ++ "), n = " ++ show n ++ ", " ++ show folding) $
-          forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
-            array <- firstOver k n >>= right . folded folding shape
-            forM_ [naturalSurface folding, Sheet] $ \surface -> asNearest 120 surface array window
   describe "on large arrays the position is the one that the patch was taken from" $ do
     it "GF(4), 2^60 cells: 8x8 cells, 4 missing" $
-      large
-        (Proxy :: Proxy GF4)
-        30
-        (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
-        (Shape 15 2)
-        (Shape 8 8)
-        4
-        7
-        5
+      foundAgain (gf4, 30, sides 4 15, Shape 15 2) (Shape 8 8) 4 7 5
     it "GF(2), 2^64 cells: 12x12 cells, 10 missing" $
-      large
-        (Proxy :: Proxy GF2)
-        64
-        (Shape (2 ^ (32 :: Int) - 1) (2 ^ (32 :: Int) + 1))
-        (Shape 32 2)
-        (Shape 12 12)
-        10
-        3
-        3
+      foundAgain (gf2, 64, sides 2 32, Shape 32 2) (Shape 12 12) 10 3 3
     it "GF(3), 3^25 cells: 7x7 cells, 3 missing" $
-      large
-        (Proxy :: Proxy GF3)
-        25
-        (Shape (3 ^ (5 :: Int) - 1) ((3 ^ (25 :: Int) - 1) `div` (3 ^ (5 :: Int) - 1)))
-        (Shape 5 5)
+      foundAgain
+        (gf3, 25, Shape 242 ((3 ^ (25 :: Int) - 1) `div` 242), Shape 5 5)
         (Shape 7 7)
         3
         3
         4
+  boundsSpec
+  where
+    sides q n = Shape (q ^ (n :: Int) - 1) (q ^ n + 1)
+
+boundsSpec :: Spec
+boundsSpec = do
   it "what is beyond the radius is refused, or is a position that is not farther" $ do
-    (algebra, _) <-
-      paperSized
-        (Proxy :: Proxy GF4)
-        30
-        (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
-        (Shape 15 2)
+    array <- vastArray
+    algebra <- vastAlgebra
     m <- right (rectangle (Shape 8 8))
     ready <- right (decoder (Effort (2 ^ (17 :: Int)) (2 ^ (22 :: Int))) algebra (maskOffsets m))
     holds 20 $
       forAll (vectorOf 64 genElement) $ \word ->
-        (patch (rowsOf 8 (map Just word)) `orElse` decodeWith ready Guaranteed)
-          `isRight'` \decoded -> case decisionOutcome decoded of
-            Refused BeyondRadius -> knownNearest decoded === AtLeast (decisionRadius decoded + 1)
-            Unique place _ ->
-              let wrong =
-                    [ offset
-                      | (offset, a, b) <-
-                          zip3
-                            (maskOffsets m)
-                            word
-                            (content (algebraArray algebra) place (maskOffsets m)),
-                        a /= b
-                    ]
-               in conjoin
-                    [ decisionWrong decoded === wrong,
-                      property (fromIntegral (length wrong) <= decisionRadius decoded)
-                    ]
-            other -> counterexample (show other) False
-  it "cells that do not tell positions apart leave a coset, whose size is told" $ do
-    (algebra, array) <-
-      paperSized
-        (Proxy :: Proxy GF4)
-        30
-        (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
-        (Shape 15 2)
-    p <- right (patch [map Just (content array (Position 77 99) [Position 0 j | j <- [0 .. 9]])])
-    decoded <- right (decodePatch algebra Guaranteed p)
-    decisionOutcome decoded `shouldBe` AmbiguousMany (4 ^ (20 :: Int)) (Just 20)
-    (knownDistance decoded, decisionRadius decoded, knownNearest decoded)
-      `shouldBe` (Exactly 0, 0, Exactly 0)
-  it
-    "cells that depend on each other without telling positions apart: a coset if none is wrong, \
-    \too many to tell if one is"
-    $ do
-      -- The 20 rows of a column are a subfield; each of the next 2 follows from them.
-      (algebra, array) <-
-        paperSized
-          (Proxy :: Proxy GF2)
-          40
-          (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
-          (Shape 20 2)
-      let column' wrong =
-            patch
-              [ [Just (if i == wrong then a + 1 else a)]
-                | i <- [0 .. 21],
-                  let a = cellFrom array (Position 123 456) (Position i 0)
-              ]
-      windowRank array <$> rectangle (Shape 22 1) `shouldBe` Right 20
-      exact <- right (column' 99)
-      (decisionOutcome <$> decodePatch algebra Guaranteed exact)
-        `shouldBe` Right (AmbiguousMany (2 ^ (20 :: Int)) (Just 20))
-      wrong <- right (column' 7)
-      (decisionOutcome <$> decodePatch algebra Guaranteed wrong)
-        `shouldBe` Right (Refused Contradiction)
-      decodePatch algebra (UpTo 1) wrong `shouldBe` Left (DecodingTooMany 1)
-  it
-    "a distance that was not searched to its end is told as what is proved, and its radius holds"
-    $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-      window <- right (rectangle (Shape 2 2))
-      algebra <- right (prepareAlgebra Torus array window)
-      forM_ [0, 5, 20, 100, 10000] $ \effort -> do
-        offsets <- maskOffsets <$> right (rectangle (Shape 5 5))
-        ready <- right (decoder (Effort effort (2 ^ (20 :: Int))) algebra offsets)
-        decoderDistance ready `shouldSatisfy` \known -> case known of
-          Exactly d -> d == 16
-          AtLeast d -> d >= 6 && d <= 16
-        let radius = guaranteedRadius (atLeast (decoderDistance ready))
-        holds 40 $
-          forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
-            (patch (rowsOf 5 (map Just word)) `orElse` decodeWith ready Guaranteed)
-              `isRight'` \decoded ->
-                placeOf (decisionOutcome decoded) === Just (Position 3 4)
+        whenRight (decoded ready Guaranteed word) $ \found ->
+          let Distances wrong nearest _ _ radius = decisionDistances found
+           in case decisionOutcome found of
+                Refused BeyondRadius -> nearest === Just (AtLeast (radius + 1))
+                Unique place _ ->
+                  wrong === differing (maskOffsets m) word (content array place (maskOffsets m))
+                    .&&. property (fromIntegral (length wrong) <= radius)
+                other -> counterexample (show other) False
+  it "cells that do not tell positions apart leave a coset, whose size is named" $ do
+    array <- vastArray
+    algebra <- vastAlgebra
+    p <- right (patch (look array (Shape 1 10) (Position 77 99)))
+    decodePatch algebra Guaranteed p
+      `shouldBe` Right
+        ( Decision
+            (AmbiguousMany (4 ^ (20 :: Int)) (Just 20))
+            (Distances [] (Just (Exactly 0)) (Just (Exactly 0)) (Exactly 0) 0)
+        )
+  it "dependent cells that do not tell positions apart: a coset, or too many if one is wrong" $ do
+    -- The 20 rows of a column are a subfield; each of the next 2 follows from them.
+    array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
+    algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra Torus array
+    let column' wrong =
+          right . patch $
+            zipWith
+              (\i -> map (fmap (if i == wrong then (+ 1) else id)))
+              [0 .. 21 :: Int]
+              (look array (Shape 22 1) (Position 123 456))
+    windowRank array <$> rectangle (Shape 22 1) `shouldBe` Right 20
+    exact <- column' 99
+    (decisionOutcome <$> decodePatch algebra Guaranteed exact)
+      `shouldBe` Right (AmbiguousMany (2 ^ (20 :: Int)) (Just 20))
+    wrong <- column' 7
+    (decisionOutcome <$> decodePatch algebra Guaranteed wrong)
+      `shouldBe` Right (Refused Contradiction)
+    decodePatch algebra (UpTo 1) wrong `shouldBe` Left (DecodingTooMany 1)
+  it "a distance not searched to its end is what is proved of it, and its radius holds" $ do
+    array <- paperArray
+    algebra <- paperAlgebra Torus
+    let offsets = cellsOf (Shape 5 5)
+    forM_ [0, 5, 20, 100, 10000] $ \effort -> do
+      ready <- right (decoder (Effort effort (2 ^ (20 :: Int))) algebra offsets)
+      decoderDistance ready `shouldSatisfy` \known -> case known of
+        Exactly d -> d == 16
+        AtLeast d -> d >= 6 && d <= 16
+      let radius = guaranteedRadius (atLeast (decoderDistance ready))
+      holds 40 $
+        forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
+          whenRight (decoded ready Guaranteed word) $ \found ->
+            fst (located found) === Just (Position 3 4)
   it "a search that would be too long is refused, and other cells than those prepared for" $ do
-    (algebra, array) <-
-      paperSized
-        (Proxy :: Proxy GF4)
-        30
-        (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
-        (Shape 15 2)
+    array <- vastArray
+    algebra <- vastAlgebra
     m <- right (rectangle (Shape 8 8))
     ready <- right (decoder (Effort 0 100) algebra (maskOffsets m))
     let word = content array (Position 1 2) (maskOffsets m)
-    exact <- right (patch (rowsOf 8 (map Just word)))
-    (placeOf . decisionOutcome <$> decodeWith ready (UpTo 9) exact)
-      `shouldBe` Right (Just (Position 1 2))
-    wrong <-
-      right
-        ( patch
-            ( rowsOf
-                8
-                ( zipWith
-                    (\i a -> Just (if i `elem` [0, 9 .. 63 :: Int] then a + 1 else a))
-                    [0 ..]
-                    word
-                )
-            )
-        )
-    case decodeWith ready (UpTo 9) wrong of
+        diagonal = zipWith (\i a -> if i `elem` [0, 9 .. 63 :: Int] then a + 1 else a) [0 ..] word
+    fmap (fst . located) (decoded ready (UpTo 9) word) `shouldBe` Right (Just (Position 1 2))
+    case decoded ready (UpTo 9) diagonal of
       Left (DecodingTooLong cleared _ limit) -> (limit, cleared <= 8) `shouldBe` (100, True)
       other -> expectationFailure (show other)
-    (() <$ (patch [[Just one, Just zero]] `orElse` decodeWith ready Guaranteed))
-      `shouldBe` Left (Just DecodingOtherCells)
-  where
-    fields =
-      [ (2, 6, Diagonal, Shape 7 9, Shape 3 2),
-        (2, 6, RowMajor, Shape 9 7, Shape 2 3),
-        (3, 3, Diagonal, Shape 2 13, Shape 1 3),
-        (5, 3, Diagonal, Shape 4 31, Shape 1 3),
-        (9, 2, Diagonal, Shape 5 16, Shape 1 2),
-        (16, 2, Diagonal, Shape 15 17, Shape 1 2),
-        (17, 2, RowMajor, Shape 9 32, Shape 1 2)
-      ]
+    (() <$ decodeWith ready Guaranteed (patchOf (Shape 1 1) [(Position 0 0, one)]))
+      `shouldBe` Left DecodingOtherCells
+  it "the far corner of the sheet has one position, however many of the torus agree" $
+    onArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m -> do
+      algebra <- right (prepareAlgebra Sheet array m)
+      let at = Position 62 64
+          p = patchOf (Shape 63 65) [(at, cellAt array at)]
+      algebraPatch algebra p `shouldBe` Right (Unique (Position 0 0) [])
+      found <- right (decodePatch algebra Guaranteed p)
+      decisionOutcome found `shouldBe` Unique (Position 0 0) []
+      let Distances _ least next _ _ = decisionDistances found
+      (least, next) `shouldBe` (Just (Exactly 0), Nothing)
 
--- | The first array of this kind, prepared.
-paperSized ::
+-- | At random positions of an array for this window, with this many cells missing, as many wrong
+-- ones are found as the distance that is proved guarantees, which is at least the first number; and
+-- as many as the second.
+foundAgain ::
   KnownField k =>
-  Proxy k ->
-  Natural ->
-  Shape ->
-  Shape ->
-  IO (Algebra k, PseudorandomArray k)
-paperSized k n shape window = do
-  array <- firstOver k n >>= right . folded Diagonal shape
-  m <- right (rectangle window)
-  algebra <- right (prepareAlgebra Torus array m)
-  pure (algebra, array)
-
--- | Random positions with so many missing cells, and as many wrong ones as the distance that is
--- proved guarantees, which is at least the first number, or else as many as the second, are found.
-large ::
-  KnownField k =>
-  Proxy k ->
-  Natural ->
-  Shape ->
-  Shape ->
+  (Proxy k, Natural, Shape, Shape) ->
   Shape ->
   Int ->
   Natural ->
   Int ->
   Expectation
-large k n shape window size missing least errors = do
-  (algebra, array) <- paperSized k n shape window
-  m <- right (rectangle size)
+foundAgain (k, n, shape, window) size missing least errors = do
+  array <- arrayOver k n Diagonal shape
+  algebra <- right (rectangle window) >>= right . prepareAlgebra Torus array
   holds 3 $
-    forAll
-      ( (,)
-          <$> (Position <$> below (rows shape) <*> below (columns shape))
-          <*> shuffle (maskOffsets m)
-      )
-      $ \(place, shuffled) ->
-        let offsets = sort (drop missing shuffled)
-            told = (windowRank array <$> maskFrom offsets) == Right n
-            sent = content array place offsets
-            damaged wrong = zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent
-            decodedFrom ready radius wrong =
-              let seen = zip offsets (damaged wrong)
-               in patch
-                    [ [lookup (Position i j) seen | j <- [0 .. columns size - 1]]
-                      | i <- [0 .. rows size - 1]
+    forAll ((,) <$> genPosition shape <*> shuffle (cellsOf size)) $ \(place, shuffled) ->
+      let offsets = sort (drop missing shuffled)
+          first' count = sort (take count (drop missing shuffled))
+          sent = content array place offsets
+          damaged wrong = zipWith (\at a -> if at `elem` wrong then a + 1 else a) offsets sent
+       in (windowRank array <$> maskFrom offsets) == Right n
+            ==> whenRight (decoder (Effort (2 ^ (22 :: Int)) (2 ^ (24 :: Int))) algebra offsets)
+            $ \ready ->
+              let d = atLeast (decoderDistance ready)
+                  certain = first' (fromIntegral (guaranteedRadius d))
+                  more = first' errors
+                  from radius wrong = whenRight (decoded ready radius (damaged wrong))
+               in conjoin
+                    [ property (d >= least),
+                      from Guaranteed certain $ \found ->
+                        (located found, nearestDistance (decisionDistances found))
+                          === ( (Just place, certain),
+                                Just (Exactly (fromIntegral (length certain)))
+                              ),
+                      from (UpTo (fromIntegral errors)) more $ \found ->
+                        nearby place more found $ \at ->
+                          length (differing offsets (damaged more) (content array at offsets))
                     ]
-                    `orElse` decodeWith ready radius
-         in told
-              ==> decoder (Effort (2 ^ (22 :: Int)) (2 ^ (24 :: Int))) algebra offsets
-                `isRight'` \ready ->
-                  let d = atLeast (decoderDistance ready)
-                      certain =
-                        sort (take (fromIntegral (guaranteedRadius d)) (drop missing shuffled))
-                      more = sort (take errors (drop missing shuffled))
-                      found radius wrong =
-                        decodedFrom ready radius wrong `isRight'` \decoded ->
-                          counterexample (show decoded) $
-                            conjoin
-                              [ placeOf (decisionOutcome decoded) === Just place,
-                                decisionWrong decoded === wrong,
-                                knownNearest decoded === Exactly (fromIntegral (length wrong))
-                              ]
-                      -- Beyond what is guaranteed another position may be as near, and must then be
-                      -- told, too.
-                      nearby wrong =
-                        decodedFrom ready (UpTo (fromIntegral errors)) wrong `isRight'` \decoded ->
-                          counterexample (show decoded) $ case decisionOutcome decoded of
-                            Unique at _
-                              | at == place -> decisionWrong decoded === wrong
-                              | otherwise ->
-                                property
-                                  ( length
-                                      ( filter
-                                          id
-                                          (zipWith (/=) (damaged wrong) (content array at offsets))
-                                      )
-                                      < length wrong
-                                  )
-                            Ambiguous places _ ->
-                              property
-                                ( place `elem` places
-                                    || knownNearest decoded /= Exactly (fromIntegral (length wrong))
-                                )
-                            _ -> property False
-                   in conjoin [property (d >= least), found Guaranteed certain, nearby more]
-  where
-    below side = fromInteger <$> choose (0, toInteger side - 1)
 
-cellFrom :: KnownField k => PseudorandomArray k -> Position -> Position -> GF k
-cellFrom array (Position r c) (Position i j) = cellAt array (Position (r + i) (c + j))
+-- | Beyond what is guaranteed another position may be as near, and must then be named, too. Given
+-- the true position, the wrong cells, and in how many cells another position differs.
+nearby :: Position -> [Position] -> Decision Position -> (Position -> Int) -> Property
+nearby place wrong found differs = counterexample (show found) $ case decisionOutcome found of
+  Unique at _
+    | at == place -> corrected distances === wrong
+    | otherwise -> property (differs at < length wrong)
+  Ambiguous places _ ->
+    property
+      ( place `elem` places
+          || nearestDistance distances /= Just (Exactly (fromIntegral (length wrong)))
+      )
+  _ -> property False
+  where
+    distances = decisionDistances found
+
+-- | What a decoder makes of the symbols of the cells that it is for.
+decoded ::
+  KnownField k => Decoder k -> Radius -> [GF k] -> Either DecodingError (Decision Position)
+decoded ready radius word = decodeWith ready radius (patchOf extent (zip offsets word))
+  where
+    offsets = decoderOffsets ready
+    extent = Shape (1 + maximum (map row offsets)) (1 + maximum (map column offsets))
+
+-- | The only position, and the wrong cells.
+located :: Decision Position -> (Maybe Position, [Position])
+located found = case decisionOutcome found of
+  Unique place _ -> (Just place, corrected (decisionDistances found))
+  _ -> (Nothing, corrected (decisionDistances found))
+
+-- | The offsets of the symbols that differ.
+differing :: [Position] -> [GF k] -> [GF k] -> [Position]
+differing offsets word other = [at | (at, a, b) <- zip3 offsets word other, a /= b]
 
 content :: KnownField k => PseudorandomArray k -> Position -> [Position] -> [GF k]
-content array place = map (cellFrom array place)
+content array (Position r c) offsets =
+  [cellAt array (Position (r + i) (c + j)) | Position i j <- offsets]
 
--- | The comparison with every position and decoding say the same of random patches.
-asNearest :: KnownField k => Int -> Surface -> PseudorandomArray k -> Shape -> Expectation
-asNearest count surface array window = do
-  m <- right (rectangle window)
-  shelf <- right (buildCodebook surface array m)
-  algebra <- right (prepareAlgebra surface array m)
-  holds count $
-    forAll
-      ((,) <$> genDamaged array <*> oneof [pure Guaranteed, UpTo <$> QuickCheck.elements [0 .. 4]])
-      $ \(cells, radius) ->
-        case patch cells of
-          Left e -> counterexample (show e) False
-          Right p ->
-            let decision = nearest shelf radius p
-             in case decodePatch algebra radius p of
-                  Left e -> counterexample (show e) False
-                  Right decoded ->
-                    counterexample (show (decision, decoded)) $
-                      conjoin
-                        [ decisionOutcome decoded === decisionOutcome decision,
-                          decisionWrong decoded === decisionWrong decision,
-                          decisionRadius decoded === decisionRadius decision,
-                          if all (all (== Nothing)) cells
-                            then property True
-                            else knownDistance decoded === Exactly (decisionDistance decision),
-                          property
-                            ( maybe
-                                True
-                                (holdsOf (knownNearest decoded))
-                                (decisionNearest decision)
-                            ),
-                          property
-                            ( maybe
-                                True
-                                (\e -> maybe True (`holdsOf` e) (knownRunnerUp decoded))
-                                (decisionRunnerUp decision)
-                            )
-                        ]
-  where
-    holdsOf known e = case known of
-      Exactly n -> n == e
-      AtLeast n -> n <= e
-
-genDamaged :: KnownField k => PseudorandomArray k -> Gen [[Maybe (GF k)]]
-genDamaged array = do
-  h <- choose (1, 4)
-  w <- choose (1, 4)
-  r <- choose (0, 16)
-  c <- choose (0, 31)
-  errors <- QuickCheck.elements [0, 10, 25]
-  gone <- QuickCheck.elements [0, 10, 30]
-  let damage a = do
-        fate <- choose (0, 99 :: Int)
-        b <- genElement
-        pure (if fate < gone then Nothing else if fate < gone + errors then Just b else Just a)
-  mapM
-    (mapM damage)
-    [ [ cellFrom array (Position (fromInteger r) (fromInteger c)) (Position i j)
-        | j <- take w [0 ..]
-      ]
-      | i <- take h [0 ..]
-    ]
-
--- | All ways to have at most so many wrong symbols, the first of which is 1 more than it should be.
-patterns :: KnownField k => Int -> [(Position, GF k)] -> [([Position], [GF k])]
-patterns most cells' = concatMap (\k -> go True k cells') [0 .. most]
-  where
-    go :: KnownField k => Bool -> Int -> [(Position, GF k)] -> [([Position], [GF k])]
-    go _ 0 cells = [([], map snd cells)]
-    go _ _ [] = []
-    go first k ((i, a) : rest) =
-      [(wrong, a : word) | (wrong, word) <- go first k rest]
-        ++ [ (i : wrong, b : word)
-             | b <- if first then [a + 1] else elements,
-               b /= a,
-               (wrong, word) <- go False (k - 1) rest
-           ]
-
--- | So many symbols wrong.
+-- | This many symbols wrong.
 wronging :: KnownField k => Int -> [GF k] -> Gen [GF k]
 wronging count word = do
   wrong <- take count <$> shuffle (zipWith const [0 :: Int ..] word)
   mapM
     (\(i, a) -> if i `elem` wrong then genElement `suchThat` (/= a) else pure a)
     (zip [0 ..] word)
-
-placeOf :: Outcome Position -> Maybe Position
-placeOf outcome = case outcome of
-  Unique place _ -> Just place
-  _ -> Nothing
-
-orElse :: Either e a -> (a -> Either f b) -> Either (Maybe f) b
-orElse given f = either (const (Left Nothing)) (either (Left . Just) Right . f) given
-
-isRight' :: Show e => Either e a -> (a -> Property) -> Property
-isRight' given f = either (\e -> counterexample (show e) False) f given
-
-rowsOf :: Natural -> [a] -> [[a]]
-rowsOf w cells = case splitAt (fromIntegral w) cells of
-  ([], _) -> []
-  (r, rest) -> r : rowsOf w rest

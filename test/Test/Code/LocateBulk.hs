@@ -17,18 +17,17 @@ import PraTactile.Locate.Bulk
 import PraTactile.Locate.Definition
 import PraTactile.Window
 import Test.Code.Generators
-import Test.Code.LocateRoads (smallArrays, toPatch)
+import Test.Code.LocateContents (smallArrays, toPatch)
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck (forAll, forAllShrink, ioProperty, (===))
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it
-    "every packed window of every small array, on every surface and under both packings, as the \
-    \table has it"
-    $ forM_ smallArrays $ \(q, n, shape, window) ->
-      forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
+  it "every packed window of every small array, surface and packing is as in the table" $
+    forM_ smallArrays $ \(q, n, shape, window) ->
+      overField q $ \(k :: Proxy k) -> do
         h <- firstOver k n
         m <- right (rectangle window)
         forM_
@@ -56,7 +55,7 @@ spec = do
               failing `shouldBe` []
   it "and as the search finds it, comparing with the array at every position" $
     forM_ [a | a@(_, _, _, window) <- smallArrays, area window <= 4] $ \(q, n, shape, window) ->
-      forM_ (lookup q everyField) $ \(SomeField k) -> do
+      overField q $ \k -> do
         h <- firstOver k n
         m <- right (rectangle window)
         forM_ (either (const []) pure (folded Diagonal shape h)) $ \array ->
@@ -69,31 +68,28 @@ spec = do
               (packed, locateOne memory packed)
                 `shouldBe` (packed, head' (map (asBulk shape) outcomes))
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
-    foundWhereItStands (Proxy :: Proxy GF4) 6 (Shape 63 65) (Shape 3 2)
-    foundWhereItStands (Proxy :: Proxy GF2) 12 (Shape 63 65) (Shape 6 2)
-  it
-    "every window of 3 x 5461 cells over GF(4), for any mask and surface, is where its cells are \
-    \read one by one"
-    $ do
-      h <- firstOver (Proxy :: Proxy GF4) 7
-      holds 20 $
-        forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
-          forAll
-            (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
-            $ \(folding, surface) ->
-              ioProperty $ do
-                m <- right (mask offsets)
-                array <- right (folded folding (Shape 3 5461) h)
-                table <- right (buildTable LeastSignificantFirst surface array m)
-                let standing =
-                      [ (pack LeastSignificantFirst 4 (map toCode content), p)
-                        | p <- places (Shape 3 5461),
-                          Just content <- [windowAt surface array m p]
-                      ]
-                pure
-                  ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
-                      === Map.fromList (tableEntries table)
-                  )
+    foundWhereItStands gf4 6 (Shape 63 65) (Shape 3 2)
+    foundWhereItStands gf2 12 (Shape 63 65) (Shape 6 2)
+  it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are" $ do
+    h <- firstOver gf4 7
+    holds 20 $
+      forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
+        forAll
+          (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
+          $ \(folding, surface) ->
+            ioProperty $ do
+              m <- right (mask offsets)
+              array <- right (folded folding (Shape 3 5461) h)
+              table <- right (buildTable LeastSignificantFirst surface array m)
+              let standing =
+                    [ (pack LeastSignificantFirst 4 (map toCode content), p)
+                      | p <- places (Shape 3 5461),
+                        Just content <- [windowAt surface array m p]
+                    ]
+              pure
+                ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
+                    === Map.fromList (tableEntries table)
+                )
   it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
     memory <- paperMemory Torus
     let beyond =
@@ -115,8 +111,7 @@ spec = do
   it "whatever the numbers and how many: one answer each, in their order" $ do
     memory <- paperMemory Sheet
     table <-
-      right paperPrimitive
-        >>= right . folded Diagonal (Shape 15 17)
+      paperArray
         >>= \array ->
           right (rectangle (Shape 2 2)) >>= right . buildTable MostSignificantFirst Sheet array
     holds 300 $
@@ -151,7 +146,7 @@ spec = do
 
 paperMemory :: Surface -> IO (Memory GF4)
 paperMemory surface = do
-  array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+  array <- paperArray
   m <- right (rectangle (Shape 2 2))
   memoryOf <$> right (buildTable MostSignificantFirst surface array m)
 
@@ -163,10 +158,10 @@ genMask =
     <$> QuickCheck.resize
       10
       ( QuickCheck.listOf1
-          ((,) <$> below 9 <*> QuickCheck.oneof [below 4, below 5000, (1363 +) <$> below 4])
+          ((,) <$> upTo 9 <*> QuickCheck.oneof [upTo 4, upTo 5000, (1363 +) <$> upTo 4])
       )
   where
-    below n = fromInteger <$> QuickCheck.choose (0, n - 1)
+    upTo n = fromInteger <$> QuickCheck.choose (0, n - 1)
 
 everyWindow :: Natural -> Primitive.Vector Word32
 everyWindow size = Primitive.enumFromN 0 (fromIntegral size)

@@ -1,177 +1,130 @@
--- | What the code tells of turned and mirrored patches.
+-- | What the code says of turned and mirrored patches.
 module Test.Code.LocateOrientation (spec) where
 
 import Control.Monad (forM_)
-import Data.List (nub, sort, sortOn)
-import Data.Ord (Down (..))
+import Data.List (nub, tails, transpose)
 import Data.Proxy (Proxy (..))
-import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Field.Named
-import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate
-import PraTactile.Locate.Decision
-import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Locate.Decoder.Codebook
-import PraTactile.Locate.Decoder.Posterior (decide)
+import PraTactile.Locate.Definition
+import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Locate.Separation
 import PraTactile.Polynomial
 import PraTactile.Symmetry
-import PraTactile.Window
-import Test.Code.Decided
+import Test.Code.Asking
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements, total)
 import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  describe "the distance between candidates" $ do
-    it
-      "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, for the paper's polynomial"
-      $ do
-        shelf <- paperBook Torus
-        [orientedDistance shelf rotations side | side <- [2 .. 5]] `shouldBe` [0, 0, 4, 8]
-        [orientedDistance shelf [identity, turned 2] side | side <- [2 .. 5]]
-          `shouldBe` [0, 0, 5, 10]
-        [orientedDistance shelf symmetries side | side <- [2 .. 5]] `shouldBe` [0, 0, 0, 0]
-        [orientedDistance shelf [identity] side | side <- [2 .. 5]] `shouldBe` [1, 4, 9, 16]
-    it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
-      shelf <- paperBook Torus
-      forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) ->
-        byDefinition
-          (codebookArray shelf)
-          possible
-          (Shape side side)
-          [Position i j | i <- below side, j <- below side]
-          `shouldBe` orientedDistance shelf possible side
-    it
-      "is, for cells of any shape, the least number in which two candidates differ, all compared \
-      \with all"
-      $ forM_ small $ \(q, n, shape) ->
-        forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
-          h <- firstOver k n
-          array <- right (folded Diagonal shape h)
-          holds 60 $
-            forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
-              candidateDistance Torus array possible size offsets
-                === byDefinition array possible size offsets
-    it "is promised on no surface but the array's own and the sheet" $ do
-      shelf <- paperBook Torus
-      let distanceOn surface =
-            candidateDistance
-              surface
-              (codebookArray shelf)
-              rotations
-              (Shape 4 4)
-              [Position i j | i <- [0 .. 3], j <- [0 .. 3]]
-      map distanceOn [Torus, Sheet, TwistedTorus] `shouldBe` [4, 4, 0]
-  describe "the nearest candidate" $ do
-    it
-      "every rotation of a 2 x 2 window is again a window: the code alone tells no orientation"
-      $ do
-        shelf <- paperBook Torus
-        forM_ everywhere $ \p -> do
-          seen <- right (patch (look shelf (Shape 2 2) p))
-          case decisionOutcome (nearestIn shelf rotations Guaranteed seen) of
-            Ambiguous found _ -> do
-              map candidateSymmetry found `shouldBe` rotations
-              take 1 found `shouldBe` [Candidate identity p]
-            other -> expectationFailure (show other)
-    it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
-      shelf <- paperBook Torus
-      forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
-        let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
-            shape = Shape 4 4
-            at = onPosition o shape place
-        seen <- right (patch (onRows o (changed place (look shelf shape p))))
-        let decision = nearestIn shelf rotations (UpTo 1) seen
-        (decisionOutcome decision, decisionWrong decision) `shouldSatisfy` \found -> case found of
-          (Unique candidate _, wrong) -> candidate == Candidate o p && wrong == [at]
-          _ -> False
-    it
-      "of a patch with as many errors as are promised to be corrected is where and as it was seen"
-      $ forM_ [Torus, Sheet] $ \surface -> do
-        shelf <- paperBook surface
-        holds 150 $
-          forAll (genWithin shelf) $ \(candidate, wrong, cells) -> case patch cells of
-            Left e -> counterexample (show e) False
-            Right p ->
-              let decision = nearestIn shelf rotations Guaranteed p
-               in counterexample (show decision) $ case decisionOutcome decision of
-                    Unique found _ ->
-                      conjoin [found === candidate, decisionWrong decision === sort wrong]
-                    Ambiguous found _ ->
-                      conjoin [decisionDistance decision === 0, property (candidate `elem` found)]
-                    _ -> property False
-    it "windows that say so are named by where their upper left cells are seen" $ do
-      shelf <- paperBook Torus
-      seen <- right (patch (onRows (turned 1) (look shelf (Shape 2 5) (Position 6 5))))
-      case decisionOutcome (nearestIn shelf [turned 1] Guaranteed seen) of
-        Unique candidate support ->
-          (candidate, support)
-            `shouldBe` (Candidate (turned 1) (Position 6 5), [Position j 1 | j <- [0 .. 3]])
+  describe "the distance between candidates" distanceSpec
+  describe "the nearest candidate" nearestSpec
+  describe "arrays whose windows have two columns" mirrorSpec
+
+distanceSpec :: Spec
+distanceSpec = do
+  it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, on the paper's array" $ do
+    codebook <- paperCodebook Torus
+    let distances possible = [orientedDistance codebook possible side | side <- [2 .. 5]]
+    map distances [rotations, [identity, turned 2], symmetries, [identity]]
+      `shouldBe` [[0, 0, 4, 8], [0, 0, 5, 10], [0, 0, 0, 0], [1, 4, 9, 16]]
+  it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
+    codebook <- paperCodebook Torus
+    forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) -> do
+      let size = Shape side side
+      byDefinition (codebookArray codebook) possible size (cellsOf size)
+        `shouldBe` orientedDistance codebook possible side
+  it "is, for cells of any shape, the least number in which two of all candidates differ" $
+    forM_ small $ \(q, n, shape) ->
+      overField q $ \k -> do
+        array <- arrayOver k n Diagonal shape
+        holds 60 $
+          forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
+            candidateDistance Torus array possible size offsets
+              === byDefinition array possible size offsets
+  it "is promised on no surface but the array's own and the sheet" $ do
+    array <- paperArray
+    let size = Shape 4 4
+    [candidateDistance on array rotations size (cellsOf size) | on <- [Torus, Sheet, TwistedTorus]]
+      `shouldBe` [4, 4, 0]
+
+nearestSpec :: Spec
+nearestSpec = do
+  it "every rotation of a 2 x 2 window is again a window, so that they are ambiguous" $ do
+    (array, located) <- paper
+    forM_ everywhere $ \p -> do
+      found <- fst <$> located rotations Guaranteed (look array (Shape 2 2) p)
+      case found of
+        Ambiguous several _ -> do
+          map candidateSymmetry several `shouldBe` rotations
+          take 1 several `shouldBe` [Candidate identity p]
         other -> expectationFailure (show other)
-  describe "the likeliest candidate" $ do
-    it "of symbols beyond doubt is the nearest" $ do
-      shelf <- paperBook Torus
-      forM_
-        [(shape, o) | shape <- [Shape 2 2, Shape 3 4, Shape 4 4], o <- rotations]
-        $ \(shape, o) -> do
-          let cells = onRows o (look shelf shape (Position 11 3))
-          hard <- right (patch cells)
-          soft <- right (patch (map (map (fmap certainly)) cells))
-          let answered outcome = case outcome of
-                Unique candidate _ -> Unique candidate []
-                other -> other
-          decide 0 (posteriorIn shelf rotations soft)
-            `shouldBe` answered (decisionOutcome (nearestIn shelf rotations Guaranteed hard))
-  describe "arrays whose windows have two columns" $ do
-    it
-      "are their own mirror image, left and right exchanged, up to a shift of the columns; the \
-      \axis is the column of zeros"
-      $ forM_ [(2, k1) | k1 <- [1 .. 6]] $ \(q, k1) ->
-        forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) ->
-          mirrorImages
-            (Proxy :: Proxy k)
-            k1
-    it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
-      forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] $ \(q, k1) ->
-        forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) ->
-          mirrorImages (Proxy :: Proxy k) k1
-    it "while one of windows with three columns is not" $ do
-      h <- firstOver (Proxy :: Proxy GF2) 9
-      array <- right (folded Diagonal (Shape 7 73) h)
-      cells <- right (toRows array)
-      [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells]
-        `shouldBe` []
-    it
-      "so that neither the plain one nor the mirror image is preferred, however large the patch is"
-      $ do
-        shelf <- paperBook Torus
-        seen <- right (patch (look shelf (Shape 6 6) (Position 6 5)))
-        case decisionOutcome (nearestIn shelf [identity, mirror] Guaranteed seen) of
-          Ambiguous [a, b] _ ->
-            (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
-          other -> expectationFailure (show other)
+  it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
+    (array, located) <- paper
+    forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
+      let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
+          shape = Shape 4 4
+          damaged =
+            [ (at, if at == place then a + 1 else a)
+              | (at, Just a) <- zip (cellsOf shape) (concat (look array shape p))
+            ]
+      (found, wrong) <-
+        located rotations (UpTo 1) (onRows o (patchRows (patchOf shape damaged)))
+      ([candidate | Unique candidate _ <- [found]], wrong)
+        `shouldBe` ([Candidate o p], [onPosition o shape place])
+  it "windows that say so are named by where their upper left cells are seen" $ do
+    (array, located) <- paper
+    let seen = onRows (turned 1) (look array (Shape 2 5) (Position 6 5))
+    found <- located [turned 1] Guaranteed seen
+    fst found
+      `shouldBe` Unique (Candidate (turned 1) (Position 6 5)) [Position j 1 | j <- [0 .. 3]]
+  it "neither an image nor its mirror image is preferred, however large the patch is" $ do
+    (array, located) <- paper
+    found <- located [identity, mirror] Guaranteed (look array (Shape 6 6) (Position 6 5))
+    case fst found of
+      Ambiguous [a, b] _ ->
+        (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
+      other -> expectationFailure (show other)
+  where
+    paper = do
+      array <- paperArray
+      m <- paperWindow
+      let asked = ask (Just NearestDecoder) (Torus, array, m)
+          located possible radius cells = do
+            p <- right (patch cells)
+            answer <- right (asked possible radius 0 (alone (Symbol <$> p)))
+            pure (answerOutcome answer, maybe [] corrected (answerDistances answer))
+      pure (array, located)
+
+mirrorSpec :: Spec
+mirrorSpec = do
+  it "are their own mirror image but for a shift; the axis is the column of zeros" $
+    forM_ [(2, k1) | k1 <- [1 .. 6]] mirrorImages
+  it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
+    forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] mirrorImages
+  it "while one of windows with three columns is not" $ do
+    cells <- arrayOver gf2 9 Diagonal (Shape 7 73) >>= right . toRows
+    [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells]
+      `shouldBe` []
   where
     -- Every primitive polynomial.
-    mirrorImages :: forall k. KnownField k => Proxy k -> Natural -> Expectation
-    mirrorImages k k1 = do
-      let q = fromIntegral (fieldOrder k) ^ k1
+    mirrorImages (order, k1) = overField order $ \(_ :: Proxy k) -> do
+      let q = fromIntegral order ^ (k1 :: Natural)
       polynomials <- right (primitivePolynomials (2 * k1)) :: IO [Primitive k]
       polynomials `shouldNotBe` []
       forM_ polynomials $ \h -> do
-        array <- right (folded Diagonal (Shape (q - 1) (q + 1)) h)
-        cells <- right (toRows array)
-        let zeros = [j | (j, line) <- zip [0 ..] (columnsOf cells), all (== zero) line]
+        cells <- right (folded Diagonal (Shape (q - 1) (q + 1)) h) >>= right . toRows
+        let zeros = [j | (j, line) <- zip [0 ..] (transpose cells), all (== zero) line]
         -- Where the columns begin from in the mirror image, if they begin from anywhere.
         [c | c <- [0 .. fromIntegral q], shiftedBy 0 c cells == map reverse cells]
           `shouldBe` [(2 * j + 1) `mod` (fromIntegral q + 1) | j <- zeros]
         length zeros `shouldBe` 1
-    columnsOf cells = foldr (zipWith (:)) (map (const []) (concat (take 1 cells))) cells
 
 -- | The rows from that row and that column on, cyclically.
 shiftedBy :: Int -> Int -> [[a]] -> [[a]]
@@ -189,36 +142,9 @@ byDefinition :: KnownField k => PseudorandomArray k -> [Symmetry] -> Shape -> [P
 byDefinition array possible size offsets =
   minimum
     [ fromIntegral (length (filter id (zipWith (/=) a b)))
-      | (k, a) <- zip [1 ..] contents,
-        b <- drop k contents
+      | (_, a) : others <- tails (everyCandidate Torus array (nub possible) size offsets),
+        (_, b) <- others
     ]
-  where
-    contents =
-      [ [ cellAt array (Position (r + i) (c + j))
-          | cell <- offsets,
-            let Position i j = uprightOf o size cell
-        ]
-        | o <- nub possible,
-          r <- below (rows (arrayShape array)),
-          c <- below (columns (arrayShape array))
-      ]
-
--- | Which cell of the upright patch one is that is seen in a patch of this shape, by turning the
--- names of the cells.
-uprightOf :: Symmetry -> Shape -> Position -> Position
-uprightOf o (Shape h w) cell =
-  case [ Position i j
-         | (i, line) <- zip [0 ..] (onRows (invert o) names),
-           (j, name) <- zip [0 ..] line,
-           name == cell
-       ] of
-    found : _ -> found
-    [] -> cell
-  where
-    names = [[Position i j | j <- below w] | i <- below h]
-
-below :: Natural -> [Natural]
-below n = takeWhile (< n) [0 ..]
 
 -- | One or more orientations.
 genOrientations :: Gen [Symmetry]
@@ -231,97 +157,12 @@ genOrientations =
       [mirror, turned 3 <> mirror, identity]
     ]
 
--- | The shape of a patch of at most so many rows and columns, and the cells of it that are
+-- | The shape of a patch of at most this many rows and columns, and the cells of it that are
 -- observed.
-genObserved :: Natural -> Gen (Shape, [Position])
+genObserved :: Integer -> Gen (Shape, [Position])
 genObserved most = do
-  h <- choose (1, toInteger most)
-  w <- choose (1, toInteger most)
-  kept <- vectorOf (fromInteger (h * w)) (choose (0, 99 :: Int))
-  let offsets =
-        [ Position i j
-          | (k, (i, j)) <-
-              zip kept [(i, j) | i <- below (fromInteger h), j <- below (fromInteger w)],
-            k < 80
-        ]
-  if null offsets then genObserved most else pure (Shape (fromInteger h) (fromInteger w), offsets)
-
-type Cells = [[Maybe (GF GF4)]]
-
-look :: Codebook GF4 -> Shape -> Position -> Cells
-look shelf (Shape h w) (Position r c) =
-  [[Just (cellAt (codebookArray shelf) (Position (r + i) (c + j))) | j <- below w] | i <- below h]
-
--- | Another symbol in that cell.
-changed :: Position -> Cells -> Cells
-changed place cells =
-  [ [if Position i j == place then (+ 1) <$> a else a | (j, a) <- zip [0 ..] line]
-    | (i, line) <- zip [0 ..] cells
-  ]
-
-everywhere :: [Position]
-everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
-
-genDamaged :: Codebook GF4 -> Gen Cells
-genDamaged shelf = do
-  h <- choose (1, 4)
-  w <- choose (1, 4)
-  p <- QuickCheck.elements everywhere
-  o <- QuickCheck.elements symmetries
-  mapM (mapM damage) (onRows o (look shelf (Shape (fromInteger h) (fromInteger w)) p))
+  size <- Shape <$> side <*> side
+  offsets <- sublistOf (cellsOf size) `suchThat` (not . null)
+  pure (size, offsets)
   where
-    damage a = do
-      fate <- choose (0, 99 :: Int)
-      b <- genElement
-      pure (if fate < 15 then Nothing else if fate < 25 then Just b else a)
-
--- | A patch on the surface with holes and as many errors as are promised to be corrected in any of
--- the four rotations: where and how it is seen, the wrong cells, the patch.
-genWithin :: Codebook GF4 -> Gen (Candidate, [Position], Cells)
-genWithin shelf = do
-  side <- QuickCheck.elements [4, 5]
-  o <- QuickCheck.elements rotations
-  r <- choose (0, if codebookSurface shelf == Sheet then 15 - side else 14)
-  c <- choose (0, if codebookSurface shelf == Sheet then 17 - side else 16)
-  gone <- vectorOf 25 ((< 8) <$> choose (0, 99 :: Int))
-  let size = Shape (fromInteger side) (fromInteger side)
-      place = Position (fromInteger r) (fromInteger c)
-      observed =
-        [ cell
-          | (cell, False) <-
-              zip [Position i j | i <- below (fromInteger side), j <- below (fromInteger side)] gone
-        ]
-      t =
-        fromIntegral
-          ( guaranteedRadius
-              ( candidateDistance
-                  (codebookSurface shelf)
-                  (codebookArray shelf)
-                  rotations
-                  size
-                  observed
-              )
-          ) ::
-          Int
-  count <- choose (0, t)
-  wrong <- take count <$> shuffle observed
-  let cells = onRows o (look shelf size place)
-      damaged =
-        [ [ if cell `notElem` observed
-              then Nothing
-              else
-                if cell `elem` wrong
-                  then (+ 1) <$> a
-                  else a
-            | (j, a) <- zip [0 ..] line,
-              let cell = Position i j
-          ]
-          | (i, line) <- zip [0 ..] cells
-        ]
-  pure (Candidate o place, wrong, damaged)
-
-paperBook :: Surface -> IO (Codebook GF4)
-paperBook surface = do
-  array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
-  m <- right (rectangle (Shape 2 2))
-  right (buildCodebook surface array m)
+    side = fromInteger <$> choose (1, most)

@@ -10,16 +10,17 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.LinearCode.Punctured
-import PraTactile.LinearCode.Rates
 import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Polynomial (firstPrimitive)
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -37,10 +38,8 @@ spec = do
       weights <- weightsOf (Shape side side)
       let Rates a b c = decodingRates 4 (fromIntegral (side * side)) weights t p
       map (100 *) [a, b, c] `shouldSatisfy` closeTo figure
-  it
-    "with 15 % erasures: right by the window's distance, and all by that of the cells observed, \
-    \as computed elsewhere"
-    $ forM_ erasedFigures $ \((side, p), (byWindow, byObserved)) -> do
+  it "with 15 % erasures, by the window's distance and by that of the observed cells" $
+    forM_ erasedFigures $ \((side, p), (byWindow, byObserved)) -> do
       code <- puncturedOf (Shape side side)
       let percent (Rates a b c) = map (100 *) [a, b, c]
       percent (erasedRates ByWindow 4 code p 0.15) `shouldSatisfy` (closeTo byWindow . take 1)
@@ -58,27 +57,24 @@ spec = do
     let Rates _ wrong refused = decodingRates 4 25 weights 7 0.0006
     abs (refused / 1.799e-20 - 1) `shouldSatisfy` (< 0.01)
     (wrong, wrong < refused) `shouldSatisfy` (\(w, less) -> w > 0 && less)
-  it
-    "the rates are those of the decoder, asked about every position, set of observed cells and \
-    \pattern of errors"
-    $ do
-      -- The last of the binary windows has fewer cells than a position needs, but zeros in it are
-      -- one position; so have parts of the others.
-      binary <-
-        right (firstPrimitive 4)
-          >>= right . folded Diagonal (Shape 3 5) ::
-          IO (PseudorandomArray GF2)
-      forM_ [Shape 2 2, Shape 2 3, Shape 1 3] $ asDecided binary
-      ternary <-
-        right (firstPrimitive 2)
-          >>= right . folded Diagonal (Shape 1 8) ::
-          IO (PseudorandomArray GF3)
-      forM_ [Shape 1 2, Shape 1 4] $ asDecided ternary
-      quaternary <-
-        right (firstPrimitive 2)
-          >>= right . folded Diagonal (Shape 3 5) ::
-          IO (PseudorandomArray GF4)
-      forM_ [Shape 2 2, Shape 1 4] $ asDecided quaternary
+  it "the rates are the decoder's: every position, set of cells and pattern of errors" $ do
+    -- The last of the binary windows has fewer cells than a position needs, but zeros in it are
+    -- one position; so have parts of the others.
+    binary <-
+      right (firstPrimitive 4)
+        >>= right . folded Diagonal (Shape 3 5) ::
+        IO (PseudorandomArray GF2)
+    forM_ [Shape 2 2, Shape 2 3, Shape 1 3] $ asDecided binary
+    ternary <-
+      right (firstPrimitive 2)
+        >>= right . folded Diagonal (Shape 1 8) ::
+        IO (PseudorandomArray GF3)
+    forM_ [Shape 1 2, Shape 1 4] $ asDecided ternary
+    quaternary <-
+      right (firstPrimitive 2)
+        >>= right . folded Diagonal (Shape 3 5) ::
+        IO (PseudorandomArray GF4)
+    forM_ [Shape 2 2, Shape 1 4] $ asDecided quaternary
   it "punctured codes: every set of observed cells is in the class that its words say" $
     forM_
       [ (5, [3, 5, 6, 9, 10, 17, 31, 31]),
@@ -148,7 +144,7 @@ spec = do
 asDecided :: KnownField k => PseudorandomArray k -> Shape -> Expectation
 asDecided array size = do
   m <- right (rectangle size)
-  shelf <- right (buildCodebook Torus array m)
+  codebook <- right (buildCodebook Torus array m)
   let n = maskSize m
       q = fieldOrder array
       Shape high wide = arrayShape array
@@ -165,7 +161,7 @@ asDecided array size = do
     sequence
       [ do
           p' <- right (patch (chunked (fromIntegral (columns size)) cells))
-          pure (decisionOutcome (nearest shelf Guaranteed p'), cells)
+          pure (decisionOutcome (nearest codebook Guaranteed p'), cells)
         | cells <- mapM (const (Nothing : map Just elements)) [1 .. n]
       ]
   let p = 0.07
@@ -191,9 +187,6 @@ asDecided array size = do
     chunked k xs = case splitAt k xs of
       ([], _) -> []
       (first, others) -> first : chunked k others
-
-paperArray :: IO (PseudorandomArray GF4)
-paperArray = right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
 
 weightsOf :: Shape -> IO (Map.Map Natural Natural)
 weightsOf size = do

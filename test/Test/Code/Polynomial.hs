@@ -13,6 +13,7 @@ import PraTactile.Field.Named
 import PraTactile.Polynomial
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
@@ -22,15 +23,11 @@ spec = do
   describe "the greatest common divisor over an extension field" $ do
     -- In a well-known library Euclid's algorithm does not end over GF(4): a remainder that is a
     -- constant other than 1 is never recognised as the last one.
-    it
-      "ends for all pairs up to degree 2 over GF(4), degree 1 over GF(9), and is the largest \
-      \monic common divisor"
-      $ forM_ [(4, 2), (9, 1)] $ \(q, top) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+    it "ends for all pairs of small degree, and is the largest monic common divisor" $
+      forM_ [(4, 2), (9, 1)] $ \(q, top) -> overField q $ \k ->
         (q, take 1 (wrongDivisors k top)) `shouldBe` (q, [])
-    it
-      "is 1 where a remainder is a constant other than 1, the order of the arguments \
-      \notwithstanding"
-      $ forM_ [4, 9, 16, 25] $ \q -> forM_ (lookup q everyField) $ \(SomeField k) ->
+    it "is 1 where a remainder is a constant other than 1, in either order" $
+      forM_ [4, 9, 16, 25] $ \q -> overField q $ \k ->
         ( q,
           [ c
             | c <- drop 1 (elementsIn k),
@@ -51,19 +48,17 @@ spec = do
   describe "irreducible polynomials" $ do
     it "are those that are no product, over GF(2), GF(3), GF(4), GF(5), up to degree 4, 3, 3, 2" $
       forM_ [(2, 4), (3, 3), (4, 3), (5, 2)] $ \(q, top) ->
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ [1 .. top] $ \n -> (q, n, irreducible k n) `shouldBe` (q, n, notProducts k n)
     it "are as many as Gauss's formula says" $
       forM_ [(2, 8), (3, 5), (4, 4), (9, 2), (16, 2)] $ \(q, top) ->
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ [1 .. top] $ \n ->
             (q, n, fromIntegral (length (irreducible k n)))
               `shouldBe` (q, n, gauss (fromIntegral q) n)
   describe "powers modulo h" $
-    it
-      "unboxed, and packed over GF(2), are those by long division, at degrees about a machine \
-      \word too"
-      $ forM_
+    it "unboxed, and packed over GF(2), are those by long division at any degree" $
+      forM_
         [ (2, [1, 2, 5, 63, 64, 65, 127, 128, 129]),
           (3, [1, 2, 7, 20]),
           (4, [1, 3, 32]),
@@ -71,11 +66,11 @@ spec = do
           (256, [1, 2, 5])
         ]
         $ \(q, degrees) ->
-          forM_ (lookup q everyField) $ \(SomeField k) -> forM_ degrees $ \n -> powersAgree k n
+          overField q $ \k -> forM_ degrees $ \n -> powersAgree k n
   describe "primitive polynomials" $ do
     it "are as many as phi(q^n - 1) / n" $
       forM_ [(2, 8), (3, 4), (4, 4), (5, 3), (8, 2), (9, 2), (25, 2)] $ \(q, top) ->
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ [1 .. top] $ \n -> do
             let expected =
                   (`div` n) . totient
@@ -87,7 +82,7 @@ spec = do
             (q, n, Just (fromIntegral (length (primitives k n)))) `shouldBe` (q, n, expected)
     it "are those whose root takes q^n - 1 steps to return to 1" $
       forM_ [(2, 6), (3, 4), (4, 3), (5, 2), (9, 2)] $ \(q, top) ->
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ [1 .. top] $ \n ->
             (q, n, map primitivePolynomial (primitives k n))
               `shouldBe` ( q,
@@ -98,17 +93,17 @@ spec = do
                            ]
                          )
     it "ascend" $
-      forM_ [(2, 7), (3, 4), (4, 4)] $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) ->
+      forM_ [(2, 7), (3, 4), (4, 4)] $ \(q, n) -> overField q $ \k ->
         let found = primitives k n in and (zipWith (<) found (drop 1 found)) `shouldBe` True
     it "the paper's x^4 + x^2 + A x + A^2 is the first of 32 quartics over GF(4)" $ do
-      paper <- right paperPrimitive
+      paper <- paperPrimitive
       firstPrimitive 4 `shouldBe` Right paper
       fmap length (primitivePolynomials 4 :: Either PolynomialError [Primitive GF4])
         `shouldBe` Right 32
       map toCode (coefficients (primitivePolynomial paper)) `shouldBe` [3, 2, 1, 0, 1]
     it "the reciprocal of a primitive polynomial is one, and the reciprocal of that is the first" $
       forM_ [(2, 6), (3, 3), (4, 4), (9, 2)] $ \(q, n) ->
-        forM_ (lookup q everyField) $ \(SomeField k) ->
+        overField q $ \k ->
           forM_ (primitives k n) $ \h -> do
             checkPrimitive (primitivePolynomial (reciprocal h)) `shouldBe` Right (reciprocal h)
             reciprocal (reciprocal h) `shouldBe` h
@@ -156,10 +151,8 @@ ringSpec _ = do
       Just (quotient, remainder) ->
         a === b * quotient + remainder
           .&&. property (polynomialDegree remainder < polynomialDegree b)
-  it
-    "the greatest common divisor divides both and is monic; that of a c and b c is that of a and \
-    \b, times c"
-    $ forAll2 $ \a b ->
+  it "gcd divides both and is monic, and gcd (a c) (b c) = c gcd a b, made monic" $
+    forAll2 $ \a b ->
       let g = greatestCommonDivisor a b
           divides x = if g == 0 then x == 0 else fmap snd (quotientRemainder x g) == Just 0
           c = variable + 1

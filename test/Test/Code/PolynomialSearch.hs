@@ -13,6 +13,7 @@ import PraTactile.Polynomial
 import PraTactile.Polynomial.Certificate
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 spec :: Spec
 spec = do
@@ -37,10 +38,8 @@ spec = do
       forM_ small $ \(q, n, SomeField k) ->
         (q, n, fmap (: []) (firstPrimitive n)) `shouldBe` (q, n, take 1 <$> primitives k n)
   describe "candidates" $ do
-    it
-      "monicByTerms has each monic polynomial that x does not divide once, fewest terms first, \
-      \then ascending"
-      $ forM_
+    it "monicByTerms has each monic polynomial once, fewest terms first, then ascending" $
+      forM_
         [(q, n, k) | (q, n, k) <- small, n >= 2, fromIntegral q ^ n <= (256 :: Natural)]
         $ \(q, n, SomeField k) ->
           (q, n, monicByTerms n)
@@ -50,51 +49,45 @@ spec = do
                        )
     it "for degree 1, x comes first" $
       monicByTerms 1 `shouldBe` [polynomial [c, 1] | c <- elements :: [GF GF9]]
-    it
-      "randomMonics draws by SplitMix64: the published outputs of the seed 1234567, their upper \
-      \halves modulo q"
-      $ do
-        -- Outputs of Vigna's reference implementation in C.
-        let published =
-              [ 6457827717110365317,
-                3203168211198807973,
-                9817491932198370423,
-                4593380528125082431,
-                16408922859458223821
-              ] ::
-                [Integer]
-        take 1 (randomMonics 1234567 5)
-          `shouldBe` [ polynomial
-                         ( map
-                             ( either (const 0) id
-                                 . fromCode
-                                 . fromInteger
-                                 . (`mod` 256)
-                                 . (`div` 2 ^ (32 :: Int))
-                             )
-                             published
-                             ++ [1]
-                         ) ::
-                         Polynomial
-                           GF256
-                     ]
-        map
-          toCode
-          (concatMap (take 1 . coefficients) (take 5 (randomMonics 1234567 1 :: [Polynomial GF4])))
-          `shouldBe` map (fromInteger . (`mod` 4) . (`div` 2 ^ (32 :: Int))) published
-    it
-      "randomPrimitive gives all primitive polynomials equally often: 4 quadratics over GF(4), \
-      \400 seeds"
-      $ do
-        let drawn =
-              [ h
-                | seed <- [1 .. 400],
-                  Right h <- [randomPrimitive seed 2 :: Either PolynomialError (Primitive GF4)]
-              ]
-        found <- right (primitivePolynomials 2)
-        map (\h -> length (filter (== h) drawn)) found
-          `shouldSatisfy` all (\times -> 70 <= times && times <= 130)
-        length drawn `shouldBe` 400
+    it "randomMonics draws by SplitMix64: the published outputs, upper halves modulo q" $ do
+      -- Outputs of Vigna's reference implementation in C.
+      let published =
+            [ 6457827717110365317,
+              3203168211198807973,
+              9817491932198370423,
+              4593380528125082431,
+              16408922859458223821
+            ] ::
+              [Integer]
+      take 1 (randomMonics 1234567 5)
+        `shouldBe` [ polynomial
+                       ( map
+                           ( either (const 0) id
+                               . fromCode
+                               . fromInteger
+                               . (`mod` 256)
+                               . (`div` 2 ^ (32 :: Int))
+                           )
+                           published
+                           ++ [1]
+                       ) ::
+                       Polynomial
+                         GF256
+                   ]
+      map
+        toCode
+        (concatMap (take 1 . coefficients) (take 5 (randomMonics 1234567 1 :: [Polynomial GF4])))
+        `shouldBe` map (fromInteger . (`mod` 4) . (`div` 2 ^ (32 :: Int))) published
+    it "randomPrimitive gives all primitive polynomials equally often: 4 quadratics" $ do
+      let drawn =
+            [ h
+              | seed <- [1 .. 400],
+                Right h <- [randomPrimitive seed 2 :: Either PolynomialError (Primitive GF4)]
+            ]
+      found <- right (primitivePolynomials 2)
+      map (\h -> length (filter (== h) drawn)) found
+        `shouldSatisfy` all (\times -> 70 <= times && times <= 130)
+      length drawn `shouldBe` 400
     it "a draw depends on the seed alone, and seeds differ" $ do
       let draw seed = randomPrimitive seed 40 :: Either PolynomialError (Primitive GF2)
       draw 7 `shouldBe` draw 7
@@ -110,10 +103,8 @@ spec = do
           h <- map show (filter isIrreducible (take (q ^ run) (monicIn k (fromIntegral n))))
       ]
         `shouldBe` []
-    it
-      "affine polynomials x^(p^k) + sum c_i x^(p^i) + c are irreducible for k <= 1 and for p = k \
-      \= 2 only"
-      $ forM_
+    it "affine x^(p^k) + ... + c are irreducible for k <= 1 and for p = k = 2 only" $
+      forM_
         [ (2, 1),
           (2, 2),
           (2, 3),
@@ -137,17 +128,15 @@ spec = do
           (7, 1),
           (7, 2)
         ]
-        $ \(q, height) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+        $ \(q, height) -> overField q $ \k -> do
           let p = fieldCharacteristic k
           (q, height, any isIrreducible (affine k p height))
             `shouldBe` (q, height, height <= 1 || p == 2 && height == 2)
-    it
-      "what is left out: three coefficients over GF(2^m) in degrees 8, 16, 24, and in 12, 20 if m \
-      \is even; two in others"
-      $ [ (q, [reducibleRun k n | n <- [1 .. 28]])
-          | (q, SomeField k) <- everyField,
-            q `elem` [2, 256, 3, 5, 243]
-        ]
+    it "what is left out: three coefficients over GF(2^m) in degree 8 m', else two" $
+      [ (q, [reducibleRun k n | n <- [1 .. 28]])
+        | (q, SomeField k) <- everyField,
+          q `elem` [2, 256, 3, 5, 243]
+      ]
         `shouldBe` [ ( 2,
                        [ 0,
                          0,
@@ -304,39 +293,31 @@ spec = do
                        ]
                      )
                    ]
-    it
-      "so every search finds the same without them: GF(4), degree 6 and 8, GF(3), degree 7 and 9, \
-      \GF(2), degree 16"
-      $ do
-        let same :: forall k. KnownField k => Proxy k -> Natural -> Expectation
-            same k n = do
-              (n, take 100 (irreducibles k n))
-                `shouldBe` (n, take 100 (filter isIrreducible (monicIn k n)))
-              (n, fmap (take 20) (primitives k n))
-                `shouldBe` (n, take 20 <$> primitiveAmong n (monicIn k n))
-              (n, fmap (: []) (fewestTermsPrimitive n :: Either PolynomialError (Primitive k)))
-                `shouldBe` (n, take 1 <$> primitiveAmong n (monicByTerms n))
-        mapM_ (same (Proxy :: Proxy GF4)) [6, 8]
-        mapM_ (same (Proxy :: Proxy GF3)) [7, 9]
-        same (Proxy :: Proxy GF2) 16
+    it "so every search finds the same without them, over GF(4), GF(3) and GF(2)" $ do
+      let same :: forall k. KnownField k => Proxy k -> Natural -> Expectation
+          same k n = do
+            (n, take 100 (irreducibles k n))
+              `shouldBe` (n, take 100 (filter isIrreducible (monicIn k n)))
+            (n, fmap (take 20) (primitives k n))
+              `shouldBe` (n, take 20 <$> primitiveAmong n (monicIn k n))
+            (n, fmap (: []) (fewestTermsPrimitive n :: Either PolynomialError (Primitive k)))
+              `shouldBe` (n, take 1 <$> primitiveAmong n (monicByTerms n))
+      mapM_ (same gf4) [6, 8]
+      mapM_ (same gf3) [7, 9]
+      same gf2 16
     it "the first primitive polynomials of degrees 8 and 12 over GF(256) come at once" $ do
       codesOf (firstPrimitive 8 :: Either PolynomialError (Primitive GF256))
         `shouldBe` Right [9, 1, 0, 1, 0, 0, 0, 0, 1]
-      h <- right (firstPrimitive 12 :: Either PolynomialError (Primitive GF256))
+      h <- firstOver (Proxy :: Proxy GF256) 12
       drop 3 (coefficients (primitivePolynomial h)) `shouldBe` [1, 0, 0, 0, 0, 0, 0, 0, 0, 1]
   describe "known polynomials" $ do
-    it
-      "x^128 + x^7 + x^2 + x + 1 is the first primitive one of degree 128 over GF(2), and of \
-      \fewest terms"
-      $ do
-        h <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
-        exponents h `shouldBe` [0, 1, 2, 7, 128]
-        fmap exponents (fewestTermsPrimitive 128 :: Either PolynomialError (Primitive GF2))
-          `shouldBe` Right [0, 1, 2, 7, 128]
-    it
-      "of fewest terms over GF(2) are the well-known primitive trinomials, and for degree 8 the \
-      \pentanomial"
-      $ forM_
+    it "x^128 + x^7 + x^2 + x + 1 is the first primitive one, and of fewest terms" $ do
+      h <- firstOver gf2 128
+      exponents h `shouldBe` [0, 1, 2, 7, 128]
+      fmap exponents (fewestTermsPrimitive 128 :: Either PolynomialError (Primitive GF2))
+        `shouldBe` Right [0, 1, 2, 7, 128]
+    it "of fewest terms over GF(2) are the known trinomials, in degree 8 the pentanomial" $
+      forM_
         [ (2, [1]),
           (3, [1]),
           (4, [1]),
@@ -405,9 +386,8 @@ certificateSpec = do
           fmap (filter (\h -> verifyPrimitive (certifyPrimitive h) /= Right h)) (primitives k n)
         )
           `shouldBe` (q, n, Right [])
-  it
-    "of every irreducible polynomial with q^n up to 512 shows it, and no other polynomial has one"
-    $ forM_
+  it "shows every irreducible polynomial with q^n up to 512, and no other one" $
+    forM_
       [s | s@(q, n, _) <- small, fromIntegral q ^ n <= (512 :: Natural)]
       $ \(q, n, SomeField k) ->
         ( q,
@@ -420,12 +400,12 @@ certificateSpec = do
         )
           `shouldBe` (q, n, [])
   it "of x^128 + x^7 + x^2 + x + 1 has the residues of the nine primes that divide 2^128 - 1" $ do
-    h <- right (firstPrimitive 128 :: Either PolynomialError (Primitive GF2))
+    h <- firstOver gf2 128
     map fst (certifiedResidues (certifyPrimitive h))
       `shouldBe` [3, 5, 17, 257, 641, 65537, 274177, 6700417, 67280421310721]
     verifyPrimitive (certifyPrimitive h) `shouldBe` Right h
   it "of a primitive polynomial, tampered with, is refused for what is wrong" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     let good = certifyPrimitive h
         verdict = either Just (const Nothing) . verifyPrimitive
         a = primitive :: GF GF4
@@ -447,14 +427,12 @@ certificateSpec = do
       `shouldBe` Just (EntryMissing 3)
     verdict good {certifiedResidues = (3, 1) : drop 1 (certifiedResidues good)}
       `shouldBe` Just (EntryWrong 3)
-  it
-    "no irreducible polynomial that is not primitive has one: its honest residues give it away"
-    $ do
-      -- x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
-      let h = polynomial [1, 1, 1, 1, 1] :: Polynomial GF2
-          residues = [(r, fromMaybe 0 (powerModulo h variable (15 `div` r))) | r <- [3, 5]]
-      fmap (const ()) (verifyPrimitive (PrimitiveCertificate h [(3, 1), (5, 1)] residues))
-        `shouldBe` Left (OrderLower 3)
+  it "of an irreducible polynomial that is not primitive there is none" $ do
+    -- x^4 + x^3 + x^2 + x + 1 divides x^5 - 1.
+    let h = polynomial [1, 1, 1, 1, 1] :: Polynomial GF2
+        residues = [(r, fromMaybe 0 (powerModulo h variable (15 `div` r))) | r <- [3, 5]]
+    fmap (const ()) (verifyPrimitive (PrimitiveCertificate h [(3, 1), (5, 1)] residues))
+      `shouldBe` Left (OrderLower 3)
   it "of an irreducible polynomial, tampered with, is refused" $ do
     let h = polynomial [1, 1, 0, 0, 0, 0, 1] :: Polynomial GF2
     good <- maybe (fail "x^6 + x + 1 is irreducible") pure (certifyIrreducible h)

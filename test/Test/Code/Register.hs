@@ -15,6 +15,7 @@ import PraTactile.Sequence.Galois
 import PraTactile.Sequence.Synthesis
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck hiding (elements)
 
 spec :: Spec
@@ -77,7 +78,7 @@ spec = do
       map (map toCode . galoisElements) (take 3 (iterate (galoisNext p) start))
         `shouldBe` [[1, 0], [0, 1], [1, 2]]
     it "refuses a state of zeros or of another length" $ do
-      h <- right paperPrimitive
+      h <- paperPrimitive
       galoisState h [0, 0, 0, 0] `shouldBe` Left StateZero
       galoisState h [1] `shouldBe` Left (StateLength 1 4)
   describe "synthesis" $ do
@@ -95,12 +96,9 @@ spec = do
               else
                 expectationFailure
                   (show (q, h, synthesisLength result, synthesisPolynomial result))
-    it
-      "finds a shortest register, and says when it is the only one: all sequences of up to 7 bits \
-      \and 5 trits, against trying them all"
-      $ do
-        sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
-        sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
+    it "finds a shortest register, and whether it is the only one: all short sequences" $ do
+      sequencesUpTo 7 $ \s -> judged (s :: [GF GF2])
+      sequencesUpTo 5 $ \s -> judged (s :: [GF GF3])
     it "one 1 after k zeros needs k + 1 stages" $
       forM_ [0 .. 20] $ \k ->
         synthesisLength (synthesise (replicate k 0 ++ [1 :: GF GF4])) `shouldBe` k + 1
@@ -108,10 +106,8 @@ spec = do
       synthesisLength (synthesise (replicate 9 (0 :: GF GF9))) `shouldBe` 0
       synthesisLength (synthesise ([] :: [GF GF9])) `shouldBe` 0
       synthesisPolynomial (synthesise ([] :: [GF GF9])) `shouldBe` 1
-    it
-      "what it finds puts out the terms, whatever they are; and with 2 L <= N - 1 one term less \
-      \finds it too"
-      $ conjoin
+    it "what it finds puts out the terms; with 2 L <= N - 1 one term less finds it" $
+      conjoin
         [ counterexample (show q) (putsOut k)
           | (q, SomeField k) <- [f | f <- everyField, fst f `elem` [2, 3, 4, 5, 8, 9, 251, 256]]
         ]
@@ -144,7 +140,7 @@ forRegisters check =
       (251, 1)
     ]
     $ \(q, n) ->
-      forM_ (lookup q everyField) $ \(SomeField (_ :: Proxy k)) -> do
+      overField q $ \(_ :: Proxy k) -> do
         found <- right (primitivePolynomials n)
         forM_ (take 3 (found :: [Primitive k])) check
 

@@ -16,6 +16,7 @@ import PraTactile.Polynomial
 import PraTactile.Sequence
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 
 -- | Fields and degrees with periods small enough to walk.
 sizes :: [(Int, Natural)]
@@ -31,7 +32,7 @@ forSequences ::
   (forall k. KnownField k => Proxy k -> Primitive k -> [GF k] -> Expectation) ->
   Expectation
 forSequences check =
-  forM_ sizes $ \(q, n) -> forM_ (lookup q everyField) $ \(SomeField k) -> do
+  forM_ sizes $ \(q, n) -> overField q $ \k -> do
     found <- right (primitivePolynomials n)
     forM_ (take 3 found) $ \h -> check k h (mSequence h (canonicalState h))
 
@@ -73,7 +74,7 @@ spec = do
     forSequences $ \_ h s ->
       and (zipWith (\t a -> termAt h (canonicalState h) t == a) [0 .. 200] s) `shouldBe` True
   it "termAt is periodic, for exponents of any size" $ do
-    h <- right (firstPrimitive 20 :: Either PolynomialError (Primitive GF4))
+    h <- firstOver gf4 20
     let term = termAt h (canonicalState h)
     map (\t -> term (t + period h * 10 ^ (20 :: Int))) [0 .. 99]
       `shouldBe` take 100 (mSequence h (canonicalState h))
@@ -81,7 +82,7 @@ spec = do
     let t0 = 4 ^ (19 :: Int) + 12345
     sum (zipWith (*) (coefficients (primitivePolynomial h)) (map term [t0 ..])) `shouldBe` 0
   it "any initial state gives a shift of the same sequence" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     let canonical = take 255 (mSequence h (canonicalState h))
         shifts = Set.fromList [map toCode (take 255 t) | t <- take 255 (tails (cycle canonical))]
         states = [s | s <- mapM (const elements) [1 .. 4 :: Int], any (/= 0) s]
@@ -90,13 +91,13 @@ spec = do
       stateElements state `shouldBe` s
       Set.member (map toCode (take 255 (mSequence h state))) shifts `shouldBe` True
   it "a state has n elements, and they are not all zero" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     initialState h [0, 0, 0, 0] `shouldBe` Left StateZero
     initialState h [0, 0, 1] `shouldBe` Left (StateLength 3 4)
     initialState h [0, 0, 0, 1, 1] `shouldBe` Left (StateLength 5 4)
     initialState h (repeat 1) `shouldBe` Left (StateLength 5 4)
   it "the sum of two shifts is a shift, or zero: shift and add" $ do
-    h <- right paperPrimitive
+    h <- paperPrimitive
     let s = Primitive.toList (sequenceVector h (canonicalState h) 255)
         shift i = take 255 (drop i (cycle s))
         shifts = Set.fromList [map toCode (shift i) | i <- [0 .. 254]]

@@ -9,6 +9,7 @@ import PraTactile.Field
 import PraTactile.Window
 import Test.Code.Generators
 import Test.Hspec
+import Test.Paper
 import Test.QuickCheck
 
 spec :: Spec
@@ -56,13 +57,13 @@ spec = do
                 === Right (Right sorted)
   describe "contents" $ do
     it "of the worked example" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       m <- right (rectangle (Shape 2 2))
       forM_ [Torus, Sheet] $ \surface ->
         fmap (map showElement) (windowAt surface array m (Position 6 5))
           `shouldBe` Just ["A^2", "A", "A^2", "1"]
     it "wrap on the torus, and are absent where they stick out of the sheet" $ do
-      array <- right paperPrimitive >>= right . folded Diagonal (Shape 15 17)
+      array <- paperArray
       m <- right (rectangle (Shape 2 2))
       windowAt Torus array m (Position 14 16)
         `shouldBe` Just
@@ -76,13 +77,13 @@ spec = do
     it "the first cell is the most significant digit, or the least" $ do
       pack MostSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 * 64 + 2 * 16 + 3 * 4 + 1
       pack LeastSignificantFirst 4 [3, 2, 3, 1] `shouldBe` 3 + 2 * 4 + 3 * 16 + 1 * 64
-    it "unpack . pack is the identity" $
+    it "unpack . pack = Right" $
       forAllShrink genCodes shrinkCodes $ \(q, codes) ->
         conjoin
           [ unpack packing q (length codes) (pack packing q codes) === Right codes
             | packing <- [minBound .. maxBound]
           ]
-    it "pack . unpack is the identity on the numbers below q^cells, exhaustively for small ones" $
+    it "pack . unpack = id on the numbers below q^cells, exhaustively for small ones" $
       [ (packing, q, cells, n)
         | packing <- [minBound .. maxBound],
           q <- [2 .. 5],

@@ -19,10 +19,8 @@ spec = do
       $ \(b, n) -> do
         checkPower b n `shouldBe` Left (PowerTooLarge b n)
         factorisePowerMinusOne b n `shouldBe` Left (PowerTooLarge b n)
-  it
-    "polynomials, primitive ones of a degree that is too large: status 1, as for every q^n - 1 \
-    \that is not factored"
-    $ forM_ [["--count"], ["--first"], ["--fewest-terms"], ["--random", "1"], []] $ \wanted ->
+  it "polynomials: primitive ones of too large a degree are status 1" $
+    forM_ [["--count"], ["--first"], ["--fewest-terms"], ["--random", "1"], []] $ \wanted ->
       atOnce $ do
         (status, out, err) <- pra (words "polynomials --q 4 --degree 1000" ++ wanted)
         (status, out, length (lines err)) `shouldBe` (1, "", 1)
@@ -41,14 +39,14 @@ spec = do
           ]
         windowed = take 6 chosen ++ ["--window", "1x4096"]
     forM_
-      ["array", "prove", "table", "certificate", "locate", "sequence", "rates", "profile"]
+      (words "array prove table certificate locate sequence rates profile")
       $ \name ->
         atOnce $
           complains (name : windowed ++ ["0" | name == "locate"]) "2^5000 - 1"
     atOnce (complains ("prove" : chosen) "5000 cells")
     atOnce (complains ("sequence" : take 4 chosen) "2^5000 - 1")
   it "a shape that is no shape of the array, of whatever size, in a line that can be read" $
-    forM_ ["array", "prove", "table", "certificate"] $ \name -> atOnce $ do
+    forM_ (words "array prove table certificate") $ \name -> atOnce $ do
       let huge = replicate 5000 '9'
       (status, out, err) <-
         pra

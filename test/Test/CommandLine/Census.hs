@@ -8,10 +8,10 @@ import Data.Aeson (Value (..))
 import Data.List (intercalate)
 import System.Directory (createFileLink, doesPathExist)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Posix.Files (createLink)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -47,10 +47,8 @@ spec = do
         (status, _, _) <- pra (census folder "cut.csv")
         again <- readFile file
         (end, status, again == whole) `shouldBe` (end, 0, True)
-  it
-    "census, merge: a row says yes,yes,yes; changed to no,yes,yes it is refused, in a new file \
-    \and in an old one"
-    $ inFolder $ \folder -> do
+  it "census, merge: a row changed from yes,yes,yes to no,yes,yes is refused" $
+    inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
       forM_
@@ -66,10 +64,8 @@ spec = do
           complains ["merge", file] "line 3"
           complains (small folder name) "line 3"
           readFile file `shouldReturn` changed
-  it
-    "census --keep-whole: damaged, lost, swapped and repeated lines are made good, in the file's \
-    \own form"
-    $ inFolder $ \folder -> do
+  it "census --keep-whole: damaged lines are made good, in the file's own form" $
+    inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       checked <- readFile (folder </> "c.csv")
       forM_ [checked, olden checked] $ \whole -> do
@@ -95,7 +91,7 @@ spec = do
       complains (small folder "mine" ++ ["--keep-whole"]) "first line"
       writeFile (folder </> "other.csv") checked
       complains
-        ["census", "--q", "2", "--degree", "4", "--output", folder </> "other.csv", "--keep-whole"]
+        (words "census --q 2 --degree 4 --output" ++ [folder </> "other.csv", "--keep-whole"])
         "not an unfinished file"
       readFile (folder </> "other.csv") `shouldReturn` checked
   it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $
@@ -120,10 +116,8 @@ spec = do
       complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
       (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
       (status, out, length (lines err)) `shouldBe` (0, whole, 1)
-  it
-    "merge: old files, without checks, are read and said to be unchecked; with new ones they make \
-    \an old one"
-    $ inFolder $ \folder -> do
+  it "merge: old files, without checks, are read and said to be unchecked" $
+    inFolder $ \folder -> do
       let file name = folder </> name
       forM_ [1, 2 :: Int] $ \i ->
         pra (small folder ("part" ++ show i) ++ ["--shard", show i ++ "/2"])
@@ -168,7 +162,7 @@ spec = do
           (status, length (lines err)) `shouldBe` (2, 1)
           readFile file `shouldReturn` content
       writeFile file whole
-      complains ["census", "--q", "4", "--degree", "3", "--output", file] "not an unfinished file"
+      complains (words "census --q 4 --degree 3 --output" ++ [file]) "not an unfinished file"
       complains (census folder "other" ++ ["--shard", "1/2"]) "not an unfinished file"
   it "merge: shards in any order are the census in one run, byte by byte" $
     inFolder $ \folder -> do
@@ -189,7 +183,7 @@ spec = do
         pra (census folder ("part" ++ show i) ++ ["--shard", show i ++ "/3"])
       complains ["merge", file "part1", file "part3"] "128 of 384 entries are missing"
       complains ["merge", file "part1", file "part2", file "part3", file "part2"] "entry 1 is in"
-      _ <- pra ["census", "--q", "2", "--degree", "4", "--output", file "other"]
+      _ <- pra (words "census --q 2 --degree 4 --output" ++ [file "other"])
       complains ["merge", file "part1", file "other"] "different censuses"
       part <- readFile (file "part1")
       writeFile (file "cut") (take (length part - 3) part)
@@ -202,23 +196,23 @@ spec = do
   it "census: an impossible scope is status 2 with the reason" $
     inFolder $ \folder -> do
       complains
-        ["census", "--q", "6", "--degree", "2", "--output", folder </> "x"]
+        (words "census --q 6 --degree 2 --output" ++ [folder </> "x"])
         "6 is not a prime power"
-      complains ["census", "--q", "4", "--degree", "0", "--output", folder </> "x"] "degree 0"
+      complains (words "census --q 4 --degree 0 --output" ++ [folder </> "x"]) "degree 0"
       complains
-        ["census", "--q", "4", "--modulus", "1,0,1", "--degree", "2", "--output", folder </> "x"]
+        (words "census --q 4 --modulus 1,0,1 --degree 2 --output" ++ [folder </> "x"])
         "factors"
       complains
-        ["census", "--q", "2", "--degree", "3", "--output", folder </> "no" </> "x"]
+        (words "census --q 2 --degree 3 --output" ++ [folder </> "no" </> "x"])
         "cannot write"
       complains
-        ["census", "--q", "2", "--degree", "1000000", "--output", folder </> "x"]
+        (words "census --q 2 --degree 1000000 --output" ++ [folder </> "x"])
         "2^1000000 - 1"
       complains
-        ["census", "--q", "4", "--degree", "100", "--output", folder </> "x"]
+        (words "census --q 4 --degree 100 --output" ++ [folder </> "x"])
         "524288 divisors"
       doesPathExist (folder </> "x") `shouldReturn` False
-      forM_ ["0/2", "3/2", "1", "a/b"] $ \shard -> do
+      forM_ (words "0/2 3/2 1 a/b") $ \shard -> do
         (status, out, _) <- pra (census folder "x" ++ ["--shard", shard])
         (status, out) `shouldBe` (2, "")
   where
@@ -234,7 +228,6 @@ spec = do
     census folder name =
       words "census --q 4 --degree 4 --folding diagonal --window 2x2 --window 2x3 --output"
         ++ [folder </> name]
-    inFolder = withSystemTempDirectory "pra-tactile"
     fields line = words' (map (\c -> if c == ',' then ';' else c) line)
     words' text = case break (== ';') text of
       (field, _ : rest) -> field : words' rest

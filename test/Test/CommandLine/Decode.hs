@@ -12,142 +12,147 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import PraTactile.Image
 import PraTactile.Image.Pgm
+import PraTactile.Symmetry
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
-  inFolder
-    "whichever way the image is turned, the place is the same and the turn is told"
-    $ \folder ->
+  it "however the image is turned, the place is the same" $
+    inFolder $ \folder ->
       for_
-        [(90, quarterTurn), (180, halfTurn), (270, halfTurn . quarterTurn)]
+        [(90, onRaster (turned 1)), (180, onRaster (turned 2)), (270, onRaster (turned 3))]
         $ \(degrees, turn) -> do
           changed folder turn
           (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
           (status, key ["orientation_deg"] out, key ["position"] out)
             `shouldBe` (0, Just (Number degrees), Just workedExample)
           key ["place_mm"] out `shouldBe` Just (toJSON [25.4, 95.25 :: Double])
-  inFolder "a mirror image is refused as one" $ \folder -> do
-    changed folder mirrorColumns
-    (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
-    (status, key ["outcome"] out, key ["reason"] out)
-      `shouldBe` (1, Just "refused", Just "mirrored")
-  inFolder "3 x 3 symbols: one may be blotted out, or be another; which one is told" $ \folder -> do
-    (stitched, composite) <- cubeTop folder
-    stitched `shouldBe` 0
-    (status, whole, _) <- pra ["decode", "--json", composite]
-    (status, key ["doubt"] whole >>= small, key ["wrong"] whole)
-      `shouldBe` (0, Just True, Just (Number 0))
-    let place out = [key ["object"] out, key ["face"] out, key ["outcome"] out]
-    image <- readImage composite
-    centres <- maybe (fail "no symbols") pure (key ["symbols"] whole >>= points)
-    length centres `shouldSatisfy` (>= 9)
-    for_ (zip [0 :: Int ..] centres) $ \(i, (x, y)) -> do
-      -- Blotted out: as the flat face is.
-      writeImage
-        folder
-        ( generate
-            (rasterWidth image)
-            (rasterHeight image)
-            (\u v -> if inBox (x, y) u v then 0.05 else at image u v)
-        )
-      (blotted, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
-      (i, blotted, place out) `shouldBe` (i, 0, place whole)
-      -- Upside down: an error that the others correct, if there is redundancy to spare.
-      writeImage
-        folder
-        ( generate
-            (rasterWidth image)
-            (rasterHeight image)
-            ( \u v ->
-                if inBox (x, y) u v
-                  then at image (round (2 * x) - u) (round (2 * y) - v)
-                  else at image u v
-            )
-        )
-      (turned, again, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
-      (i, turned, place again, key ["wrong"] again) `shouldBe` (i, 0, place whole, Just (Number 1))
-      (strict, refused, _) <- pra ["decode", "--json", "--radius", "0", folder </> "changed.pgm"]
-      (i, strict, key ["reason"] refused) `shouldBe` (i, 1, Just "orientation-contradiction")
-  inFolder "two columns of a face, a column apart: too little each, enough together" $ \folder -> do
-    for_ [("left" :: String, "0"), ("right", "50.8")] $ \(name, x) -> do
-      (probed, _, _) <-
-        pra
-          [ "probe",
-            "--object",
-            "cube",
-            "--face",
-            "C1 C2 C3 C4",
-            "--at",
-            x ++ ",0",
-            "--origin",
-            x ++ ",0",
-            "--upright",
-            "--size",
-            "16x52",
-            "--seed",
-            "3",
-            "--output",
-            folder </> name
-          ]
-      probed `shouldBe` 0
-      (status, out, _) <- pra ["decode", "--json", folder </> name]
-      (status, key ["reason"] out) `shouldBe` (1, Just "no-complete-window")
-      (stitched, _, _) <- pra ["stitch", folder </> name, "--output", folder </> name ++ ".pgm"]
+  it "a mirror image is refused as one" $
+    inFolder $ \folder -> do
+      changed folder (onRaster mirror)
+      (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+      (status, key ["outcome"] out, key ["reason"] out)
+        `shouldBe` (1, Just "refused", Just "mirrored")
+  it "3 x 3 symbols: one may be blotted out, or be another; which one is told" $
+    inFolder $ \folder -> do
+      (stitched, composite) <- cubeTop folder
       stitched `shouldBe` 0
-    (status, out, _) <-
-      pra ["decode", "--json", "--together", folder </> "left", folder </> "right"]
-    (status, key ["object"] out, key ["on"] out) `shouldBe` (0, Just "cube", Just "face")
-    key ["sources"] out `shouldBe` Just (toJSON [folder </> "left", folder </> "right"])
-    (images, placed, _) <-
-      pra
-        [ "decode",
-          "--json",
-          "--together",
-          folder </> "left.pgm",
-          folder </> "right.pgm",
-          "--at",
-          "0,0",
-          "--at",
-          "50.8,0"
-        ]
-    (images, key ["position"] placed) `shouldBe` (0, key ["position"] out)
-    (misplaced, other, _) <-
-      pra
-        [ "decode",
-          "--json",
-          "--together",
-          folder </> "left.pgm",
-          folder </> "right.pgm",
-          "--at",
-          "0,0",
-          "--at",
-          "63.5,0"
-        ]
-    (misplaced, key ["outcome"] other) `shouldBe` (1, Just "refused")
+      (status, whole, _) <- pra ["decode", "--json", composite]
+      (status, key ["doubt"] whole >>= small, key ["wrong"] whole)
+        `shouldBe` (0, Just True, Just (Number 0))
+      let place out = [key ["object"] out, key ["face"] out, key ["outcome"] out]
+      image <- readImage composite
+      centres <- maybe (fail "no symbols") pure (key ["symbols"] whole >>= points)
+      length centres `shouldSatisfy` (>= 9)
+      for_ (zip [0 :: Int ..] centres) $ \(i, (x, y)) -> do
+        -- Blotted out: as the flat face is.
+        writeImage
+          folder
+          ( generate
+              (rasterWidth image)
+              (rasterHeight image)
+              (\u v -> if inBox (x, y) u v then 0.05 else at image u v)
+          )
+        (blotted, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+        (i, blotted, place out) `shouldBe` (i, 0, place whole)
+        -- Upside down: an error that the others correct, if there is redundancy to spare.
+        writeImage
+          folder
+          ( generate
+              (rasterWidth image)
+              (rasterHeight image)
+              ( \u v ->
+                  if inBox (x, y) u v
+                    then at image (round (2 * x) - u) (round (2 * y) - v)
+                    else at image u v
+              )
+          )
+        (degrees, again, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
+        (i, degrees, place again, key ["wrong"] again)
+          `shouldBe` (i, 0, place whole, Just (Number 1))
+        (strict, refused, _) <- pra ["decode", "--json", "--radius", "0", folder </> "changed.pgm"]
+        (i, strict, key ["reason"] refused) `shouldBe` (i, 1, Just "orientation-contradiction")
+  it "two columns of a face, a column apart: too little each, enough together" $
+    inFolder $ \folder -> do
+      for_ [("left" :: String, "0"), ("right", "50.8")] $ \(name, x) -> do
+        (probed, _, _) <-
+          pra
+            [ "probe",
+              "--object",
+              "cube",
+              "--face",
+              "C1 C2 C3 C4",
+              "--at",
+              x ++ ",0",
+              "--origin",
+              x ++ ",0",
+              "--upright",
+              "--size",
+              "16x52",
+              "--seed",
+              "3",
+              "--output",
+              folder </> name
+            ]
+        probed `shouldBe` 0
+        (status, out, _) <- pra ["decode", "--json", folder </> name]
+        (status, key ["reason"] out) `shouldBe` (1, Just "no-complete-window")
+        (stitched, _, _) <- pra ["stitch", folder </> name, "--output", folder </> name ++ ".pgm"]
+        stitched `shouldBe` 0
+      (status, out, _) <-
+        pra ["decode", "--json", "--together", folder </> "left", folder </> "right"]
+      (status, key ["object"] out, key ["on"] out) `shouldBe` (0, Just "cube", Just "face")
+      key ["sources"] out `shouldBe` Just (toJSON [folder </> "left", folder </> "right"])
+      (images, placed, _) <-
+        pra
+          [ "decode",
+            "--json",
+            "--together",
+            folder </> "left.pgm",
+            folder </> "right.pgm",
+            "--at",
+            "0,0",
+            "--at",
+            "50.8,0"
+          ]
+      (images, key ["position"] placed) `shouldBe` (0, key ["position"] out)
+      (misplaced, other, _) <-
+        pra
+          [ "decode",
+            "--json",
+            "--together",
+            folder </> "left.pgm",
+            folder </> "right.pgm",
+            "--at",
+            "0,0",
+            "--at",
+            "63.5,0"
+          ]
+      (misplaced, key ["outcome"] other) `shouldBe` (1, Just "refused")
   it "no doubt tolerated, no answer; the sheet is asked for or the torus" $ do
     (status, out, _) <- pra ["decode", "--json", "--doubt", "0", worked]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     (sheet, onSheet, _) <- pra ["decode", "--json", "--surface", "sheet", worked]
     (sheet, key ["position"] onSheet) `shouldBe` (0, Just workedExample)
-  inFolder "frames without a manifest: what is missing is said in one line" $ \folder -> do
-    let copied = folder </> "frame_000.pgm"
-    Bytes.readFile "data/worked-example/frames/frame_000.pgm" >>= Bytes.writeFile copied
-    complains ["decode", folder] "holds no manifest.csv"
-    complains ["stitch", folder, "--output", folder </> "out.pgm"] "holds no manifest.csv"
-    complains ["stitch", copied, "--output", folder </> "out.pgm"] "is a file; a folder of frames"
-    complains ["stitch", folder </> "none", "--output", folder </> "out.pgm"] "there is no folder"
-    (status, out, err) <- pra ["decode", "--json", copied]
-    (status, key ["reason"] out, length (lines err)) `shouldBe` (1, Just "no-symbols", 1)
-    err
-      `shouldSatisfy` ( (folder ++ " holds no manifest.csv for an image of 16 x 16 taxels")
-                          `isInfixOf`
-                      )
-    (_, _, silent) <- pra ["decode", "--json", worked]
-    silent `shouldBe` ""
+  it "frames without a manifest: what is missing is said in one line" $
+    inFolder $ \folder -> do
+      let copied = folder </> "frame_000.pgm"
+      Bytes.readFile "data/worked-example/frames/frame_000.pgm" >>= Bytes.writeFile copied
+      complains ["decode", folder] "holds no manifest.csv"
+      complains ["stitch", folder, "--output", folder </> "out.pgm"] "holds no manifest.csv"
+      complains ["stitch", copied, "--output", folder </> "out.pgm"] "is a file; a folder of frames"
+      complains ["stitch", folder </> "none", "--output", folder </> "out.pgm"] "there is no folder"
+      (status, out, err) <- pra ["decode", "--json", copied]
+      (status, key ["reason"] out, length (lines err)) `shouldBe` (1, Just "no-symbols", 1)
+      err
+        `shouldSatisfy` ( (folder ++ " holds no manifest.csv for an image of 16 x 16 taxels")
+                            `isInfixOf`
+                        )
+      (_, _, silent) <- pra ["decode", "--json", worked]
+      silent `shouldBe` ""
   it "bad input: one line, status 2" $ do
     complains ["decode", "--doubt", "1", worked] "--doubt"
     complains ["decode", "--at", "0,0", worked] "--together"
@@ -156,7 +161,6 @@ spec = do
     (status, out) `shouldBe` (2, "")
     err `shouldSatisfy` (not . null)
   where
-    inFolder name = it name . withSystemTempDirectory "pra-tactile"
     worked = "data/worked-example/composite.pgm"
     workedExample = object ["row" .= (6 :: Int), "column" .= (5 :: Int)]
     changed folder f = readImage worked >>= writeImage folder . f

@@ -3,9 +3,9 @@ module Test.CommandLine.Json (spec) where
 
 import Control.Monad (forM_)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -38,16 +38,12 @@ spec = do
           answer = folder </> "answer.json"
       _ <-
         pra
-          [ "probe",
-            "--object",
-            "cube",
-            "--seed",
-            "7",
-            "--output",
-            folder </> "frames",
-            "--truth",
-            truth
-          ]
+          ( words "probe --object cube --seed 7 --output"
+              ++ [ folder </> "frames",
+                   "--truth",
+                   truth
+                 ]
+          )
       (_, decoded, _) <- pra ["decode", "--json", folder </> "frames"]
       writeFile answer decoded
       (status, _, _) <- pra ["compare", answer, truth]
@@ -62,4 +58,3 @@ spec = do
     replaced from to text
       | take (length from) text == from = to ++ drop (length from) text
       | otherwise = take 1 text ++ replaced from to (drop 1 text)
-    inFolder = withSystemTempDirectory "pra-tactile"

@@ -8,13 +8,11 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)
 import Data.List (intercalate, isInfixOf, isPrefixOf, isSuffixOf, transpose)
-import Data.Proxy (Proxy (..))
 import qualified Data.Text as Text
 import PraTactile.Array (Folding (..), Position (Position), Shape (Shape), cellAt)
 import PraTactile.Field (toCode)
-import PraTactile.Field.Named (GF4)
 import PraTactile.Polynomial
-import Test.Code.Generators (firstOver, folded, right)
+import Test.Code.Generators
 import Test.CommandLine.Run
 import Test.Hspec
 
@@ -50,7 +48,7 @@ spec = do
       (contradicted, no, _) <- pra ["locate", "--json", "--road", road, spelled damaged]
       (contradicted, key ["reason"] no) `shouldBe` (1, Just "contradiction")
   it "locate corrects errors on arrays of 2^60 cells, and tells what of the distance is proved" $ do
-    h <- firstOver (Proxy :: Proxy GF4) 30
+    h <- firstOver gf4 30
     array <- right (folded Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1)) h)
     let codes = map (show . toCode)
         chosen =
@@ -144,7 +142,7 @@ spec = do
     (status, out, _) <- pra ["locate", "--json", "[[[0,0,0.1,0.9],2],[3,1]]"]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     for_
-      ["[[[0,0,0.1],2],[3,1]]", "[[[0,0,2,-1],2],[3,1]]", "[[3.5]]", "[[3],[]]", "[3", "[[true]]"]
+      (words "[[[0,0,0.1],2],[3,1]] [[[0,0,2,-1],2],[3,1]] [[3.5]] [[3],[]] [3 [[true]]")
       $ \patch ->
         complains ["locate", patch] ""
   it "locate --orientation tells how a patch is seen turned, clockwise, and mirrored" $ do
@@ -188,76 +186,73 @@ spec = do
     (told, filter ("turned by 180" `isInfixOf`) (lines sentences))
       `shouldSatisfy` \(status, found) -> status == 0 && length found == 2
     complains
-      ["locate", "--orientation", "turned", "--road", "table", "--radius", "1", spelled upright]
+      (words "locate --orientation turned --road table --radius 1" ++ [spelled upright])
       "--radius"
-  it
-    "locate takes several patches with their displacements, as text and as JSON, and names those \
-    \that do not belong"
-    $ do
-      (_, array, _) <- pra ["array", "--format", "csv"]
-      let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
-          text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
-          astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
-      locates ["locate", text] ["row 6, column 4"]
-      (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
-      (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
-      locates ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
-      locates ["locate", "--road", "algebra", text] ["row 6, column 4"]
-      locates ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
-      (status, out, _) <- pra ["locate", "--json", astray]
-      (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
-      (_, explained, _) <- pra ["locate", "--explain", astray]
-      filter ("does not belong" `isInfixOf`) (lines explained) `shouldSatisfy` ((== 1) . length)
-      let patches =
-            object
-              [ "patches"
-                  .= [ object ["cells" .= codesOf (cut array (6, 5) (2, 2))],
-                       object
-                         [ "at" .= [1, 1 :: Int],
-                           "cells" .= codesOf (disturbed (cut array (7, 6) (2, 2)))
-                         ],
-                       object ["at" .= [0, 4 :: Int], "cells" .= codesOf (cut array (6, 9) (2, 3))]
-                     ]
-              ]
-      (located, found, _) <- pra ["locate", "--json", encoded patches]
-      ( located,
-        key ["position", "row"] found,
-        key ["disputed"] found,
-        fmap inconsistent (key ["patches"] found)
-        )
-        `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
-      let chances =
-            object
-              [ "patches"
-                  .= [ object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]],
-                       object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]
-                     ]
-              ]
-      locates ["locate", encoded chances] ["row 6, column 5"]
-      (batched, lines', _) <-
-        praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
-      (batched, map (key ["outcome"]) (lines lines'))
-        `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
-      for_
-        [ ("3 2 / 3 1 ;", "patch 2"),
-          ("x,1: 3 2 / 3 1", "displacement"),
-          ("1: 3 2", "displacement"),
-          ("3 2 / 3 1 ; 0,3: 7", "patch 2"),
-          ("999999999,0: 3 2 / 3 1 ; 3", "rectangle"),
-          ("{\"patches\": []}", "no cells"),
-          ("{\"patches\": 1}", "list"),
-          ("{}", "patches"),
-          ("{", "JSON"),
-          ("{\"patches\": [{\"at\": [0.5, 0], \"cells\": [[1]]}]}", "displacement"),
-          ("{\"patches\": [{\"at\": [0, 0]}]}", "cells"),
-          ("{\"patches\": [{\"cell\": [[1]]}]}", "alone")
-        ]
-        $ \(patch, about) -> complains ["locate", patch] about
+  it "locate takes several patches and names those that do not belong" $ do
+    (_, array, _) <- pra ["array", "--format", "csv"]
+    let at (r, c) = spelled (cut array (6 + r, 5 + c) (2, 2))
+        text = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,-1: " ++ at (4, -1)
+        astray = at (0, 0) ++ " ; 0,3: " ++ at (0, 3) ++ " ; 4,0: " ++ at (4, 1)
+    locates ["locate", text] ["row 6, column 4"]
+    (refused, named, _) <- pra ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0"]
+    (refused, "inconsistent: patch 3\n" `isSuffixOf` named) `shouldBe` (1, True)
+    locates ["locate", "3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,1: 2 2 / 3 0"] ["row 6, column 5"]
+    locates ["locate", "--road", "algebra", text] ["row 6, column 4"]
+    locates ["locate", "--road", "table", at (0, 0) ++ "; 1,1:" ++ at (1, 1)] ["row 6, column 5"]
+    (status, out, _) <- pra ["locate", "--json", astray]
+    (status, fmap inconsistent (key ["patches"] out)) `shouldBe` (1, Just [False, False, True])
+    (_, explained, _) <- pra ["locate", "--explain", astray]
+    filter ("does not belong" `isInfixOf`) (lines explained) `shouldSatisfy` ((== 1) . length)
+    let patches =
+          object
+            [ "patches"
+                .= [ object ["cells" .= codesOf (cut array (6, 5) (2, 2))],
+                     object
+                       [ "at" .= [1, 1 :: Int],
+                         "cells" .= codesOf (disturbed (cut array (7, 6) (2, 2)))
+                       ],
+                     object ["at" .= [0, 4 :: Int], "cells" .= codesOf (cut array (6, 9) (2, 3))]
+                   ]
+            ]
+    (located, found, _) <- pra ["locate", "--json", encoded patches]
+    ( located,
+      key ["position", "row"] found,
+      key ["disputed"] found,
+      fmap inconsistent (key ["patches"] found)
+      )
+      `shouldBe` (0, Just (Number 6), Just (toJSON [[1, 1 :: Int]]), Just [False, True, False])
+    let chances =
+          object
+            [ "patches"
+                .= [ object ["cells" .= [[[0, 0, 0.1, 0.9 :: Double]]]],
+                     object ["at" .= [0, 0 :: Int], "cells" .= codesOf (cut array (6, 5) (2, 2))]
+                   ]
+            ]
+    locates ["locate", encoded chances] ["row 6, column 5"]
+    (batched, lines', _) <-
+      praWith ["locate", "--batch"] (unlines [text, encoded chances, "3 2 / 3 1 ; 1:"])
+    (batched, map (key ["outcome"]) (lines lines'))
+      `shouldBe` (2, map (Just . String) ["located", "located", "invalid"])
+    for_
+      [ ("3 2 / 3 1 ;", "patch 2"),
+        ("x,1: 3 2 / 3 1", "displacement"),
+        ("1: 3 2", "displacement"),
+        ("3 2 / 3 1 ; 0,3: 7", "patch 2"),
+        ("999999999,0: 3 2 / 3 1 ; 3", "rectangle"),
+        ("{\"patches\": []}", "no cells"),
+        ("{\"patches\": 1}", "list"),
+        ("{}", "patches"),
+        ("{", "JSON"),
+        ("{\"patches\": [{\"at\": [0.5, 0], \"cells\": [[1]]}]}", "displacement"),
+        ("{\"patches\": [{\"at\": [0, 0]}]}", "cells"),
+        ("{\"patches\": [{\"cell\": [[1]]}]}", "alone")
+      ]
+      $ \(patch, about) -> complains ["locate", patch] about
   it "locate knows orientations and several patches beyond 2^20 cells" $ do
-    array <- firstOver (Proxy :: Proxy GF4) 12 >>= right . folded Diagonal (Shape 4095 4097)
+    array <- arrayOver gf4 12 Diagonal (Shape 4095 4097)
     chosenPolynomial <-
       (\(_, out, _) -> concat (take 1 (lines out)))
-        <$> pra ["polynomials", "--q", "4", "--degree", "12", "--first"]
+        <$> pra (words "polynomials --q 4 --degree 12 --first")
     let chosen = ["--q", "4", "--polynomial", chosenPolynomial, "--shape", "4095x4097"]
         cells (r, c) (h, w) =
           [ [show (toCode (cellAt array (Position (r + i) (c + j)))) | j <- [0 .. w - 1]]
@@ -281,7 +276,7 @@ spec = do
     -- One wrong cell of 49, in any quarter turn.
     (status, out, _) <-
       pra
-        ( ["locate", "--json", "--orientation", "turned"]
+        ( words "locate --json --orientation turned"
             ++ chosen
             ++ [spelled (transpose (reverse (disturbed (cells (4000, 4096) (7, 7)))))]
         )
@@ -311,7 +306,7 @@ spec = do
       ["row 4000, column 4096 (2 cells corrected); inconsistent: patches 1, 2"]
     -- Probabilities, too: one cell that is as likely 0 as 1, in four orientations.
     (undecided, many, _) <-
-      pra (["locate", "--json", "--orientation", "turned"] ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"])
+      pra (words "locate --json --orientation turned" ++ chosen ++ ["[[[0.5, 0.5, 0, 0]]]"])
     (undecided, key ["road"] many, key ["count"] many, key ["dimension"] many)
       `shouldBe` (1, Just "list", Just (toJSON (4 * (2 * 4 ^ (11 :: Int) - 1) :: Integer)), Nothing)
     let likely shape =

@@ -16,13 +16,14 @@ import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Shape (paperAlphabet)
 import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)
+import PraTactile.Symmetry (rotations)
 import System.Directory (doesFileExist)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcess)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.QuickCheck
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -33,7 +34,7 @@ spec = do
 memorySpec :: Spec
 memorySpec =
   it "200 presses are evaluated in 24 MB" $ do
-    (status, out, err) <- praUnder "-A1m -M24m" ["evaluate", "--presses", "200", "--seed", "1"] ""
+    (status, out, err) <- praUnder "-A1m -M24m" (words "evaluate --presses 200 --seed 1") ""
     (status, length (lines out), err) `shouldBe` (0, 3, "")
 
 countSpec :: Spec
@@ -61,7 +62,7 @@ countSpec = do
       Right layout ->
         for_
           [ (turns, (w, h))
-            | turns <- [halfTurns, quarterTurns],
+            | turns <- [halfTurns, rotations],
               w <- [40, 60, 70, 120],
               h <- [40, 56, 75]
           ]
@@ -93,15 +94,13 @@ progressSpec = do
     fmap (\a -> length (stepsDone (trainingRounds short a 1))) paperAlphabet
       `shouldBe` Right (regimenRounds short)
     regimenRounds short `shouldBe` 5
-  it
-    "the search for shapes goes forward, and where it finds nothing to the length that it announced"
-    $ do
-      let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
-      zipWith (<) steps (drop 1 steps) `shouldSatisfy` and
-      take 1 (reverse steps) `shouldBe` [searchLength]
+  it "the search for shapes goes forward, to the length announced where it finds nothing" $ do
+    let steps = stepsDone (designSteps 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
+    zipWith (<) steps (drop 1 steps) `shouldSatisfy` and
+    take 1 (reverse steps) `shouldBe` [searchLength]
   for_ work $ \(name, arguments, shown) -> do
     it (name ++ " tells it on a terminal") $
-      withSystemTempDirectory "pra-tactile" $ \folder -> do
+      inFolder $ \folder -> do
         let command =
               "timeout 4 pra-tactile "
                 ++ arguments
@@ -118,7 +117,7 @@ progressSpec = do
     told `shouldSatisfy` ("6/6" `isInfixOf`)
     reverse (take 4 (reverse told)) `shouldBe` "\r\ESC[K"
   it "nothing is told where the standard error is no terminal" $
-    withSystemTempDirectory "pra-tactile" $ \folder -> do
+    inFolder $ \folder -> do
       (_, _, evaluated) <- pra ["evaluate", "--presses", "6"]
       (_, _, tabled) <- pra (words table ++ ["--output", folder </> "table.csv"])
       (_, _, designed) <- pra ["shapes", "--design", "--output", folder </> "shapes.txt"]

@@ -26,16 +26,13 @@ spec = do
           Text.intercalate ";" (replicate count ("0,3: " <> Text.unwords (replicate cells "?")))
     oversized 4 (patches 2 32768) `shouldBe` Nothing
     oversized 4 (patches 2 32769) `shouldSatisfy` (/= Nothing)
-  it
-    "what is no patch is refused by its size as well: rows without cells, lists of no rows, \
-    \brackets"
-    $ for_ [many "/", many ";", "[" <> many "0," <> "0]", many "["] $ \text ->
+  it "what is no patch is refused by its size, too: rows without cells, brackets" $
+    for_ [many "/", many ";", "[" <> many "0," <> "0]", many "["] $ \text ->
       oversized 4 text `shouldSatisfy` (/= Nothing)
   it "brackets and commas in a text are none, nor is an escaped quotation mark its end" $
     oversized 4 ("[[\"" <> Text.replicate 100000 "[,\\\"" <> "\"]]") `shouldBe` Nothing
-  it
-    "a patch of probabilities for all symbols is as large as one of symbols, whatever the alphabet"
-    $ for_ [2, 4, 25] $ \q -> do
+  it "a patch of probabilities is as large as one of symbols, whatever the alphabet" $
+    for_ [2, 4, 25] $ \q -> do
       let cell = "[" <> Text.intercalate "," (replicate q "0") <> "]"
           given n = "[[" <> Text.intercalate "," (replicate n cell) <> "]]"
       oversized q (given 65536) `shouldBe` Nothing

@@ -11,15 +11,14 @@ import Data.List (isInfixOf, isPrefixOf, sort, stripPrefix)
 import Data.Maybe (mapMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
-  inFolder
-    "a picture whose name says that it is none of SVG is refused, before any work is done"
-    $ \folder -> do
+  it "a picture whose name is none of SVG is refused before any work" $
+    inFolder $ \folder -> do
       for_ ["picture.png", "picture.PDF", "picture.svg.png"] $ \name -> do
         -- The input is not even looked for.
         complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
@@ -31,19 +30,22 @@ spec = do
         picture <- readFile (folder </> name)
         for_ ["<svg ", "cube, face C1 C2 C3 C4, corner C2", "</svg>"] $ \part ->
           picture `shouldSatisfy` (part `isInfixOf`)
-  inFolder "- is the standard output: the picture alone, as the file has it" $ \folder -> do
-    _ <- pra ["decode", worked, "--picture", folder </> "picture.svg"]
-    picture <- readFile (folder </> "picture.svg")
-    pra ["decode", worked, "--picture", "-"] `shouldReturn` (0, picture, "")
-    complains ["decode", "--json", worked, "--picture", "-"] "standard output"
-    _ <- pra (words "rates --trials 20 --size 2x2 --plot" ++ [folder </> "rates.svg"])
-    plot <- readFile (folder </> "rates.svg")
-    pra (words "rates --trials 20 --size 2x2 --plot -") `shouldReturn` (0, plot, "")
-  inFolder "what was refused has a picture too, without a face" $ \folder -> do
-    (status, _, _) <- pra ["decode", "--doubt", "0", worked, "--picture", folder </> "picture.svg"]
-    picture <- readFile (folder </> "picture.svg")
-    (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture)
-      `shouldBe` (1, False, True)
+  it "- is the standard output: the picture alone, as the file has it" $
+    inFolder $ \folder -> do
+      _ <- pra ["decode", worked, "--picture", folder </> "picture.svg"]
+      picture <- readFile (folder </> "picture.svg")
+      pra ["decode", worked, "--picture", "-"] `shouldReturn` (0, picture, "")
+      complains ["decode", "--json", worked, "--picture", "-"] "standard output"
+      _ <- pra (words "rates --trials 20 --size 2x2 --plot" ++ [folder </> "rates.svg"])
+      plot <- readFile (folder </> "rates.svg")
+      pra (words "rates --trials 20 --size 2x2 --plot -") `shouldReturn` (0, plot, "")
+  it "what was refused has a picture too, without a face" $
+    inFolder $ \folder -> do
+      (status, _, _) <-
+        pra ["decode", "--doubt", "0", worked, "--picture", folder </> "picture.svg"]
+      picture <- readFile (folder </> "picture.svg")
+      (status, "Where it is" `isInfixOf` picture, "not likely enough" `isInfixOf` picture)
+        `shouldBe` (1, False, True)
   it "docs/demo.svg is what the command beside it in the README draws" $ do
     readme <- lines <$> readFile "README.md"
     case [ words command
@@ -57,17 +59,17 @@ spec = do
         kept <- readFile "docs/demo.svg"
         (status, marks drawn) `shouldBe` (0, marks kept)
       other -> expectationFailure ("one command was expected: " ++ show other)
-  inFolder "the examples in probe's help work" $ \folder -> do
-    (_, help, _) <- pra ["probe", "--help"]
-    let examples = mapMaybe (stripPrefix "pra-tactile probe " . dropWhile isSpace) (lines help)
-    length examples `shouldSatisfy` (>= 2)
-    for_ (zip [0 :: Int ..] examples) $ \(i, line) -> do
-      (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
-      (line, status, err) `shouldBe` (line, 0, "")
-      doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
-  inFolder
-    "a region that is not on the face: how large it is, where, and how large the face is"
-    $ \folder -> do
+  it "the examples in probe's help work" $
+    inFolder $ \folder -> do
+      (_, help, _) <- pra ["probe", "--help"]
+      let examples = mapMaybe (stripPrefix "pra-tactile probe " . dropWhile isSpace) (lines help)
+      length examples `shouldSatisfy` (>= 2)
+      for_ (zip [0 :: Int ..] examples) $ \(i, line) -> do
+        (status, _, err) <- pra ("probe" : map (moved (folder </> show i)) (shellWords line))
+        (line, status, err) `shouldBe` (line, 0, "")
+        doesPathExist (folder </> show i ++ "frames") `shouldReturn` True
+  it "a region off the face: how large it is, where, and how large the face is" $
+    inFolder $ \folder -> do
       let press =
             [ "probe",
               "--object",
@@ -86,10 +88,9 @@ spec = do
         \101.6 mm"
       complains (press ++ ["--size", "60x70"]) "95.25 x 111.12 mm"
       -- Turned by a quarter, it lies across.
-      complains (press ++ ["--size", "80x20", "--turn", "90"]) "31.75 x 127 mm"
-  inFolder
-    "probe --truth, decode, compare: an answer agrees with its own truth and with no other"
-    $ \folder -> do
+      complains (press ++ words "--size 80x20 --turn 90") "31.75 x 127 mm"
+  it "probe --truth, decode, compare: an answer agrees with its own truth only" $
+    inFolder $ \folder -> do
       for_ [0, 90, 180, 270 :: Int] $ \degrees -> do
         let file name = folder </> name ++ show degrees
         (probed, _, _) <-
@@ -122,23 +123,19 @@ spec = do
         (status, told, _) <- pra ["compare", "--json", file "answer", file "truth"]
         (status, key ["agree"] told, key ["answer_mm"] told)
           `shouldBe` (0, Just (Bool True), key ["place_mm"] answer)
-        key ["distance_mm"] told `shouldSatisfy` maybe False (below 2)
+        key ["distance_mm"] told `shouldSatisfy` maybe False (under 2)
       for_ [("answer0", "truth180", "other-orientation")] $ \(answer, truth, difference) -> do
         (status, told, _) <- pra ["compare", "--json", folder </> answer, folder </> truth]
         (status, key ["agree"] told, key ["difference"] told)
           `shouldBe` (1, Just (Bool False), Just (String difference))
       _ <-
         pra
-          [ "probe",
-            "--object",
-            "parallelepiped",
-            "--seed",
-            "4",
-            "--truth",
-            folder </> "elsewhere",
-            "--output",
-            folder </> "other"
-          ]
+          ( words "probe --object parallelepiped --seed 4 --truth"
+              ++ [ folder </> "elsewhere",
+                   "--output",
+                   folder </> "other"
+                 ]
+          )
       (status, out, _) <- pra ["compare", folder </> "answer0", folder </> "elsewhere"]
       (status, "another face" `isInfixOf` out) `shouldBe` (1, True)
       (_, refused, _) <- pra ["decode", "--json", "--doubt", "0", folder </> "frames0"]
@@ -147,25 +144,21 @@ spec = do
       none `shouldBe` 1
       complains ["compare", folder </> "truth0", folder </> "answer0"] "schema"
       complains ["compare", worked, folder </> "truth0"] "not one answer"
-  it
-    "the window's centre in the robot's coordinates: where the composite shows it, in millimetres \
-    \from the first pixel's centre"
-    $ do
-      (_, out, _) <- pra ["decode", "--json", worked]
-      case (key ["windows"] out, key ["robot_mm"] out) of
-        (Just windows, Just there) -> case fromJSON windows of
-          Success (window : _) | Success (x, y) <- fromJSON there -> do
-            let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
-            pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
-            pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
-          _ -> expectationFailure "no window"
-        other -> expectationFailure (show other)
+  it "the window's centre in the robot's coordinates is where the composite shows it" $ do
+    (_, out, _) <- pra ["decode", "--json", worked]
+    case (key ["windows"] out, key ["robot_mm"] out) of
+      (Just windows, Just there) -> case fromJSON windows of
+        Success (window : _) | Success (x, y) <- fromJSON there -> do
+          let pixel name = key [name] (Lazy8.unpack (encode (window :: Value))) >>= number
+          pixel "x" `shouldSatisfy` maybe False (\u -> abs (1.5875 * u - x) < 1e-9)
+          pixel "y" `shouldSatisfy` maybe False (\v -> abs (1.5875 * v - y) < 1e-9)
+        _ -> expectationFailure "no window"
+      other -> expectationFailure (show other)
   where
-    inFolder name = it name . withSystemTempDirectory "pra-tactile"
     worked = "data/worked-example/composite.pgm"
     moved prefix argument =
       if argument `elem` ["frames", "truth.json"] then prefix ++ argument else argument
-    below limit value = maybe False (< limit) (number value)
+    under limit value = maybe False (< limit) (number value)
     number :: Value -> Maybe Double
     number value = case fromJSON value of
       Success x -> Just x

@@ -15,10 +15,10 @@ import PraTactile.Certificate.Digest (sha256OfText)
 import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process (readProcessWithExitCode)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -28,7 +28,7 @@ spec = do
 proveSpec :: Spec
 proveSpec = describe "prove" $ do
   it "--mask: any set of cells, by both roads" $ do
-    (status, out, _) <- pra ["prove", "--json", "--mask", "##./.##"]
+    (status, out, _) <- pra (words "prove --json --mask ##./.##")
     ( status,
       map
         (\name -> key [name] out)
@@ -46,10 +46,10 @@ proveSpec = describe "prove" $ do
     (refuted, proved, key ["windows"] out', key ["rank_road"] out')
       `shouldBe` (1, 0, Just (Number 32), Just Null)
   it "tells how far the windows lie apart, and a smallest set of cells without which it fails" $ do
-    (_, out, _) <- pra ["prove", "--json", "--mask", "###/###"]
+    (_, out, _) <- pra (words "prove --json --mask ###/###")
     (key ["distance"] out, fmap cells (key ["failing_erasure"] out))
       `shouldBe` (Just (Number 2), Just (Just 2))
-    (_, out', _) <- pra ["prove", "--json", "--surface", "sheet"]
+    (_, out', _) <- pra (words "prove --json --surface sheet")
     (key ["distance"] out', key ["failing_erasure"] out') `shouldBe` (Just Null, Just Null)
     (_, text, _) <- pra ["prove", "--mask", "###/###/###"]
     text
@@ -66,17 +66,9 @@ proveSpec = describe "prove" $ do
       ( status,
         map
           (\name -> key [name] out)
-          [ "profile",
-            "q",
-            "proved",
-            "enumeration",
-            "rank_road",
-            "rank",
-            "needed",
-            "windows",
-            "surface",
-            "collision"
-          ]
+          ( ["profile", "q", "proved", "enumeration", "rank_road"]
+              ++ ["rank", "needed", "windows", "surface", "collision"]
+          )
         )
         `shouldBe` ( 0,
                      map
@@ -94,7 +86,7 @@ proveSpec = describe "prove" $ do
                        ]
                    )
       writeFile file "0, 1, 0\r\n1, 1, 1\r\n0, 1, 0\r\n\r\n"
-      (refuted, out', _) <- pra ["prove", "--json", "--mask", "##", "--surface", "sheet", file]
+      (refuted, out', _) <- pra (words "prove --json --mask ## --surface sheet" ++ [file])
       -- 01 10 / 11 11 / 01 10
       (refuted, map (\name -> key [name] out') ["q", "windows", "collision"])
         `shouldBe` (1, [Just (Number 2), Just (Number 3), Just (toJSON [[1, 0], [1, 1 :: Int]])])
@@ -103,10 +95,10 @@ proveSpec = describe "prove" $ do
       let file = folder </> "a.csv"
       writeFile file "0,2\n1,2\n"
       (_, out, _) <- pra ["prove", "--json", "--window", "1x1", file]
-      (_, out', _) <- pra ["prove", "--json", "--window", "1x1", "--q", "5", file]
+      (_, out', _) <- pra (words "prove --json --window 1x1 --q 5" ++ [file])
       (key ["q"] out, key ["q"] out') `shouldBe` (Just (Number 3), Just (Number 5))
-      complains ["prove", "--window", "1x1", "--q", "2", file] "not below q"
-      complains ["prove", "--window", "1x1", "--q", "257", file] "257"
+      complains (words "prove --window 1x1 --q 2" ++ [file]) "not below q"
+      complains (words "prove --window 1x1 --q 257" ++ [file]) "257"
   it "FILE: ragged rows, codes that are none, and empty files are status 2 with the line" $
     inFolder $ \folder -> do
       let file = folder </> "bad.csv"
@@ -129,25 +121,14 @@ proveSpec = describe "prove" $ do
       complains ["prove", "--window", "1x1", folder </> "none.csv"] "none.csv"
       writeFile file "0,1\n"
       complains ["prove", file] "--window"
-      complains ["prove", "--window", "2x1", "--surface", "sheet", file] "no window"
-      complains ["prove", "--window", "1x1", "--polynomial", "1,1", file] "FILE"
+      complains (words "prove --window 2x1 --surface sheet" ++ [file]) "no window"
+      complains (words "prove --window 1x1 --polynomial 1,1" ++ [file]) "FILE"
   it "a mask that is none, or beside --window, is status 2" $ do
     forM_ ["", "..", "##/#", "#?"] $ \drawing ->
       void
         (pra ["prove", "--mask", drawing] >>= \(status, out, _) -> (status, out) `shouldBe` (2, ""))
     complains
-      [ "prove",
-        "--mask",
-        "##",
-        "--window",
-        "1x2",
-        "--q",
-        "2",
-        "--polynomial",
-        "1,1,0,0,1",
-        "--shape",
-        "3x5"
-      ]
+      (words "prove --mask ## --window 1x2 --q 2 --polynomial 1,1,0,0,1 --shape 3x5")
       "--window"
 
 cells :: Value -> Maybe Int
@@ -162,7 +143,7 @@ certificateSpec = describe "certificate and check" $ do
       forM_
         [ ("rank", []),
           ("enumeration", ["--enumeration"]),
-          ("sheet", ["--surface", "sheet", "--mask", "##./.##"]),
+          ("sheet", words "--surface sheet --mask ##./.##"),
           ("odd", words "--q 3 --polynomial 1,2,0,1 --shape 2x13 --window 1x3"),
           ("gf9", words "--q 9 --polynomial 3,1,1 --shape 1x80 --window 1x2 --enumeration"),
           ("packed", words "--q 2 --polynomial 1,1,0,0,1 --shape 3x5")
@@ -179,25 +160,22 @@ certificateSpec = describe "certificate and check" $ do
           forM_ python $ \executable ->
             readProcessWithExitCode executable [checker, file] ""
               `shouldReturn` (ExitSuccess, "good\n", "")
-  it
-    "without --output it is the standard output; refuted and undecided ones are status 1, \
-    \impossible arrays 2"
-    $ do
-      (status, out, _) <- pra ["certificate"]
-      (status, key ["schema"] out) `shouldBe` (0, Just "pra-tactile/certificate/1")
-      forM_
-        [ ["--mask", "##"],
-          ["--mask", "##", "--surface", "sheet"],
-          ["--rank", "--surface", "twisted-torus"]
-        ]
-        $ \options -> do
-          (refuted, nothing, err) <- pra ("certificate" : options)
-          (refuted, nothing, length (lines err)) `shouldBe` (1, "", 1)
-      complains
-        ["certificate", "--q", "4", "--polynomial", "1,0,0,0,1", "--shape", "15x17"]
-        "not primitive"
+  it "without --output on the standard output; refuted is status 1, impossible 2" $ do
+    (status, out, _) <- pra ["certificate"]
+    (status, key ["schema"] out) `shouldBe` (0, Just "pra-tactile/certificate/1")
+    forM_
+      [ ["--mask", "##"],
+        words "--mask ## --surface sheet",
+        ["--rank", "--surface", "twisted-torus"]
+      ]
+      $ \options -> do
+        (refuted, nothing, err) <- pra ("certificate" : options)
+        (refuted, nothing, length (lines err)) `shouldBe` (1, "", 1)
+    complains
+      (words "certificate --q 4 --polynomial 1,0,0,0,1 --shape 15x17")
+      "not primitive"
   it "every command of proofs shows an example with --help" $
-    forM_ ["prove", "certificate", "check", "census", "merge"] $ \name -> do
+    forM_ (words "prove certificate check census merge") $ \name -> do
       (status, out, _) <- pra [name, "--help"]
       (status, "Example" `isInfixOf` out) `shouldBe` (0, True)
   it "what is no certificate is status 2 for check" $
@@ -315,6 +293,3 @@ inPython folder texts = do
           "    except Exception:",
           "        print('bad')"
         ]
-
-inFolder :: (FilePath -> IO a) -> IO a
-inFolder = withSystemTempDirectory "pra-tactile"

@@ -11,9 +11,9 @@ import Data.List (isInfixOf, isPrefixOf)
 import Data.Maybe (isJust, listToMaybe)
 import System.Directory (doesPathExist, listDirectory)
 import System.FilePath ((</>))
-import System.IO.Temp (withSystemTempDirectory)
 import Test.CommandLine.Run
 import Test.Hspec
+import Test.Support
 import Text.Read (readMaybe)
 
 spec :: Spec
@@ -30,34 +30,20 @@ spec = do
     [take 3 (words l) | l <- lines out, any (`isPrefixOf` l) ["2x2 ", "2x3 "]]
       `shouldBe` cases ++ cases
     maximum (map length (lines out)) `shouldSatisfy` (<= 140)
-  it
-    "rates: one seed, one result, whatever the number of cores; a line is the same in any table; \
-    \another seed is another result"
-    $ do
-      let arguments = words "rates --trials 2500 --errors 5 --erasures 15 --format csv"
-      (_, out, _) <- pra (arguments ++ words "--size 2x2 --size 3x3")
-      (_, onOneCore, _) <- praUnder "-N1" (arguments ++ words "--size 2x2 --size 3x3") ""
-      onOneCore `shouldBe` out
-      (_, alone, _) <- pra (arguments ++ words "--size 3x3")
-      drop 2 (lines out) `shouldBe` drop 1 (lines alone)
-      (_, other, _) <- pra (arguments ++ words "--size 3x3 --seed 2")
-      lines other `shouldNotBe` lines alone
+  it "rates: one seed, one result, on any number of cores and in any table" $ do
+    let arguments = words "rates --trials 2500 --errors 5 --erasures 15 --format csv"
+    (_, out, _) <- pra (arguments ++ words "--size 2x2 --size 3x3")
+    (_, onOneCore, _) <- praUnder "-N1" (arguments ++ words "--size 2x2 --size 3x3") ""
+    onOneCore `shouldBe` out
+    (_, alone, _) <- pra (arguments ++ words "--size 3x3")
+    drop 2 (lines out) `shouldBe` drop 1 (lines alone)
+    (_, other, _) <- pra (arguments ++ words "--size 3x3 --seed 2")
+    lines other `shouldNotBe` lines alone
   it "rates --radius: the guaranteed one is the default; beyond it there are no exact rates" $ do
     let csv radius =
           (\(_, out, _) -> lines out)
             <$> pra
-              ( [ "rates",
-                  "--size",
-                  "4x4",
-                  "--errors",
-                  "20",
-                  "--erasures",
-                  "0",
-                  "--trials",
-                  "2000",
-                  "--format",
-                  "csv"
-                ]
+              ( words "rates --size 4x4 --errors 20 --erasures 0 --trials 2000 --format csv"
                   ++ radius
               )
     guaranteed <- csv []
@@ -67,35 +53,11 @@ spec = do
     concatMap (take 1) [filter (",,," `isInfixOf`) beyond] `shouldBe` drop 1 beyond
     (_, text, _) <-
       pra
-        [ "rates",
-          "--size",
-          "2x2",
-          "--errors",
-          "5",
-          "--erasures",
-          "0",
-          "--trials",
-          "100",
-          "--radius",
-          "1"
-        ]
+        (words "rates --size 2x2 --errors 5 --erasures 0 --trials 100 --radius 1")
     text `shouldSatisfy` ("a radius of 1 wrong cells" `isInfixOf`)
     (_, asJson, _) <-
       pra
-        [ "rates",
-          "--size",
-          "2x2",
-          "--errors",
-          "5",
-          "--erasures",
-          "0",
-          "--trials",
-          "100",
-          "--radius",
-          "1",
-          "--format",
-          "json"
-        ]
+        (words "rates --size 2x2 --errors 5 --erasures 0 --trials 100 --radius 1 --format json")
     key ["radius"] asJson `shouldBe` Just (Number 1)
   it "rates --format csv: as many numbers a line as names, and each way's three add up to 1" $ do
     (status, out, _) <-
@@ -117,7 +79,7 @@ spec = do
                  ]
     forM_ (drop 1 table) $ \l -> do
       length l `shouldBe` length names
-      forM_ ["hard", "exact", "soft_999", "soft_as_hard"] $ \way ->
+      forM_ (words "hard exact soft_999 soft_as_hard") $ \way ->
         case traverse
           readMaybe
           [ value
@@ -162,10 +124,8 @@ spec = do
         ["soft_999_calibration", "wrong_counted"]
       ]
       $ \path -> (path, found path) `shouldSatisfy` (isJust . snd)
-  it
-    "rates --plot: an SVG file beside the same table; where it cannot be written, that is said \
-    \before the work"
-    $ withSystemTempDirectory "pra-tactile" $ \folder -> do
+  it "rates --plot: an SVG file beside the same table; refused before the work" $
+    inFolder $ \folder -> do
       let arguments = words "rates --trials 50 --size 2x2 --size 4x4 --erasures 0 --erasures 5"
           file = folder </> "rates.svg"
       table <- pra arguments

@@ -8,6 +8,8 @@ module Test.CommandLine.Run
     prints,
     locates,
     complains,
+    scripted,
+    refuses,
   )
 where
 
@@ -64,3 +66,20 @@ complains arguments about = do
   (status, out) `shouldBe` (2, "")
   err `shouldSatisfy` (about `isInfixOf`)
   length (lines err) `shouldBe` 1
+
+-- | A script in a folder of its own, within 20 seconds: nothing hangs. The program is @pra@ there.
+scripted :: FilePath -> String -> IO Outcome
+scripted folder script = do
+  (code, out, err) <-
+    readProcessWithExitCode
+      "timeout"
+      ["20", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
+      ""
+  pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
+
+-- | Nothing on the standard output, one line with this in it, status 2.
+refuses :: Outcome -> String -> Expectation
+refuses (status, out, err) about = do
+  (status, out, length (lines err)) `shouldBe` (2, "", 1)
+  err `shouldSatisfy` (about `isInfixOf`)
+  err `shouldSatisfy` ("pra-tactile: " `isPrefixOf`)

@@ -56,22 +56,19 @@ spec = do
     length changes `shouldBe` 255 * Octets.length file
     filter (isRight . merge . replaced) changes `shouldBe` []
     filter (isRight . continue wanted . replaced) changes `shouldBe` []
-  it
-    "every byte left out is refused, and every byte inserted; but an unfinished last line is \
-    \continued"
-    $ do
-      let wanted = wantedOf 2 1
-          file = fileOf Checked wanted
-          size = Octets.length file
-          without i = Octets.take i file <> Octets.drop (i + 1) file
-          inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
-          insertions =
-            [(i, b) | i <- [0 .. size], b <- map (fromIntegral . fromEnum) (" ,\n0y" :: String)]
-      filter (isRight . merge . without) [0 .. size - 1] `shouldBe` []
-      filter (isRight . continue wanted . without) [0 .. size - 1] `shouldBe` [size - 1]
-      filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
-      -- A byte after the last end of line that begins no row.
-      filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
+  it "every byte left out or inserted is refused; an unfinished last line goes on" $ do
+    let wanted = wantedOf 2 1
+        file = fileOf Checked wanted
+        size = Octets.length file
+        without i = Octets.take i file <> Octets.drop (i + 1) file
+        inserted i b = Octets.take i file <> Octets.cons b (Octets.drop i file)
+        insertions =
+          [(i, b) | i <- [0 .. size], b <- map (fromIntegral . fromEnum) (" ,\n0y" :: String)]
+    filter (isRight . merge . without) [0 .. size - 1] `shouldBe` []
+    filter (isRight . continue wanted . without) [0 .. size - 1] `shouldBe` [size - 1]
+    filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
+    -- A byte after the last end of line that begins no row.
+    filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
   it "lines left out, swapped and repeated are refused" $ do
     let wanted = wantedOf 4 2
         file = Bytes.lines (fileOf Checked wanted)
@@ -111,27 +108,22 @@ spec = do
       [fault | Left fault <- found] `shouldBe` []
     let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
-  it
-    "in an old file, a verdict that contradicts itself or the rest is refused, by the definition \
-    \of the columns"
-    $ forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
-  it
-    "in an old file of standard windows, a row with another entry's number or of another census \
-    \is refused"
-    $ do
-      let wanted = wantedOf 4 2
-          file = Bytes.lines (fileOf Unchecked wanted)
-          renumbered i line =
-            let fields =
-                  Bytes.split ',' line
-             in Bytes.intercalate
-                  ","
-                  (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
-          swapped =
-            take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
-      merge (Bytes.unlines file) `shouldBe` Right file
-      merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
-      continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+  it "in an old file, a verdict that contradicts itself or the rest is refused" $
+    forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
+  it "in an old file, a row with another entry's number or census is refused" $ do
+    let wanted = wantedOf 4 2
+        file = Bytes.lines (fileOf Unchecked wanted)
+        renumbered i line =
+          let fields =
+                Bytes.split ',' line
+           in Bytes.intercalate
+                ","
+                (take 1 fields ++ [Bytes.pack (show (i :: Int))] ++ drop 2 fields)
+        swapped =
+          take 2 file ++ [renumbered 1 (file !! 3), renumbered 2 (file !! 2)] ++ drop 4 file
+    merge (Bytes.unlines file) `shouldBe` Right file
+    merge (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
+    continue wanted (Bytes.unlines swapped) `shouldSatisfy` (not . isRight)
   where
     stated one =
       let (s, f) = (rowSubject one, rowFindings one)

@@ -124,22 +124,22 @@ valueFor called = frequency [(3, elements (fine called)), (2, word)]
     fine name
       | '|' `elem` name = alternatives name
       | otherwise = case name of
-        "Q" -> ["2", "4", "9", "16", "6"]
-        "C0,C1," -> ["1,1,1", "3,2,1,0,1", "1,1,0,0,1", "2,1,1,0,0,0,1"]
+        "Q" -> words "2 4 9 16 6"
+        "C0,C1," -> words "1,1,1 3,2,1,0,1 1,1,0,0,1 2,1,1,0,0,0,1"
         "S0,S1," -> ["0,0,0,1", "1,0,0,0", "0,0"]
-        "ROWSxCOLUMNS" -> ["15x17", "2x2", "3x5", "1x4", "0x0", "255x1"]
+        "ROWSxCOLUMNS" -> words "15x17 2x2 3x5 1x4 0x0 255x1"
         "FOLDING" -> ["diagonal", "row-major"]
         "SURFACE" -> ["torus", "twisted-torus", "sheet"]
-        "DRAWING" -> ["##./.##", "#", ".", "#/##", "##/##"]
-        "FORMAT" -> ["text", "csv", "json", "pgm", "svg", "c", "mem"]
-        "ROW,COLUMN" -> ["6,5", "0,0", "14,16", "15,17"]
+        "DRAWING" -> words "##./.## # . #/## ##/##"
+        "FORMAT" -> words "text csv json pgm svg c mem"
+        "ROW,COLUMN" -> words "6,5 0,0 14,16 15,17"
         "X,Y" -> ["0,0", "12.7,60", "-1,1e3"]
         "WIDTHxHEIGHT" -> ["40x52", "16x16", "0x0"]
         "NAME" -> ["cube", "parallelepiped"]
         "VERTICES" -> ["C1 C2 C3 C4", "P2 P6 P7 P3"]
-        "I/K" -> ["1/1", "2/8", "0/0", "9/8"]
+        "I/K" -> words "1/1 2/8 0/0 9/8"
         "PATCH" -> ["3 2 / 3 1", "0 0 / 0 0", "3 2 / 3 1 ; 0,3: 1 1 / 1 1", "[[3,2],[3,1]]"]
-        _ -> ["0", "1", "3", "0.5", "input"]
+        _ -> words "0 1 3 0.5 input"
     alternatives name = case break (== '|') name of
       (one, _ : others) -> one : alternatives others
       (one, []) -> [one]

@@ -38,10 +38,10 @@ data Mutation
   = -- | bits of the byte there
     Flip Int Word8
   | Insert Int ByteString
-  | -- | from there so many bytes
+  | -- | this many bytes from there
     Delete Int Int
   | CutOff Int
-  | -- | the bytes from there, so many, so often again
+  | -- | this many bytes from there, this often again
     Repeat Int Int Int
   | SwapTokens Int Int
   | -- | a run of letters and digits
@@ -54,7 +54,7 @@ data Mutation
     Structural Int Change
   deriving stock (Eq, Show)
 
--- | Mutations of so many specimens, mostly a few; one in ten is garbage.
+-- | Mutations of this many specimens, mostly a few; one in ten is garbage.
 hostile :: Int -> Gen Hostile
 hostile specimens =
   frequency

@@ -22,16 +22,19 @@ import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Classify.Network.File
+import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.Format
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Grid (gridRows)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
+import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Probe.Manifest
 import PraTactile.Profile
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Symmetry
+import PraTactile.Truth
 import PraTactile.Window
 import PraTactile.Window.Proof
 import Test.Hostile.Census
@@ -49,14 +52,16 @@ data Kind = Kind
 
 kinds :: [Kind]
 kinds =
-  [ Kind "PGM files" 140 pgms judgedPgm,
+  [ Kind "PGM files" 120 pgms judgedPgm,
     Kind "manifests" 110 manifests judgedManifest,
     Kind "patches" 160 patches judgedPatch,
     Kind "patches in unknown orientation" 40 patches judgedTurned,
     Kind "certificates" 110 certificates judgedCertificate,
     Kind "census files" 50 censuses judgedCensus,
     Kind "shards of a census" 30 (take 1 shards) judgedShard,
-    Kind "profiles" 100 profiles judgedProfile,
+    Kind "profiles" 80 profiles judgedProfile,
+    Kind "truths" 20 truths judgedTruth,
+    Kind "answers to compare" 20 claims judgedClaim,
     Kind "arrays as CSV" 70 grids judgedGrid,
     Kind "networks" 20 networks judgedNetwork,
     Kind "drawings of shapes" 20 drawings judgedDrawing
@@ -67,7 +72,7 @@ judgedPgm bytes = case decodePgm bytes of
   Left why -> Refused (imageMessage why)
   Right image ->
     Accepted
-      [ ("decode . encode is the identity", decodePgm (encodePgm format image) == Right image)
+      [ ("decode . encode = Right", decodePgm (encodePgm format image) == Right image)
         | format <- [Plain, Binary]
       ]
       (show image)
@@ -77,7 +82,7 @@ judgedManifest bytes = case parseManifest bytes of
   Left why -> Refused (manifestMessage why)
   Right entries ->
     Accepted
-      [("parse . render is the identity", parseManifest (renderManifest entries) == Right entries)]
+      [("parse . render = Right", parseManifest (renderManifest entries) == Right entries)]
       (show entries)
 
 -- | A text as the command line has it.
@@ -107,7 +112,7 @@ patchJudge possible = (`asText` answered)
             Left why -> Refused why
             Right (written, (said, report)) ->
               Accepted
-                [ ( "read . render is the identity",
+                [ ( "read . render = Right",
                     fmap shown (readPatches (Text.pack (rendered written)) `asTypeOf` Right written)
                       == Right (shown written)
                   ),
@@ -163,7 +168,7 @@ judgedCertificate bytes = case decodeCertificate bytes of
     Right () ->
       Accepted
         [ ("all windows are distinct", windowsAreDistinct certificate),
-          ( "decode . encode is the identity",
+          ( "decode . encode = Right",
             fmap fileCertificate (decodeCertificate (encodeCertificate certificate))
               == Right certificate
           )
@@ -191,11 +196,45 @@ judgedProfile bytes = case decodeProfile bytes of
       Left why -> Refused (profileMessage why)
       Right () ->
         Accepted
-          [ ( "decode . encode is the identity",
+          [ ( "decode . encode = Right",
               decodeProfile (encodeProfile profile) == Right profile
             )
           ]
           (profileText profile)
+
+judgedTruth :: ByteString -> Judged
+judgedTruth bytes = case decodeTruth bytes of
+  Left why -> Refused (formatMessage "it" "a truth" why)
+  Right truth ->
+    Accepted
+      [ ( "decode . encode = Right, but for rounding",
+          either (const False) (same truth) (decodeTruth (encodeTruth truth))
+        )
+      ]
+      (show truth)
+  where
+    same a b =
+      (truthFace a, truthOrigin a, whole a) == (truthFace b, truthOrigin b, whole b)
+        && and (zipWith close (corner a) (corner b))
+    whole truth =
+      let Region _ _ wide high turns = truthRegion truth
+       in (wide, high, turns)
+    corner truth = let (x, y) = regionCorner (truthRegion truth) in [x, y]
+    close x y = x == y || abs (x - y) <= 1e-12 * abs x
+
+-- | An answer, compared with a truth.
+judgedClaim :: ByteString -> Judged
+judgedClaim bytes = case decodeClaim bytes of
+  Left why -> Refused (formatMessage "it" "an answer" why)
+  Right claim ->
+    Accepted
+      [("the face is turned, not mirrored", all ((`elem` rotations) . claimSymmetry) claim)]
+      ( show
+          [ (c, compared canonicalPitch truth c)
+            | Right truth <- map decodeTruth truths,
+              Just c <- [claim]
+          ]
+      )
 
 -- | An array, and the verdict on its windows of 2 x 2.
 judgedGrid :: ByteString -> Judged
@@ -203,7 +242,7 @@ judgedGrid bytes = case parseGrid Nothing bytes of
   Left why -> Refused why
   Right grid ->
     Accepted
-      [ ( "parse . render is the identity",
+      [ ( "parse . render = Right",
           parseGrid Nothing (Bytes8.pack (unlines (map csv (gridRows grid)))) == Right grid
         )
       ]
@@ -220,7 +259,7 @@ judgedNetwork bytes = asText bytes $ \text -> case parseNetwork (Text.pack text)
   Left why -> Refused (networkMessage why)
   Right found ->
     Accepted
-      [("parse . render is the identity", parseNetwork (renderNetwork found) == Right found)]
+      [("parse . render = Right", parseNetwork (renderNetwork found) == Right found)]
       (Text.unpack (renderNetwork found))
 
 judgedDrawing :: ByteString -> Judged
@@ -228,5 +267,5 @@ judgedDrawing bytes = asText bytes $ \text -> case parseAlphabet (Text.pack text
   Left why -> Refused (shapeMessage why)
   Right found ->
     Accepted
-      [("parse . render is the identity", parseAlphabet (renderAlphabet found) == Right found)]
+      [("parse . render = Right", parseAlphabet (renderAlphabet found) == Right found)]
       (Text.unpack (renderAlphabet found))

@@ -126,7 +126,7 @@ onFrames :: Examples -> ByteString -> Gen Run
 onFrames e bytes = do
   arguments <-
     elements
-      [["decode", "frames"], ["stitch", "frames", "--output", "out.pgm"], "decode" : "--json" : one]
+      [["decode", "frames"], words "stitch frames --output out.pgm", "decode" : "--json" : one]
   spoilt <- elements (("frames" </> "manifest.csv") : one)
   pure
     ( Run
@@ -176,7 +176,7 @@ harmless e = run <$> (argumentList value quick `suchThat` all harmlessOne)
     value called
       | any (`isPrefixOf` called) ["FILE", "FOLDER", "PATH"] = elements files
       | otherwise = valueFor called
-    files = ["input", "composite.pgm", "nothing", "out", "out.svg", "out.pgm", "-", "new/er"]
+    files = words "input composite.pgm nothing out out.svg out.pgm - new/er"
     harmlessOne argument =
       not (".." `isInfixOf` argument) && take 1 argument /= "/" && not ("=/" `isInfixOf` argument)
         && '\0' `notElem` argument

@@ -19,11 +19,11 @@ import System.Environment (getEnvironment)
 import System.Exit (ExitCode (..))
 import System.FilePath (takeDirectory, (</>))
 import System.IO (IOMode (..), withBinaryFile)
-import System.IO.Temp (withSystemTempDirectory)
 import System.Process
 import System.Timeout (timeout)
 import Test.Hostile.Judgement
 import Test.QuickCheck
+import Test.Support
 
 -- | What is run: the arguments, the standard input, and the files that are there, below the folder
 -- that it is run in.
@@ -47,7 +47,7 @@ data Ran = Ran
 -- | Run the program with a heap of at most 300 MB; beyond it, its runtime system ends it with
 -- status 251.
 ran :: Run -> IO Ran
-ran run = withSystemTempDirectory "pra-tactile" $ \folder -> do
+ran run = inFolder $ \folder -> do
   let here = folder </> "here"
       input = folder </> "input"
       printed = folder </> "printed"

@@ -9,6 +9,8 @@ module Test.Hostile.Specimens
     censuses,
     shards,
     profiles,
+    truths,
+    claims,
     grids,
     networks,
     drawings,
@@ -29,13 +31,18 @@ import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
 import PraTactile.Classify.Network
 import PraTactile.Classify.Network.File
+import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
 import PraTactile.Image.Pgm
+import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.WingedEdge
 import PraTactile.Probe (Pose (..))
 import PraTactile.Probe.Manifest
 import PraTactile.Profile
 import PraTactile.Shape (paperAlphabet, renderAlphabet)
+import PraTactile.Symmetry (turned)
+import PraTactile.Truth
 import PraTactile.Window (rectangle)
 
 -- | PGM files of 5 x 3 and of 16 x 16 pixels, plain and binary, of 8 and of 16 bits.
@@ -120,6 +127,22 @@ profiles =
   map
     encodeProfile
     (rights [Right canonicalProfile, smallProfile, Right (foldedBy RowMajor canonicalProfile)])
+
+-- | The truth of an exploration of the cube's face.
+truths :: [ByteString]
+truths =
+  [encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1)) (-3.25, 1e2))]
+  where
+    face = Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4")
+
+-- | Of answers of @decode@ what is compared with a truth: of one on a face and of one on none.
+claims :: [ByteString]
+claims =
+  [ "{\"schema\":\"pra-tactile/decode/1\",\"outcome\":\"located\",\"on\":\"face\",\
+    \\"object\":\"cube\",\"face\":[\"C1\",\"C2\",\"C3\",\"C4\"],\"corner\":\"C2\",\
+    \\"place_mm\":[25.4,95.25],\"robot_mm\":[25.77,50.76],\"orientation_deg\":90}",
+    "{\"schema\":\"pra-tactile/decode/1\",\"outcome\":\"refused\",\"on\":null}"
+  ]
 
 -- | Arrays as CSV.
 grids :: [ByteString]

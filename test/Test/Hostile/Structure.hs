@@ -31,10 +31,12 @@ data Change
     Twisted Int Int
   | -- | with another key for one of its children
     Renamed Int ByteString
-  | -- | in so many lists
+  | -- | in this many lists
     Nested Int
   | -- | its first child alone
     Bare
+  | -- | a list without any of its items
+    Emptied
   deriving stock (Eq, Show)
 
 -- | A change in which these texts may be used.
@@ -47,7 +49,8 @@ change texts =
       (2, Twisted <$> child <*> child),
       (1, Renamed <$> child <*> elements ["", "q", "at", "Q", "schema", "\\u0000", "a.b[0]"]),
       (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
-      (1, pure Bare)
+      (1, pure Bare),
+      (2, pure Emptied)
     ]
   where
     child = choose (0, 63)
@@ -68,12 +71,14 @@ change texts =
 -- | JSON without its meaning.
 data Tree = Leaf ByteString | Items [Tree] | Entries [(ByteString, Tree)]
 
--- | The JSON with a change of one of its nodes, counted from the outermost; what is no JSON stays
--- as it is.
+-- | The JSON with a change of one of its nodes that can be changed so, counted from the outermost;
+-- without such a node, or if it is no JSON, it stays as it is.
 restructured :: Int -> Change -> ByteString -> ByteString
 restructured i how bytes = maybe bytes (spoilt . treeOf) (decodeStrict' bytes)
   where
-    spoilt tree = rendered (changedAt (i `mod` sizeOf tree) how tree)
+    spoilt tree = case sizeOf how tree of
+      0 -> bytes
+      nodes -> rendered (changedAt (i `mod` nodes) how tree)
 
 treeOf :: Value -> Tree
 treeOf value = case value of
@@ -90,11 +95,19 @@ rendered tree = case tree of
   Entries fields ->
     "{" <> Bytes.intercalate "," [key <> ":" <> rendered item | (key, item) <- fields] <> "}"
 
-sizeOf :: Tree -> Int
-sizeOf tree = case tree of
-  Leaf _ -> 1
-  Items items -> 1 + sum (map sizeOf items)
-  Entries fields -> 1 + sum (map (sizeOf . snd) fields)
+-- | How many of the nodes can be changed so: any, but only lists can be emptied.
+sizeOf :: Change -> Tree -> Int
+sizeOf how tree =
+  own how tree + case tree of
+    Leaf _ -> 0
+    Items items -> sum (map (sizeOf how) items)
+    Entries fields -> sum (map (sizeOf how . snd) fields)
+
+own :: Change -> Tree -> Int
+own Emptied tree = case tree of
+  Items _ -> 1
+  _ -> 0
+own _ _ = 1
 
 -- | The tree with its node of that index changed.
 changedAt :: Int -> Change -> Tree -> Tree
@@ -102,17 +115,20 @@ changedAt i how = snd . go i
   where
     -- The index that is left beside the tree: below 0 once the node was met.
     go k tree
-      | k == 0 = (-1, changed how tree)
+      | k == 0 && own how tree == 1 = (-1, changed how tree)
       | k < 0 = (k, tree)
       | otherwise = case tree of
-        Leaf _ -> (k - 1, tree)
-        Items items -> Items <$> mapAccumL go (k - 1) items
+        Leaf _ -> (left, tree)
+        Items items -> Items <$> mapAccumL go left items
         Entries fields ->
-          Entries <$> mapAccumL (\k' (key, item) -> (,) key <$> go k' item) (k - 1) fields
+          Entries <$> mapAccumL (\k' (key, item) -> (,) key <$> go k' item) left fields
+      where
+        left = k - own how tree
 
 changed :: Change -> Tree -> Tree
 changed how tree = case (how, tree) of
   (Become text, _) -> Leaf text
+  (Emptied, _) -> Items []
   (Nested depth, _) ->
     Leaf (Bytes.replicate depth 0x5B <> rendered tree <> Bytes.replicate depth 0x5D)
   (_, Leaf _) -> Leaf "{}"

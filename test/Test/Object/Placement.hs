@@ -72,10 +72,8 @@ spec = describe "placement" $ do
             for_ everyPosition $ \at ->
               (window, at, whereabouts it_ window at)
                 `shouldBe` (window, at, expectedWhereabouts window at)
-    it
-      "a cell at the array's edge is not beside the one at the opposite edge of a face that spans \
-      \it"
-      $ theCube $ \solid_ ->
+    it "a cell at the array's edge has no neighbour beyond it, on a face that spans it" $
+      theCube $ \solid_ ->
         right
           ( placement
               (Shape 4 5)
@@ -83,7 +81,7 @@ spec = describe "placement" $ do
               [solid_]
               [Laying topFace (Position 0 0) (Shape 4 5)]
           )
-          $ \it_ -> do
+          >>= \it_ -> do
             whereabouts it_ canonicalWindow (Position 0 4) `shouldBe` OnNoObject
             whereabouts it_ canonicalWindow (Position 3 0) `shouldBe` OnNoObject
             whereabouts it_ (Shape 4 5) (Position 0 0) `shouldSatisfy` isOnFace

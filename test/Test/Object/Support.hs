@@ -2,7 +2,7 @@
 -- definition, in whole micrometres and by cells, and nothing of the code under test but the names.
 module Test.Object.Support
   ( -- * Expectations
-    right,
+    module Test.Support,
     theCube,
     theParallelepiped,
     thePlacement,
@@ -27,17 +27,14 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
-
--- | Expect an answer and go on with it.
-right :: Show e => Either e a -> (a -> Expectation) -> Expectation
-right answer test = either (expectationFailure . show) test answer
+import Test.Support
 
 theCube, theParallelepiped :: (Solid -> Expectation) -> Expectation
-theCube = right cube
-theParallelepiped = right parallelepiped
+theCube = (right cube >>=)
+theParallelepiped = (right parallelepiped >>=)
 
 thePlacement :: (Placement -> Expectation) -> Expectation
-thePlacement = right canonicalPlacement
+thePlacement = (right canonicalPlacement >>=)
 
 -- | A face's block of cells: the face, its upper left cell, its rows and columns, and the face's
 -- width and height in micrometres.
@@ -76,9 +73,6 @@ blockCells block =
 
 everyPosition :: [Position]
 everyPosition = [Position r c | r <- below 15, c <- below 17]
-
-below :: Natural -> [Natural]
-below n = takeWhile (< n) [0 ..]
 
 -- | Which blocks, and which of their cells, claim each cell of the array.
 owners :: Map.Map Position [(Int, Position)]

@@ -13,6 +13,7 @@ import Data.Word (Word64)
 import PraTactile.Image
 import PraTactile.Image.Correlate
 import PraTactile.Random
+import PraTactile.Symmetry
 import System.Random (RandomGen (..), mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -34,7 +35,7 @@ fromList w h values = generate w h (\x y -> fromMaybe 0 (V.fromList values V.!? 
 spec :: Spec
 spec = do
   describe "Rasters" rasters
-  describe "Symmetries" symmetries
+  describe "Symmetries" seenAs
   describe "Statistics" statistics
   describe "Correlation" correlation
   describe "Random draws" draws
@@ -98,19 +99,25 @@ rasters = do
   it "refuses to zip rasters of different size" $
     zipRaster (+) (constant 2 3 1) (constant 3 2 1) `shouldBe` Left (SizesDiffer (2, 3) (3, 2))
 
-symmetries :: Spec
-symmetries = do
-  law "quarterTurn . quarterTurn = halfTurn" (quarterTurn . quarterTurn) halfTurn
-  law "halfTurn . halfTurn = id" (halfTurn . halfTurn) id
-  law "mirrorColumns . mirrorColumns = id" (mirrorColumns . mirrorColumns) id
-  law "mirrorRows . mirrorColumns = halfTurn" (mirrorRows . mirrorColumns) halfTurn
-  law "mirrorColumns . transposed = quarterTurn" (mirrorColumns . transposed) quarterTurn
-  law "transposed . transposed = id" (transposed . transposed) id
+seenAs :: Spec
+seenAs = do
+  it "toRows . onRaster g = onRows g . toRows" $
+    forAll genRaster $ \r ->
+      conjoin [toRows (onRaster g r) === onRows g (toRows r) | g <- symmetries, hasPixels r]
+  it "onRaster (g <> h) = onRaster g . onRaster h" $
+    forAll genRaster $ \r ->
+      conjoin
+        [ onRaster (g <> h) r === onRaster g (onRaster h r)
+          | g <- symmetries,
+            h <- symmetries
+        ]
+  it "onRaster identity = id" $ forAll genRaster $ \r -> onRaster identity r === r
   it "a quarter turn takes the upper left pixel to the upper right" $
-    (toRows . quarterTurn <$> fromRows [[1, 2, 3], [4, 5, 6]])
+    (toRows . onRaster (turned 1) <$> fromRows [[1, 2, 3], [4, 5, 6]])
       `shouldBe` Right [[4, 1], [5, 2], [6, 3]]
   where
-    law name f g = it name $ forAll genRaster $ \r -> f r === g r
+    -- Rows of an image without pixels do not tell its size.
+    hasPixels r = rasterWidth r > 0 && rasterHeight r > 0
 
 statistics :: Spec
 statistics = do
@@ -259,18 +266,16 @@ draws = do
         isNaN v || isInfinite v
     ]
       `shouldBe` []
-  it
-    "the moments of a hundred thousand normal draws are 0, 1, 0, 3 within five standard errors"
-    $ do
-      let count = 100000 :: Int
-          n = fromIntegral count
-          (vs, _) = normals count (mkStdGen 20040501)
-          moment k = V.sum (V.map (^ (k :: Int)) vs) / n
-      -- The variances of the sample moments of order 1 to 4 are 1/n, 2/n, 15/n and 96/n.
-      abs (moment 1) `shouldSatisfy` (< 5 * sqrt (1 / n))
-      abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
-      abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
-      abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
+  it "the moments of 100000 normal draws are 0, 1, 0, 3 within five standard errors" $ do
+    let count = 100000 :: Int
+        n = fromIntegral count
+        (vs, _) = normals count (mkStdGen 20040501)
+        moment k = V.sum (V.map (^ (k :: Int)) vs) / n
+    -- The variances of the sample moments of order 1 to 4 are 1/n, 2/n, 15/n and 96/n.
+    abs (moment 1) `shouldSatisfy` (< 5 * sqrt (1 / n))
+    abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
+    abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
+    abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
   it "the two of a pair are uncorrelated within five standard errors" $ do
     let count = 50000 :: Int
         (vs, _) = normals (2 * count) (mkStdGen 7)

@@ -12,6 +12,7 @@ import PraTactile.Random (normals)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -85,7 +86,7 @@ one = do
                     abs (cx - x - 3.5) < 1 / 3
                       && abs (cy - y - 5.5) < 1 / 3
                       && likeness (symbolPixels symbol) bitmap > 0.85
-        | bitmap <- embossing ++ map halfTurn embossing
+        | bitmap <- embossing ++ map (onRaster (turned 2)) embossing
       ]
   it "comes as 8 x 12 pixels with the background at 0 and the embossing at 1, upright" $
     conjoin
@@ -111,11 +112,12 @@ one = do
   it "in the half-turned composite is half-turned" $
     forAll (choose (1, 100000)) $ \seed ->
       let composite = noisy seed 0.05 (embossedAt 30 40 [((9.3, 11.6), bitmapOf seed)])
-          turned = compositeOf (halfTurn (compositeImage composite))
-       in alone composite $ \a -> alone turned $ \b ->
+          upsideDown = compositeOf (onRaster (turned 2) (compositeImage composite))
+       in alone composite $ \a -> alone upsideDown $ \b ->
             let (x, y) = symbolCentre a
              in near (29 - x, 39 - y) (symbolCentre b)
-                  .&&. property (likeness (symbolPixels a) (halfTurn (symbolPixels b)) > 0.999)
+                  .&&. property
+                    (likeness (symbolPixels a) (onRaster (turned 2) (symbolPixels b)) > 0.999)
   where
     near (x, y) (x', y') =
       counterexample (show ((x, y), (x', y'))) (abs (x - x') < 0.02 && abs (y - y') < 0.02)
@@ -140,10 +142,8 @@ alone composite check = case segment composite of
 
 rejected :: Spec
 rejected = do
-  it
-    "a symbol that the edge cuts off by three taxels or more is called cut off, in all the pieces \
-    \that are left of it"
-    $ conjoin
+  it "a symbol cut off by three taxels or more is called so, in all its pieces" $
+    conjoin
       [ forAll (choose (3, 6)) $ \cut ->
           conjoin
             [ nothingBut CutOff (segment (compositeOf (embossedAt 40 52 [(place, bitmap)])))
@@ -204,10 +204,8 @@ presses =
   -- Fixed seeds: one press in a thousand or so is refused, and a test must not be red by chance.
   -- Symbols on both sides of a gap in which nothing overlaps are tied by the robot's positions
   -- alone, hence the three taxels.
-  it
-    "with noise of 0.1 and position errors of one taxel, all the symbols well within a scan are \
-    \found within 3 taxels of their places to each other"
-    $ conjoin $
+  it "with noise and position errors, all symbols of a scan are found within 3 taxels" $
+    conjoin $
       flip
         map
         [ (seed, fromIntegral (seed * 7 `mod` 160) / 8, fromIntegral (seed * 11 `mod` 160) / 8)
@@ -259,10 +257,7 @@ lattice = do
                   | (cell@(row, column), (dx, dy)) <- placed
                 ]
            in arrange id (map snd symbols) === [Cluster (Map.fromList symbols)]
-  it
-    "the cells count from the uppermost row and the leftmost column, though no symbol need lie \
-    \there"
-    $
+  it "the cells count from the uppermost row and leftmost column of any symbol" $
     -- An L upside down and mirrored: the upper left cell is empty.
     arrange id [at (16, 0), at (16, 20), at (0, 20)]
       `shouldBe` [ Cluster
@@ -292,16 +287,16 @@ lattice = do
       other -> expectationFailure (show other)
   it "distances are measured along the symbols' axes" $
     -- Axes turned by 30 degrees clockwise, and the neighbour to the right with them.
-    let turned (x, y) = (at (x, y)) {symbolAxis = 30}
+    let slanted (x, y) = (at (x, y)) {symbolAxis = 30}
         (c, s) = (cos (pi / 6), sin (pi / 6))
      in do
-          arrange id [turned (0, 0), turned (16 * c, 16 * s)]
+          arrange id [slanted (0, 0), slanted (16 * c, 16 * s)]
             `shouldBe` [ Cluster
                            ( Map.fromList
-                               [((0, 0), turned (0, 0)), ((0, 1), turned (16 * c, 16 * s))]
+                               [((0, 0), slanted (0, 0)), ((0, 1), slanted (16 * c, 16 * s))]
                            )
                        ]
-          length (arrange id [turned (0, 0), turned (16, 0)]) `shouldBe` 2
+          length (arrange id [slanted (0, 0), slanted (16, 0)]) `shouldBe` 2
   it "no symbols make no cluster" $ arrange id [] `shouldBe` []
   it "halfTurned (halfTurned cells) = cells, when the first row and column are taken" $
     let cells = Map.fromList [((0, 1), 'a'), ((1, 0), 'b'), ((1, 2), 'c')]

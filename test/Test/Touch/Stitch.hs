@@ -11,6 +11,7 @@ import PraTactile.Probe
 import PraTactile.Probe.Sensor
 import PraTactile.Random (normalPair)
 import PraTactile.Stitch
+import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -22,7 +23,7 @@ spec :: Spec
 spec = do
   describe "A single frame" single
   describe "Known truth" (few truth)
-  describe "Symmetries" (few symmetries)
+  describe "Symmetries" (few seenOtherwise)
   describe "What cannot be seen" unseen
   describe "Noise and position errors" noisy
   describe "Refusals" refusals
@@ -101,10 +102,7 @@ truth = do
     forAll ((,) <$> choose (1, 1000000) <*> vectorOf 12 wholeError) $ \(seed, errors) ->
       let frames = pressed idealSensor (texture seed 60 60) (zip (region 32 40) errors)
        in exactly errors (compositeDisplacements <$> stitch standardRegistration frames)
-  it
-    "without noise, fractional displacements are recovered with a root mean square error below a \
-    \third of a taxel, up to a common shift"
-    $
+  it "without noise, fractional displacements are recovered to a third of a taxel" $
     -- On a relief of cells three taxels wide: one as fine as the sensor itself cannot be
     -- interpolated.
     forAll
@@ -177,8 +175,8 @@ symbolFrames seed = fst (scan standardSensor face stay (region 32 40) (mkStdGen 
 face :: HeightMap
 face = faceOf [[0, 1, 2, 3], [3, 2, 0, 1], [1, 0, 3, 2]]
 
-symmetries :: Spec
-symmetries = do
+seenOtherwise :: Spec
+seenOtherwise = do
   it "a shift of all poses shifts the composite and changes nothing else" $
     forAll
       ((,,) <$> choose (1, 1000) <*> choose (-500, 500) <*> choose (-500, 500))
@@ -219,14 +217,14 @@ symmetries = do
     forAll ((,) <$> choose (1, 1000) <*> vectorOf 12 (elements [0 :: Int .. 3])) $ \(seed, turns) ->
       let frames = symbolFrames seed
           -- A sensor turned clockwise by so many quarters sees the image turned back by as many.
-          turned k f =
+          held k f =
             f
               { framePose = (framePose f) {poseRotation = 90 * fromIntegral k},
-                frameImage = iterate quarterTurn (frameImage f) !! ((4 - k) `mod` 4)
+                frameImage = onRaster (turned (negate k)) (frameImage f)
               }
        in both
             (stitch standardRegistration frames)
-            (stitch standardRegistration (zipWith turned turns frames))
+            (stitch standardRegistration (zipWith held turns frames))
             $ \c
                d ->
                 closeImages (compositeImage c) (compositeImage d)
@@ -240,7 +238,7 @@ symmetries = do
             (stitch standardRegistration (frames motion))
             $ \c
                d ->
-                closeImages (compositeImage c) (halfTurn (compositeImage d))
+                closeImages (compositeImage c) (onRaster (turned 2) (compositeImage d))
   where
     near a b = counterexample (show (a, b)) (abs (a - b) < 1e-6)
     both (Right c) (Right d) f = f c d
@@ -281,10 +279,8 @@ unseen = do
 
 noisy :: Spec
 noisy =
-  it
-    "with noise of 0.1 and errors of one taxel, frames of symbols are registered to half a taxel, \
-    \twice better than unregistered ones"
-    $ conjoin
+  it "with noise and errors, frames are registered to half a taxel, twice better" $
+    conjoin
       [ let errors = take 12 (draw (mkStdGen seed))
             frames = pressed standardSensor face (zip (region 32 40) errors)
          in case (stitch standardRegistration frames, placeOnly frames) of

@@ -46,7 +46,7 @@ data Place
     At Position
   | -- | several positions fit, ascending
     OneOf [Position]
-  | -- | so many positions fit that only their number is told, and the dimension of the coset that
+  | -- | too many positions fit to list: their number, and the dimension of the coset that
     -- they are
     Coset Natural Natural
   deriving stock (Eq, Show)

@@ -14,12 +14,15 @@ module PraTactile.Conformance.Law
     forTerms,
     forPositions,
     forWindows,
+
+    -- * Of the field
+    characteristic,
   )
 where
 
 import Control.Monad.Trans.Except (runExceptT)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), Surface (..))
+import PraTactile.Array (Position (..), Shape (..), Surface (..), area)
 import PraTactile.Conformance.Implementation
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
@@ -55,11 +58,11 @@ holds condition action = ioProperty $ do
     Left found -> counterexample ("refused: " ++ show found) False
     Right answer -> counterexample (show answer) (condition answer)
 
--- | For lists of so many elements.
+-- | For lists of this many elements.
 forElements :: Int -> Session -> ([Code] -> Property) -> Property
 forElements = forCodes 0
 
--- | For lists of so many elements other than 0.
+-- | For lists of this many elements other than 0.
 forNonZero :: Int -> Session -> ([Code] -> Property) -> Property
 forNonZero = forCodes 1
 
@@ -81,7 +84,9 @@ forCodes least count session = forAllShrink (vectorOf count code) shrunk
 -- | For indices of terms, from 0 to beyond a few periods.
 forTerms :: Session -> (Natural -> Property) -> Property
 forTerms session =
-  forAllShrink (fromInteger <$> chooseInteger (0, 4 * toInteger (cells session))) shrinkNatural
+  forAllShrink (fromInteger <$> chooseInteger (0, 4 * toInteger cells)) shrinkNatural
+  where
+    cells = area (profileShape (profile session))
 
 -- | For positions of the array.
 forPositions :: Session -> (Position -> Property) -> Property
@@ -125,7 +130,8 @@ forPositionsIn (Shape high wide) property'
 shrinkNatural :: Natural -> [Natural]
 shrinkNatural n = [fromInteger i | i <- shrinkIntegral (toInteger n), i >= 0]
 
-cells :: Session -> Natural
-cells session = rows shape * columns shape
+-- | p, where the field has p^m elements: the least divisor of their number above 1.
+characteristic :: Session -> Natural
+characteristic session = foldr const q [d | d <- [2 .. q], q `mod` d == 0]
   where
-    shape = profileShape (profile session)
+    q = profileOrder (profile session)

@@ -4,9 +4,17 @@ module PraTactile.Conformance.Library
   )
 where
 
+import Control.Monad (join)
+import Data.Bifunctor (first)
 import Data.Proxy (Proxy (..))
-import Numeric.Natural (Natural)
-import PraTactile.Array (PseudorandomArray, arrayPrimitive, arrayState, cellAt)
+import PraTactile.Array
+  ( Position,
+    PseudorandomArray,
+    Surface,
+    arrayPrimitive,
+    arrayState,
+    cellAt,
+  )
 import PraTactile.Conformance.Implementation
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import qualified PraTactile.Field as Field
@@ -22,76 +30,84 @@ library :: Implementation
 library =
   Implementation
     { implementationName = "pra-tactile",
-      open = \p -> either (const (refuse "impossible-profile")) id (withProfile p (session p))
+      open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p)))
     }
 
+-- | A session with one array. Refuses arrays that are too large for a memory table.
 session :: forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
 session p array mask = do
-  _ <- either (const (refuse "table-too-large")) pure (decoderFor byTable surface Guaranteed)
+  _ <- orRefuse "table-too-large" (decoderFor (locators TableDecoder) (profileSurface p) Guaranteed)
   pure
     Session
       { profile = p,
         add = \a b -> fromElement <$> ((+) <$> element a <*> element b),
         multiply = \a b -> fromElement <$> ((*) <$> element a <*> element b),
         negation = \a -> fromElement . negate <$> element a,
-        inverse =
-          \a ->
-            element a
-              >>= either (const (refuse "division-by-zero")) (pure . fromElement) . Field.inverse,
+        inverse = \a ->
+          element a >>= fmap fromElement . orRefuse "division-by-zero" . Field.inverse,
         term = pure . fromElement . termOf,
         cell = pure . fromElement . cellAt array,
         pack = \codes -> Window.pack (profilePacking p) q . map toCode <$> traverse element codes,
         unpack =
-          either (const (refuse "out-of-range")) (pure . map fromIntegral)
+          fmap (map fromIntegral) . orRefuse "out-of-range"
             . Window.unpack (profilePacking p) q (maskSize mask),
-        locate = \rows -> do
-          observed <- symbols rows
-          answer <- asked byTable (onePatch surface observed)
-          place (answerOutcome answer),
-        nearest = \radius rows -> do
-          observed <- symbols rows
-          answer <-
-            asked
-              byDistance
-              (onePatch surface observed)
-                { queryRadius = maybe Guaranteed UpTo radius
-                }
-          place (answerOutcome answer),
-        posterior = \rows -> do
-          beliefs <-
-            either (const (refuse "invalid")) pure (traverse (traverse (traverse belief)) rows)
-          observed <-
-            either (const (refuse "invalid")) pure (patch (map (map (fmap Probabilities)) beliefs))
-          answer <- asked byProbability (onePatch surface observed)
-          case maybe [] posteriorRanking (answerPosterior answer) of
-            [] -> refuse (reasonName Contradiction)
-            ranking ->
-              pure
-                [(candidatePosition candidate, probability) | (candidate, probability) <- ranking]
+        locate = locatedBy TableDecoder Guaranteed,
+        nearest = locatedBy NearestDecoder . maybe Guaranteed UpTo,
+        posterior = posteriorBy (locators PosteriorDecoder) (profileSurface p)
       }
   where
-    surface = profileSurface p
-    -- Made once for each decoder.
-    byTable = locatorBy TableDecoder
-    byDistance = locatorBy NearestDecoder
-    byProbability = locatorBy PosteriorDecoder
-    locatorBy name = Locate.locator (Just name) (profilePacking p) array mask
-    asked made = either (const (refuse "table-too-large")) pure . Locate.locate made
-    symbols rows = do
-      cells <- traverse (traverse (traverse element)) rows
-      either (const (refuse "invalid")) pure (patch (map (map (fmap Symbol)) cells))
-    place outcome = case outcome of
-      Unique candidate _ -> pure (At (candidatePosition candidate))
-      Ambiguous candidates _ -> pure (OneOf (map candidatePosition candidates))
-      AmbiguousMany count dimension -> maybe (refuse "invalid") (pure . Coset count) dimension
-      Refused reason -> refuse (reasonName reason)
+    locators = locatorsOf p array mask
     q = fieldOrder (Proxy :: Proxy k)
     -- Prepared once for all terms.
     termOf = termAt (arrayPrimitive array) (arrayState array)
-    element :: Code -> Wire (GF k)
-    element code
-      | code < fromIntegral q =
-        either (const (refuse "invalid")) pure (fromCode (fromIntegral code))
-      | otherwise = refuse "invalid"
-    fromElement :: GF k -> Natural
-    fromElement = fromIntegral . toCode
+    element = elementOf :: Code -> Wire (GF k)
+    locatedBy name radius rows = do
+      observed <- traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
+      let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
+      answer <- orRefuse "table-too-large" (Locate.locate (locators name) query)
+      placeOf (answerOutcome answer)
+
+-- | The locators of the decoders that sessions use, each made once.
+locatorsOf ::
+  KnownField k => Profile -> PseudorandomArray k -> Mask -> DecoderName -> Locator k
+locatorsOf p array mask = \name -> case name of
+  TableDecoder -> byTable
+  PosteriorDecoder -> byProbability
+  _ -> byDistance
+  where
+    byTable = made TableDecoder
+    byDistance = made NearestDecoder
+    byProbability = made PosteriorDecoder
+    made name = Locate.locator (Just name) (profilePacking p) array mask
+
+-- | The probabilities of positions.
+posteriorBy ::
+  KnownField k => Locator k -> Surface -> [[Maybe [Double]]] -> Wire [(Position, Double)]
+posteriorBy made surface rows = do
+  beliefs <- orRefuse "invalid" (traverse (traverse (traverse belief)) rows)
+  observed <- orRefuse "invalid" (patch beliefs)
+  answer <-
+    orRefuse "table-too-large" (Locate.locate made (onePatch surface (Probabilities <$> observed)))
+  case maybe [] posteriorRanking (answerPosterior answer) of
+    [] -> refuse (reasonName Contradiction)
+    ranking -> pure (map (first candidatePosition) ranking)
+
+placeOf :: Outcome Candidate -> Wire Place
+placeOf outcome = case outcome of
+  Unique candidate _ -> pure (At (candidatePosition candidate))
+  Ambiguous candidates _ -> pure (OneOf (map candidatePosition candidates))
+  AmbiguousMany count dimension -> maybe (refuse "invalid") (pure . Coset count) dimension
+  Refused reason -> refuse (reasonName reason)
+
+elementOf :: forall k. KnownField k => Code -> Wire (GF k)
+elementOf code
+  | code < fromIntegral (fieldOrder (Proxy :: Proxy k)) =
+    orRefuse "invalid" (fromCode (fromIntegral code))
+  | otherwise = refuse "invalid"
+
+fromElement :: GF k -> Code
+fromElement = fromIntegral . toCode
+
+-- | The value, or a refusal for this reason.
+orRefuse :: String -> Either e a -> Wire a
+orRefuse reason = either (const (refuse reason)) pure

@@ -30,10 +30,10 @@ import PraTactile.Evaluate (Tally (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 import PraTactile.Format.Profile
-import PraTactile.LinearCode.Rates (Rates (..))
 import PraTactile.Locate (Radius (..))
 import PraTactile.Profile (Profile)
 import PraTactile.Rates (Calibration (..))
+import PraTactile.Rates.Formulas (Rates (..))
 
 -- | A line of the table: the rates of one size and one damage.
 data Line = Line

@@ -31,6 +31,7 @@ import PraTactile.Locate (Chance)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Symmetry
 
 -- | An answer of @decode@: its keys, of which docs/json.md says what they mean.
 data RecognitionReport = RecognitionReport
@@ -196,7 +197,7 @@ recognitionReport context recognition =
       reportPositions = places,
       reportWhereabouts = whereaboutsReport (windowWhereabouts <$> window),
       reportRobot = contextRobot context . windowSeenAt <$> window,
-      reportOrientation = fromEnum <$> orientation,
+      reportOrientation = quarterTurns <$> orientation,
       reportDoubt = evidenceDoubt <$> evidence,
       reportChance = evidence >>= evidenceChance,
       reportAgreeing = evidenceAgreeing <$> evidence,
@@ -217,14 +218,14 @@ recognitionReport context recognition =
       Right (Found found) ->
         (Located, Just (foundOrientation found), Just (foundWindow found), foundWindows found, [])
     reported more part = [SymbolReport (sighting recognition s) (more s) | s <- part recognition]
-    classOf (o, c) = (c, contextElement context c, fromEnum o)
+    classOf (o, c) = (c, contextElement context c, quarterTurns o)
 
 sighting :: Recognition -> ReadSymbol -> Sighting
 sighting recognition seen =
   Sighting
     { sightedIn = readSource seen,
       sightedAt = symbolCentre (readImage seen),
-      sightedLikeliest = (likeliest, fromEnum orientation, readDoubt seen),
+      sightedLikeliest = (likeliest, quarterTurns orientation, readDoubt seen),
       sightedPosition = symbolCell <$> place,
       sightedExpected = symbolExpected <$> place,
       sightedWrong = (readNumber seen `elem`) . evidenceWrong <$> recognisedEvidence recognition

@@ -21,6 +21,7 @@ import PraTactile.Format.Name
 import PraTactile.Format.Object
 import PraTactile.Format.Recognition (decodeSchema)
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Symmetry
 import PraTactile.Truth
 
 -- | The truth on one line, without its end; all keys always.
@@ -47,9 +48,9 @@ regionKeys =
   region
     <$> key "region_mm" (pairOf real) regionCorner
     <*> key "region_taxels" (pairOf side) regionSides
-    <*> key "orientation_deg" quarterTurn regionTurns
+    <*> key "orientation_deg" quarterTurn (quarterTurns . regionSymmetry)
   where
-    region (x, y) (wide, high) = Region (x / taxelPitch) (y / taxelPitch) wide high
+    region (x, y) (wide, high) = Region (x / taxelPitch) (y / taxelPitch) wide high . turned
     regionSides given = (regionWidth given, regionHeight given)
     side = Codec id $ \value -> do
       n <- readValue natural value
@@ -71,11 +72,11 @@ claimKeys :: Keys Claim Claim
 claimKeys =
   claim
     <$> withKeys claimFace faceKeys
-    <*> key "orientation_deg" quarterTurn ((`div` 90) . claimDegrees)
+    <*> key "orientation_deg" quarterTurn (quarterTurns . claimSymmetry)
     <*> key "place_mm" (pairOf real) claimPlace
     <*> key "robot_mm" (pairOf real) claimSeenAt
   where
-    claim face turns = Claim face (90 * turns)
+    claim face = Claim face . turned
 
 -- | A truth beside a claim, where there is one, and how many millimetres they are apart, or in what
 -- they differ, on one line, without its end.

@@ -1,7 +1,7 @@
 -- | A placement as pure rows: \"the mapping of the winged-edge object models to the encoding PRA is
 -- implemented as a relational database\" (section II.B of the paper), and this is the specification
--- of that database. It tells all, and it can be turned back, so whoever reads rows from elsewhere
--- learns whether they make sense.
+-- of that database. It has all of a placement and can be turned back, so whoever reads rows from
+-- elsewhere learns whether they make sense.
 module PraTactile.Object.Relation
   ( -- * Rows
     Relation (..),

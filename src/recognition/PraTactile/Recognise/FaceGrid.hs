@@ -19,6 +19,7 @@ import qualified Data.Set as Set
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Recognise.Reading
 import PraTactile.Segment.Lattice (Cell, halfTurned, pitchTolerance)
+import PraTactile.Symmetry
 
 -- | By cell, the symbols that were read there; several where several composites show it.
 type Cells = Map Cell [ReadSymbol]
@@ -75,10 +76,10 @@ displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
         apart = part (groupAnchor b) - part (groupAnchor a)
         cells = round (apart / pitch) :: Int
 
--- | The cells as they lie on the face, if it lies so.
-seenOnFace :: Orientation -> Map Cell a -> Map Cell a
+-- | Cells that are counted along the symbols' axes, as they lie on a face seen in this rotation.
+seenOnFace :: Symmetry -> Map Cell a -> Map Cell a
 seenOnFace orientation
-  | orientation `elem` [HalfTurned, TurnedLeft] = halfTurned
+  | quarterTurns orientation >= 2 = halfTurned
   | otherwise = id
 
 -- | The cells row by row, with gaps; no rows where there are no cells.

@@ -17,6 +17,7 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell)
+import PraTactile.Symmetry
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own
 -- symbols, and the parts. Numbers them from the one given.
@@ -45,7 +46,6 @@ partsOf (Reader shapesSeen _) cells view =
     look = partAt (viewComposite view) (viewSegmentation view)
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)
-    axis = if viewSideways view then TurnedRight else Upright
     -- Where the symbols around a free cell say that its centre is.
     expected =
       Map.fromListWith
@@ -58,7 +58,9 @@ partsOf (Reader shapesSeen _) cells view =
             cell `Set.notMember` taken,
             let (x, y) = readAt s,
             let (dx, dy) =
-                  onComposite axis (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
+                  onOffset
+                    (viewAxis view)
+                    (columnPitch * fromIntegral dj, rowPitch * fromIntegral di)
         ]
 
 readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
@@ -70,12 +72,12 @@ readPart view (x, y) seen estimated =
         SymbolImage
           { symbolCentre = (x - fst (viewShift view), y - snd (viewShift view)),
             symbolPixels = partPixels seen,
-            symbolAxis = if viewSideways view then 90 else 0,
+            symbolAxis = degreesClockwise (viewAxis view),
             symbolSize = (fromIntegral symbolWidth, fromIntegral symbolHeight)
           },
       readAt = (x, y),
       readClass = Nothing,
       readSeen = V.sum (rasterValues (partSeen seen)) / fromIntegral (symbolWidth * symbolHeight),
-      readLikeliest = orientedAs (viewSideways view) (estimateLikeliest estimated),
-      readChances = map (first (orientedAs (viewSideways view))) (estimateChances estimated)
+      readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
+      readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated)
     }

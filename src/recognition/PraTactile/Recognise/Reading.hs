@@ -1,14 +1,7 @@
 -- | Reading the symbols of composites: what each most likely is and which way up, and how they lie
 -- beside each other.
 module PraTactile.Recognise.Reading
-  ( -- * Orientations
-    Orientation (..),
-    orientationDegrees,
-    isSideways,
-    onComposite,
-    centroid,
-
-    -- * Symbols
+  ( -- * Symbols
     ReadSymbol (..),
     Reader (..),
     View (..),
@@ -16,12 +9,13 @@ module PraTactile.Recognise.Reading
     readSymbols,
     mostKnown,
     readMirrored,
-    orientedAs,
+    alongAxis,
     onView,
 
     -- * Groups
     Group (..),
     groups,
+    centroid,
   )
 where
 
@@ -29,6 +23,7 @@ import Data.Bifunctor (first)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
+import Data.Tuple (swap)
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Network
   ( Network,
@@ -40,39 +35,12 @@ import PraTactile.Classify.Network
   )
 import PraTactile.Classify.Templates (Templates)
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
-import PraTactile.Image (halfTurn, mirrorColumns, rasterHeight)
+import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell, arrange)
 import qualified PraTactile.Segment.Lattice as Lattice
 import PraTactile.Stitch (Composite (..))
-
--- | How the face lies in the composite.
-data Orientation
-  = -- | the composite's rows run as the face's do
-    Upright
-  | -- | the composite shows the face turned clockwise by 90 degrees
-    TurnedRight
-  | -- | by 180 degrees
-    HalfTurned
-  | -- | clockwise by 270 degrees
-    TurnedLeft
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
-
--- | Clockwise, in degrees: how the face appears turned in the composite.
-orientationDegrees :: Orientation -> Int
-orientationDegrees orientation = 90 * fromEnum orientation
-
--- | Do the face's rows run down or up the composite?
-isSideways :: Orientation -> Bool
-isSideways orientation = orientation `elem` [TurnedRight, TurnedLeft]
-
--- | A displacement on the face, to the right and down, as it is seen in the composite.
-onComposite :: Orientation -> (Double, Double) -> (Double, Double)
-onComposite orientation (across, down) = case orientation of
-  Upright -> (across, down)
-  TurnedRight -> (negate down, across)
-  HalfTurned -> (negate across, negate down)
-  TurnedLeft -> (down, negate across)
+import PraTactile.Symmetry
 
 -- | The mean of some places; the origin for none.
 centroid :: [(Double, Double)] -> (Double, Double)
@@ -91,14 +59,15 @@ data ReadSymbol = ReadSymbol
     -- | its centre on the first composite's grid of pixels, which goes on beyond that composite: to
     -- the right and down
     readAt :: (Double, Double),
-    -- | orientation and class, if the network knows it in exactly one orientation
-    readClass :: Maybe (Orientation, Int),
+    -- | orientation and class, if the network knows it in exactly one orientation: how the face is
+    -- seen turned in the composite
+    readClass :: Maybe (Symmetry, Int),
     -- | the share of it that was touched: 1 for a complete symbol
     readSeen :: Double,
     -- | the likeliest orientation and class, known or not
-    readLikeliest :: (Orientation, Int),
+    readLikeliest :: (Symmetry, Int),
     -- | the probabilities of all orientations and classes of its axis
-    readChances :: [((Orientation, Int), Double)]
+    readChances :: [((Symmetry, Int), Double)]
   }
   deriving stock (Eq, Show)
 
@@ -113,9 +82,9 @@ data Reader = Reader Templates Network
 data View = View
   { -- | which composite, counted from 0
     viewSource :: Int,
-    -- | whether the symbols lie on their side
-    viewSideways :: Bool,
-    -- | the composite, turned counterclockwise if they do
+    -- | how the symbols are turned, up to 180 degrees: 'identity' or @turned 1@
+    viewAxis :: Symmetry,
+    -- | the composite, turned so that the symbols are upright or upside down
     viewComposite :: Composite,
     -- | of the composite so turned
     viewSegmentation :: Segmentation,
@@ -124,20 +93,17 @@ data View = View
     viewSymbols :: [ReadSymbol]
   }
 
--- | The symbols of one axis in composites of one face, whose origins tell how these lie to each
--- other: those that stand upright or upside down, or, if the flag says so, those that lie on their
--- side. A blob of one sort is not of the other's size. Numbers the symbols from the number given.
-readSymbols :: Reader -> Bool -> Int -> [Composite] -> Either NetworkError [View]
-readSymbols reader lying from composites = numbered from <$> traverse view (zip [0 ..] composites)
+-- | The symbols along one axis in composites of one face, whose origins tell how these lie to each
+-- other: those that stand upright or upside down ('identity'), or those that lie on their side
+-- (@turned 1@). A blob of one sort is not of the other's size. Numbers the symbols from the number
+-- given.
+readSymbols :: Reader -> Symmetry -> Int -> [Composite] -> Either NetworkError [View]
+readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
     view (i, c) = do
-      let turned = if lying then counterclockwise c else c
-          found = segment turned
-      symbols <-
-        traverse
-          (readSymbol reader lying i (shift c))
-          (segmentedSymbols (if lying then turnedBack c found else found))
-      pure (View i lying turned found (shift c) symbols)
+      let (upright, found, back) = segmentAlong axis c
+      symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
+      pure (View i axis upright found (shift c) symbols)
     shift c = case composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
@@ -151,53 +117,43 @@ readSymbols reader lying from composites = numbered from <$> traverse view (zip 
 
 -- | A place on the first composite's grid, as pixels of the view's composite as it is turned.
 onView :: View -> (Double, Double) -> (Double, Double)
-onView view (x, y)
-  | viewSideways view =
-    (y', fromIntegral (rasterHeight (compositeImage (viewComposite view))) - 1 - x')
-  | otherwise = (x', y')
+onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
   where
-    (x', y') = (x - fst (viewShift view), y - snd (viewShift view))
+    (dx, dy) = viewShift view
+    image = compositeImage (viewComposite view)
+    upright = (fromIntegral (rasterWidth image), fromIntegral (rasterHeight image))
+    size = if exchangesAxes (viewAxis view) then swap upright else upright
 
 -- | Ask the network about a symbol's image in both orientations that its axis has; it knows the
 -- symbol if it does so in exactly one of them.
 readSymbol ::
-  Reader ->
-  Bool ->
-  Int ->
-  (Double, Double) ->
-  SymbolImage ->
-  Either NetworkError ReadSymbol
-readSymbol (Reader shapesSeen network) lying source (dx, dy) image = do
+  Reader -> Symmetry -> Int -> (Double, Double) -> SymbolImage -> Either NetworkError ReadSymbol
+readSymbol (Reader shapesSeen network) axis source (dx, dy) image = do
   upright <- outputs network (symbolPixels image)
-  turned <- outputs network (halfTurn (symbolPixels image))
-  let likeliest = estimateFrom shapesSeen (symbolPixels image) upright turned
+  upsideDown <- outputs network (onRaster (turned 2) (symbolPixels image))
+  let likeliest = estimateFrom shapesSeen (symbolPixels image) upright upsideDown
   pure
     ReadSymbol
       { readNumber = 0,
         readSource = source,
         readImage = image,
         readAt = (fst (symbolCentre image) + dx, snd (symbolCentre image) + dy),
-        readClass =
-          inOneOrientation (decide standardThresholds upright) (decide standardThresholds turned),
+        readClass = case (known upright, known upsideDown) of
+          (Just c, Nothing) -> Just (axis, c)
+          (Nothing, Just c) -> Just (axis <> turned 2, c)
+          _ -> Nothing,
         readSeen = 1,
-        readLikeliest = orientedAs lying (estimateLikeliest likeliest),
-        readChances = map (first (orientedAs lying)) (estimateChances likeliest)
+        readLikeliest = alongAxis axis (estimateLikeliest likeliest),
+        readChances = map (first (alongAxis axis)) (estimateChances likeliest)
       }
   where
-    inOneOrientation (Recognised _ _) (Recognised _ _) = Nothing
-    inOneOrientation (Recognised c _) _ = Just (orientationAs lying False, c)
-    inOneOrientation _ (Recognised c _) = Just (orientationAs lying True, c)
-    inOneOrientation _ _ = Nothing
+    known values = case decide standardThresholds values of
+      Recognised c _ -> Just c
+      _ -> Nothing
 
--- | A class and whether it is turned by 180 degrees, as an orientation and a class, for symbols
--- that lie on their side or do not.
-orientedAs :: Bool -> (Int, Bool) -> (Orientation, Int)
-orientedAs lying (c, isTurned) = (orientationAs lying isTurned, c)
-
-orientationAs :: Bool -> Bool -> Orientation
-orientationAs lying isTurned
-  | lying = if isTurned then TurnedLeft else TurnedRight
-  | otherwise = if isTurned then HalfTurned else Upright
+-- | A class and how its symbol is turned as seen along an axis, as orientation and class.
+alongAxis :: Symmetry -> (Int, Symmetry) -> (Symmetry, Int)
+alongAxis axis (c, symmetry) = (axis <> symmetry, c)
 
 -- | Does the network know most of the symbols, and at least three?
 mostKnown :: [View] -> Bool
@@ -210,13 +166,9 @@ mostKnown views = known >= 3 && 2 * known > length symbols
 readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
-    <$> traverse (\lying -> readSymbols reader lying 0 (map mirror composites)) [False, True]
-  where
-    mirror c =
-      c
-        { compositeImage = mirrorColumns (compositeImage c),
-          compositeCoverage = mirrorColumns (compositeCoverage c)
-        }
+    <$> traverse
+      (\axis -> readSymbols reader axis 0 (map (onComposite mirror) composites))
+      [identity, turned 1]
 
 -- | Symbols that neighbourhood ties together.
 data Group = Group
@@ -245,4 +197,4 @@ groups symbols = concatMap (map grouped . arrange placed) (Map.elems bySource)
             let (across, down) = alongAxes s
         ]
     alongAxes s =
-      let (x, y) = readAt s in if isSideways (fst (readLikeliest s)) then (y, negate x) else (x, y)
+      onOffset (if exchangesAxes (fst (readLikeliest s)) then turned 3 else identity) (readAt s)

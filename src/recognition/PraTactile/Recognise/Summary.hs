@@ -7,7 +7,6 @@ module PraTactile.Recognise.Summary
     centreText,
     upperLeftVertex,
     orientationText,
-    turnText,
     positionsText,
     doubtText,
   )
@@ -18,6 +17,7 @@ import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Recognise
+import PraTactile.Symmetry
 import Text.Printf (printf)
 
 -- | Object, face and corner; the place on the face and how it lies; the position in the array; the
@@ -69,15 +69,13 @@ centreText place = printf "%.2f mm to the right of and %.2f mm below %s" x y upp
 upperLeftVertex :: Face -> String
 upperLeftVertex = concatMap vertexText . take 1 . faceVertices . faceName
 
--- | How the face lies in the composite.
-orientationText :: Orientation -> String
-orientationText = turnText . orientationDegrees
-
--- | How a face lies that is turned clockwise by so many degrees.
-turnText :: Int -> String
-turnText degrees
-  | degrees == 0 = "upright"
-  | otherwise = "turned by " ++ show degrees ++ " degrees"
+-- | How something is seen.
+orientationText :: Symmetry -> String
+orientationText symmetry = case (mirrored symmetry, degreesClockwise symmetry :: Int) of
+  (False, 0) -> "upright"
+  (True, 0) -> "mirrored"
+  (flipped, degrees) ->
+    (if flipped then "mirrored and " else "") ++ "turned by " ++ show degrees ++ " degrees"
 
 -- | Positions as the command line takes them: @6,5 7,0@.
 positionsText :: [Position] -> String

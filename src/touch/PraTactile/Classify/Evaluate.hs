@@ -1,5 +1,5 @@
 -- | How often a network errs, on synthetic images it has not seen: the paper's measurement (section
--- IV, 1100 images of each character at each level of noise), with refusals told from wrong answers.
+-- IV, 1100 images of each character at each level of noise), refusals and wrong answers apart.
 module PraTactile.Classify.Evaluate
   ( Tally (..),
     tallyImages,
@@ -52,7 +52,7 @@ data Placing
     Incomplete
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | For each class the tally of so many upright images, from a seed, with white noise of that
+-- | For each class the tally of this many upright images, from a seed, with white noise of that
 -- standard deviation. Refuses ('WrongOutputCount') a network for another number of classes.
 errorRates ::
   Thresholds ->
@@ -73,7 +73,7 @@ errorRates thresholds n a placing deviation count seed
       Misplaced -> uncurry (withNoise deviation) (specimen a Upright shape g)
       Incomplete -> uncurry (withNoise deviation) (specimen a Curtailed shape g)
 
--- | For each class the tally of so many specimens of a kind that is not an upright symbol, made of
+-- | For each class the tally of this many specimens of a kind that is no upright symbol, made of
 -- that class's shape: all that are recognised are wrong.
 acceptanceRates ::
   Thresholds ->

@@ -61,11 +61,11 @@ data NetworkError
     LayersDoNotFit
   | -- | A weight is not a finite number.
     NotFinite
-  | -- | A network with so many outputs does not fit a batch or an alphabet of so many classes.
+  | -- | A network with this many outputs does not fit a batch or an alphabet of that many classes.
     WrongOutputCount Int Int
   | -- | A batch to train with must hold an image.
     EmptyBatch
-  | -- | A batch for so many classes holds an image of this class, which is none of them.
+  | -- | A batch for this many classes holds an image of this class, which is none of them.
     NoSuchClass Int Int
   | -- | The network file is not UTF-8 text.
     NetworkNotText
@@ -172,7 +172,7 @@ data Thresholds = Thresholds
   }
   deriving stock (Eq, Show)
 
--- | An output of at least 0.9, and 0.8 more than any other. The class would be told with less; but
+-- | An output of at least 0.9, and 0.8 more than any other. The class would be known with less; but
 -- a wrong answer is far worse than a refusal, and lower thresholds let more pass that is no symbol.
 standardThresholds :: Thresholds
 standardThresholds = Thresholds {leastOutput = 0.9, leastLead = 0.8}
@@ -213,8 +213,7 @@ exponential x = castWord64ToDouble (fromIntegral (k + 1023) `shiftL` 52 :: Word6
     highest = 2.505210838544172e-08 + r * (2.08767569878681e-09 + r * 1.6059043836821613e-10)
 {-# INLINE exponential #-}
 
--- Note [Own exponential] ~~~~~~~~~~~~~~~~~~~~~~ The C library's exp rounds differently on
--- processors with and without fused multiplication, and a difference in the last bit of one unit
--- grows over thousands of epochs of training. This one is made of single additions, multiplications
--- and divisions, which IEEE 754 rounds alike everywhere, so the shipped weights can be trained
--- again to the bit.
+{- Note [Own exponential] The C library's exp rounds differently on processors with and without
+   fused multiplication, and a difference in the last bit of one unit grows over thousands of epochs
+   of training. This one is made of single additions, multiplications and divisions, which IEEE 754
+   rounds alike everywhere, so the shipped weights can be trained again to the bit. -}

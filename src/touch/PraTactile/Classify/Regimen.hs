@@ -75,11 +75,11 @@ shippedRegimen =
   where
     for n = paperDescent {epochs = n}
 
--- Note [Rounds] ~~~~~~~~~~~~~ The paper had a few real images of each character; here images can be
--- drawn at will. A stage whose epochs all see one batch drives the error on that batch to zero with
--- ever steeper units: it learns the batch by heart. In rounds, each with a new batch, the same
--- number of epochs gave a network that errs less: at noise 0.5, of 4400 aligned images the greatest
--- output was the wrong one for none instead of 34.
+{- Note [Rounds] The paper had a few real images of each character; here images can be drawn at
+   will. A stage whose epochs all see one batch drives the error on that batch to zero with ever
+   steeper units: it learns the batch by heart. In rounds, each with a new batch, the same number of
+   epochs gave a network that errs less: at noise 0.5, of 4400 aligned images the greatest output
+   was the wrong one for none instead of 34. -}
 
 -- | The seed of the shipped network.
 shippedSeed :: Int

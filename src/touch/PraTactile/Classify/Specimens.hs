@@ -84,7 +84,7 @@ specimen alphabetOfAll kind shape g = case kind of
           (side, h'') = below 2 h'
        in (if side == 0 then size else -size, h'')
 
--- | The image without a corner at most so many taxels wide, or so many tall; or without 1 or 2
+-- | The image without a corner at most this many taxels wide, or tall; or without 1 or 2
 -- columns or rows.
 curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
 curtailed thickest image g0 = (withUnseen unseen image, g5)

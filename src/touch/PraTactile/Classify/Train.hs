@@ -53,7 +53,7 @@ data Batch
        )
       !(Matrix Double) -- targets, an image a column
 
--- | A batch for so many classes: each image with its class, or with 'Nothing' when no output shall
+-- | A batch for this many classes: each image with its class, or 'Nothing' when no output shall
 -- be high. Refuses no images at all, images that are not 8 x 12, and classes that are not.
 batch :: Int -> [(Raster, Maybe Int)] -> Either NetworkError Batch
 batch _ [] = Left EmptyBatch
@@ -193,8 +193,8 @@ train descent b n = do
     scaled k (a, c) = (scale k a, scale k c)
     plus (a, c) (a', c') = (a + a', c + c')
 
--- | A network of so many hidden units and outputs whose weights and biases are uniform between -0.1
--- and 0.1. Refuses ('LayersDoNotFit') fewer than one of either.
+-- | A network with these numbers of hidden units and outputs, its weights and biases uniform
+-- between -0.1 and 0.1. Refuses ('LayersDoNotFit') fewer than one of either.
 initialNetwork :: Int -> Int -> StdGen -> Either NetworkError (Network, StdGen)
 initialNetwork hidden outs g
   | hidden < 1 || outs < 1 = Left LayersDoNotFit

@@ -110,69 +110,83 @@ zncc (Overlap n vf vc cov)
 -- | The overlap of an image with a reference at a displacement, x and y in pixels. Image pixels
 -- between reference pixels not all of which exist are left out.
 overlapAt :: Reference -> Raster -> Double -> Double -> Overlap
-overlapAt (Reference sums weights) image dx dy
+overlapAt there@(Reference sums _) image dx dy
   | not (near dx && near dy) = Overlap 0 0 0 0
-  | fx > 0 || fy > 0 = moments between
-  | otherwise = moments exactly
+  | fx > 0 || fy > 0 = moments (interpolated fx fy stepX (stepY * w)) meeting there image
+  | otherwise = moments V.unsafeIndex meeting there image
   where
-    iw = rasterWidth image
-    values = rasterValues image
     w = rasterWidth sums
-    sumValues = rasterValues sums
-    weightValues = rasterValues weights
     bx = floor dx :: Int
     by = floor dy :: Int
     fx = dx - fromIntegral bx
     fy = dy - fromIntegral by
     stepX = if fx > 0 then 1 else 0
     stepY = if fy > 0 then 1 else 0
-    -- The image's columns and rows that meet the reference. See Note [Bounds].
-    x0 = max 0 (negate bx)
-    x1 = min iw (w - stepX - bx)
-    y0 = max 0 (negate by)
-    y1 = min (rasterHeight image) (rasterHeight sums - stepY - by)
-    exactly, between :: Vector Double -> Int -> Double
-    exactly v i = V.unsafeIndex v i
-    {-# INLINE exactly #-}
-    between v i =
-      (1 - fy) * ((1 - fx) * V.unsafeIndex v i + fx * V.unsafeIndex v (i + stepX))
-        + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + stepX))
-    {-# INLINE between #-}
-    below = stepY * w
+    meeting =
+      Meeting
+        { meetingLeft = max 0 (negate bx),
+          meetingRight = min (rasterWidth image) (w - stepX - bx),
+          meetingTop = max 0 (negate by),
+          meetingBottom = min (rasterHeight image) (rasterHeight sums - stepY - by),
+          meetingStart = by * w + bx
+        }
 
-    moments :: (Vector Double -> Int -> Double) -> Overlap
-    moments at = row y0 0 0 0 0 0 0
+-- | The image's columns and rows that meet the reference: the first ones, and those after the last;
+-- and the reference's index of the image's pixel (0, 0), which may not exist. See Note [Bounds].
+data Meeting = Meeting
+  { meetingLeft :: !Int,
+    meetingRight :: !Int,
+    meetingTop :: !Int,
+    meetingBottom :: !Int,
+    meetingStart :: !Int
+  }
+
+-- | The value between four pixels, from the index of the upper left one: by the fractions to the
+-- right and down, and the steps to the next column's index and to the next row's.
+interpolated :: Double -> Double -> Int -> Int -> Vector Double -> Int -> Double
+interpolated fx fy right below v i =
+  (1 - fy) * ((1 - fx) * V.unsafeIndex v i + fx * V.unsafeIndex v (i + right))
+    + fy * ((1 - fx) * V.unsafeIndex v (i + below) + fx * V.unsafeIndex v (i + below + right))
+{-# INLINE interpolated #-}
+
+-- | The overlap, with a way to read the reference's rasters at an index.
+moments :: (Vector Double -> Int -> Double) -> Meeting -> Reference -> Raster -> Overlap
+moments at (Meeting x0 x1 y0 y1 start) (Reference sums weights) image = row y0 0 0 0 0 0 0
+  where
+    !values = rasterValues image
+    !sumValues = rasterValues sums
+    !weightValues = rasterValues weights
+    iw = rasterWidth image
+    w = rasterWidth sums
+    row !y !n !sf !sc !sff !scc !sfc
+      | y >= y1 = overlapOf n sf sc sff scc sfc
+      | otherwise = column (y * iw) (y * w + start) y x0 n sf sc sff scc sfc
+    column !f0 !r0 !y !x !n !sf !sc !sff !scc !sfc
+      | x >= x1 = row (y + 1) n sf sc sff scc sfc
+      | m <= 0 = column f0 r0 y (x + 1) n sf sc sff scc sfc
+      | otherwise =
+        let f = V.unsafeIndex values (f0 + x)
+            mf = m * f
+            mc = at sumValues (r0 + x)
+         in column
+              f0
+              r0
+              y
+              (x + 1)
+              (n + m)
+              (sf + mf)
+              (sc + mc)
+              (sff + mf * f)
+              (scc + mc * mc / m)
+              (sfc + mc * f)
       where
-        row !y !n !sf !sc !sff !scc !sfc
-          | y >= y1 = overlapOf n sf sc sff scc sfc
-          | otherwise = column (y * iw) ((y + by) * w + bx) y x0 n sf sc sff scc sfc
-        column !f0 !r0 !y !x !n !sf !sc !sff !scc !sfc
-          | x >= x1 = row (y + 1) n sf sc sff scc sfc
-          | m <= 0 = column f0 r0 y (x + 1) n sf sc sff scc sfc
-          | otherwise =
-            let f = V.unsafeIndex values (f0 + x)
-                mf = m * f
-                mc = at sumValues (r0 + x)
-             in column
-                  f0
-                  r0
-                  y
-                  (x + 1)
-                  (n + m)
-                  (sf + mf)
-                  (sc + mc)
-                  (sff + mf * f)
-                  (scc + mc * mc / m)
-                  (sfc + mc * f)
-          where
-            m = at weightValues (r0 + x)
-    {-# INLINE moments #-}
+        m = at weightValues (r0 + x)
+{-# INLINE moments #-}
 
--- Note [Bounds] ~~~~~~~~~~~~~ 0 <= x < iw and 0 <= y < image height, so the image's index y * iw +
--- x is good. x >= -bx and x < w - stepX
--- - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with the reference's height, so
--- all four of the reference's indices are good; where an axis' fraction is 0 its step is 0.
--- Displacements are bounded by 'near', so nothing overflows.
+{- Note [Bounds] 0 <= x < iw and 0 <= y < image height, so the image's index y * iw + x is good. x
+   >= -bx and x < w - stepX - bx give 0 <= x + bx and x + bx + stepX < w, and likewise for y with
+   the reference's height, so all four of the reference's indices are good; where an axis' fraction
+   is 0 its step is 0. Displacements are bounded by 'near', so nothing overflows. -}
 
 -- | The moments from the weighted sums. Rounding may leave a tiny negative variance, which counts
 -- as 0.

@@ -54,7 +54,7 @@ data ManifestError
     WrongHeader ![Text]
   | -- | The line is not a CSV record.
     NotCsv !Int
-  | -- | The line has so many fields instead of five.
+  | -- | The line has this many fields instead of five.
     WrongFieldCount !Int !Int
   | -- | The line's file name is empty or not UTF-8.
     BadFileName !Int
@@ -97,9 +97,9 @@ record i line
     Right records | [fields] <- V.toList records -> Right fields
     _ -> Left (NotCsv i)
 
--- Note [Open quotes] ~~~~~~~~~~~~~~~~~~ cassava 0.5.3 throws an exception, where it should refuse,
--- for a quoted field that ends the line as soon as it begins. A record that holds no line break has
--- an even number of quotes, so a line with an odd number is refused before.
+{- Note [Open quotes] cassava 0.5.3 throws an exception, where it should refuse, for a quoted field
+   that ends the line as soon as it begins. A record that holds no line break has an even number of
+   quotes, so a line with an odd number is refused before. -}
 
 entry :: Int -> ByteString -> Either ManifestError Entry
 entry i line = do

@@ -23,9 +23,10 @@ where
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (symbolThickness)
-import PraTactile.Image (Raster, generate, halfTurn, index, quarterTurn)
+import PraTactile.Image (Raster, generate, index, onRaster)
 import PraTactile.Probe (Frame (..), Motion (..), Pose (..), move, sensorSide, taxelPitch)
 import PraTactile.Random (normalPair, normals)
+import PraTactile.Symmetry
 import System.Random (RandomGen)
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
@@ -65,16 +66,13 @@ idealSensor = standardSensor {sensorNoise = 0, sensorPositionError = 0}
 forwardImage :: Sensor -> HeightMap -> Pose -> Raster
 forwardImage sensor (HeightMap cell heights) (Pose x y r)
   | cell <= 0 || full <= 0 = generate sensorSide sensorSide (\_ _ -> 0)
-  | otherwise = case r - 360 * fromIntegral (floor (r / 360) :: Integer) of
-    0 -> upright
-    -- A sensor turned clockwise sees its surroundings turned counter-clockwise, that is by three
-    -- quarter turns clockwise.
-    90 -> quarterTurn (halfTurn upright)
-    180 -> halfTurn upright
-    270 -> quarterTurn upright
-    angle -> generate sensorSide sensorSide (\i j -> scaled (slanted (angle * pi / 180) i j))
+  | otherwise = case turnedByDegrees r of
+    -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
+    Just symmetry -> onRaster (invert symmetry) upright
+    Nothing -> generate sensorSide sensorSide (\i j -> scaled (slanted (angle * pi / 180) i j))
   where
     full = sensorFullScale sensor
+    angle = r - 360 * fromIntegral (floor (r / 360) :: Integer)
     scaled height = max 0 (min 1 (height / full))
     half = fromIntegral sensorSide / 2
     upright = generate sensorSide sensorSide (\i j -> scaled (covered (spans x i) (spans y j)))

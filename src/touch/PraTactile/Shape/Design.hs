@@ -136,7 +136,7 @@ arranged seed = go (mkStdGen seed)
         (j, g'') = below 4 g'
     below n g = let (u, g') = uniform g in (floor (u * fromIntegral (n :: Int)) :: Int, g')
 
--- | All sets of so many items of which every two are related, each in the order of the list.
+-- | All sets of this many items of which every two are related, each in the order of the list.
 --
 -- >>> cliques 3 (\a b -> gcd a b == 1) [2 .. 7 :: Int]
 -- [[2,3,5],[2,3,7],[2,5,7],[3,4,5],[3,4,7],[3,5,7],[4,5,7],[5,6,7]]
@@ -182,7 +182,7 @@ numberedShapes parameters =
   where
     stacked = foldl' (\below row -> shiftL below gridWidth + row) 0
 
--- | All stacks of so many rows of blocks in which each row has a block in common with the next (or
+-- | All stacks of this many rows of blocks in which each row shares a block with the next (or
 -- the shape would fall apart) and no two blocks meet at a corner only.
 stacks :: Int -> [[Int]]
 stacks 1 = map pure rowsOfBlocks

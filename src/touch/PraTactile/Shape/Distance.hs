@@ -23,6 +23,7 @@ where
 import Data.Bits (popCount, setBit, shift, xor)
 import Data.List (foldl', tails)
 import PraTactile.Shape
+import PraTactile.Symmetry
 
 -- | The least number of taxels in which the first shape differs from the second, transformed and
 -- then shifted by -1, 0 or 1 taxel in each direction; what a shift pushes out of the box still
@@ -32,7 +33,7 @@ distance symmetry a b = minimum (differences symmetry a b)
 
 -- | The differences for the nine shifts.
 differences :: Symmetry -> Bitmap -> Bitmap -> [Int]
-differences symmetry a b = [popCount (xor (canvas Identity a) (shift there k)) | k <- shifts]
+differences symmetry a b = [popCount (xor (canvas identity a) (shift there k)) | k <- shifts]
   where
     there = canvas symmetry b
 
@@ -43,7 +44,7 @@ data Prepared = Prepared !Integer [Integer]
 -- | Prepares a shape.
 prepared :: Bitmap -> Prepared
 prepared b =
-  Prepared (canvas Identity b) [shift (canvas symmetry b) k | symmetry <- symmetries, k <- shifts]
+  Prepared (canvas identity b) [shift (canvas symmetry b) k | symmetry <- symmetries, k <- shifts]
 
 -- | Whether the 'distance' between two shapes is at least this under every symmetry. Stops where
 -- they are first seen to be nearer.
@@ -68,7 +69,7 @@ canvas symmetry b =
     0
     [(y + top) * canvasSide + x + left | (y, row) <- zip [0 ..] rows, (x, True) <- zip [0 ..] row]
   where
-    rows = transformedRows symmetry b
+    rows = onRows symmetry (bitmapRows b)
     top = (canvasSide - length rows) `div` 2
     left = (canvasSide - maximum (0 : map length rows)) `div` 2
 

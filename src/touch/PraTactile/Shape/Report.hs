@@ -27,6 +27,7 @@ import Numeric (showFFloat)
 import PraTactile.Shape
 import PraTactile.Shape.Design (Report (..))
 import PraTactile.Shape.Distance
+import PraTactile.Symmetry
 
 -- | The shapes side by side in order of class, under their names.
 drawAlphabet :: Alphabet -> Text
@@ -44,8 +45,8 @@ drawAlphabet a =
 distanceTable :: Alphabet -> Text
 distanceTable a =
   T.unlines $
-    columns ("" : map heading symmetries) :
-    [ columns ((x <> ", " <> y) : [T.pack (show (distance s b c)) | s <- symmetries])
+    columns ("" : map snd headings) :
+    [ columns ((x <> ", " <> y) : [T.pack (show (distance s b c)) | (s, _) <- headings])
       | (i, (x, b)) <- numbered,
         (j, (y, c)) <- numbered,
         i <= j
@@ -60,15 +61,16 @@ distanceTable a =
     named = zip (shapeNames a) (shapes a)
     numbered = zip [0 :: Int ..] named
     columns = T.stripEnd . T.concat . zipWith (\w t -> T.justifyLeft w ' ' t) (12 : repeat 10)
-    heading s = case s of
-      Identity -> "upright"
-      HalfTurn -> "turn 180"
-      QuarterTurn -> "turn 90"
-      ThreeQuarterTurn -> "turn 270"
-      MirrorColumns -> "mirror |"
-      MirrorRows -> "mirror -"
-      MirrorDiagonal -> "mirror \\"
-      MirrorAntidiagonal -> "mirror /"
+    headings =
+      [ (identity, "upright"),
+        (turned 2, "turn 180"),
+        (turned 1, "turn 90"),
+        (turned 3, "turn 270"),
+        (mirror, "mirror |"),
+        (turned 2 <> mirror, "mirror -"),
+        (turned 3 <> mirror, "mirror \\"),
+        (turned 1 <> mirror, "mirror /")
+      ]
 
 -- | What a design found, in sentences, with the drawn shapes and their table.
 renderReport :: Alphabet -> Report -> Text

@@ -102,16 +102,16 @@ grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n
          in go (IntMap.insert (nodeKey node) displacement placed) waiting'
     rank (gained, node) = (gained, sum (map fst (nodeLinks node)))
 
--- Note [The prior while growing] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ Displacements are known only up to
--- a common shift, which is the first frame's own error at first. With k frames placed that shift is
--- the mean of their displacements up to an error of variance sigma^2 / k, so the next displacement
--- is spread about that mean with variance sigma^2 (1 + 1/k).
+{- Note [The prior while growing] Displacements are known only up to a common shift, which is the
+   first frame's own error at first. With k frames placed that shift is the mean of their
+   displacements up to an error of variance sigma^2 / k, so the next displacement is spread about
+   that mean with variance sigma^2 (1 + 1/k). -}
 
--- Note [Whole taxels] ~~~~~~~~~~~~~~~~~~~ The grid that the others are blended on lies so that a
--- frame at the start of its search needs no interpolation. Blending blurs an image that lies
--- between the grid's pixels, so the search starts at a whole displacement while growing, and whole
--- taxels from where the frame is in the sweeps: displacements by whole taxels, relative to each
--- other, are then seen without any blur.
+{- Note [Whole taxels] The grid that the others are blended on lies so that a frame at the start of
+   its search needs no interpolation. Blending blurs an image that lies between the grid's pixels,
+   so the search starts at a whole displacement while growing, and whole taxels from where the frame
+   is in the sweeps: displacements by whole taxels, relative to each other, are then seen without
+   any blur. -}
 
 -- | Each frame registered against all the others, again and again, until none moves any more or the
 -- sweeps are used up. The first sweep looks as far as growing did, in case that went astray while
@@ -192,7 +192,7 @@ located settings displacements node prior window (startX, startY) = case others 
             let (x, y) = nodePlace other
         ]
 
--- Note [How well the reference is known] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ When each frame's
--- noise has variance 1, a pixel that is the mean of m frames has noise of variance 1/m, and its
--- difference from the frame to be registered 1 + 1/m. So the pixel counts with weight m / (1 + m):
--- a half where one frame was, towards one where many were.
+{- Note [How well the reference is known] When each frame's noise has variance 1, a pixel that is
+   the mean of m frames has noise of variance 1/m, and its difference from the frame to be
+   registered 1 + 1/m. So the pixel counts with weight m / (1 + m): a half where one frame was,
+   towards one where many were. -}

@@ -135,7 +135,7 @@ mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0
     capped overlap = overlap {overlapWeight = min startWeight (overlapWeight overlap)}
     startWeight = let (px, py) = placeOf start in overlapWeight (overlapAt ref image px py)
 
--- Note [No reward for overlap] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~ The likelihood takes each pixel that
--- leaves the overlap for one that chance must explain. But neighbouring pixels of a relief resemble
--- each other, so the pixel's own image explains it nearly as well, and rewarding a larger overlap
--- draws smooth images together. So an overlap counts for no more than the one at the start has.
+{- Note [No reward for overlap] The likelihood takes each pixel that leaves the overlap for one that
+   chance must explain. But neighbouring pixels of a relief resemble each other, so the pixel's own
+   image explains it nearly as well, and rewarding a larger overlap draws smooth images together. So
+   an overlap counts for no more than the one at the start has. -}

@@ -4,7 +4,7 @@ module PraTactile.Conformance.Laws.Array
   )
 where
 
-import PraTactile.Array (Folding (..), Position (..), Shape (..))
+import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Profile (Profile (..))
@@ -42,4 +42,4 @@ arrayLaws =
       )
   ]
   where
-    windowArea s = rows (profileWindow (profile s)) * columns (profileWindow (profile s))
+    windowArea = area . profileWindow . profile

@@ -5,6 +5,7 @@ module PraTactile.Conformance.Laws.Chances
 where
 
 import Control.Monad.Trans.Except (runExceptT)
+import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Ratio ((%))
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
@@ -20,37 +21,24 @@ chanceLaws =
   [ Law
       "the probability of a position is the product of the probabilities of its symbols, divided \
       \by the sum over all positions (Bayes)"
-      ( \s ->
-          lookedAt
-            s
-            ( \looked ->
-                few (forChances s (\rows' -> asBayes looked s rows'))
-            )
-      ),
+      (\s -> lookedAt s (\looked -> few (forChances s (asBayes looked s)))),
     Law
       "of symbols beyond doubt all positions that agree are equally likely, and no others"
       ( \s ->
-          lookedAt
-            s
-            ( \looked ->
-                few
-                  ( forSeen
-                      (genSeen (profile s) (shapesAround (profile s)) 30 5)
-                      ( \seen ->
-                          asBayes looked s (map (map (fmap (certain s))) (patchOf looked seen))
-                      )
-                  )
-            )
+          lookedAt s $ \looked ->
+            few $
+              forSeen
+                (genSeen (profile s) (shapesAround (profile s)) (Damage 30 5))
+                (asBayes looked s . map (map (fmap (certain s))) . patchOf looked)
       ),
     Law
       "numbers that are no probabilities are refused: invalid"
       ( \s ->
           let q = fromIntegral (profileOrder (profile s))
+              uniform = replicate (q - 1) (1 / fromIntegral (q - 1))
            in once
                 ( conjoin
-                    [ refuses
-                        "invalid"
-                        (posterior s [[Just (replicate (q - 1) (1 / fromIntegral (q - 1)))]]),
+                    [ refuses "invalid" (posterior s [[Just uniform]]),
                       refuses "invalid" (posterior s [[Just (2 : -1 : replicate (q - 2) 0)]]),
                       refuses "invalid" (posterior s [[Just (replicate q 0)]]),
                       refuses "invalid" (posterior s [])
@@ -83,9 +71,8 @@ forChances s =
         (vectorOf (fromIntegral w) (frequency [(1, pure Nothing), (4, Just <$> chances)]))
     chances = do
       cuts <- vectorOf (fromIntegral (profileOrder p) - 1) (chooseInteger (0, 64))
-      let ends = foldr insertSorted [] cuts
+      let ends = sort cuts
       shuffle (zipWith (-) (ends ++ [64]) (0 : ends))
-    insertSorted x xs = takeWhile (< x) xs ++ [x] ++ dropWhile (< x) xs
     -- One cell less is known.
     forgotten line =
       [take j line ++ [Nothing] ++ drop (j + 1) line | (j, Just _) <- zip [0 ..] line]

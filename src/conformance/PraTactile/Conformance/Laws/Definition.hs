@@ -1,6 +1,6 @@
 -- | What locating is held against: the definition, by comparing all windows of the array, whose
--- cells are those that the implementation itself tells. And patches as they are drawn for it: a
--- place, a shape, cells not observed and wrong ones.
+-- cells the implementation itself is asked for. And the patches drawn for it: a place, a shape,
+-- cells not observed and wrong ones.
 module PraTactile.Conformance.Laws.Definition
   ( -- * The array
     Looked,
@@ -13,8 +13,9 @@ module PraTactile.Conformance.Laws.Definition
     -- * Patches
     Seen (..),
     patchOf,
-    originalOf,
     observedOf,
+    Damage (..),
+    undamaged,
     genSeen,
     shapesAround,
     forSeen,
@@ -166,10 +167,16 @@ shapesAround p = filter fits [Shape h' w' | h' <- [1 .. h + 2], w' <- [1 .. w + 
     Shape h w = profileWindow p
     fits shape = rows shape <= rows (profileShape p) && columns shape <= columns (profileShape p)
 
--- | A patch of one of these shapes on the profile's surface, with so many cells of a hundred not
--- observed and so many of the others wrong.
-genSeen :: Profile -> [Shape] -> Int -> Int -> Gen Seen
-genSeen p shapes erased wrong = do
+-- | How many per cent of the cells are not observed, and how many per cent of the others wrong.
+data Damage = Damage Int Int
+
+-- | None.
+undamaged :: Damage
+undamaged = Damage 0 0
+
+-- | A patch of one of these shapes on the profile's surface, damaged.
+genSeen :: Profile -> [Shape] -> Damage -> Gen Seen
+genSeen p shapes (Damage erased wrong) = do
   shape@(Shape h w) <- elements shapes
   let Shape n1 n2 = profileShape p
       last' n size = if profileSurface p == Sheet then n - size else n - 1

@@ -4,7 +4,7 @@ module PraTactile.Conformance.Laws.Locate
   )
 where
 
-import PraTactile.Array (Position (..), Shape (..), Surface (..), naturalsBelow)
+import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law
 import PraTactile.Profile (Profile (..))
@@ -12,39 +12,34 @@ import Test.QuickCheck
 
 -- | The laws of locating, for profiles whose windows have the window property.
 locateLaws :: [Law Session]
-locateLaws =
+locateLaws = inverseLaws ++ refusalLaws
+
+-- | What was seen at a position is located there.
+inverseLaws :: [Law Session]
+inverseLaws =
   [ Law
       "the window at p is located at p"
-      ( \s ->
-          forWindows
-            s
-            (\p -> equal (look s (profileWindow (profile s)) p >>= locate s . seen) (pure (At p)))
-      ),
+      (\s -> forWindows s (locatedWhereSeen s (profileWindow (profile s)))),
     Law
       "a patch one row and one column larger than a window is located where it was seen"
       ( \s ->
           let Shape high wide = profileWindow (profile s)
+              Shape n1 n2 = profileShape (profile s)
               fits (Position r c) =
-                profileSurface (profile s) /= Sheet
-                  || ( r + high < rows (profileShape (profile s))
-                         && c + wide < columns (profileShape (profile s))
-                     )
-           in forWindows
-                s
-                ( \p ->
-                    if fits p
-                      then
-                        equal
-                          (look s (Shape (high + 1) (wide + 1)) p >>= locate s . seen)
-                          (pure (At p))
-                      else property True
-                )
-      ),
-    Law
+                profileSurface (profile s) /= Sheet || (r + high < n1 && c + wide < n2)
+           in forWindows s $ \p ->
+                not (fits p) .||. locatedWhereSeen s (Shape (high + 1) (wide + 1)) p
+      )
+  ]
+  where
+    locatedWhereSeen s shape p = equal (look s shape p >>= locate s . map (map Just)) (pure (At p))
+
+-- | What is refused.
+refusalLaws :: [Law Session]
+refusalLaws =
+  [ Law
       "a window of zeros is refused: zero-window"
-      ( \s ->
-          zeroFree s ==> refuses "zero-window" (locate s (constant s (Just 0)))
-      ),
+      (\s -> zeroFree s ==> refuses "zero-window" (locate s (constant s (Just 0)))),
     Law
       "a window of which nothing was observed is refused: too-few-cells"
       (\s -> refuses "too-few-cells" (locate s (constant s Nothing))),
@@ -62,18 +57,15 @@ locateLaws =
       (\s -> refuses "invalid" (locate s (constant s (Just (profileOrder (profile s))))))
   ]
   where
-    seen = map (map Just)
     constant s value =
-      let Shape high wide =
-            profileWindow (profile s)
+      let Shape high wide = profileWindow (profile s)
        in replicate (fromIntegral high) (replicate (fromIntegral wide) value)
     -- An array whose window has as many cells as the register has stages has every window but that
     -- of zeros.
     zeroFree s =
-      fromIntegral (length (profilePolynomial (profile s)))
-        == rows (profileWindow (profile s)) * columns (profileWindow (profile s)) + 1
+      fromIntegral (length (profilePolynomial (profile s))) == area (profileWindow (profile s)) + 1
 
--- | The cells of a patch on the profile's surface.
+-- | The cells of a patch of this shape at a position of the profile's surface.
 look :: Session -> Shape -> Position -> Wire [[Code]]
 look s (Shape high wide) (Position r c) =
   traverse

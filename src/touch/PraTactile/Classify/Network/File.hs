@@ -66,7 +66,7 @@ parseNetwork text = case zip [1 ..] (T.lines text) of
         then readMaybe (T.unpack t)
         else Nothing
 
--- | So many lines, each of so many weights and a bias, and the rest.
+-- | This many lines, each of this many weights and a bias, and the rest.
 units :: Int -> Int -> [(Int, Text)] -> Either NetworkError (Matrix Double, [(Int, Text)])
 units count weights = go count []
   where

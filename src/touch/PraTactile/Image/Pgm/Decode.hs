@@ -71,11 +71,11 @@ rawSamples _ count maxval rest = do
         | otherwise -> Left (BadHeader HeaderMaxval (B.take 8 rest))
       Nothing -> Left (Truncated count 0)
 
--- Note [The byte after the maximum value] ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ "A single
--- whitespace character (usually a newline)" separates the maximum value from the samples, so no
--- second one may be skipped: it would be a sample. A comment that follows the maximum value's last
--- digit at once counts, with the end of its line, as that character, as in libnetpbm (pm_getc reads
--- every header byte and turns a comment into its line end); one after a blank is already image.
+{- Note [The byte after the maximum value] "A single whitespace character (usually a newline)"
+   separates the maximum value from the samples, so no second one may be skipped: it would be a
+   sample. A comment that follows the maximum value's last digit at once counts, with the end of its
+   line, as that character, as in libnetpbm (pm_getc reads every header byte and turns a comment
+   into its line end); one after a blank is already image. -}
 
 -- | The samples of a plain file: decimal numbers between white space; comments are tolerated.
 plainSamples :: Samples

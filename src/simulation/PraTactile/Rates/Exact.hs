@@ -10,10 +10,10 @@ import Data.List (foldl')
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.LinearCode.Punctured
-import PraTactile.LinearCode.Rates
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
 import PraTactile.Rates.Damage
+import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 
@@ -23,7 +23,7 @@ import PraTactile.Window.Distance
 -- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
 -- where a stated radius is more than is guaranteed, or some cells are missing.
 exactRates :: KnownField k => Radius -> Codebook k -> Mask -> Damage -> Maybe Rates
-exactRates stated shelf mask = \damage -> do
+exactRates stated codebook mask = \damage -> do
   guard (fromIntegral n <= mostCells)
   guard $ case stated of
     Guaranteed -> True
@@ -35,10 +35,10 @@ exactRates stated shelf mask = \damage -> do
         <$> holed
     else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
   where
-    array = codebookArray shelf
+    array = codebookArray codebook
     q = fieldOrder array
     n = maskSize mask
-    windowDistance = observedDistance shelf (maskOffsets mask)
+    windowDistance = observedDistance codebook (maskOffsets mask)
     radius = case stated of
       Guaranteed -> fromIntegral (guaranteedRadius windowDistance)
       UpTo e -> fromIntegral e
@@ -51,5 +51,5 @@ exactRates stated shelf mask = \damage -> do
     contents =
       [ content
         | position <- shapeCells (arrayShape array),
-          Just content <- [windowAt (codebookSurface shelf) array mask position]
+          Just content <- [windowAt (codebookSurface codebook) array mask position]
       ]

@@ -23,8 +23,8 @@ where
 import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import PraTactile.LinearCode.Rates
-import PraTactile.Rates.Verdict
+import PraTactile.Rates.Decoding
+import PraTactile.Rates.Formulas
 
 -- | Counts of trials.
 data Tally = Tally
@@ -55,12 +55,12 @@ noTrials :: Tally
 noTrials = Tally 0 0 0 Map.empty
 
 -- | One trial more.
-count :: Tally -> Verdict -> Tally
-count (Tally n right wrong doubts) (Verdict answer likeliest doubt) =
+count :: Tally -> TrialResult -> Tally
+count (Tally n right wrong doubts) (TrialResult hard likeliest doubt) =
   Tally
     (n + 1)
-    (right + one (answer == Correct))
-    (wrong + one (answer == Mistaken))
+    (right + one (hard == Correct))
+    (wrong + one (hard == Mistaken))
     (Map.insertWith (<>) bin soft doubts)
   where
     one holds = if holds then 1 else 0
@@ -102,7 +102,7 @@ softRatesAtMost share tally = go 0 0 0 (map snd (Map.toDescList (tallyDoubts tal
         right' = right + part * fromIntegral a
         wrong' = wrong + part * fromIntegral (n - a)
 
--- | What the probabilities of soft decoding were worth, among its answers.
+-- | How often the answers of soft decoding were wrong, beside how often their doubts expect it.
 data Calibration = Calibration
   { -- | How many answers there were.
     calibratedAnswers :: !Int,

@@ -9,7 +9,7 @@
 -- (F. J. MacWilliams and N. J. A. Sloane 1977, chapter 16). A window is any of the words but zero,
 -- all equally often, so that of the other words that an error can lead to, one in (number of
 -- windows) is zero, which is refused.
-module PraTactile.LinearCode.Rates
+module PraTactile.Rates.Formulas
   ( -- * Rates
     Rates (..),
     decodingRates,

@@ -1,9 +1,8 @@
--- | Readings of a cell that are wrong as often as one likes, and of which is known how much they
--- are worth. A cell is read as q numbers, one a symbol: the true symbol's is 1 and the others' 0,
--- each with independent normal noise of one standard deviation sigma added. The likeliest symbol is
--- that of the largest number; it is wrong with a probability that sigma sets, and then any of the
--- others alike. Given the numbers y, the symbol b has a probability proportional to exp(y(b) /
--- sigma^2), by Bayes' theorem.
+-- | Readings of a cell with a stated error rate and exact probabilities. A cell is read as q
+-- numbers, one for each symbol: the true symbol's is 1 and the others' are 0, plus independent
+-- normal noise of standard deviation sigma. The likeliest symbol is that of the largest number; it
+-- is wrong with a probability that sigma sets, and then any of the others alike. Given the numbers
+-- y, the symbol b has a probability proportional to exp(y(b) / sigma^2), by Bayes' theorem.
 module PraTactile.Rates.Noise
   ( errorRate,
     noiseFor,

@@ -1,0 +1,138 @@
+-- | What a located grid of symbols shows: windows of the array, and the place of every symbol.
+module PraTactile.Recognise.Finding
+  ( Finding (..),
+    ReadWindow (..),
+    SymbolPlace (..),
+    findingAt,
+  )
+where
+
+import Data.List (sortOn)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, listToMaybe)
+import Data.Ord (Down (..))
+import PraTactile.Array (Position (..), Shape (..), cellAt)
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Locate.Decoder.Codebook (codebookArray)
+import PraTactile.Object.Placement (Whereabouts (..), whereabouts)
+import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recogniser
+import PraTactile.Segment.Lattice (Cell)
+import PraTactile.Symmetry
+
+-- | Where the composites are.
+data Finding = Finding
+  { foundOrientation :: Symmetry,
+    -- | the first complete window in reading order; if there is none, the first of those with the
+    -- most recognised symbols
+    foundWindow :: ReadWindow,
+    -- | all complete windows, in reading order
+    foundWindows :: [ReadWindow],
+    -- | by the symbols' numbers
+    foundPlaces :: Map Int SymbolPlace
+  }
+  deriving stock (Eq, Show)
+
+-- | A window of the array that was found.
+data ReadWindow = ReadWindow
+  { -- | in the array
+    windowPosition :: Position,
+    -- | row by row, as seen on the face; 'Nothing' where no symbol was recognised as the array's
+    windowClasses :: [[Maybe Int]],
+    -- | its centre, by those of its symbols that were seen, as 'readAt' has it
+    windowSeenAt :: (Double, Double),
+    -- | what lies there
+    windowWhereabouts :: Whereabouts
+  }
+  deriving stock (Eq, Show)
+
+-- | Where a symbol is in the array.
+data SymbolPlace = SymbolPlace
+  { -- | its cell
+    symbolCell :: Position,
+    -- | the class that the array has there
+    symbolExpected :: Int
+  }
+  deriving stock (Eq, Show)
+
+-- | The answer when the grid's upper left cell is at this position.
+findingAt :: KnownField k => Recogniser k -> GridLocation -> Position -> Maybe Finding
+findingAt reader location position = do
+  window <- listToMaybe (if null complete then sortOn (Down . felt) windows else complete)
+  pure
+    Finding
+      { foundOrientation = locationOrientation location,
+        foundWindow = window,
+        foundWindows = complete,
+        foundPlaces =
+          Map.fromList
+            [ (readNumber s, place)
+              | (cell, here) <- Map.toList cells,
+                Just place <- [placeOf cell],
+                s <- here
+            ]
+      }
+  where
+    cells = locationCells location
+    array = codebookArray (recogniserBook reader)
+    place0 = cellFrom (recogniserBook reader) position
+    placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
+    -- Cells with a symbol that the network knows as what the array has there.
+    right = Map.mapMaybeWithKey agreeing cells
+    agreeing cell here = do
+      expected <- symbolExpected <$> placeOf cell
+      if any ((== Just (locationOrientation location, expected)) . readClass) here
+        then Just expected
+        else Nothing
+    windows =
+      [ window
+        | i <- [0 .. fst end],
+          j <- [0 .. snd end],
+          Just window <- [windowIn reader location right place0 (i, j)]
+      ]
+    end = (maximum (0 : map fst (Map.keys cells)), maximum (0 : map snd (Map.keys cells)))
+    complete = filter (all (all isJust) . windowClasses) windows
+    felt window =
+      (length (filter isJust (concat (windowClasses window))), onFace (windowWhereabouts window))
+    onFace w = case w of
+      OnFace _ -> True
+      _ -> False
+
+-- | The window whose upper left cell is this one of the grid.
+windowIn ::
+  Recogniser k ->
+  GridLocation ->
+  Map Cell Int ->
+  (Cell -> Maybe Position) ->
+  Cell ->
+  Maybe ReadWindow
+windowIn reader location right place0 (i, j) = do
+  position <- place0 (i, j)
+  pure
+    ReadWindow
+      { windowPosition = position,
+        windowClasses = [[Map.lookup cell right | cell <- line] | line <- block],
+        windowSeenAt = centroid centres,
+        windowWhereabouts = whereabouts (recogniserPlacement reader) window position
+      }
+  where
+    window = recogniserWindow reader
+    block = [[(i + di, j + dj) | dj <- [0 .. wide - 1]] | di <- [0 .. high - 1]]
+    (high, wide) = (fromIntegral (rows window), fromIntegral (columns window))
+    centres =
+      [ centreFrom s cell
+        | line <- block,
+          cell <- line,
+          Just here <- [Map.lookup cell (locationCells location)],
+          s <- here
+      ]
+    -- Where the window's centre is, by the symbol in this cell.
+    centreFrom s (i', j') =
+      let (x, y) = readAt s
+          across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)
+          down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
+          (dx, dy) = onOffset (locationOrientation location) (across, down)
+       in (x - dx, y - dy)

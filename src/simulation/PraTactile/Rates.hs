@@ -1,0 +1,89 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | How often damaged patches are located right, wrong, or refused: simulated readings of patches
+-- at random positions, decoded from symbols alone (hard) and from the same cells' class
+-- probabilities (soft). "PraTactile.Rates.Noise" says how cells are read.
+module PraTactile.Rates
+  ( -- * Damage
+    Damage (..),
+    noiseFor,
+    errorRate,
+
+    -- * Trials
+    Radius (..),
+    TrialSetup,
+    trialSetup,
+    setupBook,
+    setupShape,
+    SetupError (..),
+    simulate,
+    simulations,
+
+    -- * Rates
+    Rates (..),
+    exactRates,
+    module PraTactile.Rates.Tally,
+  )
+where
+
+import Data.List (foldl')
+import Data.Proxy (Proxy (..))
+import PraTactile.Array (Shape (..))
+import PraTactile.Field
+import PraTactile.Locate.Query (Radius (..))
+import PraTactile.Rates.Damage
+import PraTactile.Rates.Decoding
+import PraTactile.Rates.Exact
+import PraTactile.Rates.Formulas (Rates (..))
+import PraTactile.Rates.Noise
+import PraTactile.Rates.Setup
+import PraTactile.Rates.Tally
+import PraTactile.Rates.Trial
+import System.Random (StdGen, genWord64, mkStdGen)
+
+-- | This many trials from a seed; hard decoding is to this radius.
+simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Int -> Tally
+simulate radius setup damage = withNoise radius setup (noiseOf setup damage) (damageErasures damage)
+
+-- | This many trials from a seed, in parts of a thousand, each with a seed of its own, which are to
+-- be merged: to be run at the same time. The seeds depend on the patches' shape and the damage too,
+-- so that the lines of a table are independent of each other.
+simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Int -> [Tally]
+simulations radius setup damage trials seed =
+  [ withNoise
+      radius
+      setup
+      sigma
+      (damageErasures damage)
+      (min 1000 (trials - start))
+      (mixed (own ++ [i]))
+    | (i, start) <- zip [0 ..] [0, 1000 .. trials - 1]
+  ]
+  where
+    sigma = noiseOf setup damage
+    own =
+      [ seed,
+        fromIntegral (rows shape),
+        fromIntegral (columns shape),
+        parts (damageErrors damage),
+        parts (damageErasures damage)
+      ]
+    shape = setupShape setup
+    parts x = round (1e12 * x)
+    mixed = foldl' (\h x -> fromIntegral (fst (genWord64 (mkStdGen (h * 1000003 + x))))) 0
+
+-- | The standard deviation with which symbols are wrong as often as the damage says.
+noiseOf :: forall k. KnownField k => TrialSetup k -> Damage -> Double
+noiseOf _ = noiseFor (fieldOrder (Proxy :: Proxy k)) . damageErrors
+
+-- | @withNoise radius setup sigma missing trials seed@: with noise of the standard deviation sigma,
+-- each cell missing with this probability.
+withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Int -> Tally
+withNoise radius setup sigma missing trials = \seed -> go trials (mkStdGen seed) noTrials
+  where
+    go :: Int -> StdGen -> Tally -> Tally
+    go !left g !tally
+      | left <= 0 = tally
+      | otherwise =
+        let (trial, g') = drawTrial setup sigma missing g
+         in go (left - 1) g' (count tally (decodeTrial radius setup trial))

@@ -1,0 +1,177 @@
+{-# LANGUAGE BangPatterns #-}
+{-# OPTIONS_GHC -O2 #-}
+
+-- | What decoding makes of a trial, in two ways: by 'locate', which is the definition; and by
+-- comparing machine words, for exactly the figures that are counted. The tests compare the two.
+--
+-- A table of rates takes millions of trials, and 'locate' makes a patch of each anew and compares
+-- it cell by cell.
+module PraTactile.Rates.Decoding
+  ( TrialResult (..),
+    HardAnswer (..),
+    decodeTrial,
+    decodeByLocate,
+  )
+where
+
+import Data.Bits (popCount, testBit, xor, (.&.), (.|.))
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import Data.Word (Word64)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Locate
+import PraTactile.Locate.Decoder.Codebook (codebookSurface)
+import PraTactile.Rates.Setup
+import PraTactile.Rates.Trial
+
+-- | What decoding makes of a trial.
+data TrialResult = TrialResult
+  { -- | By hard decoding: of the likeliest symbols, to the radius stated.
+    resultHard :: !HardAnswer,
+    -- | By soft decoding: whether the likeliest position is the true one.
+    resultLikeliest :: !Bool,
+    -- | The probability that it is another one.
+    resultDoubt :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | An answer of hard decoding beside the truth.
+data HardAnswer = Correct | Mistaken | NoAnswer
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | By 'locate', asked about the likeliest symbols by a locator of symbols, and about the
+-- probabilities by one of probabilities. 'Nothing' where a question is refused.
+decodeByLocate ::
+  forall k.
+  KnownField k =>
+  Locator k ->
+  Locator k ->
+  Radius ->
+  TrialSetup k ->
+  Trial ->
+  Maybe TrialResult
+decodeByLocate bySymbols byProbabilities radius setup trial = do
+  beliefs <-
+    traverse
+      (traverse reading)
+      (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
+      >>= rightOnly . patch
+  hard <- rightOnly (locate bySymbols (query (Symbol . likeliest <$> beliefs)))
+  soft <-
+    rightOnly (locate byProbabilities (query (Probabilities <$> beliefs))) >>= answerPosterior
+  pure
+    TrialResult
+      { resultHard = case answerOutcome hard of
+          Unique found _ -> if candidatePosition found == true then Correct else Mistaken
+          _ -> NoAnswer,
+        resultLikeliest = fmap candidatePosition (posteriorBest soft) == Just true,
+        resultDoubt = posteriorDoubt soft
+      }
+  where
+    query seen = (onePatch (codebookSurface (setupBook setup)) seen) {queryRadius = radius}
+    rightOnly = either (const Nothing) Just
+    true = positionOf (setupBook setup) (trialPosition trial)
+    q = fieldOrder (Proxy :: Proxy k)
+    reading j
+      | not (testBit (trialSeen trial Primitive.! (j `div` 64)) (j `mod` 64)) = Just Nothing
+      | otherwise = Just <$> rightOnly (belief (map (/ sum weights) weights))
+      where
+        evidence = Primitive.toList (Primitive.slice (j * q) q (trialEvidence trial))
+        weights = map (\x -> exp (x - maximum evidence)) evidence
+    chunked size xs = case splitAt size xs of
+      ([], _) -> []
+      (first, others) -> first : chunked size others
+
+-- | As 'decodeByLocate', fast.
+decodeTrial :: Radius -> TrialSetup k -> Trial -> TrialResult
+decodeTrial radius setup trial =
+  TrialResult (hardAnswer radius setup trial) (best == trialPosition trial) doubt
+  where
+    (best, doubt) = likeliestPosition setup trial
+
+-- | Hard decoding: the only nearest position, if it is within the radius.
+hardAnswer :: Radius -> TrialSetup k -> Trial -> HardAnswer
+hardAnswer radius setup trial
+  | observed == 0 || nearestTies found > 1 || nearestErrors found > farthest = NoAnswer
+  | nearestIndex found == trialPosition trial = Correct
+  | otherwise = Mistaken
+  where
+    found = nearestPosition setup trial
+    observed = Primitive.foldl' (\k limb -> k + popCount limb) 0 (trialSeen trial)
+    farthest = case radius of
+      Guaranteed -> fromIntegral (guaranteedRadius (fromIntegral (leastWeight found)))
+      UpTo e -> fromIntegral (min e (fromIntegral (setupCells setup)))
+
+-- | The nearest position, by its index.
+data Nearest = Nearest
+  { -- | In how many observed cells it differs.
+    nearestErrors :: !Int,
+    -- | How many positions differ in as few.
+    nearestTies :: !Int,
+    nearestIndex :: !Int,
+    -- | The least weight of any position's content in the observed cells.
+    leastWeight :: !Int
+  }
+
+nearestPosition :: TrialSetup k -> Trial -> Nearest
+nearestPosition setup trial = go 0 maxBound 0 0 maxBound
+  where
+    limbs = setupLimbs setup
+    planes = setupPlanes setup
+    go :: Int -> Int -> Int -> Int -> Int -> Nearest
+    go !i !least !ties !at !weight
+      | i == setupPositions setup = Nearest least ties at weight
+      | e < least = go (i + 1) e 1 i w
+      | otherwise = go (i + 1) least (if e == least then ties + 1 else ties) at w
+      where
+        e = differing (i * limbs) 0 0
+        w = min weight (supported (i * limbs) 0 0)
+    differing :: Int -> Int -> Int -> Int
+    differing !from !l !total
+      | l == limbs = total
+      | otherwise =
+        let unlike = digitsDiffering (planes * (from + l)) (planes * l) 0 0
+         in differing from (l + 1) (total + popCount (unlike .&. seenAt l))
+    digitsDiffering :: Int -> Int -> Int -> Word64 -> Word64
+    digitsDiffering !from !own !b !bits
+      | b == planes = bits
+      | otherwise =
+        digitsDiffering from own (b + 1) (bits .|. (digitAt (from + b) `xor` symbolAt (own + b)))
+    supported :: Int -> Int -> Int -> Int
+    supported !from !l !total
+      | l == limbs = total
+      | otherwise = supported from (l + 1) (total + popCount (supportAt (from + l) .&. seenAt l))
+    -- All indices are below the positions, times the limbs, times the planes.
+    seenAt = Primitive.unsafeIndex (trialSeen trial)
+    digitAt = Primitive.unsafeIndex (setupDigits setup)
+    symbolAt = Primitive.unsafeIndex (trialSymbols trial)
+    supportAt = Primitive.unsafeIndex (setupSupports setup)
+
+-- | Soft decoding: the index of the first of the likeliest positions, and the probability that it
+-- is another one.
+likeliestPosition :: TrialSetup k -> Trial -> (Int, Double)
+likeliestPosition setup trial = (best, others / (1 + others))
+  where
+    n = setupCells setup
+    positions = setupPositions setup
+    totals = Primitive.generate positions (\i -> likelihood (i * n) ((i + 1) * n) 0)
+    likelihood :: Int -> Int -> Double -> Double
+    likelihood !i !end !total
+      | i == end = total
+      | otherwise = likelihood (i + 1) end (total + evidenceAt (contentsAt i))
+    evidenceAt = Primitive.unsafeIndex (trialEvidence trial)
+    contentsAt i = fromIntegral (Primitive.unsafeIndex (setupContents setup) i)
+    best = Primitive.maxIndex totals
+    highest = Primitive.unsafeIndex totals best
+    -- How many times as likely as the best one all others together are.
+    others = beside 0 0
+    beside :: Int -> Double -> Double
+    beside !i !total
+      | i == positions = total
+      | i == best || x < negligible = beside (i + 1) total
+      | otherwise = beside (i + 1) (total + exp x)
+      where
+        x = Primitive.unsafeIndex totals i - highest
+    -- All such together are below 1e-28, and doubts below 1e-20 are counted alike.
+    negligible = -80

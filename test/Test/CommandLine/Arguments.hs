@@ -1,0 +1,135 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What is said of arguments and names, and what is read of a standard input that is no text.
+module Test.CommandLine.Arguments (argumentsSpec, inputSpec) where
+
+import Data.Aeson (Value (..))
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Bytes8
+import Data.Foldable (for_)
+import Data.List (isInfixOf)
+import Readers
+import System.Directory
+import System.FilePath ((</>))
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.QuickCheck
+import Test.Support
+import Visible
+
+argumentsSpec :: Spec
+argumentsSpec = describe "arguments" $ do
+  it "an error in one of them is that line and one that points to the help" $ do
+    (status, out, err) <- pra ["array", "--shape", "15by17"]
+    (status, out) `shouldBe` (2, "")
+    lines err
+      `shouldBe` [ "pra-tactile: option --shape: \"15by17\" is not a shape; write ROWSxCOLUMNS, \
+                   \as in 15x17",
+                   "pra-tactile: try 'pra-tactile array --help'"
+                 ]
+  it "what is no number is refused, whatever a programming language makes of it" $
+    for_ ["0x10", " 1", "1 ", "1_000", "1e2", "(1)", "+1", "", "\x661", "1.0"] $ \text -> do
+      (status, _, err) <- pra ["rates", "--trials", text]
+      (text, status) `shouldBe` (text, 2)
+      err `shouldSatisfy` ("--trials" `isInfixOf`)
+  it "what is no number with a point is refused likewise" $
+    for_
+      [ "0x1",
+        " 0.1",
+        "NaN",
+        "Infinity",
+        "1e400",
+        ".5",
+        "5.",
+        "1e",
+        "0.1.2",
+        "--1",
+        "(0.1)",
+        "1e99999999999999"
+      ]
+      $ \text -> do
+        (status, _, err) <- pra ["locate", "--doubt", text, "3 2 / 3 1"]
+        (text, status) `shouldBe` (text, 2)
+        err `shouldSatisfy` ("--doubt" `isInfixOf`)
+  it "a number is read back as it was shown" $
+    property (\n -> readDecimal (show (n :: Int)) === Right n)
+  it "a number with a point likewise" $
+    property (\x -> readDecimal (show (x :: Double)) === Right x)
+  it "a patch that the shell took apart is told so" $ do
+    outcome <- pra (words "locate 3 2 / 3 1")
+    outcome
+      `refuses` "pra-tactile: a patch is one argument; write it between quotation marks: '3 2 / 3 \
+                \1'"
+  it "a name that cannot be printed, or of 5000 characters, is one line in every locale" $
+    inFolder $ \folder ->
+      for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
+        named <- scripted folder (locale ++ " pra-tactile decode \"$(printf 'a\\nb\\377.pgm')\"")
+        named `refuses` "there is no file or folder a\\nb\\xff.pgm"
+        long <- scripted folder (locale ++ " pra-tactile decode \"$(printf '%05000d' 0)\"")
+        long `refuses` "(5000 characters)"
+        let (_, _, err) = long in length err `shouldSatisfy` (< 600)
+        german <- scripted folder (locale ++ " pra-tactile decode Größe.pgm")
+        german `refuses` "there is no file or folder Größe.pgm"
+  it "JSON is UTF-8 whatever a file is called" $
+    inFolder $ \folder -> do
+      composite <- makeAbsolute "data/worked-example/composite.pgm"
+      _ <-
+        scripted
+          folder
+          ( "cp "
+              ++ composite
+              ++ " \"$(printf 'a\\377\\n.pgm')\"; pra decode --json * > out; LC_ALL=C pra decode \
+                 \--json *.pgm > out2"
+          )
+      shown <- Bytes.readFile (folder </> "out")
+      Bytes.readFile (folder </> "out2") `shouldReturn` shown
+      key ["source"] (Bytes8.unpack shown) `shouldBe` Just (String "a\\xff\n.pgm")
+  it "what is visible has no control characters, and nothing is changed that has none" $
+    property $ \text ->
+      let shown = visible text
+       in counterexample
+            shown
+            (all (>= ' ') shown .&&. (if all plain text then shown === text else property True))
+  where
+    plain c = c `elem` [' ' .. '~']
+
+inputSpec :: Spec
+inputSpec = describe "the standard input" $ do
+  it "locate --batch: a line that is no UTF-8 is invalid, the others are answered" $
+    inFolder $ \folder ->
+      for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
+        (status, out, err) <-
+          scripted
+            folder
+            ( "printf '3 2 / 3 1\\n3 \\377 / 3 1\\nA^2 A / A^2 1\\n3 2 / 3 1' | "
+                ++ locale
+                ++ " pra-tactile locate --batch"
+            )
+        (status, err) `shouldBe` (2, "")
+        map (key ["outcome"]) (lines out)
+          `shouldBe` map (Just . String) ["located", "invalid", "located", "located"]
+  it "locate --batch: a line beyond 1 MiB is invalid; the others are answered" $
+    inFolder $ \folder -> do
+      (status, out, _) <-
+        scripted
+          folder
+          "(echo '3 2 / 3 1'; head -c 1048577 /dev/zero | tr '\\0' '?'; echo; head -c 3000000 \
+          \/dev/zero | tr '\\0' ' '; echo; echo '3 2 / 3 1'; head -c 2000000 /dev/zero) | pra \
+          \locate --batch"
+      status `shouldBe` 2
+      map (key ["outcome"]) (lines out)
+        `shouldBe` map (Just . String) ["located", "invalid", "invalid", "located", "invalid"]
+      let found =
+            [ message
+              | Just (String message) <- map (key ["message"]) (lines out),
+                "bytes" `isInfixOf` show message
+            ]
+      found
+        `shouldBe` [ "the line has 1048577 bytes; at most 1048576 are read",
+                     "the line has 3000000 bytes; at most 1048576 are read",
+                     "the line has 2000000 bytes; at most 1048576 are read"
+                   ]
+  it "synthesise: bytes that are no text are one line" $
+    inFolder $ \folder -> do
+      outcome <- scripted folder "printf '0 1 \\377' | pra synthesise --q 4"
+      outcome `refuses` "not UTF-8 text"

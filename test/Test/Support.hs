@@ -1,0 +1,54 @@
+-- | What tests of all parts need.
+module Test.Support
+  ( -- * Answers
+    right,
+    whenRight,
+    holds,
+
+    -- * Lists
+    below,
+    rowsOf,
+    cellsOf,
+
+    -- * Files
+    inFolder,
+  )
+where
+
+import Numeric.Natural (Natural)
+import PraTactile.Position
+import System.IO.Temp (withSystemTempDirectory)
+import Test.Hspec (Expectation, HasCallStack, expectationFailure)
+import Test.QuickCheck
+
+-- | The answer, or a failure of the test that shows the refusal.
+right :: (HasCallStack, Show e) => Either e a -> IO a
+right = either (\e -> expectationFailure (show e) >> fail (show e)) pure
+
+-- | The same in a property.
+whenRight :: (Show e, Testable p) => Either e a -> (a -> p) -> Property
+whenRight answer law = either (\e -> counterexample (show e) False) (property . law) answer
+
+-- | A property holds in this many cases.
+holds :: Testable p => Int -> p -> Expectation
+holds count p =
+  quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r ->
+    if isSuccess r then pure () else expectationFailure (output r)
+
+-- | The numbers from 0 that are less.
+below :: (Enum n, Num n, Ord n) => n -> [n]
+below n = takeWhile (< n) [0 ..]
+
+-- | Rows of this many.
+rowsOf :: Natural -> [a] -> [[a]]
+rowsOf w cells = case splitAt (fromIntegral w) cells of
+  ([], _) -> []
+  (r, rest) -> r : rowsOf w rest
+
+-- | The cells of a rectangle, row by row.
+cellsOf :: Shape -> [Position]
+cellsOf (Shape h w) = [Position i j | i <- below h, j <- below w]
+
+-- | With a folder of its own, removed afterwards.
+inFolder :: (FilePath -> IO a) -> IO a
+inFolder = withSystemTempDirectory "pra-tactile"
