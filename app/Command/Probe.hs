@@ -185,7 +185,8 @@ pressedRegion options pressed generator =
         ++ ", which is "
         ++ sizeText (spotMillimetres (laidExtent pressed))
         ++ " mm; choose another --size or --at"
-    onTheFace = (if maybe False exchangesAxes (orientation options) then swap else id) (size options)
+    onTheFace =
+      (if maybe False exchangesAxes (orientation options) then swap else id) (size options)
     millimetres taxels = taxelPitch * fromIntegral taxels
     sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
 

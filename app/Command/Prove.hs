@@ -103,7 +103,9 @@ verdictText (Result subject mask found far) =
         then "proved: every " ++ window ++ " window on the " ++ place ++ " has a content of its own"
         else "refuted: some " ++ window ++ " windows on the " ++ place ++ " have the same content",
       "  by visiting every window: " ++ decided (enumeration found),
-      "  by rank:                  " ++ decided (rankDecision found) ++ maybe "" ofNeeded (rank found)
+      "  by rank:                  "
+        ++ decided (rankDecision found)
+        ++ maybe "" ofNeeded (rank found)
     ]
       ++ ["  different windows:        " ++ show n | Just n <- [distinctWindows found]]
       ++ [ "  minimum distance:         " ++ show d ++ correctable d cells

@@ -241,7 +241,11 @@ nearestEach = do
   pure $ do
     (seconds, _) <- timedEach (answer . nearest codebook Guaranteed) 0 patches
     pure
-      (Measurement seconds Seconds (weightedSum (map (answer . nearest codebook Guaranteed) patches)))
+      ( Measurement
+          seconds
+          Seconds
+          (weightedSum (map (answer . nearest codebook Guaranteed) patches))
+      )
   where
     answer found =
       packed (decisionOutcome found) + 1000 * length (corrected (decisionDistances found))

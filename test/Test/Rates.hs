@@ -37,7 +37,11 @@ spec = do
           setup <- right (trialSetup codebook size)
           let drawn = take 150 (trialsOf setup damage 5)
               by decoder =
-                locator (Just decoder) MostSignificantFirst (codebookArray codebook) (codebookMask codebook)
+                locator
+                  (Just decoder)
+                  MostSignificantFirst
+                  (codebookArray codebook)
+                  (codebookMask codebook)
               located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do

@@ -214,33 +214,34 @@ damageSpec alphabetOfAll layout net array mask = do
       flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
       length (recognisedParts flat) `shouldBe` 0
     it "of any rectangle of a symbol the likeliest shape is one that has it" $
-      for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) -> for_ [identity, turned 2] $ \symmetry ->
-        for_
-          [ (l, t, r, b)
-            | l <- [0, 2, 4],
-              r <- [4, 6, 8],
-              r > l,
-              t <- [0, 3, 6],
-              b <- [6, 9, 12],
-              b > t
-          ]
-          $ \(l, t, r, b) -> do
-            let image = onRaster symmetry (toRaster shape)
-                seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
-                masked =
-                  generate
-                    8
-                    12
-                    (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
-                part = Part masked seen
-                e = estimatePart (templates alphabetOfAll) part
-                (distances, _) = partDistances (templates alphabetOfAll) part
-            lookup (c, symmetry) distances `shouldBe` Just 0
-            lookup (estimateLikeliest e) distances `shouldBe` Just 0
-            -- What has the same part in the same place is as likely.
-            estimateChance e (c, symmetry)
-              `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
-            sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
+      for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
+        for_ [identity, turned 2] $ \symmetry ->
+          for_
+            [ (l, t, r, b)
+              | l <- [0, 2, 4],
+                r <- [4, 6, 8],
+                r > l,
+                t <- [0, 3, 6],
+                b <- [6, 9, 12],
+                b > t
+            ]
+            $ \(l, t, r, b) -> do
+              let image = onRaster symmetry (toRaster shape)
+                  seen = generate 8 12 (\x y -> if x >= l && x < r && y >= t && y < b then 1 else 0)
+                  masked =
+                    generate
+                      8
+                      12
+                      (\x y -> fromMaybe 0 (index image x y) * fromMaybe 0 (index seen x y))
+                  part = Part masked seen
+                  e = estimatePart (templates alphabetOfAll) part
+                  (distances, _) = partDistances (templates alphabetOfAll) part
+              lookup (c, symmetry) distances `shouldBe` Just 0
+              lookup (estimateLikeliest e) distances `shouldBe` Just 0
+              -- What has the same part in the same place is as likely.
+              estimateChance e (c, symmetry)
+                `shouldSatisfy` \p -> abs (p - estimateChance e (estimateLikeliest e)) < 1e-9
+              sum (map snd (estimateChances e)) `shouldSatisfy` \sum' -> abs (sum' - 1) < 1e-9
   describe "surfaces" $ do
     it "a window across the array's edge is on the torus, on no object, and not on the sheet" $
       for_ [Position 14 3, Position 5 16, Position 14 16] $ \place -> do

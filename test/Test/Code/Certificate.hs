@@ -226,7 +226,11 @@ spec = do
     notPrimitive = maybe False (isLeft . checkPrimitive) . over
     isRank c = case certificateEvidence c of ByRank _ -> True; ByEnumeration _ -> False
 
-certified :: Method -> Profile -> Either WindowError Mask -> IO (Either CertificateError Certificate)
+certified ::
+  Method ->
+  Profile ->
+  Either WindowError Mask ->
+  IO (Either CertificateError Certificate)
 certified road profile window = certify road profile <$> right window
 
 made :: Method -> Profile -> Either WindowError Mask -> IO Certificate

@@ -65,7 +65,8 @@ spec = do
           ((,,) <$> genOffsets <*> genPlaces <*> vectorOf 16 (genElement :: Gen (GF GF4)))
           $ \(offsets, (p, p'), noise) ->
             let led = neighbours codebook offsets (zipWith (+) noise (contentAt codebook offsets p))
-                led' = neighbours codebook offsets (zipWith (+) noise (contentAt codebook offsets p'))
+                led' =
+                  neighbours codebook offsets (zipWith (+) noise (contentAt codebook offsets p'))
                 relative place (e, found) =
                   (e, sort (map (map toCode . (`minus` contentAt codebook offsets place)) found))
              in relative p led === relative p' led'

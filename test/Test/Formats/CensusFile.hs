@@ -141,7 +141,12 @@ spec = do
       let verdict = either (error . show) id (entryVerdict entry)
        in ( (censusName (wantedScope wanted), entryNumber entry, wantedEntries wanted),
             (entryPolynomial entry, entryFolding entry, entryShape entry, entryWindow entry),
-            (proved verdict, enumeration verdict, rankDecision verdict, rank verdict, needed verdict),
+            ( proved verdict,
+              enumeration verdict,
+              rankDecision verdict,
+              rank verdict,
+              needed verdict
+            ),
             ( distinctWindows verdict,
               either bounds (\d -> (distance d, Nothing)) (entryDistance entry)
             )

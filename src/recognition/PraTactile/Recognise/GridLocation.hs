@@ -112,7 +112,8 @@ locateGrid reader tolerance dissenters grid =
     witnesses = witnessesOf codebook tolerance orientation (dissenters, gridStrays grid) cells
     stated = toleratedErrors tolerance
     ask by seen =
-      rightOnly (locate (by reader) (onePatch (codebookSurface codebook) seen) {queryRadius = stated})
+      rightOnly
+        (locate (by reader) (onePatch (codebookSurface codebook) seen) {queryRadius = stated})
 
     beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
     found = do

@@ -114,7 +114,8 @@ trialSetup codebook shape
 contentAt :: Codebook k -> Shape -> Position -> [Int32]
 contentAt codebook shape position = map (codeOf . displacedFrom) (shapeCells shape)
   where
-    displacedFrom = displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) position
+    displacedFrom =
+      displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) position
     -- On a torus every place is a cell.
     codeOf place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid codebook))
 
