@@ -12,7 +12,6 @@ where
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
 import PraTactile.Rates
-import PraTactile.Rates.Formulas
 import Text.Printf (printf)
 
 -- | The head of the table, hard decoding being to this radius.

@@ -20,7 +20,6 @@ import PraTactile.Format.Rates
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Profile
 import PraTactile.Rates
-import PraTactile.Rates.Formulas
 import PraTactile.Window
 import Progress
 import RatesPlot

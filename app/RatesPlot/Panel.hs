@@ -35,7 +35,6 @@ import PraTactile.Array (Shape)
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
 import PraTactile.Rates
-import PraTactile.Rates.Formulas
 import RatesTable
 
 panelWide, panelHigh :: Double

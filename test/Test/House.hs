@@ -90,6 +90,18 @@ spec = describe "the house" $
               names = filter (/= "program.Main") (map sourceName own)
           names \\ words described `shouldBe` []
           maybe [] (dependencies described \\) (Map.lookup wing allowances) `shouldBe` []
+    it "what is public of the wings and the hall is 12 to 30 modules each, and ends nowhere" $
+      \(house, package) -> do
+        let shown face =
+              [ name
+                | (section, text) <- package,
+                  section == face,
+                  name <- drop 1 (dropWhile (/= "reexported-modules:") (words text)),
+                  name /= ","
+              ]
+        [(face, length (shown face)) | face <- faces, length (shown face) `notElem` [12 .. 30]]
+          `shouldBe` []
+        concatMap shown faces \\ concat (replicate 3 (map sourceName house)) `shouldBe` []
     it "is drawn: each module in its wing, each import as an arrow" $ \_ -> do
       let module' name imports = Source ("PraTactile." ++ name) Code imports ""
           drawn = lines (dot [module' "A" ["PraTactile.B"], module' "B" ["Data.List"]])
@@ -116,7 +128,7 @@ known wing = case wing of
   Touch -> [Common, Touch]
   Simulation -> [Common, Code, Simulation]
   Recognition -> [Common, Code, Touch, Recognition]
-  Formats -> known Recognition ++ [Formats]
+  Formats -> Simulation : known Recognition ++ [Formats]
   Files -> known Recognition ++ [Files]
   Store -> [Common, Code, Recognition, Store]
   Conformance -> known Recognition ++ [Conformance]
@@ -147,7 +159,7 @@ beyondBase =
 
 componentOf :: Wing -> String
 componentOf wing = case wing of
-  Recognition -> "library"
+  _ | wing `elem` [Code, Touch, Recognition] -> "library " ++ wingName wing ++ "-internal"
   App -> "library command-line"
   _ -> "library " ++ wingName wing
 
@@ -164,20 +176,29 @@ allowances =
             "pra-tactile:common bytestring cassava containers file-embed hmatrix \
             \JuicyPixels random svg-builder text vector"
           ),
-          (Simulation, "pra-tactile:common pra-tactile:code containers random vector"),
+          (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),
           ( Recognition,
-            "pra-tactile:common pra-tactile:code pra-tactile:touch bytestring \
+            "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal bytestring \
             \containers filepath random vector"
           ),
-          (Formats, "pra-tactile aeson bytestring containers scientific text"),
-          (Files, "pra-tactile bytestring containers directory filepath"),
+          (Formats, recognising ++ "pra-tactile:simulation aeson bytestring containers scientific text"),
+          (Files, recognising ++ "bytestring containers directory filepath"),
           ( Store,
-            "pra-tactile containers directory filepath monad-logger persistent persistent-sqlite \
-            \text transformers unix"
+            recognising
+              ++ "containers directory filepath monad-logger persistent persistent-sqlite text \
+                 \transformers unix"
           ),
-          (Conformance, "pra-tactile containers QuickCheck transformers vector")
+          (Conformance, recognising ++ "containers QuickCheck transformers vector")
         ]
     )
+  where
+    recognising =
+      "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal \
+      \pra-tactile:recognition-internal "
+
+-- | The libraries for others whose modules are those of private ones, of which they show some.
+faces :: [String]
+faces = ["library", "library code", "library touch"]
 
 -- | The sections of the package's description: the first line of each, and the others.
 components :: String -> [(String, String)]

@@ -57,7 +57,14 @@ spec = beforeAll (library <$> readText "README.md") $ do
               | "-" : package : part : _ <- map words (lines out),
                 "pra-tactile-" `isPrefixOf` package
             ]
-      seen `shouldMatchList` ["(lib:common)", "(lib:code)", "(lib:touch)", "(lib)", "(lib:files)"]
+      seen
+        `shouldMatchList` [ "(lib:common)",
+                            "(lib:code-internal)",
+                            "(lib:touch-internal)",
+                            "(lib:recognition-internal)",
+                            "(lib)",
+                            "(lib:files)"
+                          ]
   where
     library = dropWhile (/= "## The library") . lines
     cabal arguments = readProcessWithExitCode "tools/cabal.sh" arguments ""
