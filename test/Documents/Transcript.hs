@@ -25,6 +25,7 @@ import System.Process (CreateProcess (..), proc, readCreateProcessWithExitCode)
 documents :: [FilePath]
 documents =
   [ "README.md",
+    "READING.md",
     "docs/cli.md",
     "docs/json.md",
     "docs/locating.md",

@@ -243,7 +243,7 @@ positionsAt code word e codewords
   | visits == 0 = Right Nothing
   | visits > largestListing, _ : _ : _ <- solved = Left (DecodingTooMany (fromIntegral e))
   | otherwise = do
-    listed <- first DecodingAlgebra (traverse (wordListing code . fst) solved)
+    listed <- first DecodingAlgebra (traverse (uncurry (wordListing code)) solved)
     let found = [(x, place) | ((x, _), Listed places) <- zip solved listed, place <- places]
     pure $ case ([solutions | ((_, solutions), More) <- zip solved listed], found) of
       (many : _, _) ->
@@ -259,7 +259,7 @@ positionsAt code word e codewords
           let solutions = wordSolutions code x,
           solutionCount solutions > 0
       ]
-    visits = sum (map (wordVisits code . fst) solved)
+    visits = sum (map (wordVisits code . snd) solved)
     differing x =
       [ offset
         | (offset, a, b) <- zip3 (codeOffsets code) (rowToList x) (rowToList word),

@@ -69,25 +69,21 @@ wordSolutions code word = solve n (zipWith valued (codeEquations code) (Primitiv
     n = primitiveDegree (arrayPrimitive (algebraArray (codeAlgebra code)))
     valued equation a = equation {equationValue = a}
 
--- | The positions of a word; on the sheet those at which all the cells lie on it.
-wordPlaces :: KnownField k => ObservedCode k -> Row k -> [Position]
+-- | The positions of a word with these solutions; on the sheet those at which all the cells lie on
+-- it.
+wordPlaces :: KnownField k => ObservedCode k -> Row k -> Solutions k -> [Position]
 wordPlaces code word =
-  algebraPlaces
-    (codeAlgebra code)
-    (zip (codeOffsets code) (Primitive.toList word))
-    (wordSolutions code word)
+  algebraPlaces (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word))
 
 -- | The same as a list, or that they are too many.
-wordListing :: KnownField k => ObservedCode k -> Row k -> Either AlgebraError Listed
+wordListing ::
+  KnownField k => ObservedCode k -> Row k -> Solutions k -> Either AlgebraError Listed
 wordListing code word =
-  algebraListing
-    (codeAlgebra code)
-    (zip (codeOffsets code) (Primitive.toList word))
-    (wordSolutions code word)
+  algebraListing (codeAlgebra code) (zip (codeOffsets code) (Primitive.toList word))
 
--- | How many positions have to be looked at to list the positions of a word.
-wordVisits :: KnownField k => ObservedCode k -> Row k -> Natural
-wordVisits code word = algebraVisits (codeAlgebra code) (codeOffsets code) (wordSolutions code word)
+-- | How many positions have to be looked at to list those of a word with these solutions.
+wordVisits :: KnownField k => ObservedCode k -> Solutions k -> Natural
+wordVisits code = algebraVisits (codeAlgebra code) (codeOffsets code)
 
 -- | At how many positions the cells lie on the surface.
 codePlaces :: ObservedCode k -> Natural

@@ -63,7 +63,7 @@ fromList setting branches state beyond =
     ranking =
       [ (place, exp (x - stateBest state) / total)
         | (x, branch, word) <- entries,
-          place <- candidatesOf branch (wordPlaces (branchCode branch) word)
+          place <- candidatesOf branch (placesOf (solved (branch, word)))
       ]
 
 -- | The words of the list, the likeliest first, each with the logarithm of its likelihood and its
@@ -80,33 +80,37 @@ entriesOf branches state =
 candidatesOf :: Branch k -> [Position] -> [Candidate]
 candidatesOf branch = map (Candidate (branchSymmetry branch))
 
+-- | A word with its solutions.
+solved :: KnownField k => (Branch k, Row k) -> (Branch k, Row k, Solutions k)
+solved (branch, word) = (branch, word, wordSolutions (branchCode branch) word)
+
+placesOf :: KnownField k => (Branch k, Row k, Solutions k) -> [Position]
+placesOf (branch, word, solutions) = wordPlaces (branchCode branch) word solutions
+
 -- | The candidates of the best words; or how many they are, if they are too many to list, and the
 -- dimension of their coset, if they are of one word.
 bestPlaces ::
   KnownField k => Setting -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
-bestPlaces setting best = case best of
-  [(branch, word)] -> case wordListing (branchCode branch) word of
+bestPlaces setting best = case words' of
+  [only@(branch, _, solutions)] -> case listingOf only of
     Right (Listed places) -> (candidatesOf branch (sort places), Nothing)
-    Right More -> ([], Just (count (branch, word), Just (freedom (branch, word))))
+    Right More -> ([], Just (solutionCount solutions, Just (solutionFreedom solutions)))
     Left _ -> (few, Nothing)
   _
     | visits > largestListing,
-      not (settingSheet setting) || any surelyMany best ->
-      ([], Just (sum (map count best), Nothing))
+      not (settingSheet setting) || any ((== Right More) . listingOf) words' ->
+      ([], Just (sum [solutionCount solutions | (_, _, solutions) <- words'], Nothing))
     | otherwise -> (few, Nothing)
   where
-    visits = sum [wordVisits (branchCode branch) word | (branch, word) <- best]
+    words' = map solved best
+    visits = sum [wordVisits (branchCode branch) solutions | (branch, _, solutions) <- words']
+    listingOf (branch, word, solutions) = wordListing (branchCode branch) word solutions
     few
       | visits > largestListing = []
       | otherwise = concat [candidatesOf branch (sort places) | (branch, places) <- bySymmetry]
     -- The words are in the order of symmetries; the positions of one symmetry are sorted as one.
-    bySymmetry =
-      foldr gather [] [(branch, wordPlaces (branchCode branch) word) | (branch, word) <- best]
+    bySymmetry = foldr gather [] [(branch, placesOf word) | word@(branch, _, _) <- words']
     gather (branch, places) gathered = case gathered of
       (other, more) : rest
         | branchSymmetry other == branchSymmetry branch -> (other, places ++ more) : rest
       _ -> (branch, places) : gathered
-    solutions (branch, word) = wordSolutions (branchCode branch) word
-    count = solutionCount . solutions
-    freedom = solutionFreedom . solutions
-    surelyMany (branch, word) = wordListing (branchCode branch) word == Right More

@@ -140,9 +140,11 @@ logLikelihood setting word =
 -- it is at any.
 positionsOnSheet :: KnownField k => ObservedCode k -> Row k -> Double
 positionsOnSheet code word
-  | wordVisits code word > largestListing = count (take 1 (wordPlaces code word))
-  | otherwise = count (wordPlaces code word)
+  | wordVisits code solutions > largestListing = count (take 1 places)
+  | otherwise = count places
   where
+    solutions = wordSolutions code word
+    places = wordPlaces code word solutions
     count = fromIntegral . length
 
 -- | 46: words are not kept whose likelihood is less than about 1e-20 of that of the best.
