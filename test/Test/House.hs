@@ -178,10 +178,12 @@ allowances =
           ),
           (Simulation, "pra-tactile:common pra-tactile:code-internal containers random vector"),
           ( Recognition,
-            "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal bytestring \
-            \containers filepath random vector"
+            "pra-tactile:common pra-tactile:code-internal pra-tactile:touch-internal \
+            \bytestring containers filepath random vector"
           ),
-          (Formats, recognising ++ "pra-tactile:simulation aeson bytestring containers scientific text"),
+          ( Formats,
+            recognising ++ "pra-tactile:simulation aeson bytestring containers scientific text"
+          ),
           (Files, recognising ++ "bytestring containers directory filepath"),
           ( Store,
             recognising
