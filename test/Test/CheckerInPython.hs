@@ -32,6 +32,6 @@ inPython certificates = do
           "    try:",
           "        check_certificate.check(json.loads(line))",
           "        print('good')",
-          "    except check_certificate.Bad:",
+          "    except Exception:",
           "        print('bad')"
         ]
