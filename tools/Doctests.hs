@@ -7,4 +7,4 @@ import Test.DocTest (doctest)
 main :: IO ()
 main = getArgs >>= doctest . (["-isrc/" ++ wing | wing <- wings] ++) . ("-v0" :)
   where
-    wings = ["common", "code", "touch", "recognition", "formats"]
+    wings = ["common", "code", "touch", "simulation", "recognition", "formats"]
