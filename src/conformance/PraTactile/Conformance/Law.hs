@@ -1,137 +1,121 @@
--- | Laws, and the few words they are said in.
+-- | Laws as data. A law has a name that stays, a sentence for the reader of a failure, and cases:
+-- all of its domain under a profile, or drawn ones. A case is tried by asking ("Ask") and judged by
+-- what the definition says, never by how the implementation agrees with itself alone.
 module PraTactile.Conformance.Law
   ( -- * Laws
     Law (..),
+    Stage (..),
+    stageName,
 
-    -- * Saying them
-    equal,
-    refuses,
-    holds,
+    -- * Cases
+    Cases (..),
+    Domain (..),
 
-    -- * Drawing values
-    forElements,
-    forNonZero,
-    forTerms,
-    forPositions,
-    forWindows,
-
-    -- * Of the field
-    characteristic,
+    -- * Verdicts
+    Verdict (..),
+    Violation (..),
+    Exchange (..),
+    Reply (..),
   )
 where
 
-import Control.Monad.Trans.Except (runExceptT)
-import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), Surface (..), area)
-import PraTactile.Conformance.Implementation
-import PraTactile.Profile (Profile (..))
-import Test.QuickCheck
+import Data.Aeson (Value)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (Codec)
+import Test.QuickCheck (Gen)
 
--- | A name, which is the equation or the sentence, and what must hold of an implementation or a
--- session with it.
-data Law subject = Law
-  { lawName :: String,
-    lawProperty :: subject -> Property
+-- | What must hold of an implementation, given what the law is about: what is known of a profile
+-- by definition, or profiles themselves.
+data Law about = Law
+  { -- | The stage and what holds, such as @field/addition-commutes@. It never changes.
+    lawId :: String,
+    lawStage :: Stage,
+    -- | What it asks for. An implementation that does not offer one of these skips the law.
+    lawNeeds :: [Operation],
+    -- | What holds, in a sentence.
+    lawSentence :: String,
+    -- | Where that is from: a definition, a theorem, a paper.
+    lawSource :: String,
+    lawCases :: about -> Cases
   }
 
--- | Both sides answer, and answer the same.
-equal :: (Eq a, Show a) => Wire a -> Wire a -> Property
-equal left right = ioProperty $ do
-  l <- runExceptT left
-  r <- runExceptT right
-  pure (either (const False) (const True) l === True .&&. l === r)
+-- | The stages of a decoder, in the order in which one is written.
+data Stage
+  = OnProfile
+  | OnField
+  | OnPolynomial
+  | OnSequence
+  | OnArray
+  | OnWindow
+  | OnProof
+  | OnLocate
+  | OnDamage
+  | OnChances
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | The implementation refuses for this reason.
-refuses :: Show a => String -> Wire a -> Property
-refuses expected action = ioProperty $ do
-  outcome <- runExceptT action
-  pure $ case outcome of
-    Left found -> found === Refusal expected
-    Right answer ->
-      counterexample ("answered " ++ show answer ++ " instead of refusing: " ++ expected) False
+-- | As @--stage@ takes it.
+stageName :: Stage -> String
+stageName stage = case stage of
+  OnProfile -> "profile"
+  OnField -> "field"
+  OnPolynomial -> "polynomial"
+  OnSequence -> "sequence"
+  OnArray -> "array"
+  OnWindow -> "window"
+  OnProof -> "proof"
+  OnLocate -> "locate"
+  OnDamage -> "damage"
+  OnChances -> "chances"
 
--- | The implementation answers, and the answer satisfies this.
-holds :: Show a => (a -> Bool) -> Wire a -> Property
-holds condition action = ioProperty $ do
-  outcome <- runExceptT action
-  pure $ case outcome of
-    Left found -> counterexample ("refused: " ++ show found) False
-    Right answer -> counterexample (show answer) (condition answer)
+-- | The cases of a law under a profile. A case can be written and read, so that a failure is tried
+-- again from a text alone.
+data Cases = forall a.
+  Cases
+  { casesForm :: Codec a,
+    casesDomain :: Domain a,
+    casesTrial :: a -> Ask Verdict
+  }
 
--- | For lists of this many elements.
-forElements :: Int -> Session -> ([Code] -> Property) -> Property
-forElements = forCodes 0
+-- | Which cases there are.
+data Domain a
+  = -- | All of them, in this order: the law exhausts its domain.
+    Every [a]
+  | -- | Drawn; with the smaller ones that a failing one is tried with.
+    Some (Gen a) (a -> [a])
 
--- | For lists of this many elements other than 0.
-forNonZero :: Int -> Session -> ([Code] -> Property) -> Property
-forNonZero = forCodes 1
+-- | What came of a case.
+data Verdict
+  = Holds
+  | -- | The law says nothing of it.
+    NotMeant
+  | Violated Violation
+  deriving stock (Eq, Show)
 
-forCodes :: Integer -> Int -> Session -> ([Code] -> Property) -> Property
-forCodes least count session = forAllShrink (vectorOf count code) shrunk
-  where
-    q = toInteger (profileOrder (profile session))
-    code = fromInteger <$> chooseInteger (least, q - 1)
-    shrunk codes =
-      [ before ++ smaller : after
-        | (i, c) <- zip [0 ..] codes,
-          let before = take i codes,
-          let after = drop (i + 1) codes,
-          smaller <-
-            map fromInteger (filter (>= least) (shrinkIntegral (toInteger c) `orBelow` toInteger c))
-      ]
-    orBelow candidates c = [n | n <- candidates, n >= 0, n < c]
+-- | How a case violates a law.
+data Violation = Violation
+  { -- | What was asked, with what came; the last one is at fault, or all of them together.
+    violationAsked :: [Exchange],
+    -- | What should have come of it, as it is shown.
+    violationExpected :: Reply,
+    -- | By which road that is known: the definition, a theorem, another answer of the same
+    -- implementation.
+    violationRoad :: String,
+    -- | Why that is expected here, in a sentence.
+    violationReason :: String
+  }
+  deriving stock (Eq, Show)
 
--- | For indices of terms, from 0 to beyond a few periods.
-forTerms :: Session -> (Natural -> Property) -> Property
-forTerms session =
-  forAllShrink (fromInteger <$> chooseInteger (0, 4 * toInteger cells)) shrinkNatural
-  where
-    cells = area (profileShape (profile session))
+-- | A question in the form of the protocol, and what came.
+data Exchange = Exchange
+  { exchangeOperation :: Operation,
+    exchangeInput :: Value,
+    exchangeReply :: Reply
+  }
+  deriving stock (Eq, Show)
 
--- | For positions of the array.
-forPositions :: Session -> (Position -> Property) -> Property
-forPositions session = forPositionsIn (profileShape (profile session))
-
--- | For positions at which a whole window lies on the profile's surface.
-forWindows :: Session -> (Position -> Property) -> Property
-forWindows session = forPositionsIn $ case profileSurface p of
-  Sheet -> Shape (less rows) (less columns)
-  _ -> profileShape p
-  where
-    p = profile session
-    less side =
-      if side (profileWindow p) > side (profileShape p)
-        then 0
-        else side (profileShape p) - side (profileWindow p) + 1
-
--- | For all positions where there are not more than 4096, otherwise for drawn ones.
-forPositionsIn :: Shape -> (Position -> Property) -> Property
-forPositionsIn (Shape high wide) property'
-  | high == 0 || wide == 0 = property True
-  | high * wide <= 4096 =
-    once
-      ( conjoin
-          [ counterexample (show place) (property' place)
-            | r <- [0 .. high - 1],
-              c <- [0 .. wide - 1],
-              let place = Position r c
-          ]
-      )
-  | otherwise =
-    forAllShrink
-      (Position <$> below high <*> below wide)
-      ( \(Position r c) ->
-          [Position r' c | r' <- shrinkNatural r] ++ [Position r c' | c' <- shrinkNatural c]
-      )
-      property'
-  where
-    below n = fromInteger <$> chooseInteger (0, toInteger n - 1)
-
-shrinkNatural :: Natural -> [Natural]
-shrinkNatural n = [fromInteger i | i <- shrinkIntegral (toInteger n), i >= 0]
-
--- | p, where the field has p^m elements: the least divisor of their number above 1.
-characteristic :: Session -> Natural
-characteristic session = foldr const q [d | d <- [2 .. q], q `mod` d == 0]
-  where
-    q = profileOrder (profile session)
+-- | A reply in the form of the protocol.
+data Reply
+  = Result Value
+  | RefusedFor String
+  deriving stock (Eq, Show)
