@@ -26,7 +26,8 @@ import PraTactile.Format.Json.Codec (Codec)
 import Test.QuickCheck (Gen)
 
 -- | What must hold of an implementation, given what the law is about: what is known of a profile
--- by definition, or profiles themselves.
+-- by definition (@Law Known@, asked under that profile), or the profiles of the suite, which its
+-- trials open by themselves (@Law [Profile]@).
 data Law about = Law
   { -- | The stage and what holds, such as @field/addition-commutes@. It never changes.
     lawId :: String,
@@ -108,7 +109,8 @@ data Violation = Violation
 
 -- | A question in the form of the protocol, and what came.
 data Exchange = Exchange
-  { exchangeOperation :: Operation,
+  { -- | 'Nothing' for putting a profile in force, which then is the input.
+    exchangeOperation :: Maybe Operation,
     exchangeInput :: Value,
     exchangeReply :: Reply
   }
