@@ -43,7 +43,9 @@ data Law about = Law
 
 -- | The stages of a decoder, in the order in which one is written.
 data Stage
-  = OnProfile
+  = -- | How a process starts, keeps a profile and stops, whatever it is asked.
+    OnProtocol
+  | OnProfile
   | OnField
   | OnPolynomial
   | OnSequence
@@ -58,6 +60,7 @@ data Stage
 -- | As @--stage@ takes it.
 stageName :: Stage -> String
 stageName stage = case stage of
+  OnProtocol -> "protocol"
   OnProfile -> "profile"
   OnField -> "field"
   OnPolynomial -> "polynomial"
