@@ -131,7 +131,7 @@ known wing = case wing of
   Formats -> Simulation : known Recognition ++ [Formats]
   Files -> known Recognition ++ [Files]
   Store -> [Common, Code, Recognition, Store]
-  Conformance -> known Recognition ++ [Conformance]
+  Conformance -> known Formats ++ [Conformance]
   App -> [minBound ..]
 
 -- | The wings without input and output.
@@ -190,7 +190,11 @@ allowances =
               ++ "containers directory filepath monad-logger persistent persistent-sqlite text \
                  \transformers unix"
           ),
-          (Conformance, recognising ++ "containers QuickCheck transformers vector")
+          ( Conformance,
+            recognising
+              ++ "pra-tactile:formats aeson bytestring containers directory process QuickCheck \
+                 \random scientific text transformers unix vector"
+          )
         ]
     )
   where

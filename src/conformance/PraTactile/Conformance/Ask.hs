@@ -1,3 +1,6 @@
+{-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE RankNTypes #-}
+
 -- | Trials: some questions to an implementation, those that come later chosen by the answers to
 -- those before, and a judgement at the end. A trial does not know how it is asked: of a function in
 -- this process, or of another process that several trials ask in turns. A trial that opens profiles

@@ -1,3 +1,5 @@
+{-# LANGUAGE ExistentialQuantification #-}
+
 -- | Laws as data. A law has a name that stays, a sentence for the reader of a failure, and cases:
 -- all of its domain under a profile, or drawn ones. A case is tried by asking ("Ask") and judged by
 -- what the definition says, never by how the implementation agrees with itself alone.

@@ -6,6 +6,7 @@ where
 
 import Control.Monad (join)
 import Data.Bifunctor (first)
+import Data.List (genericTake, intercalate)
 import Data.Proxy (Proxy (..))
 import PraTactile.Array
   ( Position,
@@ -18,18 +19,24 @@ import PraTactile.Array
 import PraTactile.Conformance.Implementation
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import qualified PraTactile.Field as Field
+import qualified PraTactile.Field.Structure as Structure
 import PraTactile.Locate hiding (locate)
 import qualified PraTactile.Locate as Locate
+import PraTactile.Polynomial (checkPrimitive, coefficients, polynomial, primitivePolynomial)
+import qualified PraTactile.Polynomial as Polynomial
 import PraTactile.Profile
 import PraTactile.Sequence (termAt)
-import PraTactile.Window (Mask, maskSize)
+import PraTactile.Window (Mask, maskFromDrawing, maskSize)
 import qualified PraTactile.Window as Window
+import qualified PraTactile.Window.Distance as Distance
+import qualified PraTactile.Window.Proof as Proof
 
 -- | The library itself.
 library :: Implementation
 library =
   Implementation
     { implementationName = "pra-tactile",
+      offered = [minBound .. maxBound],
       open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p)))
     }
 
@@ -37,32 +44,92 @@ library =
 session :: forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
 session p array mask = do
   _ <- orRefuse "table-too-large" (decoderFor (locators TableDecoder) (profileSurface p) Guaranteed)
-  pure
-    Session
-      { profile = p,
-        add = \a b -> fromElement <$> ((+) <$> element a <*> element b),
-        multiply = \a b -> fromElement <$> ((*) <$> element a <*> element b),
-        negation = \a -> fromElement . negate <$> element a,
-        inverse = \a ->
-          element a >>= fmap fromElement . orRefuse "division-by-zero" . Field.inverse,
-        term = pure . fromElement . termOf,
-        cell = pure . fromElement . cellAt array,
-        pack = \codes -> Window.pack (profilePacking p) q . map toCode <$> traverse element codes,
-        unpack =
-          fmap (map fromIntegral) . orRefuse "out-of-range"
-            . Window.unpack (profilePacking p) q (maskSize mask),
-        locate = locatedBy TableDecoder Guaranteed,
-        nearest = locatedBy NearestDecoder . maybe Guaranteed UpTo,
-        posterior = posteriorBy (locators PosteriorDecoder) (profileSurface p)
-      }
+  pure (withLocating p locators (withWindows p array mask (withSequence array (withField p k))))
   where
+    k = Proxy :: Proxy k
     locators = locatorsOf p array mask
-    q = fieldOrder (Proxy :: Proxy k)
+
+-- | Elements of the field, and polynomials over it.
+withField :: forall k. KnownField k => Profile -> Proxy k -> Session
+withField p _ =
+  (noOperations p)
+    { add = \a b -> fromElement <$> ((+) <$> element a <*> element b),
+      multiply = \a b -> fromElement <$> ((*) <$> element a <*> element b),
+      negation = \a -> fromElement . negate <$> element a,
+      inverse = \a -> element a >>= fmap fromElement . inverted,
+      power = \a i -> do
+        base <- element a
+        fromElement <$> if i < 0 then raised (negate i) <$> inverted base else pure (raised i base),
+      logarithm = \a ->
+        element a >>= maybe (refuse "out-of-range") (pure . fromIntegral) . Field.logarithm,
+      trace = fmap (fromElement . Structure.trace Structure.primeSubfield) . element,
+      primitive = \codes ->
+        either (const False) (const True) . checkPrimitive . polynomial <$> traverse element codes,
+      firstPrimitive = \n -> do
+        h <- orRefuse "invalid" (Polynomial.firstPrimitive n)
+        pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
+    }
+  where
+    element = elementOf :: Code -> Wire (GF k)
+    inverted = orRefuse "division-by-zero" . Field.inverse
+    raised i a = Field.power a (fromInteger i)
+
+-- | Terms of the sequence, and cells.
+withSequence :: KnownField k => PseudorandomArray k -> Session -> Session
+withSequence array s =
+  s
+    { term = pure . fromElement . termOf,
+      terms = \from count -> pure (map (fromElement . termOf) (genericTake count [from ..])),
+      cell = pure . fromElement . cellAt array
+    }
+  where
     -- Prepared once for all terms.
     termOf = termAt (arrayPrimitive array) (arrayState array)
-    element = elementOf :: Code -> Wire (GF k)
+
+-- | Windows: packing, proofs and distances.
+withWindows ::
+  forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Session -> Session
+withWindows p array mask s =
+  s
+    { pack = \codes -> do
+        cells <- traverse (elementOf :: Code -> Wire (GF k)) codes
+        if length cells == maskSize mask
+          then pure (Window.pack (profilePacking p) q (map toCode cells))
+          else refuse "invalid",
+      unpack =
+        fmap (map fromIntegral) . orRefuse "out-of-range"
+          . Window.unpack (profilePacking p) q (maskSize mask),
+      prove = \drawing -> drawn drawing >>= proofOf (profileSurface p) array,
+      distance = \drawing -> do
+        cells <- drawn drawing
+        Distance.distance <$> orRefuse "too-many-windows" (Distance.minimumDistance array cells)
+    }
+  where
+    q = fieldOrder (Proxy :: Proxy k)
+    drawn = orRefuse "invalid" . maskFromDrawing . intercalate "/"
+
+-- | What is proved of a mask.
+proofOf :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Wire Proof
+proofOf surface array mask = case Proof.prove surface array mask of
+  Left Proof.NoWindowOnSheet -> refuse "off-sheet"
+  Left _ -> refuse "too-many-windows"
+  Right (verdict, _) -> do
+    windows <- maybe (refuse "too-many-windows") pure (Proof.distinctWindows verdict)
+    pure (Proof (Proof.proved verdict) (Proof.rank verdict) windows)
+
+-- | Locating by each decoder.
+withLocating ::
+  forall k. KnownField k => Profile -> (DecoderName -> Locator k) -> Session -> Session
+withLocating p locators s =
+  s
+    { locate = locatedBy TableDecoder Guaranteed,
+      nearest = locatedBy NearestDecoder . maybe Guaranteed UpTo,
+      posterior = posteriorBy (locators PosteriorDecoder) (profileSurface p)
+    }
+  where
     locatedBy name radius rows = do
-      observed <- traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
+      cells <- traverse (traverse (traverse (elementOf :: Code -> Wire (GF k)))) rows
+      observed <- orRefuse "invalid" (patch cells)
       let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
       answer <- orRefuse "table-too-large" (Locate.locate (locators name) query)
       placeOf (answerOutcome answer)

@@ -1,3 +1,6 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE StandaloneDeriving #-}
+
 -- | The questions that a conformance suite puts to an implementation under one profile, each with
 -- the type of its answer. Everything else in the suite is about them: an implementation answers
 -- them ("PraTactile.Conformance.Implementation"), the definition answers them by itself, a law asks

@@ -4,6 +4,7 @@
 -- time or a memory out of proportion, is refused everywhere.
 module PraTactile.Format.Json.Strict
   ( readJson,
+    readJsonWith,
 
     -- * Bounds
     deepest,
@@ -28,9 +29,13 @@ import PraTactile.Format.Error
 -- with their square; and an object anywhere in it that has a key twice, of which parsers keep one,
 -- and not all of them the same one (RFC 8259, section 4).
 readJson :: ByteString -> Either JsonError Value
-readJson text
+readJson = readJsonWith longestNumber
+
+-- | The same with numbers of up to this many digits.
+readJsonWith :: Int -> ByteString -> Either JsonError Value
+readJsonWith digits text
   | Bytes.all (`Bytes.elem` " \t\r\n") text = Left NoText
-  | Just why <- excess text = Left why
+  | Just why <- excess digits text = Left why
   | Left _ <- decodeUtf8' text = Left NotUtf8
   | otherwise = maybe (Left NotJson) unrepeated (decodeStrict text)
   where
@@ -44,10 +49,10 @@ deepest = 64
 longestNumber :: Int
 longestNumber = 1000
 
--- | Whether more brackets are open at once, or more digits stand on end, than may; what is within
--- strings does not count.
-excess :: ByteString -> Maybe JsonError
-excess = go 0
+-- | Whether more brackets are open at once, or more digits stand on end than this, than may; what
+-- is within strings does not count.
+excess :: Int -> ByteString -> Maybe JsonError
+excess most = go 0
   where
     go :: Int -> ByteString -> Maybe JsonError
     go open text
@@ -58,7 +63,7 @@ excess = go 0
         Just (c, rest)
           | isDigit c ->
             let (digits, others) = Bytes.span isDigit rest
-             in if Bytes.length digits >= longestNumber then Just TooLong else go open others
+             in if Bytes.length digits >= most then Just TooLong else go open others
           | otherwise -> go (if c `Bytes.elem` "{[" then open + 1 else open - 1) rest
 
 -- | The first key that an object in a valid JSON text has a second time, however it is written:
