@@ -102,9 +102,9 @@ data Session = Session
     -- being the least number in which two contents of the observed cells differ on the array's own
     -- surface (0 where two are the same); whether or not a window is complete. Refuses a patch of
     -- which nothing was observed as @too-few-cells@. Where nothing is within the radius: if that is
-    -- 0 and a window is complete, as @locate@ does, but never @zero-window@ unless all observed
-    -- cells are 0; if it is 0 and none is, @contradiction@; otherwise @zero-window@ if at most as
-    -- many observed cells as the radius are not 0, else @beyond-radius@
+    -- 0 and a window is complete, as @locate@ does; if it is 0 and none is, @zero-window@ where all
+    -- observed cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many
+    -- observed cells as the radius are not 0, else @beyond-radius@
     nearest :: Maybe Natural -> Patch -> Wire Place,
     -- | the probability of every position, those of probability 0 perhaps left out, in any order,
     -- given in each cell the probabilities of all symbols by their codes, cells being independent

@@ -1,0 +1,99 @@
+{-# LANGUAGE GADTs #-}
+
+-- | What the answers are, by definition: every operation as it is defined, too slow to use on large
+-- arrays and too simple to be wrong. Nothing here calls the algebra, the arrays or the decoders of
+-- this library; it is the second road to every answer.
+module PraTactile.Conformance.Definition
+  ( Known,
+    known,
+    knownProfile,
+    expected,
+    agrees,
+  )
+where
+
+import qualified Data.Map.Strict as Map
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position)
+import PraTactile.Conformance.Definition.Array
+import PraTactile.Conformance.Definition.Field
+import qualified PraTactile.Conformance.Definition.Locate as Locate
+import PraTactile.Conformance.Definition.Polynomial
+import qualified PraTactile.Conformance.Definition.Windows as Windows
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire
+import PraTactile.Profile (Profile (..))
+
+-- | The answer to a question, or the reason of its refusal.
+expected :: Known -> Question a -> Either Refusal a
+expected k question = case question of
+  Add a b -> coded <$> (add f <$> code a <*> code b)
+  Multiply a b -> coded <$> (multiply f <$> code a <*> code b)
+  Negate a -> coded . negation f <$> code a
+  Inverse a -> code a >>= orRefuse "division-by-zero" . fmap coded . inverse f
+  Power a i -> code a >>= \b -> orRefuse "division-by-zero" (coded <$> power f b i)
+  Logarithm a -> code a >>= orRefuse "out-of-range" . fmap fromIntegral . logarithm f
+  Trace a -> coded . trace f <$> code a
+  Primitive codes -> isPrimitive f <$> traverse code codes
+  FirstPrimitive n
+    | n == 0 -> refused "invalid"
+    | otherwise -> Right (map coded (firstPrimitive f (fromIntegral n)))
+  Term i -> Right (coded (termOf k i))
+  Terms from count -> Right (map (coded . termOf k) (takeWhile (< from + count) [from ..]))
+  Cell r c -> Right (coded (cellOf k r c))
+  Pack codes -> do
+    cells <- traverse code codes
+    if length cells == windowSize then Right (Windows.pack k cells) else refused "invalid"
+  Unpack n
+    | n >= profileOrder (knownProfile k) ^ windowSize -> refused "out-of-range"
+    | otherwise -> Right (map coded (Windows.unpack k n))
+  Locate patch -> Locate.locate k patch
+  Nearest radius patch -> Locate.nearest k radius patch
+  Posterior chances -> Locate.posterior k chances
+  Prove mask -> offsets mask >>= orRefuse "off-sheet" . Windows.prove k
+  Distance mask -> Windows.distance k <$> offsets mask
+  Raw operation input -> case someQuestion operation input of
+    Nothing -> refused "invalid"
+    Just (SomeQuestion asked) -> answerValue asked <$> expected k asked
+  where
+    f = knownField k
+    windowSize = length (Windows.windowOffsets k)
+    offsets = orRefuse "invalid" . Windows.maskOf
+    code a
+      | a < profileOrder (knownProfile k) = Right (fromIntegral a :: Int)
+      | otherwise = refused "invalid"
+    coded a = fromIntegral (a :: Int) :: Natural
+
+-- | Whether an answer, the last argument, is the expected one. The number of positions may stand in
+-- place of their list, probabilities are held to 10^-9, and those of positions left out are 0.
+agrees :: Known -> Question a -> a -> a -> Bool
+agrees k question wanted came = case question of
+  Locate _ -> samePlace wanted came
+  Nearest _ _ -> samePlace wanted came
+  Posterior _ -> sameChances k wanted came
+  Raw operation input
+    | Just (SomeQuestion asked) <- someQuestion operation input,
+      Just a <- readAnswer asked wanted ->
+      maybe False (agrees k asked a) (readAnswer asked came)
+  _ -> answerValue question came == answerValue question wanted
+
+-- | Each position once, and each one of the array.
+sameChances :: Known -> [(Position, Double)] -> [(Position, Double)] -> Bool
+sameChances k wanted came =
+  Map.size given == length came
+    && all (`Map.member` places) (Map.keys given)
+    && all ((<= 1e-9) . abs) (Map.unionWith (+) given (negate <$> Map.fromList wanted))
+  where
+    given = Map.fromList came
+    places = Map.fromList [(Locate.position place, ()) | place <- positions k]
+
+samePlace :: Place -> Place -> Bool
+samePlace wanted came = case (wanted, came) of
+  (OneOf several, Coset count _) -> fromIntegral (length several) == count
+  _ -> wanted == came
+
+orRefuse :: String -> Maybe a -> Either Refusal a
+orRefuse reason = maybe (refused reason) Right
+
+refused :: String -> Either Refusal a
+refused = Left . Refusal

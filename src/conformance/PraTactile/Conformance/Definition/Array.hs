@@ -1,0 +1,134 @@
+-- | Sequence and array from their definition: the recurrence, and the folding formula.
+module PraTactile.Conformance.Definition.Array
+  ( -- * What is known under a profile
+    Known,
+    known,
+    knownProfile,
+    knownField,
+    knownSize,
+
+    -- * Sequence and cells
+    termOf,
+    cellOf,
+
+    -- * Surfaces
+    positions,
+    onSurface,
+    canonical,
+    ownSurface,
+  )
+where
+
+import Data.List (foldl')
+import Data.Vector.Unboxed (Vector)
+import qualified Data.Vector.Unboxed as Vector
+import Numeric.Natural (Natural)
+import PraTactile.Array (Folding (..), Shape (..), Surface (..))
+import PraTactile.Conformance.Definition.Field
+import PraTactile.Conformance.Definition.Polynomial
+import PraTactile.Conformance.Question (Refusal (..))
+import PraTactile.Profile (Profile (..), Reading (..))
+
+-- | All that follows from a profile; each part is made when first used.
+data Known = Known
+  { -- | The profile.
+    knownProfile :: Profile,
+    -- | Its field.
+    knownField :: Field,
+    -- | The numbers of rows and columns.
+    knownSize :: !(Int, Int),
+    -- | A period of the sequence.
+    knownTerms :: Vector Int,
+    -- | The cells, row by row.
+    knownCells :: Vector Int
+  }
+
+-- | What is known under a profile. Refuses as @impossible-profile@ what describes no array, and as
+-- @too-large@ arrays of more than 2^20 cells, which the definition is too slow for.
+known :: Profile -> Either Refusal Known
+known profile = do
+  f <- maybe impossible Right (field (toInteger q) (map toInteger (take 10 (profileModulus profile))))
+  need (all (< q) (profilePolynomial profile ++ profileState profile))
+  let stated = map fromIntegral (profilePolynomial profile)
+      state = map fromIntegral (profileState profile)
+      n = degreeOf stated
+  need (n >= 1 && n1 * n2 == q ^ n - 1)
+  if n1 * n2 > 2 ^ (20 :: Int) then Left (Refusal "too-large") else Right ()
+  need (isPrimitive f stated && length state == n && any (/= 0) state)
+  need (profileFolding profile == RowMajor || gcd n1 n2 == 1)
+  need (windowCells >= 1 && windowCells <= 4096)
+  let size = (fromIntegral n1, fromIntegral n2)
+      terms = sequenceOf f (characteristicOf f (profileReading profile) (take (n + 1) stated)) state
+      period = Vector.fromListN (uncurry (*) size) terms
+  pure (Known profile f size period (folded (profileFolding profile) size period))
+  where
+    q = profileOrder profile
+    Shape n1 n2 = profileShape profile
+    windowCells = rows (profileWindow profile) * columns (profileWindow profile)
+    impossible = Left (Refusal "impossible-profile")
+    need holds = if holds then Right () else impossible
+
+-- | The characteristic polynomial h(x), or of a reciprocal one x^n h(1/x), made monic.
+characteristicOf :: Field -> Reading -> [Int] -> [Int]
+characteristicOf f reading h = case reading of
+  Characteristic -> h
+  Reciprocal -> [multiply f scale c | scale <- concatMap (foldMap pure . inverse f) (take 1 h), c <- reverse h]
+
+-- | s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
+sequenceOf :: Field -> [Int] -> [Int] -> [Int]
+sequenceOf f h = concatMap (take 1) . iterate step
+  where
+    step state = drop 1 state ++ [negation f (foldl' (add f) 0 (zipWith (multiply f) h state))]
+
+-- | Diagonal: a[i mod n1][i mod n2] = s(i). Row by row: a[r][c] = s(n2 r + c).
+folded :: Folding -> (Int, Int) -> Vector Int -> Vector Int
+folded folding (n1, n2) terms = case folding of
+  RowMajor -> terms
+  Diagonal ->
+    Vector.replicate (n1 * n2) 0
+      Vector.// [((i `mod` n1) * n2 + i `mod` n2, s) | (i, s) <- zip [0 ..] (Vector.toList terms)]
+
+-- | s(i), for any i: the period is q^n - 1, because the polynomial is primitive.
+termOf :: Known -> Natural -> Int
+termOf k i = knownTerms k Vector.! fromIntegral (i `mod` fromIntegral (Vector.length (knownTerms k)))
+
+-- | The cell at any row and column, on the folding's own surface.
+cellOf :: Known -> Natural -> Natural -> Int
+cellOf k r c = case profileFolding (knownProfile k) of
+  Diagonal -> onSurface k Torus (fromIntegral (r `mod` fromIntegral n1)) (fromIntegral (c `mod` fromIntegral n2))
+  RowMajor -> termOf k (r * fromIntegral n2 + c)
+  where
+    (n1, n2) = knownSize k
+
+-- | The surface on which a cell's neighbours are the same terms further on, wherever the cell is.
+ownSurface :: Known -> Surface
+ownSurface k = case profileFolding (knownProfile k) of
+  Diagonal -> Torus
+  RowMajor -> TwistedTorus
+
+-- | All positions, row by row.
+positions :: Known -> [(Int, Int)]
+positions k = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
+  where
+    (n1, n2) = knownSize k
+
+-- | What a surface has at a row and a column, which may be negative; -1 where there is no cell.
+onSurface :: Known -> Surface -> Int -> Int -> Int
+onSurface k surface r c = case surface of
+  Torus -> at ((r `mod` n1) * n2 + c `mod` n2)
+  TwistedTorus -> at ((r * n2 + c) `mod` (n1 * n2))
+  Sheet
+    | r >= 0 && r < n1 && c >= 0 && c < n2 -> at (r * n2 + c)
+    | otherwise -> -1
+  where
+    (n1, n2) = knownSize k
+    at = (knownCells k Vector.!)
+
+-- | The position that a row and a column are on a surface; on the sheet as they are.
+canonical :: Known -> Surface -> (Int, Int) -> (Int, Int)
+canonical k surface (r, c) = case surface of
+  Torus -> (r `mod` n1, c `mod` n2)
+  TwistedTorus -> ((r * n2 + c) `mod` (n1 * n2)) `divMod` n2
+  Sheet -> (r, c)
+  where
+    (n1, n2) = knownSize k

@@ -1,0 +1,117 @@
+-- | Finite fields from their definition: an element of GF(p^m) is a polynomial in A of degree below
+-- m over the integers modulo p, A being a root of the modulus; its code is the integer whose base-p
+-- digits are the coefficients, lowest degree first.
+module PraTactile.Conformance.Definition.Field
+  ( Field,
+    field,
+    fieldOrder,
+    add,
+    multiply,
+    negation,
+    inverse,
+    power,
+    primitiveElement,
+    logarithm,
+    trace,
+    digits,
+  )
+where
+
+import Data.List (elemIndex, find, foldl')
+import Data.Maybe (fromMaybe)
+import Data.Vector.Unboxed (Vector)
+import qualified Data.Vector.Unboxed as Vector
+
+-- | A field, with the sums and products of all its elements, which are made when first used.
+data Field = Field
+  { fieldOrder :: !Int,
+    fieldCharacteristic :: !Int,
+    fieldDegree :: !Int,
+    fieldSums :: Vector Int,
+    fieldProducts :: Vector Int
+  }
+
+-- | GF(q), 2 <= q <= 256, with a modulus, constant term first. 'Nothing' if q is no power of a
+-- prime p or the modulus not monic over the integers modulo p, of the degree m with p^m = q; and if
+-- it is reducible, so that some element but 0 has no inverse.
+field :: Integer -> [Integer] -> Maybe Field
+field q modulus
+  | q < 2 || q > 256 || p ^ m /= q = Nothing
+  | length (take (m + 2) modulus) /= m + 1 || last modulus /= 1 = Nothing
+  | any (\c -> c < 0 || c >= p) modulus = Nothing
+  | any null [inverses made a | a <- [1 .. fieldOrder made - 1]] = Nothing
+  | otherwise = Just made
+  where
+    p = fromMaybe q (find ((== 0) . (q `mod`)) [2 .. q])
+    m = length (takeWhile (< q) (iterate (* p) 1))
+    made = fieldOf (fromInteger q) (fromInteger p) m (map fromInteger modulus)
+
+-- | The tables, by the definition.
+fieldOf :: Int -> Int -> Int -> [Int] -> Field
+fieldOf q p m modulus = Field q p m (table plus) (table times)
+  where
+    table operation =
+      Vector.fromList [operation (digits p m a) (digits p m b) | a <- [0 .. q - 1], b <- [0 .. q - 1]]
+    plus a b = code (sum' a b)
+    times a b = code (foldr (\digit rest -> sum' (map (* digit) a) (timesRoot rest)) nought b)
+    sum' = zipWith (\a b -> (a + b) `mod` p)
+    nought = replicate m 0
+    -- By A^m = - (f0 + f1 A + ... + f(m-1) A^(m-1)).
+    timesRoot a = zipWith (\c f -> (c - last a * f) `mod` p) (0 : a) (take m modulus)
+    code = foldr (\digit rest -> digit + p * rest) 0
+
+-- | The lowest digits of a number in a base, as many as the second argument says, the lowest first.
+digits :: Integral a => a -> Int -> a -> [a]
+digits base count number = take count (map (`mod` base) (iterate (`div` base) number))
+
+-- | The sum of two codes.
+add :: Field -> Int -> Int -> Int
+add f a b = fieldSums f Vector.! (a * fieldOrder f + b)
+
+-- | Their product.
+multiply :: Field -> Int -> Int -> Int
+multiply f a b = fieldProducts f Vector.! (a * fieldOrder f + b)
+
+-- | The element whose sum with this one is 0.
+negation :: Field -> Int -> Int
+negation f a = head' [b | b <- elements f, add f a b == 0]
+  where
+    head' = sum . take 1
+
+-- | The element whose product with this one is 1; 'Nothing' for 0.
+inverse :: Field -> Int -> Maybe Int
+inverse f a = find (const True) (inverses f a)
+
+inverses :: Field -> Int -> [Int]
+inverses f a = [b | b <- elements f, multiply f a b == 1]
+
+elements :: Field -> [Int]
+elements f = [0 .. fieldOrder f - 1]
+
+-- | A power; 0^0 is 1. 'Nothing' for 0 to a negative exponent. Other elements have a^(q-1) = 1.
+power :: Field -> Int -> Integer -> Maybe Int
+power f a exponent'
+  | a /= 0 = Just (times (fromInteger (exponent' `mod` (toInteger (fieldOrder f) - 1))))
+  | exponent' > 0 = Just 0
+  | exponent' == 0 = Just 1
+  | otherwise = Nothing
+  where
+    times count = foldl' (multiply f) 1 (replicate count a)
+
+-- | The smallest code of order q - 1: its powers 1, g, g^2, ... come back to 1 after q - 1 steps.
+primitiveElement :: Field -> Int
+primitiveElement f = sum (take 1 (filter ((== fieldOrder f - 1) . length . powersOf f) [1 ..]))
+
+-- | 1, g, g^2, ... up to the last one before 1 comes again.
+powersOf :: Field -> Int -> [Int]
+powersOf f g = 1 : takeWhile (/= 1) (drop 1 (iterate (multiply f g) 1))
+
+-- | The least exponent of 'primitiveElement' that gives the element; 'Nothing' for 0.
+logarithm :: Field -> Int -> Maybe Int
+logarithm f a = elemIndex a (powersOf f (primitiveElement f))
+
+-- | a + a^p + ... + a^(p^(m-1)).
+trace :: Field -> Int -> Int
+trace f a = foldl' (add f) 0 (take (fieldDegree f) (iterate frobenius a))
+  where
+    frobenius b = foldl' (multiply f) 1 (replicate (fieldCharacteristic f) b)

@@ -1,0 +1,186 @@
+-- | Locating from its definition: every position is compared with what was observed.
+module PraTactile.Conformance.Definition.Locate
+  ( locate,
+    nearest,
+    posterior,
+    guaranteedRadius,
+    position,
+  )
+where
+
+import Data.List (foldl')
+import Data.Maybe (fromMaybe)
+import Data.Ratio (denominator, numerator, (%))
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array (Position (..))
+import PraTactile.Conformance.Definition.Array
+import PraTactile.Conformance.Definition.Field (fieldOrder)
+import PraTactile.Conformance.Definition.Windows
+import PraTactile.Conformance.Question
+import PraTactile.Profile (Profile (..))
+
+-- | A cell that was observed, by its offset.
+type Observed a = (Offset, a)
+
+-- | The observed cells of a patch. Refuses, as @invalid@, no cells, rows of different lengths, and
+-- what is known of a cell if the function has nothing for it.
+observedIn :: (a -> Maybe b) -> [[Maybe a]] -> Either Refusal [Observed b]
+observedIn reader patch
+  | width == 0 || any ((/= width) . length) patch = invalid
+  | otherwise =
+    maybe invalid Right $
+      sequence
+        [ (,) (i, j) <$> reader a
+          | (i, line) <- zip [0 ..] patch,
+            (j, Just a) <- zip [0 ..] line
+        ]
+  where
+    width = sum (map length (take 1 patch))
+    invalid = Left (Refusal "invalid")
+
+codeIn :: Known -> Code -> Maybe Int
+codeIn k code
+  | code < profileOrder (knownProfile k) = Just (fromIntegral code)
+  | otherwise = Nothing
+
+-- | Where a patch is by the table of all windows.
+locate :: Known -> Patch -> Either Refusal Place
+locate k patch = do
+  cells <- observedIn (codeIn k) patch
+  byWindows k cells
+
+-- | First the places at which every complete window that occurs stands; of these, those at which
+-- all observed cells agree.
+byWindows :: Known -> [Observed Int] -> Either Refusal Place
+byWindows k cells
+  | null cells = refused "too-few-cells"
+  | null windows = refused "no-complete-window"
+  | null occurring =
+    refused (if all (all (== 0) . snd) windows then "zero-window" else "not-in-array")
+  | otherwise = case filter fits places of
+    [] -> refused (if any sticksOut places then "off-sheet" else "contradiction")
+    agreeing -> Right (placeOf agreeing)
+  where
+    surface = profileSurface (knownProfile k)
+    windows = completeWindows k cells
+    occurring = filter (not . Set.null) (map standing windows)
+    -- Where the patch's upper left is, if this window of it is where its content occurs.
+    standing ((i, j), content) =
+      Set.fromList
+        [ canonical k surface (r - i, c - j)
+          | (r, c) <- agreeingAt k (zip (windowOffsets k) content)
+        ]
+    places = Set.toAscList (foldl' Set.intersection (Set.unions occurring) occurring)
+    fits place = agrees place && onSheet place && all (onSheet . below place . fst) cells
+    sticksOut place = agrees place && not (fits place)
+    -- In all that lies on the surface.
+    agrees place =
+      and [at == a || at < 0 | (offset, a) <- cells, let at = cellAt (below place offset)]
+    below (r, c) (i, j) = (r + i, c + j)
+    onSheet place = cellAt place >= 0
+    cellAt = uncurry (onSurface k surface)
+
+-- | The windows of a patch of which every cell was observed, by their offsets.
+completeWindows :: Known -> [Observed Int] -> [(Offset, [Int])]
+completeWindows k cells =
+  [ ((i, j), content)
+    | (i, j) <- map fst cells,
+      Just content <- [traverse (\(a, b) -> lookup (i + a, j + b) cells) (windowOffsets k)]
+  ]
+
+-- | The positions at which these cells are the array's, all of them on the surface.
+agreeingAt :: Known -> [Observed Int] -> [(Int, Int)]
+agreeingAt k cells = [place | (place, 0) <- differences k cells]
+
+-- | In how many of these cells each position differs, on the sheet those at which all of them lie
+-- on it.
+differences :: Known -> [Observed Int] -> [((Int, Int), Int)]
+differences k cells =
+  [(place, e) | place <- positions k, let e = differing place 0 cells, e >= 0]
+  where
+    surface = profileSurface (knownProfile k)
+    differing _ e [] = e :: Int
+    differing (r, c) e (((i, j), a) : others)
+      | at < 0 = -1
+      | otherwise = differing (r, c) (if at == a then e else e + 1) others
+      where
+        at = onSurface k surface (r + i) (c + j)
+
+-- | The nearest positions, if they are within the radius.
+nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Place
+nearest k stated patch = do
+  cells <- observedIn (codeIn k) patch
+  if null cells then refused "too-few-cells" else nearestOf k stated cells
+
+nearestOf :: Known -> Maybe Natural -> [Observed Int] -> Either Refusal Place
+nearestOf k stated cells
+  | not (null compared) && fromIntegral least <= radius =
+    Right (placeOf [place | (place, e) <- compared, e == least])
+  | radius == 0 && not (null (completeWindows k cells)) = byWindows k cells
+  | radius == 0 = refused (if weight == 0 then "zero-window" else "contradiction")
+  | weight <= radius = refused "zero-window"
+  | otherwise = refused "beyond-radius"
+  where
+    compared = differences k cells
+    least = minimum (map snd compared)
+    weight = fromIntegral (length (filter ((/= 0) . snd) cells))
+    radius = fromMaybe (guaranteedRadius (distance k (map fst cells))) stated
+
+-- | The largest e with 2 e < d; 0 for 0.
+guaranteedRadius :: Natural -> Natural
+guaranteedRadius d = if d == 0 then 0 else (d - 1) `div` 2
+
+placeOf :: [(Int, Int)] -> Place
+placeOf places = case map position places of
+  [only] -> At only
+  several -> OneOf several
+
+position :: (Int, Int) -> Position
+position (r, c) = Position (fromIntegral r) (fromIntegral c)
+
+-- | The positions of a probability above 0, by Bayes' theorem: that of a position is proportional
+-- to the product of those of the symbols there. In exact numbers up to the last division. The sum
+-- of a cell's numbers would divide every product alike.
+posterior :: Known -> Chances -> Either Refusal [(Position, Double)]
+posterior k patch = do
+  cells <- observedIn (weights k) (map (map felt) patch)
+  let surface = profileSurface (knownProfile k)
+      products =
+        [ (place, w)
+          | place@(r, c) <- positions k,
+            let w =
+                  product
+                    [ if at < 0 then 0 else chances !! at
+                      | ((i, j), chances) <- cells,
+                        let at = onSurface k surface (r + i) (c + j)
+                    ],
+            w > 0
+        ]
+      total = sum (map snd products)
+  if null products
+    then refused "contradiction"
+    else Right [(position place, fromRational (w % total)) | (place, w) <- products]
+  where
+    felt Unfelt = Nothing
+    felt chance = Just chance
+
+-- | Integers in the proportion of a cell's probabilities: q numbers, none negative, that add up to
+-- 1 within 0.001.
+weights :: Known -> Chance -> Maybe [Integer]
+weights k chance = case chance of
+  Unfelt -> Nothing
+  Certainly code -> (\c -> [if a == c then 1 else 0 | a <- codes]) <$> codeIn k code
+  Probably numbers
+    | length numbers /= length codes || any unreal numbers || any (< 0) exact -> Nothing
+    | abs (sum exact - 1) > 1 % 1000 -> Nothing
+    | otherwise -> Just (map (numerator . (* common)) exact)
+    where
+      exact = map toRational numbers
+      common = fromInteger (foldl' lcm 1 (map denominator exact))
+  where
+    codes = [0 .. fieldOrder (knownField k) - 1]
+    unreal x = isNaN x || isInfinite x
+
+refused :: String -> Either Refusal a
+refused = Left . Refusal

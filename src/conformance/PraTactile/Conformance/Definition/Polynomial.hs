@@ -1,0 +1,71 @@
+-- | Primitive polynomials from their definition: the root generates the multiplicative group of
+-- GF(q^n).
+module PraTactile.Conformance.Definition.Polynomial
+  ( isPrimitive,
+    firstPrimitive,
+    degreeOf,
+  )
+where
+
+import Data.List (dropWhileEnd, find, foldl')
+import PraTactile.Conformance.Definition.Field
+
+-- | The degree of a polynomial, constant term first: coefficients of 0 at its end count for
+-- nothing. -1 for the zero polynomial.
+degreeOf :: [Int] -> Int
+degreeOf = subtract 1 . length . dropWhileEnd (== 0)
+
+-- | Whether a polynomial over the field, constant term first, is primitive: monic, of a degree n of
+-- 1 or more, its constant term not 0, and q^n - 1 the order of x modulo it. (Then the powers of x
+-- are all residues but 0, so that all of these have inverses, and it is irreducible.)
+isPrimitive :: Field -> [Int] -> Bool
+isPrimitive f stated = n >= 1 && last h == 1 && take 1 h /= [0] && orderIsFull
+  where
+    h = take (n + 1) stated
+    n = degreeOf stated
+    full = toInteger (fieldOrder f) ^ n - 1 :: Integer
+    unit = 1 : replicate (n - 1) 0
+    orderIsFull
+      | full <= 2 ^ (16 :: Int) = fromInteger full == stepsTo unit
+      | otherwise = xTo full == unit && all ((/= unit) . xTo . div full) (primeDivisors full)
+    -- After how many steps the powers of x come back to 1.
+    stepsTo one = 1 + length (takeWhile (/= one) (drop 1 (take bound (iterate (timesX f h) one))))
+    bound = fromInteger full + 1
+    -- For the larger ones: an order divides q^n - 1 if that power is 1, and is smaller exactly if
+    -- one of the powers q^n - 1 divided by a prime is.
+    xTo :: Integer -> [Int]
+    xTo e
+      | e == 0 = unit
+      | even e = half
+      | otherwise = timesX f h half
+      where
+        half = let root = xTo (e `div` 2) in timesModulo f h root root
+
+-- | x times a residue modulo h, a monic polynomial of degree n; residues have n coefficients.
+timesX :: Field -> [Int] -> [Int] -> [Int]
+timesX f h a = zipWith (\c b -> add f c (multiply f top b)) (0 : a) (init h)
+  where
+    top = negation f (last a)
+
+timesModulo :: Field -> [Int] -> [Int] -> [Int] -> [Int]
+timesModulo f h a = foldr step (map (const 0) a)
+  where
+    step digit rest = zipWith (add f) (map (multiply f digit) a) (timesX f h rest)
+
+primeDivisors :: Integer -> [Integer]
+primeDivisors = go 2
+  where
+    go p n
+      | n == 1 = []
+      | p * p > n = [n]
+      | n `mod` p == 0 = p : go (p + 1) (foldl' (\m _ -> reduced p m) n [()])
+      | otherwise = go (p + 1) n
+    reduced p m = if m `mod` p == 0 then reduced p (m `div` p) else m
+
+-- | The first primitive polynomial of a degree of 1 or more, when coefficients are compared from
+-- the highest degree down.
+firstPrimitive :: Field -> Int -> [Int]
+firstPrimitive f n = concat (find (isPrimitive f) (map monic [0 .. q ^ n - 1]))
+  where
+    q = toInteger (fieldOrder f)
+    monic index = map fromInteger (digits q n index) ++ [1]

@@ -1,0 +1,108 @@
+-- | Windows from their definition: what a mask covers at each position.
+module PraTactile.Conformance.Definition.Windows
+  ( Offset,
+    maskOf,
+    windowOffsets,
+    windowsOn,
+    prove,
+    distance,
+    pack,
+    unpack,
+  )
+where
+
+import Data.List (foldl')
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..), Surface (..))
+import PraTactile.Conformance.Definition.Array
+import PraTactile.Conformance.Definition.Field
+import PraTactile.Conformance.Question
+import PraTactile.Profile (Profile (..))
+import PraTactile.Window (Packing (..))
+
+-- | Rows down and columns to the right of a window's position.
+type Offset = (Int, Int)
+
+-- | The cells of a mask: @#@ in rows of one length, of @#@ and @.@, at least one and at most 4096
+-- of them.
+maskOf :: MaskRows -> Maybe [Offset]
+maskOf drawing
+  | any (any (`notElem` "#.")) drawing || any ((/= width) . length) drawing = Nothing
+  | null cells || length cells > 4096 = Nothing
+  | otherwise = Just cells
+  where
+    width = sum (map length (take 1 drawing))
+    cells = [(i, j) | (i, line) <- zip [0 ..] drawing, (j, '#') <- zip [0 ..] line]
+
+-- | The cells of the profile's window, row by row.
+windowOffsets :: Known -> [Offset]
+windowOffsets k =
+  [(i, j) | i <- [0 .. fromIntegral high - 1], j <- [0 .. fromIntegral wide - 1]]
+  where
+    Shape high wide = profileWindow (knownProfile k)
+
+-- | What cells with these offsets hold, at each position at which all of them lie on the surface.
+windowsOn :: Known -> Surface -> [Offset] -> [((Int, Int), [Int])]
+windowsOn k surface offsets =
+  [ (place, content)
+    | place@(r, c) <- positions k,
+      let content = [onSurface k surface (r + i) (c + j) | (i, j) <- offsets],
+      all (>= 0) content
+  ]
+
+-- | Whether all windows on the profile's surface differ, by counting contents. 'Nothing' if none
+-- lies on it.
+prove :: Known -> [Offset] -> Maybe Proof
+prove k offsets
+  | null windows = Nothing
+  | otherwise = Just (Proof (different == length windows) rank (fromIntegral different))
+  where
+    surface = profileSurface (knownProfile k)
+    windows = map snd (windowsOn k surface offsets)
+    different = Set.size (Set.fromList windows)
+    rank
+      | surface `elem` [ownSurface k, Sheet] = Just (fromIntegral (rankOf k offsets))
+      | otherwise = Nothing
+
+-- | The dimension of the space that the windows on the folding's own surface span, by elimination.
+rankOf :: Known -> [Offset] -> Int
+rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k) offsets)))
+  where
+    f = knownField k
+    -- Rows that are independent, the last one first; each begins with zeros and a 1, in front of
+    -- which the rows after it have a 0.
+    insert rows' window = case foldr reduce window rows' of
+      reduced | all (== 0) reduced -> rows'
+      reduced -> map (multiply f (leading reduced)) reduced : rows'
+    reduce row window =
+      let i = length (takeWhile (== 0) row)
+          scale = negation f (window !! i)
+       in zipWith (\a b -> add f a (multiply f scale b)) window row
+    leading reduced = sum (concatMap (foldMap pure . inverse f) (take 1 (dropWhile (== 0) reduced)))
+
+-- | The least number of cells in which two windows on the folding's own surface differ; 0 if two
+-- are the same.
+--
+-- The difference of two windows there is a third one: the difference of two shifts of an m-sequence
+-- is another shift, or 0 only for a shift by a whole period. And every window is such a difference.
+-- So the least weight is the least difference, and 0 if two windows are the same.
+distance :: Known -> [Offset] -> Natural
+distance k offsets =
+  fromIntegral (minimum [length (filter (/= 0) w) | (_, w) <- windowsOn k (ownSurface k) offsets])
+
+-- | The base-q number of a window's cells.
+pack :: Known -> [Int] -> Natural
+pack k cells = foldl' (\n c -> profileOrder (knownProfile k) * n + fromIntegral c) 0 (ordered k cells)
+
+-- | And back, of a number below q^cells.
+unpack :: Known -> Natural -> [Int]
+unpack k = ordered k . reverse . map fromIntegral . digits (profileOrder (knownProfile k)) cells
+  where
+    cells = length (windowOffsets k)
+
+-- | The most significant digit first.
+ordered :: Known -> [a] -> [a]
+ordered k = case profilePacking (knownProfile k) of
+  MostSignificantFirst -> id
+  LeastSignificantFirst -> reverse
