@@ -20,6 +20,7 @@ module PraTactile.Conformance.Definition.Array
 where
 
 import Data.List (foldl')
+import Data.Maybe (fromMaybe)
 import Data.Vector.Unboxed (Vector)
 import qualified Data.Vector.Unboxed as Vector
 import Numeric.Natural (Natural)
@@ -47,7 +48,7 @@ data Known = Known
 -- @too-large@ arrays of more than 2^20 cells, which the definition is too slow for.
 known :: Profile -> Either Refusal Known
 known profile = do
-  f <- maybe impossible Right (field (toInteger q) (map toInteger (take 10 (profileModulus profile))))
+  f <- maybe impossible Right (field (toInteger q) (map toInteger (profileModulus profile)))
   need (all (< q) (profilePolynomial profile ++ profileState profile))
   let stated = map fromIntegral (profilePolynomial profile)
       state = map fromIntegral (profileState profile)
@@ -72,7 +73,9 @@ known profile = do
 characteristicOf :: Field -> Reading -> [Int] -> [Int]
 characteristicOf f reading h = case reading of
   Characteristic -> h
-  Reciprocal -> [multiply f scale c | scale <- concatMap (foldMap pure . inverse f) (take 1 h), c <- reverse h]
+  Reciprocal -> map (multiply f (inverseOf (sum (take 1 h)))) (reverse h)
+  where
+    inverseOf = fromMaybe 0 . inverse f
 
 -- | s(i+n) = - (c0 s(i) + ... + c(n-1) s(i+n-1)).
 sequenceOf :: Field -> [Int] -> [Int] -> [Int]
@@ -90,15 +93,18 @@ folded folding (n1, n2) terms = case folding of
 
 -- | s(i), for any i: the period is q^n - 1, because the polynomial is primitive.
 termOf :: Known -> Natural -> Int
-termOf k i = knownTerms k Vector.! fromIntegral (i `mod` fromIntegral (Vector.length (knownTerms k)))
+termOf k i = knownTerms k Vector.! fromIntegral (i `mod` period)
+  where
+    period = fromIntegral (Vector.length (knownTerms k))
 
 -- | The cell at any row and column, on the folding's own surface.
 cellOf :: Known -> Natural -> Natural -> Int
 cellOf k r c = case profileFolding (knownProfile k) of
-  Diagonal -> onSurface k Torus (fromIntegral (r `mod` fromIntegral n1)) (fromIntegral (c `mod` fromIntegral n2))
+  Diagonal -> onSurface k Torus (r `modulo` n1) (c `modulo` n2)
   RowMajor -> termOf k (r * fromIntegral n2 + c)
   where
     (n1, n2) = knownSize k
+    modulo a n = fromIntegral (a `mod` fromIntegral n)
 
 -- | The surface on which a cell's neighbours are the same terms further on, wherever the cell is.
 ownSurface :: Known -> Surface

@@ -51,7 +51,8 @@ fieldOf :: Int -> Int -> Int -> [Int] -> Field
 fieldOf q p m modulus = Field q p m (table plus) (table times)
   where
     table operation =
-      Vector.fromList [operation (digits p m a) (digits p m b) | a <- [0 .. q - 1], b <- [0 .. q - 1]]
+      Vector.fromList [operation a b | a <- all', b <- all']
+    all' = map (digits p m) [0 .. q - 1]
     plus a b = code (sum' a b)
     times a b = code (foldr (\digit rest -> sum' (map (* digit) a) (timesRoot rest)) nought b)
     sum' = zipWith (\a b -> (a + b) `mod` p)

@@ -93,7 +93,7 @@ distance k offsets =
 
 -- | The base-q number of a window's cells.
 pack :: Known -> [Int] -> Natural
-pack k cells = foldl' (\n c -> profileOrder (knownProfile k) * n + fromIntegral c) 0 (ordered k cells)
+pack k = foldl' (\n c -> profileOrder (knownProfile k) * n + fromIntegral c) 0 . ordered k
 
 -- | And back, of a number below q^cells.
 unpack :: Known -> Natural -> [Int]
