@@ -6,15 +6,20 @@ where
 
 import Control.Monad (join)
 import Data.Bifunctor (first)
+import Data.Either (isRight)
 import Data.List (genericTake, intercalate)
 import Data.Proxy (Proxy (..))
 import PraTactile.Array
   ( Position,
     PseudorandomArray,
-    Surface,
+    Surface (..),
+    area,
+    arrayFolding,
     arrayPrimitive,
+    arrayShape,
     arrayState,
     cellAt,
+    naturalSurface,
   )
 import PraTactile.Conformance.Implementation
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
@@ -22,11 +27,13 @@ import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
 import PraTactile.Locate hiding (locate)
 import qualified PraTactile.Locate as Locate
+import PraTactile.Locate.Definition (largestSearchedArray)
+import PraTactile.Locate.Patch (completeWindows, observedOffsets)
 import PraTactile.Polynomial (checkPrimitive, coefficients, polynomial, primitivePolynomial)
 import qualified PraTactile.Polynomial as Polynomial
 import PraTactile.Profile
 import PraTactile.Sequence (termAt)
-import PraTactile.Window (Mask, maskFromDrawing, maskSize)
+import PraTactile.Window (Mask, maskFrom, maskFromDrawing, maskSize)
 import qualified PraTactile.Window as Window
 import qualified PraTactile.Window.Distance as Distance
 import qualified PraTactile.Window.Proof as Proof
@@ -40,14 +47,20 @@ library =
       open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p)))
     }
 
--- | A session with one array. Refuses arrays that are too large for a memory table.
+-- | A session with one array. Patches are looked up in the memory table, or, where windows have so
+-- many possible contents that there is none, compared with every position; that refuses arrays of
+-- very many cells.
 session :: forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
-session p array mask = do
-  _ <- orRefuse "table-too-large" (decoderFor (locators TableDecoder) (profileSurface p) Guaranteed)
-  pure (withLocating p locators (withWindows p array mask (withSequence array (withField p k))))
+session p array mask
+  | possible TableDecoder = pure (sessionBy TableDecoder)
+  | area (arrayShape array) <= largestSearchedArray = pure (sessionBy SearchDecoder)
+  | otherwise = refuse "table-too-large"
   where
-    k = Proxy :: Proxy k
     locators = locatorsOf p array mask
+    possible name = isRight (decoderFor (locators name) (profileSurface p) Guaranteed)
+    sessionBy exact =
+      withLocating p array mask exact locators . withWindows p array mask . withSequence array $
+        withField p (Proxy :: Proxy k)
 
 -- | Elements of the field, and polynomials over it.
 withField :: forall k. KnownField k => Profile -> Proxy k -> Session
@@ -119,30 +132,62 @@ proofOf surface array mask = case Proof.prove surface array mask of
 
 -- | Locating by each decoder.
 withLocating ::
-  forall k. KnownField k => Profile -> (DecoderName -> Locator k) -> Session -> Session
-withLocating p locators s =
+  forall k.
+  KnownField k =>
+  Profile ->
+  PseudorandomArray k ->
+  Mask ->
+  DecoderName ->
+  (DecoderName -> Locator k) ->
+  Session ->
+  Session
+withLocating p array mask exact locators s =
   s
-    { locate = locatedBy TableDecoder Guaranteed,
-      nearest = locatedBy NearestDecoder . maybe Guaranteed UpTo,
+    { locate = \rows -> do
+        observed <- observedIn rows
+        if exact /= TableDecoder
+          && not (null (observedCells observed))
+          && null (completeWindows mask observed)
+          then refuse (reasonName NoCompleteWindow)
+          else locatedBy exact Guaranteed observed,
+      nearest = \stated rows -> do
+        observed <- observedIn rows
+        radius <- maybe (guaranteedFor p array (observedOffsets observed)) (pure . UpTo) stated
+        locatedBy NearestDecoder radius observed,
       posterior = posteriorBy (locators PosteriorDecoder) (profileSurface p)
     }
   where
-    locatedBy name radius rows = do
-      cells <- traverse (traverse (traverse (elementOf :: Code -> Wire (GF k)))) rows
-      observed <- orRefuse "invalid" (patch cells)
+    observedIn rows =
+      traverse (traverse (traverse (elementOf :: Code -> Wire (GF k)))) rows
+        >>= orRefuse "invalid" . patch
+    locatedBy name radius observed = do
       let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
       answer <- orRefuse "table-too-large" (Locate.locate (locators name) query)
       placeOf (answerOutcome answer)
+
+-- | The radius that the distance of these cells on the folding's own surface guarantees. The
+-- library promises none on a surface that is neither that nor the sheet cut from it; there it is
+-- computed here.
+guaranteedFor :: KnownField k => Profile -> PseudorandomArray k -> [Position] -> Wire Radius
+guaranteedFor p array offsets
+  | profileSurface p `elem` [naturalSurface (arrayFolding array), Sheet] = pure Guaranteed
+  | otherwise = case maskFrom offsets of
+    Left _ -> pure Guaranteed
+    Right mask ->
+      UpTo . guaranteedRadius . Distance.distance
+        <$> orRefuse "too-many-windows" (Distance.minimumDistance array mask)
 
 -- | The locators of the decoders that sessions use, each made once.
 locatorsOf ::
   KnownField k => Profile -> PseudorandomArray k -> Mask -> DecoderName -> Locator k
 locatorsOf p array mask = \name -> case name of
   TableDecoder -> byTable
+  SearchDecoder -> bySearch
   PosteriorDecoder -> byProbability
   _ -> byDistance
   where
     byTable = made TableDecoder
+    bySearch = made SearchDecoder
     byDistance = made NearestDecoder
     byProbability = made PosteriorDecoder
     made name = Locate.locator (Just name) (profilePacking p) array mask

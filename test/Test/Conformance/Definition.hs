@@ -1,0 +1,172 @@
+-- | Two roads to every answer: the definition of the conformance suite, and the library, which shares
+-- none of its code. All that is cheap to exhaust is asked of both, and much that is drawn.
+module Test.Conformance.Definition (spec, disagreements, askedUnder) where
+
+import Control.Monad (filterM)
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Foldable (for_)
+import Data.List (sort)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..), naturalsBelow)
+import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Profiles
+import PraTactile.Conformance.Question
+import PraTactile.Profile
+import Test.Hspec
+import Test.QuickCheck (Gen, chooseInt, elements, frequency, shuffle, vectorOf)
+import Test.QuickCheck.Gen (unGen)
+import Test.QuickCheck.Random (mkQCGen)
+
+spec :: Spec
+spec = describe "the definition and the library agree" $
+  for_ defaultProfiles $ \(name, profile) ->
+    it name (disagreements profile `shouldReturn` [])
+
+-- | What the library answers otherwise than the definition, with both answers.
+disagreements :: Profile -> IO [String]
+disagreements profile = case known profile of
+  Left refusal -> pure ["the definition refuses the profile: " ++ show refusal]
+  Right k ->
+    runExceptT (open library profile) >>= \opened -> case opened of
+      Left refusal -> pure ["the library refuses the profile: " ++ show refusal]
+      Right session -> map shown <$> filterM (fmap not . agreed session k) (askedUnder k)
+  where
+    shown (SomeQuestion question) = show question
+
+-- | Whether both answer alike, or refuse for the same reason.
+agreed :: Session -> Known -> SomeQuestion -> IO Bool
+agreed session k (SomeQuestion question) = do
+  came <- runExceptT (answerOf session question)
+  pure $ case (expected k question, came) of
+    (Right wanted, Right given) -> agrees k question wanted given
+    (Left wanted, Left given) -> wanted == given
+    _ -> False
+
+-- | All that is asked under a profile.
+askedUnder :: Known -> [SomeQuestion]
+askedUnder k =
+  concat
+    [ fieldQuestions profile,
+      polynomialQuestions profile,
+      arrayQuestions profile,
+      windowQuestions k,
+      concatMap drawnQuestions [1 .. draws]
+    ]
+  where
+    profile = knownProfile k
+    draws = if profileShape profile == Shape 63 65 then 20 else 150
+    drawnQuestions seed = unGen (drawn k) (mkQCGen seed) 30
+
+-- | All elements, and codes that are none.
+fieldQuestions :: Profile -> [SomeQuestion]
+fieldQuestions profile =
+  concat
+    [ [SomeQuestion (operation a b) | operation <- [Add, Multiply], a <- codes, b <- codes],
+      [SomeQuestion (operation a) | operation <- [Negate, Inverse, Trace], a <- codes],
+      [SomeQuestion (Logarithm a) | a <- codes],
+      [SomeQuestion (Power a i) | a <- codes, i <- [-20 .. 20] ++ [-(10 ^ (20 :: Int)), 10 ^ (20 :: Int)]]
+    ]
+  where
+    codes = [0 .. profileOrder profile + 1]
+
+-- | All polynomials of low degree, monic or not, with zeros at their ends and without.
+polynomialQuestions :: Profile -> [SomeQuestion]
+polynomialQuestions profile =
+  [SomeQuestion (Primitive codes) | n <- [0 .. longest], codes <- traverse (const [0 .. q - 1]) [1 .. n]]
+    ++ map SomeQuestion [Primitive [q, 1], Primitive (profilePolynomial profile), Primitive [1, 0, 1, 1, 0]]
+    ++ [SomeQuestion (FirstPrimitive n) | n <- [0 .. 4]]
+  where
+    q = profileOrder profile
+    longest = length (takeWhile (<= 1000) (iterate (* q) 1)) - 1
+
+-- | All terms and cells twice over, and some far away.
+arrayQuestions :: Profile -> [SomeQuestion]
+arrayQuestions profile =
+  concat
+    [ [SomeQuestion (Term i) | i <- [0 .. 2 * n1 * n2] ++ far],
+      [SomeQuestion (Terms from count) | from <- [0, 1, n1 * n2 - 2] ++ far, count <- [0, 1, 7]],
+      [SomeQuestion (Cell r c) | r <- [0 .. 2 * n1] ++ far, c <- [0 .. 2 * n2] ++ far]
+    ]
+  where
+    Shape n1 n2 = profileShape profile
+    far = [2 ^ (53 :: Int) - 1, 2 ^ (64 :: Int), 10 ^ (100 :: Int) + 7]
+
+-- | The window of every position, packed, unpacked and located, cells not on the sheet being not
+-- observed; packed numbers that are none; masks of at most three rows and columns.
+windowQuestions :: Known -> [SomeQuestion]
+windowQuestions k =
+  concat
+    [ [SomeQuestion (Locate window) | window <- everywhere],
+      [SomeQuestion (Pack (concatMap (concatMap (foldMap pure)) window)) | window <- everywhere],
+      [SomeQuestion (Unpack n) | n <- [0 .. 20] ++ [span' - 1, span', span' + 1, 10 ^ (30 :: Int)]],
+      [SomeQuestion (Pack codes) | codes <- [[], [0], replicate 20 1, replicate 21 1, [q]]],
+      [ SomeQuestion (operation mask)
+        | operation <- [Distance],
+          mask <- masks
+      ],
+      [SomeQuestion (Prove mask) | mask <- masks]
+    ]
+  where
+    profile = knownProfile k
+    q = profileOrder profile
+    Shape high wide = profileWindow profile
+    Shape n1 n2 = profileShape profile
+    span' = q ^ (high * wide)
+    everywhere = [patchAt k (r, c) (high, wide) | r <- naturalsBelow n1, c <- naturalsBelow n2]
+    masks = someMasks ++ [apartMask, apartMask ++ [".........."], replicate 16 "#", ["##", "#"], [], [""]]
+    someMasks = if n1 * n2 > 300 then take 60 drawings else drawings
+    drawings =
+      [ drawing
+        | (i, j) <- [(1, 1), (1, 2), (2, 1), (2, 2), (1, 3), (3, 1), (2, 3), (3, 2)],
+          drawing <- traverse (const (traverse (const "#.") [1 .. j :: Int])) [1 .. i :: Int]
+      ]
+
+-- | What the array has in a rectangle at a position, on the profile's own surface.
+patchAt :: Known -> (Natural, Natural) -> (Natural, Natural) -> Patch
+patchAt k (r, c) (high, wide) =
+  [ [ either (const Nothing) Just (expected k (Cell (r + i) (c + j)))
+      | j <- naturalsBelow wide
+    ]
+    | i <- naturalsBelow high
+  ]
+
+-- | Questions of one patch with cells missing and wrong.
+drawn :: Known -> Gen [SomeQuestion]
+drawn k = do
+  place <- (,) <$> below (2 * n1) <*> below (2 * n2)
+  shape <- (,) <$> around high <*> around wide
+  missing <- elements [0, 0, 10, 30, 80]
+  wrong <- elements [0, 0, 5, 20]
+  zeros <- frequency [(6, pure False), (1, pure True)]
+  patch <- traverse (traverse (damaged missing wrong zeros)) (patchAt k place shape)
+  chances <- traverse (traverse chance) patch
+  radius <- elements [0 .. 4]
+  pure
+    [ SomeQuestion (Locate patch),
+      SomeQuestion (Nearest Nothing patch),
+      SomeQuestion (Nearest (Just radius) patch),
+      SomeQuestion (Posterior chances)
+    ]
+  where
+    profile = knownProfile k
+    q = profileOrder profile
+    Shape high wide = profileWindow profile
+    Shape n1 n2 = profileShape profile
+    below n = fromIntegral <$> chooseInt (0, fromIntegral n - 1)
+    around n = elements (filter (> 0) [n, n, n + 1, n + 1, n + 2, if n > 1 then n - 1 else n])
+    percent n a b = frequency [(n, a), (100 - n, b)]
+    damaged missing wrong zeros cell' =
+      percent missing (pure Nothing) $
+        percent wrong (Just <$> below q) (pure (if zeros then Just 0 else cell'))
+    chance cell' = case cell' of
+      Nothing -> pure Unfelt
+      Just a -> frequency [(1, pure (Certainly a)), (2, Probably <$> likely a), (2, Probably <$> any')]
+    likely a = do
+      rest <- elements [0, 0.01, 0.3]
+      let others = rest / fromIntegral (q - 1)
+      pure [if b == a then 1 - rest else others | b <- [0 .. q - 1]]
+    any' = do
+      cuts <- sort <$> vectorOf (fromIntegral q - 1) (chooseInt (0, 64))
+      shuffle (map ((/ 64) . fromIntegral) (zipWith (-) (cuts ++ [64]) (0 : cuts)))
