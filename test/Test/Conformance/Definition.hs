@@ -1,13 +1,18 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | Two roads to every answer: the definition of the conformance suite, and the library, which shares
 -- none of its code. All that is cheap to exhaust is asked of both, and much that is drawn.
-module Test.Conformance.Definition (spec, disagreements, askedUnder) where
+module Test.Conformance.Definition (spec, disagreements, askedUnder, openedOtherwise) where
 
 import Control.Monad (filterM)
 import Control.Monad.Trans.Except (runExceptT)
+import Data.Aeson (decode)
+import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
 import Data.List (sort)
+import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..), naturalsBelow)
+import PraTactile.Array (Shape (..), Surface (..), naturalsBelow)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Library (library)
@@ -20,9 +25,70 @@ import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)
 
 spec :: Spec
-spec = describe "the definition and the library agree" $
+spec = describe "the definition and the library agree" $ do
   for_ defaultProfiles $ \(name, profile) ->
     it name (disagreements profile `shouldReturn` [])
+  for_ ["gf2-3x5", "gf3-2x13", "gf9-5x16"] $ \name ->
+    it (name ++ ", folded either way on every surface") $
+      traverse disagreements (variants name) `shouldReturn` map (const []) (variants name)
+  it "which profiles are possible" (openedOtherwise `shouldReturn` [])
+
+-- | A default profile with each folding on each surface.
+variants :: String -> [Profile]
+variants name =
+  [ profile {profileFolding = folding, profileSurface = surface}
+    | (given, profile) <- defaultProfiles,
+      given == name,
+      folding <- [minBound .. maxBound],
+      surface <- [Torus, TwistedTorus, Sheet]
+  ]
+
+-- | The profiles that the library opens and the definition refuses, or the other way round.
+openedOtherwise :: IO [Profile]
+openedOtherwise = filterM (fmap not . alike) oddProfiles
+  where
+    alike profile = do
+      opened <- runExceptT (() <$ open library profile)
+      pure (opened == (() <$ known profile))
+
+-- | The paper's profile with one convention or two changed, to possible ones and others.
+oddProfiles :: [Profile]
+oddProfiles =
+  concat
+    [ [paper {profileOrder = q} | q <- [0, 1, 2, 3, 5, 6, 12, 257, 512]],
+      [ paper {profileModulus = modulus}
+        | modulus <- words' "1,1,1 1,0,1 1,1,2 3,1,1 1,1,1,0 1,1,0,1 1,1 1 0,0,1 1,0,0 1,1,0"
+      ],
+      [paper {profileModulus = []}, paper {profilePolynomial = []}, paper {profileState = []}],
+      [ paper {profilePolynomial = h, profileReading = reading}
+        | h <-
+            words'
+              "3,2,1,0,1 0,2,1,0,1 3,2,1,0,2 1,0,0,0,1 1,1,1,1,1 3,2,1,0,4 1,1 1 3,2,1,0,1,1 \
+              \1,2,3,2,1 2,1,0,0,1 2,0,1,1,1 3,0,1,1,1",
+          reading <- [minBound .. maxBound]
+      ],
+      [ paper {profileState = state}
+        | state <- words' "0,0,0,0 0,0,1 0,0,0,0,1 0,0,0,4 3,3,3,3 0,0,0,0,0"
+      ],
+      [ paper {profileShape = shape, profileFolding = folding, profileSurface = surface}
+        | (n1, n2) <- [(0, 0), (15, 16), (17, 15), (5, 51), (3, 85), (85, 3), (255, 1), (0, 255)],
+          let shape = Shape n1 n2,
+          folding <- [minBound .. maxBound],
+          surface <- [Torus, Sheet]
+      ],
+      [ paper {profileWindow = window, profileSurface = surface}
+        | window <- [Shape 0 2, Shape 2 0, Shape 65 64, Shape 16 1, Shape 1 18, Shape 1 1],
+          surface <- [Torus, TwistedTorus, Sheet]
+      ],
+      [ (snd (head' gf9)) {profileModulus = modulus}
+        | modulus <- words' "2,2,1 1,0,1 2,1,1 0,0,1 1,1,1 2,0,1"
+      ]
+    ]
+  where
+    paper = canonicalProfile
+    gf9 = filter ((== "gf9-80x1") . fst) defaultProfiles
+    words' = map (map read . words . map (\c -> if c == ',' then ' ' else c)) . words
+    head' = foldr const ("", paper)
 
 -- | What the library answers otherwise than the definition, with both answers.
 disagreements :: Profile -> IO [String]
@@ -52,6 +118,7 @@ askedUnder k =
       polynomialQuestions profile,
       arrayQuestions profile,
       windowQuestions k,
+      illFormed profile,
       concatMap drawnQuestions [1 .. draws]
     ]
   where
@@ -122,6 +189,77 @@ windowQuestions k =
         | (i, j) <- [(1, 1), (1, 2), (2, 1), (2, 2), (1, 3), (3, 1), (2, 3), (3, 2)],
           drawing <- traverse (const (traverse (const "#.") [1 .. j :: Int])) [1 .. i :: Int]
       ]
+
+-- | Patches, probabilities and masks that are none, and inputs of the wrong type.
+illFormed :: Profile -> [SomeQuestion]
+illFormed profile =
+  concat
+    [ concat
+        [ [SomeQuestion (Locate patch), SomeQuestion (Nearest Nothing patch)]
+          | patch <- [[], [[]], [[], []], [[Just 0], []], [[Nothing], [Just 0, Nothing]], [[Just q]]]
+        ],
+      [ SomeQuestion (Posterior patch)
+        | patch <- [[], [[]], [[Unfelt], []], [[Certainly q]], [[Unfelt, Unfelt], [Unfelt, Unfelt]]]
+      ],
+      [SomeQuestion (Posterior [[Probably numbers]]) | numbers <- chances],
+      [ SomeQuestion (operation mask)
+        | operation <- [Distance],
+          mask <- masks
+      ],
+      [SomeQuestion (Prove mask) | mask <- masks],
+      [SomeQuestion (Raw operation input) | operation <- [minBound ..], input <- inputs]
+    ]
+  where
+    q = profileOrder profile
+    others = replicate (fromIntegral q - 2) 0
+    chances =
+      [ [],
+        replicate (fromIntegral q + 1) 0,
+        0.5 : 0.4 : others,
+        0.5 : 0.5005 : others,
+        1.5 : -0.5 : others,
+        0.4996 : 0.5 : others,
+        0 : 0 : others
+      ]
+    masks = [[], [""], ["", "#"], ["#", ""], ["##", "#"], ["#x"], [".."], ["#."], [".#"], ["#", "."]]
+    inputs = mapMaybe decode inputTexts
+
+-- | Inputs of which some are of the right form for some operations.
+inputTexts :: [Lazy.ByteString]
+inputTexts =
+  [ "{}",
+    "null",
+    "[1, 1]",
+    "{\"a\": 1, \"b\": true}",
+    "{\"a\": 1, \"b\": 1.0}",
+    "{\"a\": 1, \"b\": -1}",
+    "{\"a\": \"1\", \"b\": 0, \"c\": null}",
+    "{\"a\": 1, \"exponent\": \"-99999999999999999999\"}",
+    "{\"a\": 1, \"exponent\": 0.5}",
+    "{\"polynomial\": [1, 1.0]}",
+    "{\"polynomial\": 1}",
+    "{\"polynomial\": [1, \"1\"]}",
+    "{\"degree\": -1}",
+    "{\"degree\": 0}",
+    "{\"index\": \"9007199254740993\"}",
+    "{\"index\": 9007199254740993}",
+    "{\"from\": 3, \"length\": -1}",
+    "{\"from\": 3, \"length\": 0}",
+    "{\"row\": 1, \"column\": null}",
+    "{\"row\": \"99999999999999999999\", \"column\": 1}",
+    "{\"cells\": [0, null]}",
+    "{\"packed\": \"1x\"}",
+    "{\"packed\": \"1\"}",
+    "{\"patch\": [[0, null], [null, 1]]}",
+    "{\"patch\": [[0, 1.0]], \"radius\": null}",
+    "{\"patch\": [[0, 1]], \"radius\": -1}",
+    "{\"patch\": [[0, 1]], \"radius\": 1}",
+    "{\"patch\": [0, 1], \"radius\": 1}",
+    "{\"patch\": [[[\"1\"]]]}",
+    "{\"patch\": [[[1e400]]]}",
+    "{\"mask\": [\"##\"]}",
+    "{\"mask\": \"##/.#\"}"
+  ]
 
 -- | What the array has in a rectangle at a position, on the profile's own surface.
 patchAt :: Known -> (Natural, Natural) -> (Natural, Natural) -> Patch
