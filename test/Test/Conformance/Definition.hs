@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Two roads to every answer: the definition of the conformance suite, and the library, which shares
--- none of its code. All that is cheap to exhaust is asked of both, and much that is drawn.
+-- | Two roads to every answer: the definition of the conformance suite, and the library, which
+-- shares none of its code. All that is cheap to exhaust is asked of both, and much that is drawn.
 module Test.Conformance.Definition (spec, disagreements, askedUnder, openedOtherwise) where
 
 import Control.Monad (filterM)
@@ -133,16 +133,20 @@ fieldQuestions profile =
     [ [SomeQuestion (operation a b) | operation <- [Add, Multiply], a <- codes, b <- codes],
       [SomeQuestion (operation a) | operation <- [Negate, Inverse, Trace], a <- codes],
       [SomeQuestion (Logarithm a) | a <- codes],
-      [SomeQuestion (Power a i) | a <- codes, i <- [-20 .. 20] ++ [-(10 ^ (20 :: Int)), 10 ^ (20 :: Int)]]
+      [SomeQuestion (Power a i) | a <- codes, i <- [-20 .. 20] ++ [-huge, huge]]
     ]
   where
     codes = [0 .. profileOrder profile + 1]
+    huge = 10 ^ (20 :: Int)
 
 -- | All polynomials of low degree, monic or not, with zeros at their ends and without.
 polynomialQuestions :: Profile -> [SomeQuestion]
 polynomialQuestions profile =
-  [SomeQuestion (Primitive codes) | n <- [0 .. longest], codes <- traverse (const [0 .. q - 1]) [1 .. n]]
-    ++ map SomeQuestion [Primitive [q, 1], Primitive (profilePolynomial profile), Primitive [1, 0, 1, 1, 0]]
+  [ SomeQuestion (Primitive codes)
+    | n <- [0 .. longest],
+      codes <- traverse (const [0 .. q - 1]) [1 .. n]
+  ]
+    ++ [SomeQuestion (Primitive h) | h <- [[q, 1], profilePolynomial profile, [1, 0, 1, 1, 0]]]
     ++ [SomeQuestion (FirstPrimitive n) | n <- [0 .. 4]]
   where
     q = profileOrder profile
@@ -182,7 +186,7 @@ windowQuestions k =
     Shape n1 n2 = profileShape profile
     span' = q ^ (high * wide)
     everywhere = [patchAt k (r, c) (high, wide) | r <- naturalsBelow n1, c <- naturalsBelow n2]
-    masks = someMasks ++ [apartMask, apartMask ++ [".........."], replicate 16 "#", ["##", "#"], [], [""]]
+    masks = someMasks ++ [apartMask, apartMask ++ [".........."], replicate 16 "#"]
     someMasks = if n1 * n2 > 300 then take 60 drawings else drawings
     drawings =
       [ drawing
@@ -196,7 +200,8 @@ illFormed profile =
   concat
     [ concat
         [ [SomeQuestion (Locate patch), SomeQuestion (Nearest Nothing patch)]
-          | patch <- [[], [[]], [[], []], [[Just 0], []], [[Nothing], [Just 0, Nothing]], [[Just q]]]
+          | patch <-
+              [[], [[]], [[], []], [[Just 0], []], [[Nothing], [Just 0, Nothing]], [[Just q]]]
         ],
       [ SomeQuestion (Posterior patch)
         | patch <- [[], [[]], [[Unfelt], []], [[Certainly q]], [[Unfelt, Unfelt], [Unfelt, Unfelt]]]
@@ -221,7 +226,10 @@ illFormed profile =
         0.4996 : 0.5 : others,
         0 : 0 : others
       ]
-    masks = [[], [""], ["", "#"], ["#", ""], ["##", "#"], ["#x"], [".."], ["#."], [".#"], ["#", "."]]
+    masks = map (splitAt' '/') ["", "/#", "#/", "##/#", "#x", "..", "#.", ".#", "#/."]
+    splitAt' c text = case break (== c) text of
+      (row, _ : more) -> row : splitAt' c more
+      (row, []) -> [row]
     inputs = mapMaybe decode inputTexts
 
 -- | Inputs of which some are of the right form for some operations.
@@ -300,7 +308,8 @@ drawn k = do
         percent wrong (Just <$> below q) (pure (if zeros then Just 0 else cell'))
     chance cell' = case cell' of
       Nothing -> pure Unfelt
-      Just a -> frequency [(1, pure (Certainly a)), (2, Probably <$> likely a), (2, Probably <$> any')]
+      Just a ->
+        frequency [(1, pure (Certainly a)), (2, Probably <$> likely a), (2, Probably <$> any')]
     likely a = do
       rest <- elements [0, 0.01, 0.3]
       let others = rest / fromIntegral (q - 1)
