@@ -1,45 +1,159 @@
--- | The array is the sequence folded.
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The array is the sequence folded, and goes on beyond its edges; its windows are packed as the
+-- profile says.
 module PraTactile.Conformance.Laws.Array
   ( arrayLaws,
+    windowLaws,
   )
 where
 
-import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
-import PraTactile.Conformance.Implementation
+import Control.Monad (replicateM)
+import Data.Aeson (Value (..), toJSON)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Folding (..), Position (..), Shape (..), area, naturalsBelow, shapeCells)
+import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (listOf, natural)
 import PraTactile.Profile (Profile (..))
+import Test.QuickCheck hiding (listOf)
 
--- | The laws of the array and of packing its windows.
-arrayLaws :: [Law Session]
+-- | The laws of the array's cells.
+arrayLaws :: [Law Known]
 arrayLaws =
-  [ Law
-      "a[i mod n1][i mod n2] = s(i) for the diagonal fold, a[i div n2][i mod n2] = s(i mod n1 n2) \
-      \for the row-major one"
-      ( \s ->
-          let Shape n1 n2 = profileShape (profile s)
-              at i = case profileFolding (profile s) of
-                Diagonal -> Position (i `mod` n1) (i `mod` n2)
-                RowMajor -> Position ((i `div` n2) `mod` n1) (i `mod` n2)
-           in forTerms s (\i -> equal (cell s (at i)) (term s (i `mod` (n1 * n2))))
+  [ defined OnArray "cell-as-defined" OfCell "every cell of the array" folding $ \known ->
+      Every [SomeQuestion (Cell r c) | Position r c <- shapeCells (profileShape (knownProfile known))],
+    defined OnArray "cell-at-the-edges" OfCell beyond folding $ \known ->
+      Every [SomeQuestion (Cell r c) | (r, c) <- aroundTheEdges (profileShape (knownProfile known))],
+    defined OnArray "cell-far-beyond-the-edges" OfCell beyond folding $ \_ ->
+      Some (fmap SomeQuestion (Cell <$> farAway <*> farAway)) smaller,
+    law
+      OnArray
+      "cells-are-terms"
+      [OfCell, OfTerm]
+      "a[i mod n1][i mod n2] = s(i) for the diagonal fold, a[i div n2][i mod n2] = s(i) for the \
+      \row-major one"
+      folding
+      ( \known ->
+          Cases
+            natural
+            (Some (upTo (periodOf (knownProfile known) - 1)) smallerNatural)
+            (trial . folded known)
       ),
-    Law
-      "a window is packed as the base-q number of its cells and unpacked again"
-      ( \s ->
-          let k = fromIntegral (windowArea s)
-           in forElements k s (\codes -> equal (pack s codes >>= unpack s) (pure codes))
-      ),
-    Law
-      "the packed window 0 ... 0 1 is 1 or q^(cells - 1), as the profile says"
-      ( \s ->
-          let q = profileOrder (profile s)
-              codes = replicate (fromIntegral (windowArea s) - 1) 0 ++ [1]
-           in holds (`elem` [1, q ^ (windowArea s - 1)]) (pack s codes)
-      ),
-    Law
-      "a number of q^cells or more unpacks to nothing: out-of-range"
-      ( \s ->
-          refuses "out-of-range" (unpack s (profileOrder (profile s) ^ windowArea s))
-      )
+    invalid OnArray "cell-refuses-what-is-invalid" OfCell $ \_ ->
+      [rawWith (Cell 0 0) name (Number (-1)) | name <- ["row", "column"]] ++ malformed (Cell 1 1)
   ]
   where
-    windowArea = area . profileWindow . profile
+    farAway = oneof [upTo 1000, (+) <$> elements bigNaturals <*> upTo 300, bigNatural]
+
+folding :: String
+folding = "MacWilliams and Sloane (1976), section III; the profile's folding and shape"
+
+beyond :: String
+beyond =
+  "beyond the edges the array goes on on the folding's own surface, whatever the profile's: the \
+  \torus for the diagonal one, the twisted torus for the row-major one"
+
+-- | Rows and columns around the edges, once and twice round, and where only one is beyond.
+aroundTheEdges :: Shape -> [(Natural, Natural)]
+aroundTheEdges (Shape n1 n2) =
+  [ (r, c)
+    | r <- around n1,
+      c <- around n2,
+      r >= n1 || c >= n2
+  ]
+  where
+    around n = [0, 1] ++ [n - 1, n, n + 1, 2 * n - 1, 2 * n, 3 * n + 1]
+
+folded :: Known -> Natural -> Trial ()
+folded known i = do
+  wanted <- answer known (Term i)
+  got <- answer known question
+  demand (Because "the folding, with the other answer of the same implementation" "the cell is that term") question wanted (wanted == got)
+  where
+    p = knownProfile known
+    Shape n1 n2 = profileShape p
+    question = case profileFolding p of
+      Diagonal -> Cell (i `mod` n1) (i `mod` n2)
+      RowMajor -> Cell ((i `div` n2) `mod` n1) (i `mod` n2)
+
+-- | The laws of packing.
+windowLaws :: [Law Known]
+windowLaws =
+  [ defined
+      OnWindow
+      "pack-as-defined"
+      OfPack
+      "a window is packed as the base-q number of its cells"
+      packing
+      (contents (SomeQuestion . Pack)),
+    defined OnWindow "unpack-as-defined" OfUnpack "a number below q^cells is unpacked to the window" packing numbers,
+    defined
+      OnWindow
+      "unpack-refuses-what-packs-no-window"
+      OfUnpack
+      "a number of q^cells or more is refused: out-of-range"
+      packing
+      ( \known ->
+          let most = profileOrder (knownProfile known) ^ cellsOf known
+           in Every [SomeQuestion (Unpack n) | n <- [most, most + 1, 2 * most] ++ filter (>= most) bigNaturals]
+      ),
+    law
+      OnWindow
+      "unpack-inverts-pack"
+      [OfPack, OfUnpack]
+      "what is packed is unpacked again"
+      packing
+      ( \known ->
+          let lower codes = filter ((== cellsOf known) . fromIntegral . length) (smallerList smallerNatural codes)
+           in Cases (listOf natural) (Some (genContent known) lower) (trial . unpacked known)
+      ),
+    invalid OnWindow "pack-refuses-what-is-invalid" OfPack $ \known ->
+      let k = fromIntegral (cellsOf known)
+          q = profileOrder (knownProfile known)
+          zeros n = replicate n 0
+       in [SomeQuestion (Pack (zeros n)) | n <- [0, k - 1, k + 1, 2 * k], n /= k]
+            ++ [SomeQuestion (Pack (take k (a : zeros k))) | a <- q : q + 1 : bigNaturals]
+            ++ [SomeQuestion (Pack (zeros (k - 1) ++ [q]))]
+            ++ [rawWith (Pack [0]) "cells" (toJSON (replicate k (-1 :: Int)))]
+            ++ malformed (Pack (zeros k)),
+    invalid OnWindow "unpack-refuses-what-is-invalid" OfUnpack $ \_ ->
+      rawWith (Unpack 0) "packed" (Number (-1)) : malformed (Unpack 1)
+  ]
+
+packing :: String
+packing = "the profile's packing and window"
+
+cellsOf :: Known -> Natural
+cellsOf = area . profileWindow . knownProfile
+
+-- | All contents of a window, or drawn ones where there are more than 1024.
+contents :: ([Code] -> SomeQuestion) -> Known -> Domain SomeQuestion
+contents asked known
+  | profileOrder p ^ cellsOf known <= 1024 =
+    Every (asked <$> replicateM (fromIntegral (cellsOf known)) (elementsOf p))
+  | otherwise = Some (asked <$> genContent known) smaller
+  where
+    p = knownProfile known
+
+genContent :: Known -> Gen [Code]
+genContent known =
+  vectorOf (fromIntegral (cellsOf known)) (upTo (profileOrder (knownProfile known) - 1))
+
+numbers :: Known -> Domain SomeQuestion
+numbers known
+  | most <= 1024 = Every (SomeQuestion . Unpack <$> naturalsBelow most)
+  | otherwise = Some (SomeQuestion . Unpack <$> upTo (most - 1)) smaller
+  where
+    most = profileOrder (knownProfile known) ^ cellsOf known
+
+unpacked :: Known -> [Code] -> Trial ()
+unpacked known codes = do
+  number <- answer known (Pack codes)
+  got <- answer known (Unpack number)
+  demand (Because "the other answer of the same implementation" "it was packed so") (Unpack number) codes (codes == got)

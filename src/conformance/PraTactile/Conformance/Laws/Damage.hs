@@ -1,179 +1,217 @@
--- | Locating with cells that are missing and cells that are wrong.
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The nearest position: with cells that are missing and cells that are wrong.
 module PraTactile.Conformance.Laws.Damage
   ( damageLaws,
   )
 where
 
-import Control.Monad.Trans.Except (runExceptT)
-import Data.Maybe (fromMaybe)
+import Data.Aeson (Value (..), toJSON)
+import Data.Scientific (scientific)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position (..), Shape (..), naturalsBelow, shapeCells)
-import PraTactile.Conformance.Implementation
+import PraTactile.Array (Position (..), Surface (..), area, naturalSurface)
+import PraTactile.Conformance.Definition (Known, expected, knownProfile)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws.Definition
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Locate
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (Codec, key, listOf, natural, nullable, object, position)
 import PraTactile.Profile (Profile (..))
-import Test.QuickCheck
+import Test.QuickCheck hiding (listOf)
 
--- | The laws of the nearest position, for arrays of at most 1024 cells: distances are computed by
--- comparing all windows.
-damageLaws :: [Law Session]
-damageLaws = correctionLaws ++ definitionLaws ++ refusalLaws
+-- | The laws of the nearest position.
+damageLaws :: [Law Known]
+damageLaws = correctionLaws ++ systematicLaws ++ drawnLaws ++ [invalidLaw]
 
--- | A law of patches that are drawn and compared with all positions; few of them, because each
--- compares all windows with all.
-compared :: String -> (Session -> Looked -> Property) -> Law Session
-compared name law = Law name (\s -> lookedAt s (withMaxSuccess 30 . law s))
+source :: String
+source = "MacWilliams and Sloane, The Theory of Error-Correcting Codes, chapter 1; the protocol, nearest"
+
+comparing :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
+comparing what sentence = defined OnDamage what OfNearest sentence source
+
+-- | A patch, where it was seen, and as it was there.
+data Seen = Seen
+  { seenPlace :: Position,
+    seenTrue :: [[Code]],
+    seenPatch :: Patch
+  }
+
+seenForm :: Codec Seen
+seenForm =
+  object
+    ( Seen <$> key "place" position seenPlace
+        <*> key "true" (listOf (listOf natural)) seenTrue
+        <*> key "patch" (listOf (listOf (nullable natural))) seenPatch
+    )
+
+-- | With one damage less.
+lessDamaged :: Seen -> [Seen]
+lessDamaged seen =
+  [ seen {seenPatch = mended}
+    | (i, line) <- zip [0 ..] (seenPatch seen),
+      (j, cell) <- zip [0 ..] line,
+      Just right <- [Just <$> at i j (seenTrue seen)],
+      cell /= right,
+      let mended = put i (put j right line) (seenPatch seen)
+  ]
+  where
+    at :: Int -> Int -> [[a]] -> Maybe a
+    at i j rows = case drop i rows of
+      line : _ | x : _ <- drop j line -> Just x
+      _ -> Nothing
+    put :: Int -> a -> [a] -> [a]
+    put i x xs = take i xs ++ x : drop (i + 1) xs
 
 -- | What is corrected for certain.
-correctionLaws :: [Law Session]
+correctionLaws :: [Law Known]
 correctionLaws =
-  [ compared
-      "s missing and e wrong cells are corrected if 2 e + s < d, the least number of cells in \
-      \which two windows of the patch's shape differ"
-      (\s looked -> forSeenWithin looked s (corrects s looked)),
-    compared
-      "the cells observed decide: e of them wrong are corrected if 2 e < d, the least number in \
-      \which two contents of them differ"
-      ( \s looked ->
-          forDamaged s 25 8 $ \seen ->
-            let d = leastDistance looked (map fst (observedOf (patchOf looked seen)))
-             in 2 * fromIntegral (length (seenWrong seen)) < d ==> corrects s looked seen
-      )
-  ]
-  where
-    corrects s looked seen =
-      equal (nearest s Nothing (patchOf looked seen)) (pure (At (seenPlace seen)))
-
--- | That any patch is answered as comparing it with all positions says.
-definitionLaws :: [Law Session]
-definitionLaws =
-  [ compared
-      "any patch is located, ambiguous or refused as comparing it with all positions says, to the \
-      \guaranteed radius"
-      (\s looked -> forDamaged s 20 20 (asDefined looked s Nothing . patchOf looked)),
-    compared
-      "any patch is located, ambiguous or refused as comparing it with all positions says, to a \
-      \radius that is stated"
-      ( \s looked ->
-          forAllShrink (chooseInteger (0, 4)) shrink $ \e ->
-            forDamaged s 20 20 (asDefined looked s (Just (fromInteger (abs e))) . patchOf looked)
-      ),
-    compared
-      "cells too few to tell a position are answered with all positions that agree, or with how \
-      \many they are"
-      (\s looked -> forDamaged s 75 0 (asDefined looked s Nothing . patchOf looked)),
-    compared
-      "beyond the edge of the surface there is nothing to agree with: a patch across it is as \
-      \comparing it with all positions says"
-      ( \s looked ->
-          let Shape high wide = profileWindow (profile s)
-              Shape n1 n2 = profileShape (profile s)
-              -- As the torus continues it, whatever the surface.
-              wrapped place = patchOf (onTorus looked) (Seen place larger [] [])
-              larger = Shape (high + 1) (wide + 1)
-           in once
-                ( conjoin
-                    [ asDefined looked s Nothing (wrapped (Position (n1 - 1) c))
-                      | c <- [0, n2 - 1]
-                    ]
-                )
+  [ law
+      OnDamage
+      "corrects-within-the-guaranteed-radius"
+      [OfNearest]
+      "e wrong cells are corrected if 2 e < d, d being the least number in which two contents of the \
+      \observed cells differ on the folding's own surface"
+      source
+      (\known -> Cases seenForm (Some (genWithin known) lessDamaged) (trial . corrected known Nothing)),
+    law
+      OnDamage
+      "corrects-as-far-as-it-is-told"
+      [OfNearest]
+      "the same with the radius stated"
+      source
+      ( \known ->
+          Cases seenForm (Some (genWithin known) lessDamaged) $ \seen ->
+            trial (corrected known (Just (wrongCells seen)) seen)
       )
   ]
 
--- | What is refused.
-refusalLaws :: [Law Session]
-refusalLaws =
-  [ compared
-      "zeros, and with them as few other cells as are corrected, are refused where windows of the \
-      \shape differ: zero-window"
-      ( \s looked ->
-          forDamaged s 0 10 $ \seen ->
-            let Shape high wide = seenShape seen
-                d = leastDistance looked (shapeCells (seenShape seen))
-                zeros =
-                  [ [ Just (fromMaybe 0 (lookup (Position i j) (seenWrong seen)))
-                      | j <- naturalsBelow wide
-                    ]
-                    | i <- naturalsBelow high
-                  ]
-             in d > 0 && fromIntegral (length (seenWrong seen)) <= radiusOf d
-                  ==> refuses "zero-window" (nearest s Nothing zeros)
-      ),
-    Law
-      "a patch of which nothing was observed is refused: too-few-cells, and what is no patch: \
-      \invalid"
-      ( \s ->
-          once
-            ( conjoin
-                [ refuses "too-few-cells" (nearest s Nothing [[Nothing, Nothing]]),
-                  refuses "invalid" (nearest s Nothing []),
-                  refuses "invalid" (nearest s Nothing [[Just 0, Just 1], [Just 1]]),
-                  refuses "invalid" (nearest s Nothing [[Just (profileOrder (profile s))]])
-                ]
-            )
-      )
+wrongCells :: Seen -> Natural
+wrongCells seen =
+  fromIntegral
+    (length [() | (true, Just cell) <- zip (concat (seenTrue seen)) (concat (seenPatch seen)), true /= cell])
+
+corrected :: Known -> Maybe Natural -> Seen -> Trial ()
+corrected known radius seen
+  | profileSurface p `notElem` [Sheet, naturalSurface (profileFolding p)] = notMeant
+  | 2 * wrongCells seen < observedDistance known (seenPatch seen) = do
+    got <- answer known question
+    demand (Because "a theorem on codes" "fewer than half the distance are wrong") question (At (seenPlace seen)) (got == At (seenPlace seen))
+  | otherwise = notMeant
+  where
+    p = knownProfile known
+    question = Nearest radius (seenPatch seen)
+
+-- | The distance of the observed cells on the folding's own surface; 0 if nothing was observed.
+observedDistance :: Known -> Patch -> Natural
+observedDistance known rows = either (const 0) id (expected known (Distance (map (map drawn) rows)))
+  where
+    drawn = maybe '.' (const '#')
+
+-- | Seen somewhere, with as many cells missing and wrong as the distance of the shape forgives; on a
+-- surface that is neither the folding's own nor the sheet nothing is known to be forgiven.
+genWithin :: Known -> Gen Seen
+genWithin known = do
+  shape <- elements (shapesAround p)
+  place <- genPlace p shape
+  let true = seenAt known shape place
+      d = observedDistance known (map (map Just) true)
+      cells = area shape
+  missing <- if d == 0 then pure 0 else upTo (min (d - 1) (cells - 1))
+  e <- if d == 0 then pure 0 else upTo ((d - 1 - missing) `div` 2)
+  fates <- shuffle (replicate (fromIntegral missing) Gone ++ replicate (fromIntegral e) Wrong ++ replicate (fromIntegral (cells - missing - e)) Kept)
+  bys <- vectorOf (fromIntegral cells) (upTo (profileOrder p - 2))
+  pure (Seen place true (damagedBy true (zip fates bys)))
+  where
+    p = knownProfile known
+    damagedBy rows fates = case rows of
+      [] -> []
+      line : rest ->
+        let (now, later) = splitAt (length line) fates
+         in zipWith suffer line now : damagedBy rest later
+    suffer code (fate, by) = case fate of
+      Kept -> Just code
+      Gone -> Nothing
+      Wrong -> Just ((code + 1 + by) `mod` profileOrder p)
+
+data Fate = Kept | Gone | Wrong
+
+systematicLaws :: [Law Known]
+systematicLaws =
+  [ comparing "small-patches" (asCompared ++ ", to the guaranteed radius") $ \known ->
+      Every (asked Nothing <$> smallPatches 300 (knownProfile known)),
+    comparing "small-patches-within-a-radius" (asCompared ++ ", to radii of 0, 1 and 2") $ \known ->
+      Every [asked (Just e) rows | rows <- smallPatches 130 (knownProfile known), e <- [0, 1, 2]],
+    comparing "zeros" "zeros, and with them as few other cells as are corrected: zero-window" $ \known ->
+      Every
+        [ asked radius rows
+          | zeros <- zeroPatches (knownProfile known),
+            radius <- [Nothing, Just 0, Just 1],
+            rows <- [zeros, onePlaced zeros]
+        ],
+    comparing "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
+      \known ->
+        Every
+          [ asked radius rows
+            | rows <- unobserved (knownProfile known),
+              radius <- [Nothing, Just 0, Just 3]
+          ],
+    comparing
+      "across-the-edges"
+      "across the edges a patch is compared where the surface goes on, and nothing is where it ends"
+      (\known -> Every [asked radius rows | rows <- acrossEdges known, radius <- [Nothing, Just 1]])
   ]
 
--- | For patches of shapes around the window, with these percentages of cells not observed, and of
--- the others wrong.
-forDamaged :: Session -> Int -> Int -> (Seen -> Property) -> Property
-forDamaged s erased wrong =
-  forSeen (genSeen (profile s) (shapesAround (profile s)) (Damage erased wrong))
+-- | With a 1 in the first cell.
+onePlaced :: Patch -> Patch
+onePlaced rows = case rows of
+  (_ : line) : rest -> (Just 1 : line) : rest
+  _ -> rows
 
--- | Patches with as much damage as the distance of their shape forgives.
-forSeenWithin :: Looked -> Session -> (Seen -> Property) -> Property
-forSeenWithin looked s = forSeen damaged
-  where
-    damaged = do
-      seen <- genSeen (profile s) (shapesAround (profile s)) undamaged
-      let offsets = shapeCells (seenShape seen)
-          d = leastDistance looked offsets
-      -- Where nothing is forgiven, a window without damage.
-      if d == 0
-        then genSeen (profile s) [profileWindow (profile s)] undamaged
-        else do
-          missing <- fromInteger <$> chooseInteger (0, toInteger d - 1)
-          e <- fromInteger <$> chooseInteger (0, toInteger (d - 1 - missing) `div` 2)
-          hit <- shuffle offsets
-          by <-
-            vectorOf
-              (fromIntegral (e :: Natural))
-              (fromInteger <$> chooseInteger (1, toInteger (profileOrder (profile s)) - 1))
-          let (gone, others) = splitAt (fromIntegral missing) hit
-          pure seen {seenGone = gone, seenWrong = zip others by}
+asCompared :: String
+asCompared =
+  "a patch is located, ambiguous or refused as comparing its observed cells with those at all \
+  \positions says"
 
--- | What comparing a patch with all positions says.
-asDefined :: Looked -> Session -> Maybe Natural -> [[Maybe Code]] -> Property
-asDefined looked s stated cells
-  | null observed = refuses "too-few-cells" (nearest s stated cells)
-  | Just e <- least, e <= radius = located (map snd (filter ((== least) . Just . fst) counted))
-  | radius == 0 = refused (const True)
-  | weight <= radius = refused (== "zero-window")
-  | otherwise = refused (== "beyond-radius")
-  where
-    observed = observedOf cells
-    offsets = map fst observed
-    radius = fromMaybe (radiusOf (leastDistance looked offsets)) stated
-    counted =
-      [ ( fromIntegral
-            (length (filter id (zipWith (/=) content (map (fromIntegral . snd) observed)))),
-          place
+asked :: Maybe Natural -> Patch -> SomeQuestion
+asked radius = SomeQuestion . Nearest radius
+
+drawnLaws :: [Law Known]
+drawnLaws =
+  [ comparing "guaranteed-radius" (asCompared ++ ", to the guaranteed radius") $ \known ->
+      Some (asked Nothing <$> genDamaged known (Damage 15 15)) smaller,
+    comparing "cells-observed-decide" "the cells observed decide what is guaranteed" $ \known ->
+      Some (asked Nothing <$> genDamaged known (Damage 35 6)) smaller,
+    comparing "stated-radius" (asCompared ++ ", to a radius that is stated") $ \known ->
+      Some
+        ( do
+            radius <- upTo 5
+            wrong <- elements [5, 15, 30, 60]
+            asked (Just radius) <$> genDamaged known (Damage 15 wrong)
         )
-        | (place, content) <- contentsAt (profileSurface (profile s)) looked offsets
-      ] ::
-        [(Natural, Position)]
-    least = if null counted then Nothing else Just (minimum (map fst counted))
-    weight = fromIntegral (length (filter ((/= 0) . snd) observed))
-    answered condition = ioProperty $ do
-      outcome <- runExceptT (nearest s stated cells)
-      pure
-        ( counterexample
-            ("answered " ++ show outcome ++ "; nearest are " ++ show (take 3 counted))
-            (condition outcome)
+        smaller,
+    comparing "large-radius" "a radius of as many cells as there are, or more, is one too" $ \known ->
+      Some
+        ( do
+            rows <- genDamaged known (Damage 10 20)
+            radius <- elements (fromIntegral (length (concat rows)) : bigNaturals)
+            pure (asked (Just radius) rows)
         )
-    located places = answered $ \outcome -> case (outcome, places) of
-      (Right (At place), [only]) -> place == only
-      (Right (OneOf several), _ : _ : _) -> several == places
-      (Right (Coset count _), _ : _ : _) -> count == fromIntegral (length places)
-      _ -> False
-    refused condition = answered (either (condition . refusalReason) (const False))
+        smaller,
+    comparing "few-cells" "cells too few to tell a position are answered with all that agree" $ \known ->
+      Some (asked Nothing <$> genDamaged known (Damage 75 0)) smaller
+  ]
+
+invalidLaw :: Law Known
+invalidLaw =
+  invalid OnDamage "nearest-refuses-what-is-invalid" OfNearest $ \known ->
+    [ rawWith (Nearest Nothing [[Just 1]]) "radius" radius
+      | radius <- [Number (-1), Number (scientific 10 (-1)), toJSON True, toJSON ([] :: [Int])]
+    ]
+      ++ concat
+        [ illFormedPatches (Nearest radius [[Just 1, Nothing], [Just 0, Just 1]]) known
+          | radius <- [Nothing, Just 1]
+        ]

@@ -1,73 +1,263 @@
--- | The alphabet is a field: the axioms, each as its equation, and what must be refused.
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The alphabet is the field that the profile says: every operation on all codes, and the axioms on
+-- all triples (of fields of more than 16 elements, on drawn ones).
 module PraTactile.Conformance.Laws.Field
   ( fieldLaws,
   )
 where
 
-import PraTactile.Conformance.Implementation
+import Control.Monad (foldM, replicateM)
+import Data.Aeson (Value (..))
+import Numeric.Natural (Natural)
+import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (listOf, natural)
 import PraTactile.Profile (Profile (..))
-import Test.QuickCheck
+import Test.QuickCheck (vectorOf)
 
 -- | The laws of GF(q).
-fieldLaws :: [Law Session]
-fieldLaws = axioms ++ otherLaws
+fieldLaws :: [Law Known]
+fieldLaws = operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws ++ invalidLaws
 
--- | The axioms of a field.
-axioms :: [Law Session]
-axioms =
-  [ three
-      "a + (b + c) = (a + b) + c"
-      (\s a b c -> equal (add s b c >>= add s a) (add s a b >>= \ab -> add s ab c)),
-    two "a + b = b + a" (\s a b -> equal (add s a b) (add s b a)),
-    one' "a + 0 = a" (\s a -> equal (add s a 0) (pure a)),
-    one' "a + (-a) = 0" (\s a -> equal (negation s a >>= add s a) (pure 0)),
-    three
-      "a (b c) = (a b) c"
-      ( \s a b c ->
-          equal (multiply s b c >>= multiply s a) (multiply s a b >>= \ab -> multiply s ab c)
-      ),
-    two "a b = b a" (\s a b -> equal (multiply s a b) (multiply s b a)),
-    one' "1 a = a" (\s a -> equal (multiply s 1 a) (pure a)),
-    three
-      "a (b + c) = a b + a c"
-      ( \s a b c ->
-          equal (add s b c >>= multiply s a) (multiply s a b >>= \ab -> multiply s a c >>= add s ab)
-      ),
-    Law
-      "a (1/a) = 1 for a other than 0"
-      (\s -> forNonZero 1 s (each (\a -> equal (inverse s a >>= multiply s a) (pure 1))))
+-- | Each operation on all codes.
+operationLaws :: [Law Known]
+operationLaws =
+  [ ofCodes "addition-as-defined" OfAdd 2 "a + b is the sum of polynomials over the prime field" $
+      \codes -> [SomeQuestion (Add a b) | [a, b] <- [codes]],
+    ofCodes
+      "multiplication-as-defined"
+      OfMultiply
+      2
+      "a b is the product of polynomials modulo the profile's modulus"
+      (\codes -> [SomeQuestion (Multiply a b) | [a, b] <- [codes]]),
+    ofCodes "negation-as-defined" OfNegate 1 "-a is what a is added to for 0" $
+      \codes -> [SomeQuestion (Negate a) | [a] <- [codes]],
+    ofCodes
+      "inverse-as-defined"
+      OfInverse
+      1
+      "1/a is what a is multiplied by for 1; 1/0 is refused: division-by-zero"
+      (\codes -> [SomeQuestion (Inverse a) | [a] <- [codes]]),
+    ofCodes
+      "logarithm-as-defined"
+      OfLogarithm
+      1
+      "log a is the least i with A^i = a, A being the smallest code of order q - 1; log 0 is \
+      \refused: out-of-range"
+      (\codes -> [SomeQuestion (Logarithm a) | [a] <- [codes]]),
+    ofCodes
+      "trace-as-defined"
+      OfTrace
+      1
+      "the trace of a to the prime field is a + a^p + a^(p^2) + ..."
+      (\codes -> [SomeQuestion (Trace a) | [a] <- [codes]])
   ]
-  where
-    one' name law = Law name (\s -> forElements 1 s (each (law s)))
-    two name law =
-      Law
-        name
-        (\s -> forElements 2 s (\codes -> case codes of [a, b] -> law s a b; _ -> property True))
-    three name law =
-      Law
-        name
-        ( \s ->
-            forElements 3 s (\codes -> case codes of [a, b, c] -> law s a b c; _ -> property True)
-        )
-    each law = conjoin . map law
 
--- | The characteristic, and what must be refused.
-otherLaws :: [Law Session]
-otherLaws =
-  [ Law "1/0 is refused: division-by-zero" (\s -> refuses "division-by-zero" (inverse s 0)),
-    Law
-      "a sum of p ones is 0, p the characteristic"
-      (\s -> equal (foldr (const (>>= add s 1)) (pure 0) [1 .. characteristic s]) (pure 0)),
-    Law
-      "a code of q or more is refused: invalid"
-      ( \s ->
-          let q = profileOrder (profile s)
-           in conjoin
-                [ refuses "invalid" (add s q 0),
-                  refuses "invalid" (multiply s 0 q),
-                  refuses "invalid" (negation s q),
-                  refuses "invalid" (inverse s (q + 1))
+-- | A law that all codes, or pairs of them, are answered as the definition says.
+ofCodes :: String -> Operation -> Int -> String -> ([Code] -> [SomeQuestion]) -> Law Known
+ofCodes what operation count sentence questions =
+  defined OnField what operation sentence byModulus $ \known ->
+    case codesDomain count (knownProfile known) of
+      Every every -> Every (every >>= questions)
+      Some draw _ -> Some (draw >>= firstOf . questions) smaller
+  where
+    firstOf found = case found of
+      question : _ -> pure question
+      [] -> pure (SomeQuestion (Raw operation Null))
+
+byModulus :: String
+byModulus = "Lidl and Niederreiter, Finite Fields, chapter 2; the profile's modulus"
+
+-- | All lists of so many codes, the last one changing first; drawn for q > 16.
+codesDomain :: Int -> Profile -> Domain [Code]
+codesDomain count p
+  | profileOrder p <= 16 = Every (replicateM count (elementsOf p))
+  | otherwise =
+    Some (vectorOf count (upTo (profileOrder p - 1))) (filter ((== count) . length) . smallerList smallerNatural)
+
+powerLaws :: [Law Known]
+powerLaws =
+  [ defined
+      OnField
+      "power-as-defined"
+      OfPower
+      "a^i for i from -q to q; a^0 = 1, 0^0 = 1 too, and 0^-i is refused: division-by-zero"
+      byModulus
+      ( \known ->
+          let q = toInteger (profileOrder (knownProfile known))
+           in Every
+                [ SomeQuestion (Power a i)
+                  | i <- 0 : concat [[j, -j] | j <- [1 .. min 32 q]],
+                    a <- take 32 (elementsOf (knownProfile known))
                 ]
+      ),
+    defined
+      OnField
+      "power-of-any-exponent"
+      OfPower
+      "a^i = a^(i mod (q - 1)) for a other than 0 and i of any size"
+      "Lidl and Niederreiter, Finite Fields, lemma 2.3"
+      ( \known ->
+          Some
+            ( do
+                a <- upTo (profileOrder (knownProfile known) - 1)
+                i <- toInteger <$> bigNatural
+                sign <- upTo 1
+                pure (SomeQuestion (Power a (if sign == 0 then i else -i)))
+            )
+            smaller
       )
   ]
+
+-- | An equation between what two trials come to, over all lists of so many codes.
+equation ::
+  String ->
+  [Operation] ->
+  Int ->
+  String ->
+  (Known -> [Code] -> Trial ()) ->
+  Law Known
+equation what needs count sentence held =
+  law OnField what needs sentence "the axioms of a field; Lidl and Niederreiter, chapter 1" $ \known ->
+    Cases (listOf natural) (codesDomain count (knownProfile known)) (trial . held known)
+
+add :: Known -> Code -> Code -> Trial Code
+add known a b = answer known (Add a b)
+
+multiply :: Known -> Code -> Code -> Trial Code
+multiply known a b = answer known (Multiply a b)
+
+-- | The last answer must be the other one.
+same :: String -> Code -> Code -> Trial ()
+same sentence wanted got =
+  demand
+    (Because "an axiom of fields, with the other answers of the same implementation" sentence)
+    (Add 0 0)
+    wanted
+    (wanted == got)
+
+additionAxioms :: [Law Known]
+additionAxioms =
+  [ equation "addition-associates" [OfAdd] 3 "a + (b + c) = (a + b) + c" $ \known codes -> case codes of
+      [a, b, c] -> do
+        left <- add known b c >>= add known a
+        right <- add known a b >>= \ab -> add known ab c
+        same "a + (b + c) = (a + b) + c" left right
+      _ -> notMeant,
+    equation "addition-commutes" [OfAdd] 2 "a + b = b + a" $ \known codes -> case codes of
+      [a, b] -> do
+        left <- add known a b
+        right <- add known b a
+        same "a + b = b + a" left right
+      _ -> notMeant,
+    equation "zero-is-neutral" [OfAdd] 1 "a + 0 = a" $ \known codes -> case codes of
+      [a] -> add known a 0 >>= same "a + 0 = a" a
+      _ -> notMeant,
+    equation "negation-inverts-addition" [OfAdd, OfNegate] 1 "a + (-a) = 0" $ \known codes ->
+      case codes of
+        [a] -> answer known (Negate a) >>= add known a >>= same "a + (-a) = 0" 0
+        _ -> notMeant
+  ]
+
+multiplicationAxioms :: [Law Known]
+multiplicationAxioms =
+  [ equation "multiplication-associates" [OfMultiply] 3 "a (b c) = (a b) c" $ \known codes -> case codes of
+      [a, b, c] -> do
+        left <- multiply known b c >>= multiply known a
+        right <- multiply known a b >>= \ab -> multiply known ab c
+        same "a (b c) = (a b) c" left right
+      _ -> notMeant,
+    equation "multiplication-commutes" [OfMultiply] 2 "a b = b a" $ \known codes -> case codes of
+      [a, b] -> do
+        left <- multiply known a b
+        right <- multiply known b a
+        same "a b = b a" left right
+      _ -> notMeant,
+    equation "one-is-neutral" [OfMultiply] 1 "1 a = a" $ \known codes -> case codes of
+      [a] -> multiply known 1 a >>= same "1 a = a" a
+      _ -> notMeant,
+    equation "inverse-inverts-multiplication" [OfMultiply, OfInverse] 1 "a (1/a) = 1 for a other than 0" $
+      \known codes -> case codes of
+        [a] | a > 0 -> answer known (Inverse a) >>= multiply known a >>= same "a (1/a) = 1" 1
+        _ -> notMeant,
+    equation "multiplication-distributes" [OfAdd, OfMultiply] 3 "a (b + c) = a b + a c" $ \known codes ->
+      case codes of
+        [a, b, c] -> do
+          left <- add known b c >>= multiply known a
+          ab <- multiply known a b
+          ac <- multiply known a c
+          right <- add known ab ac
+          same "a (b + c) = a b + a c" left right
+        _ -> notMeant
+  ]
+
+-- | What characteristic, powers, logarithms and traces have to do with sums and products.
+otherLaws :: [Law Known]
+otherLaws =
+  [ equation "characteristic-is-p" [OfAdd] 1 "a + a + ... + a = 0 with p summands" $ \known codes ->
+      case codes of
+        [a] -> do
+          let p = fromIntegral (characteristicOf (knownProfile known)) :: Int
+          total <- foldM (add known) 0 (replicate p a)
+          same "p times a is 0, p the characteristic" 0 total
+        _ -> notMeant,
+    equation "power-is-repeated-multiplication" [OfPower, OfMultiply] 2 "a^(i+1) = a a^i" $ \known codes ->
+      case codes of
+        [a, i] -> do
+          before <- answer known (Power a (toInteger i))
+          product' <- multiply known a before
+          after <- answer known (Power a (toInteger i + 1))
+          same "a^(i+1) = a a^i" product' after
+        _ -> notMeant,
+    equation "logarithm-of-a-product" [OfLogarithm, OfMultiply] 2 "log (a b) = log a + log b modulo q - 1" $
+      \known codes -> case codes of
+        [a, b] | a > 0 && b > 0 -> do
+          la <- answer known (Logarithm a)
+          lb <- answer known (Logarithm b)
+          lab <- multiply known a b >>= answer known . Logarithm
+          same "log (a b) = log a + log b" (modulo known (la + lb)) lab
+        _ -> notMeant,
+    equation "trace-is-additive" [OfTrace, OfAdd] 2 "Tr (a + b) = Tr a + Tr b" $ \known codes -> case codes of
+      [a, b] -> do
+        right <- add known a b >>= answer known . Trace
+        ta <- answer known (Trace a)
+        tb <- answer known (Trace b)
+        left <- add known ta tb
+        same "Tr (a + b) = Tr a + Tr b" right left
+      _ -> notMeant,
+    equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $ \known codes -> case codes of
+      [a] -> do
+        ta <- answer known (Trace a)
+        raised <- answer known (Power a (toInteger (characteristicOf (knownProfile known))))
+        answer known (Trace raised) >>= same "Tr (a^p) = Tr a" ta
+      _ -> notMeant
+  ]
+  where
+    modulo known n = n `mod` max 1 (profileOrder (knownProfile known) - 1)
+
+-- | What is no code, and what is malformed.
+invalidLaws :: [Law Known]
+invalidLaws =
+  [ none "add" OfAdd (Add 1 1) (\a -> [SomeQuestion (Add a 0), SomeQuestion (Add 0 a)]),
+    none "multiply" OfMultiply (Multiply 1 1) $ \a ->
+      [SomeQuestion (Multiply a 0), SomeQuestion (Multiply 0 a)],
+    none "negate" OfNegate (Negate 1) (\a -> [SomeQuestion (Negate a)]),
+    none "inverse" OfInverse (Inverse 1) (\a -> [SomeQuestion (Inverse a)]),
+    none "power" OfPower (Power 1 1) (\a -> [SomeQuestion (Power a i) | i <- [0, 1, 2, -1]]),
+    none "logarithm" OfLogarithm (Logarithm 1) (\a -> [SomeQuestion (Logarithm a)]),
+    none "trace" OfTrace (Trace 1) (\a -> [SomeQuestion (Trace a)])
+  ]
+  where
+    none :: String -> Operation -> Question Natural -> (Code -> [SomeQuestion]) -> Law Known
+    none name operation question tooLarge =
+      invalid OnField (name ++ "-refuses-what-is-invalid") operation $ \known ->
+        let q = profileOrder (knownProfile known)
+         in concatMap tooLarge (q : q + 1 : bigNaturals)
+              ++ [rawWith question "a" (Number (-1))]
+              ++ malformed question

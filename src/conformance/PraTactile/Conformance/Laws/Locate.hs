@@ -1,78 +1,178 @@
--- | Locating is the inverse of looking.
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Locating by the memory table: every complete window of the patch is looked up, and every
+-- observed cell must agree.
 module PraTactile.Conformance.Laws.Locate
   ( locateLaws,
+    zeroPatches,
+    unobserved,
+    acrossEdges,
+    illFormedPatches,
   )
 where
 
-import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow)
-import PraTactile.Conformance.Implementation
+import Data.Aeson (Value (..), toJSON)
+import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
+import PraTactile.Conformance.Definition (Known, knownProfile)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (position)
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
 
--- | The laws of locating, for profiles whose windows have the window property.
-locateLaws :: [Law Session]
-locateLaws = inverseLaws ++ refusalLaws
+-- | The laws of locating by the table.
+locateLaws :: [Law Known]
+locateLaws = systematicLaws ++ drawnLaws ++ [inverseOfLooking, invalidLaw]
 
--- | What was seen at a position is located there.
-inverseLaws :: [Law Session]
-inverseLaws =
-  [ Law
-      "the window at p is located at p"
-      (\s -> forWindows s (locatedWhereSeen s (profileWindow (profile s)))),
-    Law
-      "a patch one row and one column larger than a window is located where it was seen"
-      ( \s ->
-          let Shape high wide = profileWindow (profile s)
-              Shape n1 n2 = profileShape (profile s)
-              fits (Position r c) =
-                profileSurface (profile s) /= Sheet || (r + high < n1 && c + wide < n2)
-           in forWindows s $ \p ->
-                not (fits p) .||. locatedWhereSeen s (Shape (high + 1) (wide + 1)) p
-      )
+ofTable :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
+ofTable what sentence = defined OnLocate what OfLocate sentence table
+
+table :: String
+table = "the memory table of Petriu and others (2004), section II; the protocol, locate"
+
+asked :: Patch -> SomeQuestion
+asked = SomeQuestion . Locate
+
+systematicLaws :: [Law Known]
+systematicLaws =
+  [ ofTable "every-window" "the window at every place is located where it is" $ \known ->
+      let p = knownProfile known
+       in Every
+            [ asked (map (map Just) (seenAt known (profileWindow p) place))
+              | place <- places p (profileWindow p)
+            ],
+    ofTable "small-patches" "all patches of a few cells, felt or not" $ \known ->
+      Every (asked <$> smallPatches 700 (knownProfile known)),
+    ofTable "zeros" "zeros of all shapes: zero-window, unless a window of zeros occurs" $ \known ->
+      Every (asked <$> zeroPatches (knownProfile known)),
+    ofTable "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
+      \known -> Every (asked <$> unobserved (knownProfile known)),
+    ofTable "across-the-edges" acrossSentence $ \known -> Every (asked <$> acrossEdges known)
   ]
   where
-    locatedWhereSeen s shape p = equal (look s shape p >>= locate s . map (map Just)) (pure (At p))
+    acrossSentence =
+      "a patch across the edges is located where the surface goes on, and refused as off-sheet where \
+      \it ends"
 
--- | What is refused.
-refusalLaws :: [Law Session]
-refusalLaws =
-  [ Law
-      "a window of zeros is refused: zero-window"
-      (\s -> zeroFree s ==> refuses "zero-window" (locate s (constant s (Just 0)))),
-    Law
-      "a window of which nothing was observed is refused: too-few-cells"
-      (\s -> refuses "too-few-cells" (locate s (constant s Nothing))),
-    Law
-      "no cells, and rows of different lengths, are refused: invalid"
-      ( \s ->
-          conjoin
-            [ refuses "invalid" (locate s []),
-              refuses "invalid" (locate s [[]]),
-              refuses "invalid" (locate s [[Just 0, Just 1], [Just 1]])
-            ]
-      ),
-    Law
-      "a code of q or more is refused: invalid"
-      (\s -> refuses "invalid" (locate s (constant s (Just (profileOrder (profile s))))))
+drawnLaws :: [Law Known]
+drawnLaws =
+  [ ofTable
+      "larger-patches"
+      "a patch larger than a window is located where every cell of it agrees"
+      (drawing (Damage 0 0)),
+    ofTable "cells-not-felt" "cells that were not felt say nothing" (drawing (Damage 25 0)),
+    ofTable
+      "contradictions"
+      "a patch of which a cell is wrong is refused as contradiction if some window of it occurs, \
+      \unless it agrees elsewhere"
+      (drawing (Damage 0 12)),
+    ofTable "damaged-patches" "patches with cells not felt and cells wrong" (drawing (Damage 15 8)),
+    ofTable "drawn-patches" "patches of any cells" $ \known ->
+      Some (asked <$> anyPatch (knownProfile known)) smaller
   ]
   where
-    constant s value =
-      let Shape high wide = profileWindow (profile s)
-       in replicate (fromIntegral high) (replicate (fromIntegral wide) value)
-    -- An array whose window has as many cells as the register has stages has every window but that
-    -- of zeros.
-    zeroFree s =
-      fromIntegral (length (profilePolynomial (profile s))) == area (profileWindow (profile s)) + 1
+    drawing damage known = Some (asked <$> genDamaged known damage) smaller
+    anyPatch p = do
+      Shape h w <- elements (shapesAround p)
+      vectorOf
+        (fromIntegral h)
+        (vectorOf (fromIntegral w) (frequency [(1, pure Nothing), (6, Just <$> upTo (profileOrder p - 1))]))
 
--- | The cells of a patch of this shape at a position of the profile's surface.
-look :: Session -> Shape -> Position -> Wire [[Code]]
-look s (Shape high wide) (Position r c) =
-  traverse
-    (traverse (cell s . onSurface))
-    [[(r + i, c + j) | j <- naturalsBelow wide] | i <- naturalsBelow high]
+-- | Zeros, complete and with a cell missing.
+zeroPatches :: Profile -> [Patch]
+zeroPatches p =
+  [zeros shape | shape <- shapesAround p]
+    ++ [[drop 1 (map Just line) ++ [Nothing] | line <- constant 0 shape] | shape <- shapesAround p]
   where
-    Shape n1 n2 = profileShape (profile s)
-    onSurface (i, j) = case profileSurface (profile s) of
-      TwistedTorus -> Position ((i + j `div` n2) `mod` n1) (j `mod` n2)
-      _ -> Position (i `mod` n1) (j `mod` n2)
+    zeros = map (map Just) . constant 0
+
+constant :: a -> Shape -> [[a]]
+constant value (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) value)
+
+-- | Patches of which nothing was observed.
+unobserved :: Profile -> [Patch]
+unobserved p = map (constant Nothing) (shapesAround p)
+
+-- | Windows, and patches a row and a column larger, at and beyond the edges, as the profile's
+-- surface goes on there; a sheet as the torus. And such with what lies beyond the edges not felt.
+acrossEdges :: Known -> [Patch]
+acrossEdges known =
+  [ map (map Just) (seenAt known shape place)
+    | shape <- shapes,
+      place <- edges shape
+  ]
+    ++ [cut shape place | shape <- shapes, place <- edges shape]
+  where
+    p = knownProfile known
+    Shape n1 n2 = profileShape p
+    Shape h w = profileWindow p
+    shapes = [Shape h' w' | h' <- [h, h + 1], w' <- [w, w + 1], h' <= n1, w' <= n2]
+    edges (Shape h' w') =
+      take
+        24
+        [ Position r c
+          | Position r c <- corner ++ sides,
+            r + h' > n1 || c + w' > n2
+        ]
+    corner = [Position (n1 - 1) (n2 - 1), Position 0 (n2 - 1), Position (n1 - 1) 0]
+    sides = concat [[Position i (n2 - 1), Position (n1 - 1) i] | i <- [1 .. 9], i < n1, i < n2]
+    cut shape (Position r c) =
+      [ [if r + i < n1 && c + j < n2 then Just code else Nothing | (j, code) <- zip [0 ..] line]
+        | (i, line) <- zip [0 ..] (seenAt known shape (Position r c))
+      ]
+
+inverseOfLooking :: Law Known
+inverseOfLooking =
+  law
+    OnLocate
+    "inverse-of-looking"
+    [OfCell, OfLocate]
+    "what the implementation itself has as cells is located where they are, or there too"
+    table
+    ( \known ->
+        Cases position (Some (genPlace (knownProfile known) (profileWindow (knownProfile known))) nearer) $
+          \place -> trial (looked known place)
+    )
+  where
+    nearer (Position r c) =
+      [Position r' c | r' <- smallerNatural r] ++ [Position r c' | c' <- smallerNatural c]
+
+looked :: Known -> Position -> Trial ()
+looked known place@(Position r c) = do
+  cells <- traverse (traverse (fmap Just . answer known . uncurry Cell)) offsets
+  found <- answer known (Locate cells)
+  demand
+    (Because "the window was read there" "each cell of the patch is the implementation's own")
+    (Locate cells)
+    (At place)
+    ( case found of
+        At place' -> place == place'
+        OneOf several -> place `elem` several
+        Coset _ _ -> True
+    )
+  where
+    Shape h w = profileWindow (knownProfile known)
+    offsets = [[(r + i, c + j) | j <- naturalsBelow w] | i <- naturalsBelow h]
+
+invalidLaw :: Law Known
+invalidLaw =
+  invalid OnLocate "locate-refuses-what-is-invalid" OfLocate $ \known ->
+    illFormedPatches (Locate [[Just 1, Nothing], [Just 0, Just 1]]) known
+
+-- | No cells, rows of different lengths, codes that are none; and what is malformed.
+illFormedPatches :: Question a -> Known -> [SomeQuestion]
+illFormedPatches question known =
+  map (rawWith question "patch") patches ++ malformed question
+  where
+    q = profileOrder (knownProfile known)
+    Shape h w = profileWindow (knownProfile known)
+    patches =
+      [toJSON ([] :: [Int]), toJSON [[] :: [Int]], toJSON [[], [] :: [Int]]]
+        ++ [toJSON [[0, 1], [1 :: Int]], toJSON [[1], [0, 1 :: Int]], toJSON [[0, 1], [] :: [Int]]]
+        ++ [toJSON [[-1 :: Int]], toJSON [[Just True]], toJSON [[Just (1.5 :: Double)]], toJSON [[["0" :: String]]]]
+        ++ [toJSON (replicate (fromIntegral h) (replicate (fromIntegral w) (toInteger q)))]
+        ++ [toJSON [[0, toInteger q + 1]], toJSON [[Nothing, Just (toInteger q)]], Null]

@@ -1,48 +1,143 @@
--- | Profiles that name no array are refused.
+-- | Profiles that name no array are refused, and those that name one are opened.
 module PraTactile.Conformance.Laws.Opening
   ( openingLaws,
   )
 where
 
-import PraTactile.Array (Shape (..))
-import PraTactile.Conformance.Implementation
+import Data.Aeson (Value (Bool))
+import PraTactile.Array (Folding (..), Shape (..), area)
+import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw (characteristicOf, degreeOf, periodOf)
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Question
+import PraTactile.Format.Profile (profileCodec, profileValue)
 import PraTactile.Profile (Profile (..), canonicalProfile)
 
--- | Each an impossible change of the canonical profile.
-openingLaws :: [Law Implementation]
+-- | About the profiles of the suite: each of them, and each with a change that makes it impossible.
+openingLaws :: [Law [Profile]]
 openingLaws =
-  [ refused "q = 6 is no prime power" canonicalProfile {profileOrder = 6},
-    refused
-      "the modulus x^2 + 1 = (x + 1)^2 is reducible over GF(2)"
-      canonicalProfile
-        { profileModulus = [1, 0, 1]
-        },
-    refused "the modulus of GF(4) has degree 2" canonicalProfile {profileModulus = [1, 1, 0, 1]},
-    refused "x^4 + 1 is not primitive" canonicalProfile {profilePolynomial = [1, 0, 0, 0, 1]},
-    refused "a polynomial must be monic" canonicalProfile {profilePolynomial = [3, 2, 1, 0, 2]},
-    refused
-      "a coefficient must be an element"
-      canonicalProfile
-        { profilePolynomial = [3, 2, 1, 4, 1]
-        },
-    refused "the state must not be zero" canonicalProfile {profileState = [0, 0, 0, 0]},
-    refused "the state has n elements" canonicalProfile {profileState = [0, 0, 1]},
-    refused "16 x 16 has 256 cells, not 255" canonicalProfile {profileShape = Shape 16 16},
-    refused
-      "the sides of 15 x 273 are both divisible by 3"
-      canonicalProfile
-        { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
-          profileState = [0, 0, 0, 0, 0, 1],
-          profileShape = Shape 15 273,
-          profileWindow = Shape 2 3
-        },
-    refused "a window has cells" canonicalProfile {profileWindow = Shape 0 2}
+  law
+    OnProfile
+    "possible-ones-are-opened"
+    []
+    "a profile that names an array is put in force"
+    "the protocol: a possible profile is not refused"
+    (\profiles -> Cases profileCodec (Every profiles) (opened True "the profile names an array")) :
+  map impossibleLaw impossibles
+
+-- | What makes a profile impossible, and some that are so.
+data Impossible = Impossible String String (Profile -> [Profile])
+
+impossibleLaw :: Impossible -> Law [Profile]
+impossibleLaw (Impossible what sentence change) =
+  law
+    OnProfile
+    what
+    []
+    (sentence ++ "; another is refused: impossible-profile")
+    "MacWilliams and Sloane, Pseudo-random sequences and arrays, Proc. IEEE 64 (1976)"
+    ( \profiles ->
+        Cases profileCodec (Every (profiles >>= change)) (opened False ("but " ++ sentence))
+    )
+
+-- | Put it in force, and judge what came.
+opened :: Bool -> String -> Profile -> Ask Verdict
+opened possible reason p = judged <$> opening p
+  where
+    judged came
+      | came == wanted = Holds
+      | otherwise =
+        Violated (Violation [Exchange Nothing (profileValue p) (replied came)] (replied wanted) road reason)
+    wanted = if possible then Right () else Left (Refusal "impossible-profile")
+    road = "the definition of an array"
+    replied = either (RefusedFor . refusalReason) (const (Result (Bool True)))
+
+impossibles :: [Impossible]
+impossibles = ofTheField ++ ofTheSequence ++ ofTheArray
+
+ofTheField :: [Impossible]
+ofTheField =
+  [ Impossible "order-is-a-prime-power" "q is a power of a prime" $ \p ->
+      [p {profileOrder = q} | q <- [0, 1, 6, 10, 12]],
+    Impossible "modulus-has-the-degree" "the modulus of GF(p^m) has degree m" $ \p ->
+      [p {profileModulus = 1 : profileModulus p}, p {profileModulus = [1]}, p {profileModulus = []}],
+    Impossible "modulus-is-monic" "the modulus is monic" $ \p ->
+      [p {profileModulus = init' (profileModulus p) ++ [0]} | not (null (profileModulus p))]
+        ++ [p {profileModulus = init' (profileModulus p) ++ [2]} | odd (profileOrder p)],
+    Impossible "modulus-is-irreducible" "the modulus is irreducible" $ \p ->
+      [ p {profileModulus = 0 : replicate (m - 1) 0 ++ [1]}
+        | let m = length (profileModulus p) - 1,
+          m >= 2
+      ]
+        ++ [p {profileModulus = [1, 0, 1]} | profileOrder p == 4]
+        ++ [p {profileModulus = [1, 1, 1, 1]} | profileOrder p == 8]
+        ++ [p {profileModulus = [2, 0, 1]} | profileOrder p == 9],
+    Impossible "modulus-is-over-the-prime-field" "the modulus has coefficients below p" $ \p ->
+      [p {profileModulus = (c + profileOrder p) : rest} | c : rest <- [profileModulus p]]
   ]
   where
-    refused name impossible =
-      Law
-        (name ++ ": impossible-profile")
-        ( \implementation ->
-            refuses "impossible-profile" (profile <$> open implementation impossible)
-        )
+    init' xs = take (length xs - 1) xs
+
+ofTheSequence :: [Impossible]
+ofTheSequence =
+  [ Impossible "polynomial-is-monic" "the polynomial is monic" $ \p ->
+      [ p {profilePolynomial = lower ++ [c]}
+        | let lower = take (length (profilePolynomial p) - 1) (profilePolynomial p),
+          c <- 0 : [2 | profileOrder p > 2]
+      ],
+    Impossible "polynomial-is-primitive" "the polynomial is primitive" $ \p ->
+      let n = fromIntegral (degreeOf p)
+       in [p {profilePolynomial = 0 : drop 1 (profilePolynomial p)}]
+            -- x^n - 1, with x of order n.
+            ++ [ p {profilePolynomial = characteristicOf p - 1 : replicate (n - 1) 0 ++ [1]}
+                 | periodOf p > degreeOf p
+               ]
+            ++ imprimitive p,
+    Impossible "coefficients-are-elements" "the coefficients are codes below q" $ \p ->
+      [ p {profilePolynomial = (c + profileOrder p) : rest}
+        | c : rest <- [profilePolynomial p]
+      ],
+    Impossible "state-is-not-zero" "the state is not all zeros" $ \p ->
+      [p {profileState = map (const 0) (profileState p)}],
+    Impossible "state-has-n-terms" "the state has as many terms as the polynomial's degree" $ \p ->
+      [p {profileState = 0 : profileState p}, p {profileState = drop 1 (profileState p)}],
+    Impossible "state-has-elements" "the terms of the state are codes below q" $ \p ->
+      [p {profileState = (s + profileOrder p) : rest} | s : rest <- [profileState p]]
+  ]
+
+-- | Irreducible, but not primitive: x^4 + x^3 + x^2 + x + 1 over GF(2) has roots of order 5.
+imprimitive :: Profile -> [Profile]
+imprimitive p =
+  [p {profilePolynomial = [1, 1, 1, 1, 1]} | profileOrder p == 2, degreeOf p == 4]
+
+ofTheArray :: [Impossible]
+ofTheArray =
+  [ Impossible "cells-are-a-period" "an array has as many cells as the sequence has terms" $ \p ->
+      let Shape n1 n2 = profileShape p
+       in [ p {profileShape = shape}
+            | shape <- [Shape (n1 + 1) n2, Shape n1 (n2 + 1), Shape n2 (n1 + n2), Shape 0 n2],
+              area shape /= area (profileShape p)
+          ],
+    Impossible "sides-are-coprime" "the sides of a diagonal fold are coprime" $ \p ->
+      [noncoprime | p == canonicalProfile]
+        ++ [ p {profileShape = Shape a b}
+             | profileFolding p == Diagonal,
+               a <- [2 .. 12],
+               area (profileShape p) `mod` a == 0,
+               let b = area (profileShape p) `div` a,
+               gcd a b > 1
+           ],
+    Impossible "window-has-cells" "a window has cells" $ \p ->
+      [p {profileWindow = Shape 0 2}, p {profileWindow = Shape 2 0}]
+  ]
+
+-- | The larger example of Petriu and others (2004): the sides are both divisible by 3.
+noncoprime :: Profile
+noncoprime =
+  canonicalProfile
+    { profilePolynomial = [2, 1, 1, 0, 0, 0, 1],
+      profileState = [0, 0, 0, 0, 0, 1],
+      profileShape = Shape 15 273,
+      profileWindow = Shape 2 3
+    }

@@ -1,82 +1,175 @@
--- | The sequence obeys its recurrence, and is a maximal-length one (MacWilliams and Sloane, 1976).
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The sequence obeys the profile's recurrence from the profile's state, at any index, and is a
+-- maximal-length one (MacWilliams and Sloane, 1976).
 module PraTactile.Conformance.Laws.Sequence
   ( sequenceLaws,
   )
 where
 
-import Control.Monad (foldM, join, zipWithM)
+import Control.Monad (foldM)
+import Data.Aeson (Value (..))
 import Data.List (tails)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
-import PraTactile.Array (naturalsBelow)
-import PraTactile.Conformance.Implementation
+import PraTactile.Array (Shape (..), naturalsBelow)
+import PraTactile.Conformance.Definition (Known, expected, knownProfile)
 import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (Codec, natural)
 import PraTactile.Profile (Profile (..), Reading (..))
-import Test.QuickCheck
+import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the sequence.
-sequenceLaws :: [Law Session]
-sequenceLaws = recurrenceLaws ++ countingLaws ++ shiftLaws
+sequenceLaws :: [Law Known]
+sequenceLaws = definitionLaws ++ recurrenceLaws ++ countingLaws ++ shiftLaws ++ invalidLaws
 
--- | What the polynomial and the state say.
-recurrenceLaws :: [Law Session]
-recurrenceLaws =
-  [ Law
-      "s(0), ..., s(n-1) are the initial state"
-      (\s -> equal (traverse (term s) [0 .. degree s - 1]) (pure (profileState (profile s)))),
-    Law
-      "c0 s(i) + c1 s(i+1) + ... + cn s(i+n) = 0, with c read backwards for a reciprocal polynomial"
-      ( \s ->
-          let obeyed i =
-                equal
-                  (traverse (\k -> term s (i + k)) [0 .. degree s] >>= combination s (recurrence s))
-                  (pure 0)
-           in if isShort s
-                then
-                  once
-                    (conjoin [counterexample (show i) (obeyed i) | i <- naturalsBelow (period s)])
-                else forTerms s obeyed
+definitionLaws :: [Law Known]
+definitionLaws =
+  [ defined OnSequence "term-as-defined" OfTerm "s(i) for all i of a period" recurrence $ \known ->
+      let p = knownProfile known
+       in if isShort p
+            then Every (SomeQuestion . Term <$> naturalsBelow (periodOf p))
+            else Some (SomeQuestion . Term <$> upTo (periodOf p)) smaller,
+    defined
+      OnSequence
+      "term-of-any-index"
+      OfTerm
+      "s(i) for indices of any size: s(i + q^n - 1) = s(i)"
+      recurrence
+      (\known -> Some (SomeQuestion . Term <$> anyIndex (knownProfile known)) smaller),
+    defined
+      OnSequence
+      "terms-as-defined"
+      OfTerms
+      "s(i), ..., s(i + length - 1), of lengths and from indices up to two more than the degree; \
+      \none for the length 0"
+      recurrence
+      ( \known ->
+          let n = degreeOf (knownProfile known) + 2
+           in Every [SomeQuestion (Terms i count) | count <- [0 .. n], i <- [0 .. n]]
       ),
-    Law "s(i + q^n - 1) = s(i)" (\s -> forTerms s (\i -> equal (term s (i + period s)) (term s i)))
+    defined
+      OnSequence
+      "terms-of-any-index"
+      OfTerms
+      "runs of the sequence from indices of any size, over the end of a period"
+      recurrence
+      ( \known ->
+          Some
+            (fmap SomeQuestion (Terms <$> anyIndex (knownProfile known) <*> upTo 40))
+            smaller
+      )
+  ]
+
+recurrence :: String
+recurrence = "MacWilliams and Sloane (1976), section II; the profile's polynomial, reading and state"
+
+-- | Around the end of a period, around machine words, and anywhere.
+anyIndex :: Profile -> Gen Natural
+anyIndex p =
+  oneof
+    [ (+) (periodOf p - min (periodOf p) 20) <$> upTo 40,
+      (+) <$> elements bigNaturals <*> upTo 300,
+      bigNatural
+    ]
+
+recurrenceLaws :: [Law Known]
+recurrenceLaws =
+  [ ofIndex "begins-with-the-state" "s(0), ..., s(n-1) are the profile's state" [0] $ \known i -> do
+      let p = knownProfile known
+          question = Terms i (degreeOf p)
+      got <- answer known question
+      demand (Because "the profile's state" "the sequence begins with it") question (profileState p) (got == profileState p),
+    ofIndex
+      "obeys-the-recurrence"
+      "c0 s(i) + c1 s(i+1) + ... + cn s(i+n) = 0, with c read backwards for a reciprocal polynomial"
+      [0 .. 600]
+      ( \known i -> do
+          let p = knownProfile known
+              question = Terms i (degreeOf p + 1)
+          got <- answer known question
+          demand
+            (Because "the profile's polynomial" "the sum of the terms, each times its coefficient, is 0")
+            question
+            (either (const []) id (expected known question))
+            (combination known (coefficientsOf p) got == Right 0)
+      )
   ]
   where
     -- The reciprocal's coefficients are those of the polynomial backwards, up to a factor that does
     -- not matter here.
-    recurrence s = case profileReading (profile s) of
-      Characteristic -> polynomialOf s
-      Reciprocal -> reverse (polynomialOf s)
-    combination s coefficients values = zipWithM (multiply s) coefficients values >>= sumOf s
+    coefficientsOf p = case profileReading p of
+      Characteristic -> profilePolynomial p
+      Reciprocal -> reverse (profilePolynomial p)
+    combination known coefficients values =
+      traverse (expected known . uncurry Multiply) (zip coefficients values)
+        >>= foldM (\a b -> expected known (Add a b)) 0
 
--- | What occurs how often in a period.
-countingLaws :: [Law Session]
+-- | A law of the terms from these indices on, so far as they are in a period.
+ofIndex :: String -> String -> [Natural] -> (Known -> Natural -> Trial ()) -> Law Known
+ofIndex what sentence indices held =
+  law OnSequence what [OfTerms] sentence recurrence $ \known ->
+    Cases
+      index
+      (Every (takeWhile (< periodOf (knownProfile known)) indices))
+      (trial . held known)
+
+-- | A law of a whole period, of sequences of which one is short enough to be looked at.
+ofPeriod :: String -> String -> (Profile -> [Natural]) -> (Known -> Natural -> [Code] -> Bool) -> Law Known
+ofPeriod what sentence distances held =
+  law OnSequence what [OfTerms] sentence "MacWilliams and Sloane (1976), section II" $ \known ->
+    Cases index (Every (distances (knownProfile known))) $ \d -> trial $ do
+      let p = knownProfile known
+          question = Terms 0 (periodOf p)
+      if isShort p && d > 0
+        then do
+          got <- answer known question
+          demand
+            (Because "a theorem on maximal-length sequences" sentence)
+            question
+            (either (const []) id (expected known question))
+            (length got == fromIntegral (periodOf p) && held known d got)
+        else notMeant
+
+index :: Codec Natural
+index = natural
+
+countingLaws :: [Law Known]
 countingLaws =
-  [ Law
+  [ ofPeriod
+      "counts-every-symbol"
       "in a period 0 occurs q^(n-1) - 1 times and every other element q^(n-1) times"
-      ( \s ->
-          let q = profileOrder (profile s)
-           in isShort s
-                ==> equal (counted <$> aPeriod s) (pure (allButOne q (q ^ (degree s - 1))))
+      (const [1])
+      ( \known _ terms ->
+          let p = knownProfile known
+              q = profileOrder p
+           in counted terms == allButOne q (q ^ (degreeOf p - 1))
       ),
-    Law
+    ofPeriod
+      "has-span-n"
       "in a period every n consecutive terms but 0 ... 0 occur once: span n"
-      (\s -> isShort s ==> holds (hasSpan (degree s)) (aPeriod s)),
-    Law
+      (const [1])
+      (\known _ terms -> hasSpan (degreeOf (knownProfile known)) terms),
+    ofPeriod
+      "autocorrelates-by-minus-one"
       "the traces of s(i+d) - s(i) are 0 once less often than each other value, unless q^n - 1 \
-      \divides d: autocorrelation -1"
-      ( \s ->
-          let p = characteristic s
-              difference d i = do
-                later <- term s (i + d)
-                now <- term s i
-                negation s now >>= add s later >>= trace s
-           in period s > 1
-                && isShort s
-                  ==> forShifts s
-                $ \d ->
-                  equal
-                    (counted <$> traverse (difference d) [0 .. period s - 1])
-                    (pure (allButOne p ((period s + 1) `div` p)))
+      \divides d; of long periods for some d"
+      shiftsOf
+      ( \known d terms ->
+          let p = knownProfile known
+              difference later now =
+                expected known (Negate now) >>= expected known . Add later >>= expected known . Trace
+              characteristic = characteristicOf p
+           in fmap counted (sequence (zipWith difference (shifted d terms) terms))
+                == Right (allButOne characteristic ((periodOf p + 1) `div` characteristic))
+                || d `mod` periodOf p
+                == 0
       )
   ]
   where
@@ -86,43 +179,51 @@ countingLaws =
     allButOne n often =
       Map.filter (> 0) (Map.fromList ((0, often - 1) : [(a, often) | a <- [1 .. n - 1]]))
 
--- | What sums and samples of the sequence are.
-shiftLaws :: [Law Session]
+shiftLaws :: [Law Known]
 shiftLaws =
-  [ Law
-      "s(i) + s(i+d) = s(i+e) for all i and some e, or is 0 for all i: shift and add"
-      ( \s ->
-          let sums d =
-                traverse (\i -> join (add s <$> term s i <*> term s (i + d))) [0 .. period s - 1]
-           in isShort s ==> forShifts s $ \d ->
-                holds
-                  (\(terms, added) -> all (== 0) added || added `isShiftOf` terms)
-                  ((,) <$> aPeriod s <*> sums d)
+  [ ofPeriod
+      "shifts-and-adds"
+      "s(i) + s(i+d) = s(i+e) for all i and some e, or is 0 for all i"
+      shiftsOf
+      ( \known d terms -> case sequence (zipWith (sum' known) terms (shifted d terms)) of
+          Right added -> all (== 0) added || added `isShiftOf` terms
+          Left _ -> False
       ),
-    Law
-      "s(d i) is a maximal-length sequence again, for d coprime to q^n - 1: decimation"
-      ( \s ->
-          isShort s ==> forShifts s $ \d ->
-            gcd d (period s) == 1 ==> holds (hasSpan (degree s)) (everyNth s d)
+    ofPeriod
+      "decimates"
+      "s(d i) is a maximal-length sequence again, for d coprime to q^n - 1"
+      shiftsOf
+      ( \known d terms ->
+          gcd d (periodOf (knownProfile known)) /= 1
+            || hasSpan (degreeOf (knownProfile known)) (everyNth d terms)
       ),
-    Law
+    ofPeriod
+      "is-its-own-qth-decimation"
       "s(q i) = s(i+e) for all i and some e"
-      ( \s ->
-          isShort s
-            ==> holds
-              (uncurry isShiftOf)
-              ((,) <$> everyNth s (profileOrder (profile s)) <*> aPeriod s)
-      )
+      (const [1])
+      (\known _ terms -> everyNth (profileOrder (knownProfile known)) terms `isShiftOf` terms)
   ]
   where
-    everyNth s d = traverse (term s . (d *)) [0 .. period s - 1]
+    sum' known a b = expected known (Add a b)
+    everyNth d terms =
+      let looked = Map.fromDistinctAscList (zip [0 :: Natural ..] terms)
+          period = fromIntegral (length terms)
+       in [Map.findWithDefault 0 ((d * i) `mod` period) looked | i <- naturalsBelow period]
     sampled `isShiftOf` terms =
       any ((== sampled) . take (length terms)) (take (length terms) (tails (cycle terms)))
 
--- | For distances between terms, from 1 to less than a period.
-forShifts :: Session -> (Natural -> Property) -> Property
-forShifts s =
-  withMaxSuccess 10 . forAll (fromInteger <$> chooseInteger (1, max 1 (toInteger (period s) - 1)))
+shifted :: Natural -> [Code] -> [Code]
+shifted d terms = zipWith const (drop (fromIntegral d `mod` max 1 (length terms)) (cycle terms)) terms
+
+-- | Distances between terms, from 1 to less than a period; of periods of more than 100 terms some.
+shiftsOf :: Profile -> [Natural]
+shiftsOf p
+  | period <= 100 = [1 .. period - 1]
+  | otherwise = Set.toAscList (Set.fromList (filter (< period) several))
+  where
+    period = periodOf p
+    Shape n1 n2 = profileShape p
+    several = [1, 2, 3, 5, 7, 11, profileOrder p, n1, n2, period `div` 2, period - 1]
 
 -- | Whether every n consecutive terms of a period that is repeated occur once, and none of them are
 -- all zeros.
@@ -131,29 +232,14 @@ hasSpan n terms = Set.size tuples == length terms && all (any (/= 0)) tuples
   where
     tuples = Set.fromList (zipWith const (map (take (fromIntegral n)) (tails (cycle terms))) terms)
 
--- | a + a^p + a^(p^2) + ..., a sum of m powers, where q = p^m; its code is below p.
-trace :: Session -> Code -> Wire Code
-trace s a = sequence (take m (iterate (>>= power) (pure a))) >>= sumOf s
-  where
-    p = characteristic s
-    m = length (takeWhile (> 1) (iterate (`div` p) (profileOrder (profile s))))
-    power b = foldM (\x _ -> multiply s x b) b [2 .. p]
-
-sumOf :: Session -> [Code] -> Wire Code
-sumOf s = foldM (add s) 0
-
-aPeriod :: Session -> Wire [Code]
-aPeriod s = traverse (term s) [0 .. period s - 1]
-
 -- | Whether all terms of a period are looked at: up to 4096.
-isShort :: Session -> Bool
-isShort s = period s <= 4096
+isShort :: Profile -> Bool
+isShort p = periodOf p <= 4096
 
-period :: Session -> Natural
-period s = profileOrder (profile s) ^ degree s - 1
-
-degree :: Session -> Natural
-degree s = fromIntegral (length (polynomialOf s)) - 1
-
-polynomialOf :: Session -> [Code]
-polynomialOf = profilePolynomial . profile
+invalidLaws :: [Law Known]
+invalidLaws =
+  [ invalid OnSequence "term-refuses-what-is-invalid" OfTerm $ \_ ->
+      rawWith (Term 0) "index" (Number (-1)) : malformed (Term 1),
+    invalid OnSequence "terms-refuses-what-is-invalid" OfTerms $ \_ ->
+      [rawWith (Terms 0 1) name (Number (-1)) | name <- ["from", "length"]] ++ malformed (Terms 1 1)
+  ]

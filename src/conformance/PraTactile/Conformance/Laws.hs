@@ -1,0 +1,33 @@
+-- | All laws, stage by stage.
+module PraTactile.Conformance.Laws
+  ( laws,
+    openingLaws,
+  )
+where
+
+import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Array
+import PraTactile.Conformance.Laws.Chances
+import PraTactile.Conformance.Laws.Damage
+import PraTactile.Conformance.Laws.Field
+import PraTactile.Conformance.Laws.Locate
+import PraTactile.Conformance.Laws.Opening
+import PraTactile.Conformance.Laws.Polynomials
+import PraTactile.Conformance.Laws.Proof
+import PraTactile.Conformance.Laws.Sequence
+
+-- | The laws of what is asked under a profile, in the order in which a decoder is written.
+laws :: [Law Known]
+laws =
+  concat
+    [ fieldLaws,
+      polynomialLaws,
+      sequenceLaws,
+      arrayLaws,
+      windowLaws,
+      proofLaws,
+      locateLaws,
+      damageLaws,
+      chanceLaws
+    ]

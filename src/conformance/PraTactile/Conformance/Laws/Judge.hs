@@ -1,0 +1,209 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | How an answer is judged: by what the definition says of the same question, or by several
+-- answers that must fit together.
+module PraTactile.Conformance.Laws.Judge
+  ( -- * Laws of one question
+    defined,
+    invalid,
+    asDefined,
+    agree,
+    questionForm,
+
+    -- * Laws of several questions
+    Trial,
+    trial,
+    answer,
+    demand,
+    notMeant,
+    law,
+    Because (..),
+
+    -- * Raw questions
+    some,
+  )
+where
+
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
+import Control.Monad.Trans.State.Strict (StateT, modify', runStateT)
+import Data.Aeson (Value, toJSON)
+import Data.List (find)
+import Data.Maybe (fromMaybe)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition (Known, agrees, expected, knownProfile)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Why (why)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire
+import PraTactile.Format.Error (Misfit (NotAmong, NotPair))
+import PraTactile.Format.Json.Codec (Codec (..), listOf, readValue, refuse, text)
+import PraTactile.Profile (Profile (profilePolynomial))
+
+-- | A law that all these questions are answered, or refused, as the definition says. What it needs
+-- is the operation they ask for. The texts are the name of what holds, the sentence and its source.
+defined ::
+  Stage ->
+  String ->
+  Operation ->
+  String ->
+  String ->
+  (Known -> Domain SomeQuestion) ->
+  Law Known
+defined stage what operation sentence source domain =
+  law stage what [operation] sentence source $ \known ->
+    Cases questionForm (domain known) (asDefined known)
+
+-- | A law that all these questions are refused as @invalid@.
+invalid :: Stage -> String -> Operation -> (Known -> [SomeQuestion]) -> Law Known
+invalid stage what operation questions =
+  law
+    stage
+    what
+    [operation]
+    ( operationName operation
+        ++ " refuses as invalid every input that is none: codes that are none, values of a wrong \
+           \type, keys that are missing, what is malformed"
+    )
+    "the protocol, refusals"
+    (\known -> Cases questionForm (Every (questions known)) refused)
+  where
+    refused (SomeQuestion question) =
+      judge
+        question
+        (Left (Refusal "invalid"))
+        (const False)
+        "the protocol"
+        "the input is none that the operation takes"
+        <$> ask question
+
+-- | A law, under the name of its stage and of what holds.
+law :: Stage -> String -> [Operation] -> String -> String -> (about -> Cases) -> Law about
+law stage what = Law (stageName stage ++ "/" ++ what) stage
+
+-- | Ask, and judge by the definition.
+asDefined :: Known -> SomeQuestion -> Ask Verdict
+asDefined known (SomeQuestion question) =
+  judge question wanted (either (const (const False)) (agree known question) wanted) road reason
+    <$> ask question
+  where
+    wanted = expected known question
+    road = "the definition"
+    reason = why (knownProfile known) question wanted
+
+judge ::
+  Question a ->
+  Either Refusal a ->
+  (a -> Bool) ->
+  String ->
+  String ->
+  Either Refusal a ->
+  Verdict
+judge question wanted fits road reason came = case (wanted, came) of
+  (Left refusal, Left refusal') | refusal == refusal' -> Holds
+  (_, Right a) | fits a -> Holds
+  _ -> Violated (Violation [exchanged question came] (reply question wanted) road reason)
+
+-- | Whether an answer is as good as the one that the definition gives; where positions are counted,
+-- the dimension must be right too.
+agree :: Known -> Question a -> a -> a -> Bool
+agree known question wanted got = case question of
+  Locate rows -> samePlace known rows wanted got
+  Nearest _ rows -> samePlace known rows wanted got
+  Raw operation input
+    | Just (SomeQuestion typed) <- someQuestion operation input,
+      Just w <- readAnswer typed wanted,
+      Just g <- readAnswer typed got ->
+      agree known typed w g
+  _ -> agrees known question wanted got
+
+-- | Positions that are too many to list may be told by their number and the dimension of the coset
+-- that they are: the degree less the rank of the observed cells.
+samePlace :: Known -> Patch -> Place -> Place -> Bool
+samePlace known rows wanted got = case (wanted, got) of
+  (OneOf places, Coset count dimension) ->
+    count == fromIntegral (length places) && Just dimension == (less <$> rank)
+  _ -> wanted == got
+  where
+    degree = fromIntegral (length (profilePolynomial (knownProfile known))) - 1
+    less r = if r > degree then 0 else degree - r
+    rank = either (const Nothing) proofRank (expected known (Prove (map (map drawn) rows)))
+    drawn cell = maybe '.' (const '#') cell
+
+exchanged :: Question a -> Either Refusal a -> Exchange
+exchanged question came =
+  Exchange (Just (operationOf question)) (questionInput question) (reply question came)
+
+reply :: Question a -> Either Refusal a -> Reply
+reply question = either (RefusedFor . refusalReason) (Result . answerValue question)
+
+-- | A question as the pair of its operation and its input.
+questionForm :: Codec SomeQuestion
+questionForm = Codec written $ \value -> do
+  (name, input) <- readValue pair value
+  case find ((== name) . operationName) [minBound ..] of
+    Just operation -> Right (some operation input)
+    Nothing -> refuse (NotAmong (map operationName [minBound ..]) name)
+  where
+    written (SomeQuestion question) =
+      [toJSON (operationName (operationOf question)), questionInput question]
+    pair = Codec id (\value -> readPair value) :: Codec (String, Value)
+    readPair value = case readValue raws value of
+      Right [name, input] -> (,) <$> readValue text name <*> Right input
+      Right _ -> refuse NotPair
+      Left misfit -> Left misfit
+    raws = listOf (Codec id Right)
+
+-- | The question of an operation with this input, typed where the input is well formed.
+some :: Operation -> Value -> SomeQuestion
+some operation input =
+  fromMaybe (SomeQuestion (Raw operation input)) (someQuestion operation input)
+
+-- | Several questions with what came, until the first that is refused wrongly.
+type Trial = ExceptT Verdict (StateT [Exchange] Ask)
+
+-- | Why several answers must fit together: the road, and the reason in a sentence.
+data Because = Because String String
+
+-- | Run it; what was asked is told with a violation.
+trial :: Trial () -> Ask Verdict
+trial asking = do
+  (outcome, exchanges) <- runStateT (runExceptT asking) []
+  pure $ case outcome of
+    Right () -> Holds
+    Left (Violated violation) -> Violated violation {violationAsked = reverse exchanges}
+    Left other -> other
+
+-- | Ask for what the definition answers; a refusal is a violation. Where the definition refuses
+-- too, the law says nothing.
+answer :: Known -> Question a -> Trial a
+answer known question = do
+  came <- lift (lift (ask question))
+  lift (modify' (exchanged question came :))
+  case came of
+    Right a -> pure a
+    Left refusal -> case wanted of
+      Left refusal' | refusal == refusal' -> throwE NotMeant
+      _ ->
+        throwE
+          ( Violated
+              ( Violation
+                  []
+                  (reply question wanted)
+                  "the definition"
+                  (why (knownProfile known) question wanted)
+              )
+          )
+  where
+    wanted = expected known question
+
+-- | What was answered last must be this, as an answer to that question.
+demand :: Because -> Question a -> a -> Bool -> Trial ()
+demand (Because road reason) question wanted held
+  | held = pure ()
+  | otherwise = throwE (Violated (Violation [] (reply question (Right wanted)) road reason))
+
+-- | The law says nothing of such a case.
+notMeant :: Trial a
+notMeant = throwE NotMeant

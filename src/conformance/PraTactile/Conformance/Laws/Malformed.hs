@@ -1,0 +1,63 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Inputs that are none, made systematically of one that is: a key missing, and in the place of
+-- each value, at any depth, one of a wrong type.
+module PraTactile.Conformance.Laws.Malformed
+  ( malformed,
+    rawWith,
+  )
+where
+
+import Data.Aeson (Array, Value (..), object)
+import Data.Aeson.Key (Key)
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Scientific (scientific)
+import qualified Data.Vector as Vector
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Wire (questionInput)
+
+-- | The inputs that are none, made of this question's. What stands in a place is taken for one of a
+-- wrong type if it is no number where a number stands, and so on; null is left out, because some
+-- places may hold it.
+malformed :: Question a -> [SomeQuestion]
+malformed question =
+  [ SomeQuestion (Raw (operationOf question) input)
+    | input <- missing (questionInput question) ++ wrong (questionInput question)
+  ]
+
+-- | The object without each of its keys.
+missing :: Value -> [Value]
+missing value = case value of
+  Object fields -> [Object (KeyMap.delete name fields) | name <- KeyMap.keys fields]
+  _ -> []
+
+-- | With one value of another type, in each place.
+wrong :: Value -> [Value]
+wrong value = case value of
+  Object fields ->
+    [ Object (KeyMap.insert name other fields)
+      | (name, inner) <- KeyMap.toList fields,
+        other <- instead inner
+    ]
+  _ -> []
+
+-- | Values of other types, instead of this one or in it.
+instead :: Value -> [Value]
+instead value = case value of
+  Number _ -> [Bool True, Number (scientific 10 (-1)), Number (scientific 15 (-1)), object []]
+  String _ -> [Bool True, Number 1, object []]
+  Array items -> [Bool True, Number 1, object []] ++ map Array (inOne items)
+  _ -> [Bool True, object []]
+
+-- | With the first of the items another.
+inOne :: Array -> [Array]
+inOne items = case Vector.uncons items of
+  Nothing -> []
+  Just (first, rest) -> [Vector.cons other rest | other <- instead first]
+
+-- | A question whose input has another value under a key.
+rawWith :: Question a -> Key -> Value -> SomeQuestion
+rawWith question name value = SomeQuestion . Raw (operationOf question) $
+  case questionInput question of
+    Object fields -> Object (KeyMap.insert name value fields)
+    other -> other

@@ -1,0 +1,143 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Which polynomials over the field are primitive, and which of them comes first.
+module PraTactile.Conformance.Laws.Polynomials
+  ( polynomialLaws,
+  )
+where
+
+import Control.Monad (replicateM)
+import Data.Aeson (Value (..), toJSON)
+import PraTactile.Conformance.Ask (Ask)
+import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Format.Json.Codec (listOf, natural)
+import PraTactile.Profile (Profile (..))
+import Test.QuickCheck hiding (listOf)
+
+-- | The laws of polynomials over GF(q).
+polynomialLaws :: [Law Known]
+polynomialLaws = definitionLaws ++ relationLaws ++ invalidLaws
+
+definitionLaws :: [Law Known]
+definitionLaws =
+  [ defined OnPolynomial "primitive-as-defined" OfPrimitive primitiveSentence source $ \known ->
+      Every (SomeQuestion . Primitive <$> smallPolynomials (knownProfile known)),
+    defined OnPolynomial "primitive-of-drawn-ones" OfPrimitive primitiveSentence source $ \known ->
+      Some (SomeQuestion . Primitive <$> drawn (knownProfile known)) smaller,
+    defined
+      OnPolynomial
+      "first-primitive-as-defined"
+      OfFirstPrimitive
+      "the first primitive polynomial of a degree, coefficients being compared from the highest \
+      \degree down"
+      "the profile's order of polynomials"
+      ( \known ->
+          let q = profileOrder (knownProfile known)
+           in Every [SomeQuestion (FirstPrimitive n) | n <- [1 .. 8], q ^ n <= 5000]
+      )
+  ]
+
+primitiveSentence :: String
+primitiveSentence =
+  "a polynomial of degree n > 0 is primitive if it is monic and x has the order q^n - 1 modulo it"
+
+source :: String
+source = "Lidl and Niederreiter, Finite Fields, theorem 3.16"
+
+-- | All polynomials of the degrees of which there are at most 700, monic or not.
+smallPolynomials :: Profile -> [[Code]]
+smallPolynomials p =
+  [ reverse (leading : lower)
+    | n <- [0 .. 8],
+      (q - 1) * q ^ n <= 700,
+      leading <- [1 .. q - 1],
+      lower <- replicateM n (elementsOf p)
+  ]
+  where
+    q = profileOrder p
+
+-- | Monic, of a degree for which q^n is at most 5000.
+drawn :: Profile -> Gen [Code]
+drawn p = do
+  n <- elements [n | n <- [1 .. 12 :: Int], q ^ n <= 5000]
+  lower <- vectorOf n (upTo (q - 1))
+  pure (lower ++ [1])
+  where
+    q = profileOrder p
+
+relationLaws :: [Law Known]
+relationLaws =
+  [ law
+      OnPolynomial
+      "first-primitive-is-primitive"
+      [OfFirstPrimitive, OfPrimitive]
+      "the first primitive polynomial of a degree is primitive"
+      source
+      ( \known ->
+          let q = profileOrder (knownProfile known)
+           in Cases (listOf natural) (Every [[n] | n <- [1 .. 8], q ^ n <= 5000]) (isPrimitive known)
+      ),
+    law
+      OnPolynomial
+      "reciprocals-are-primitive-alike"
+      [OfPrimitive]
+      "a monic polynomial and its reciprocal, made monic, are both primitive or both not"
+      source
+      ( \known ->
+          Cases
+            (listOf natural)
+            (Some (drawn (knownProfile known)) (filter monic . smallerList smallerNatural))
+            (alike known)
+      )
+  ]
+  where
+    monic codes = length codes > 1 && last codes == 1
+    isPrimitive known degrees = trial (mapM_ (first' known) degrees)
+    first' known n = do
+      h <- answer known (FirstPrimitive n)
+      yes <- answer known (Primitive h)
+      demand (Because "the other answer of the same implementation" "it was told as the first one") (Primitive h) True yes
+
+alike :: Known -> [Code] -> Ask Verdict
+alike known codes = case inverted of
+  Right factor
+    | head' codes /= 0 -> trial $ do
+      one' <- answer known (Primitive codes)
+      let mirrored = traverse (expected known . Multiply factor) (reverse codes)
+      case mirrored of
+        Right backwards -> do
+          other <- answer known (Primitive backwards)
+          demand
+            (Because "a theorem" "the roots of the reciprocal are the inverses of the roots")
+            (Primitive backwards)
+            one'
+            (one' == other)
+        Left _ -> notMeant
+  _ -> trial notMeant
+  where
+    inverted = expected known (Inverse (head' codes))
+    head' xs = case xs of
+      x : _ -> x
+      [] -> 0
+
+invalidLaws :: [Law Known]
+invalidLaws =
+  [ invalid OnPolynomial "primitive-refuses-what-is-invalid" OfPrimitive $ \known ->
+      let q = profileOrder (knownProfile known)
+       in [ SomeQuestion (Primitive codes)
+            | a <- q : q + 1 : bigNaturals,
+              codes <- [[a, 1], [1, a], [1, 0, a, 1]]
+          ]
+            ++ [rawWith (Primitive [1, 1]) "polynomial" (toJSON [-1, 1 :: Int])]
+            ++ malformed (Primitive [1, 1]),
+    invalid OnPolynomial "first-primitive-refuses-what-is-invalid" OfFirstPrimitive $ \_ ->
+      SomeQuestion (FirstPrimitive 0) :
+      rawWith (FirstPrimitive 1) "degree" (Number (-1)) :
+      malformed (FirstPrimitive 1)
+  ]

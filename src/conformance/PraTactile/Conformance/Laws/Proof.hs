@@ -1,0 +1,163 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Which masks tell all positions apart, and in how many cells their windows differ.
+module PraTactile.Conformance.Laws.Proof
+  ( proofLaws,
+  )
+where
+
+import Data.Aeson (Value (..))
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..), area, naturalSurface)
+import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Draw
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Smaller
+import PraTactile.Conformance.Question
+import PraTactile.Profile (Profile (..))
+
+-- | The laws of proofs and distances.
+proofLaws :: [Law Known]
+proofLaws =
+  concat
+    [ ofMasks "prove" OfProve (SomeQuestion . Prove) proves,
+      ofMasks "distance" OfDistance (SomeQuestion . Distance) differs,
+      relationLaws,
+      invalidLaws
+    ]
+  where
+    proves =
+      "a mask is proved if all its windows on the profile's surface differ; the rank is that of the \
+      \mask on the folding's own surface, or null where the profile's surface is neither that nor \
+      \the sheet"
+    differs =
+      "the distance of a mask is the least number of cells in which two of its windows on the \
+      \folding's own surface differ"
+
+-- | What both operations on masks are held to.
+ofMasks :: String -> Operation -> (MaskRows -> SomeQuestion) -> String -> [Law Known]
+ofMasks name operation asked sentence =
+  [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
+      Every (map asked (filter (affordable (knownProfile known)) smallMasks)),
+    defined OnProof (name ++ "-special-masks") operation (sentence ++ special) source $ \known ->
+      Every (map asked (specialMasks (knownProfile known))),
+    defined OnProof (name ++ "-drawn-masks") operation sentence source $ \known ->
+      let Shape n1 n2 = profileShape (knownProfile known)
+          sizes = if area (profileShape (knownProfile known)) > 1024 then 2 else 5
+       in Some (asked <$> genMask (min n1 sizes) (min n2 sizes)) smaller
+  ]
+  where
+    special =
+      "; blank rows and columns at a mask's end count for nothing, and a mask of which no window \
+      \lies on the sheet is refused: off-sheet"
+    -- Of long sequences a few.
+    affordable p mask = area (profileShape p) <= 1024 || length (concat mask) <= 4
+
+source :: String
+source = "the rank of alpha^e(i,j) over GF(q), e(i,j) being the index folded to (i,j); counting windows"
+
+-- | Masks whose windows differ on the sheet alone, with blank rows and columns at the ends, as large
+-- as the array and larger.
+specialMasks :: Profile -> [MaskRows]
+specialMasks p =
+  [full (profileWindow p)]
+    ++ [["##."], ["##", ".."], [".#"], ["..", ".#"], ["#.", ".."], ["##.", "...", "..."]]
+    ++ [far 11 8 | n1 > 11 && n2 > 9]
+    ++ [one 0 (n2 - 1), one (n1 - 1) 0, one (n1 - 1) (n2 - 1), one 0 n2, one n1 0, one n1 n2]
+    ++ [one 0 (n2 + 1), one (n1 + 1) 0]
+  where
+    Shape n1 n2 = profileShape p
+    full (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) '#')
+    far :: Natural -> Natural -> MaskRows
+    far r c = drawn (r + 1) 10 [(0, 0), (0, 9), (r, c)]
+    one :: Natural -> Natural -> MaskRows
+    one r c = drawn (r + 1) (c + 1) [(0, 0), (r, c)]
+    drawn :: Natural -> Natural -> [(Natural, Natural)] -> MaskRows
+    drawn h w cells =
+      [[if (i, j) `elem` cells then '#' else '.' | j <- [0 .. w - 1]] | i <- [0 .. h - 1]]
+
+relationLaws :: [Law Known]
+relationLaws =
+  [ law
+      OnProof
+      "rank-counts-windows"
+      [OfProve]
+      "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the degree \
+      \n, and is proved then alone"
+      source
+      ( \known ->
+          Cases
+            questionForm
+            (Some (SomeQuestion . Prove <$> genMask 3 3) smaller)
+            (\question -> trial (onMask question (counted known)))
+      ),
+    law
+      OnProof
+      "distance-is-0-where-the-rank-is-less"
+      [OfProve, OfDistance]
+      "two windows of a mask are the same exactly where its rank is less than the degree"
+      source
+      ( \known ->
+          Cases
+            questionForm
+            (Some (SomeQuestion . Prove <$> genMask 3 3) smaller)
+            (\question -> trial (onMask question (apart known)))
+      )
+  ]
+  where
+    onMask question held = case reProve question of
+      Just mask -> held mask
+      Nothing -> notMeant
+
+-- | The mask of a question about one.
+reProve :: SomeQuestion -> Maybe MaskRows
+reProve question = case question of
+  SomeQuestion (Prove mask) -> Just mask
+  _ -> Nothing
+
+counted :: Known -> MaskRows -> Trial ()
+counted known mask
+  | profileSurface p /= naturalSurface (profileFolding p) = notMeant
+  | otherwise = do
+    proof <- answer known (Prove mask)
+    case proofRank proof of
+      Just r ->
+        demand
+          (Because "a theorem on linear codes" "the windows are the codewords of the mask")
+          (Prove mask)
+          (Proof (r == n) (Just r) (windows r))
+          (proofHolds proof == (r == n) && proofWindows proof == windows r)
+      Nothing -> demand (Because "the protocol" "the rank is known on this surface") (Prove mask) proof False
+  where
+    p = knownProfile known
+    n = degreeOf p
+    windows r = if r == n then profileOrder p ^ n - 1 else profileOrder p ^ r
+
+apart :: Known -> MaskRows -> Trial ()
+apart known mask = do
+  proof <- answer known (Prove mask)
+  d <- answer known (Distance mask)
+  case proofRank proof of
+    Just r ->
+      demand
+        (Because "a theorem on linear codes" "windows of one content are told by the rank")
+        (Distance mask)
+        (if r < degreeOf (knownProfile known) then 0 else max 1 d)
+        ((d == 0) == (r < degreeOf (knownProfile known)))
+    Nothing -> notMeant
+
+invalidLaws :: [Law Known]
+invalidLaws =
+  [ invalid OnProof "prove-refuses-what-is-invalid" OfProve $ \_ -> illFormed (Prove ["#"]),
+    invalid OnProof "distance-refuses-what-is-invalid" OfDistance $ \_ -> illFormed (Distance ["#"])
+  ]
+
+illFormed :: Question a -> [SomeQuestion]
+illFormed question =
+  [ rawWith question "mask" (String drawing)
+    | drawing <- ["", "/", "#/", "/#", "##/#", "#/##", "#x", "# #", "01", "#\n#", "##//##", ".", "../.."]
+  ]
+    ++ malformed question

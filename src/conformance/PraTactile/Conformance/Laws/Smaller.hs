@@ -1,0 +1,89 @@
+{-# LANGUAGE GADTs #-}
+
+-- | The smaller questions that a failing one is tried with: of the same operation, with smaller
+-- numbers, fewer cells, and less in them.
+module PraTactile.Conformance.Laws.Smaller
+  ( smaller,
+    smallerNatural,
+    smallerList,
+    smallerPatch,
+  )
+where
+
+import Data.List (transpose)
+import Numeric.Natural (Natural)
+import PraTactile.Conformance.Question
+import Test.QuickCheck (shrinkIntegral)
+
+-- | The smaller questions, the smallest first. A raw one has none.
+smaller :: SomeQuestion -> [SomeQuestion]
+smaller (SomeQuestion question) = case question of
+  Add a b -> [SomeQuestion (Add c d) | (c, d) <- pairs a b]
+  Multiply a b -> [SomeQuestion (Multiply c d) | (c, d) <- pairs a b]
+  Negate a -> SomeQuestion . Negate <$> smallerNatural a
+  Inverse a -> SomeQuestion . Inverse <$> smallerNatural a
+  Power a i ->
+    [SomeQuestion (Power b i) | b <- smallerNatural a]
+      ++ [SomeQuestion (Power a j) | j <- shrinkIntegral i]
+  Logarithm a -> SomeQuestion . Logarithm <$> smallerNatural a
+  Trace a -> SomeQuestion . Trace <$> smallerNatural a
+  Primitive codes -> SomeQuestion . Primitive <$> filter proper (smallerList smallerNatural codes)
+  FirstPrimitive n -> SomeQuestion . FirstPrimitive <$> smallerNatural n
+  Term i -> SomeQuestion . Term <$> smallerNatural i
+  Terms i count -> [SomeQuestion (Terms j less) | (j, less) <- pairs i count]
+  Cell r c -> [SomeQuestion (Cell r' c') | (r', c') <- pairs r c]
+  Pack codes -> SomeQuestion . Pack <$> each smallerNatural codes
+  Unpack n -> SomeQuestion . Unpack <$> smallerNatural n
+  Locate rows -> SomeQuestion . Locate <$> smallerPatch felt rows
+  Nearest radius rows ->
+    [SomeQuestion (Nearest radius less) | less <- smallerPatch felt rows]
+      ++ [SomeQuestion (Nearest (Just e) rows) | Just e <- [radius] >>= traverse smallerNatural]
+  Posterior rows -> SomeQuestion . Posterior <$> smallerPatch chance rows
+  Prove mask -> SomeQuestion . Prove <$> smallerMask mask
+  Distance mask -> SomeQuestion . Distance <$> smallerMask mask
+  Raw _ _ -> []
+  where
+    pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]
+    -- One that ends in 0 states no degree.
+    proper codes = not (null codes) && last codes /= 0
+
+felt :: Maybe Code -> [Maybe Code]
+felt cell = case cell of
+  Nothing -> []
+  Just code -> Nothing : map Just (smallerNatural code)
+
+chance :: Chance -> [Chance]
+chance known = case known of
+  Unfelt -> []
+  Certainly code -> Unfelt : map Certainly (smallerNatural code)
+  Probably chances ->
+    Unfelt : [Certainly (fromIntegral i) | (i, x) <- zip [0 :: Int ..] chances, x > 0]
+
+-- | Towards 0, the largest step first.
+smallerNatural :: Natural -> [Natural]
+smallerNatural n = [fromInteger i | i <- shrinkIntegral (toInteger n), i >= 0]
+
+-- | One element less, from either end, or one of them smaller.
+smallerList :: (a -> [a]) -> [a] -> [[a]]
+smallerList less xs = fewer xs ++ each less xs
+
+-- | One row or column less, or one of the cells with less in it.
+smallerPatch :: (a -> [a]) -> [[a]] -> [[[a]]]
+smallerPatch less rows =
+  filter (any (not . null)) (fewer rows ++ map transpose (fewer (transpose rows)))
+    ++ each (each less) rows
+
+smallerMask :: MaskRows -> [MaskRows]
+smallerMask = filter (any (elem '#')) . smallerPatch (\mark -> ['.' | mark == '#'])
+
+-- | Without the first, and without the last.
+fewer :: [a] -> [[a]]
+fewer xs = case xs of
+  [] -> []
+  [_] -> []
+  _ : rest -> [rest, init xs]
+
+-- | With one of them smaller.
+each :: (a -> [a]) -> [a] -> [[a]]
+each less xs =
+  [before ++ x' : after | (before, x : after) <- map (`splitAt` xs) [0 .. length xs - 1], x' <- less x]
