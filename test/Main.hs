@@ -67,6 +67,7 @@ import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
+import qualified Test.Schemas
 import qualified Test.Source
 import qualified Test.Store
 import qualified Test.StoreTarget
@@ -170,6 +171,7 @@ specs = do
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec
+  describe "Schemas" Test.Schemas.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec
   describe "Hostile inputs" Test.Hostile.spec

@@ -1,0 +1,180 @@
+-- | The schemas in data/schemas: what every command prints obeys its schema, and what is spoilt
+-- does not, by a validator that others wrote, the jsonschema package of Python.
+module Test.Schemas
+  ( spec,
+    validated,
+    spoilt,
+  )
+where
+
+import Control.Monad (filterM, forM)
+import Data.List (isPrefixOf, isSuffixOf, nub, sort, tails)
+import System.Directory
+import System.Exit (ExitCode (..))
+import System.FilePath (takeBaseName, (</>))
+import System.Process (readProcessWithExitCode)
+import Test.CommandLine.Run (scripted)
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  beforeAll samples $ do
+    it "what each command prints obeys its schema" $ \printed ->
+      validated printed >>= mapM_ (\found -> filter ((/= "good") . snd) found `shouldBe` [])
+    it "each schema refuses what is spoilt: a key too few, one too many, another type" $ \printed ->
+      spoilt printed >>= mapM_ (\found -> filter ((/= "good") . snd) found `shouldBe` [])
+    it "every form of output has a schema, and is among these samples" $ \printed -> do
+      files <- filter (".json" `isSuffixOf`) <$> listDirectory ("data" </> "schemas")
+      named <- formsOfSources
+      filter (`notElem` map takeBaseName files) named `shouldBe` []
+      filter (`notElem` nub (map fst printed) ++ ofConformance) named `shouldBe` []
+  where
+    -- Tested where these are made.
+    ofConformance = ["conform", "vectors"]
+
+-- | Lines of JSON, each with the name of its schema, and what is wrong with it, or @good@. Nothing,
+-- and the test pending, where there is no validator.
+validated :: [(String, String)] -> IO (Maybe [(String, String)])
+validated = validator []
+
+-- | The same of all ways to spoil each line: @good@ if every one is refused.
+spoilt :: [(String, String)] -> IO (Maybe [(String, String)])
+spoilt = validator ["--spoil"]
+
+validator :: [String] -> [(String, String)] -> IO (Maybe [(String, String)])
+validator options values = do
+  found <- filterM hasPackage ["python3", "/usr/bin/python3"]
+  case found of
+    [] -> Nothing <$ pendingWith "python3-jsonschema is not installed here"
+    python : _ -> do
+      (status, out, err) <-
+        readProcessWithExitCode python ("test/data/validate.py" : options) (concatMap line values)
+      (status, err) `shouldBe` (ExitSuccess, "")
+      length (lines out) `shouldBe` length values
+      pure (Just (zip (map shown values) (lines out)))
+  where
+    line (schema, value) =
+      "{\"schema\": " ++ show schema ++ ", \"value\": " ++ value ++ "}\n"
+    shown (schema, value) = schema ++ ": " ++ take 200 value
+    hasPackage python = do
+      there <- findExecutable python
+      case there of
+        Nothing -> pure False
+        Just _ -> do
+          (status, _, _) <- readProcessWithExitCode python ["-c", "import jsonschema"] ""
+          pure (status == ExitSuccess)
+
+-- | What commands print, with the names of the schemas.
+samples :: IO [(String, String)]
+samples = inFolder $ \folder -> do
+  top <- getCurrentDirectory
+  createDirectoryLink (top </> "data") (folder </> "data")
+  concat
+    <$> forM
+      commands
+      ( \(schema, script) -> do
+          (status, out, err) <- scripted folder script
+          (script, status < 2, err) `shouldSatisfy` (\(_, fine, _) -> fine)
+          out `shouldSatisfy` (not . null)
+          pure [(schema, text) | text <- lines out]
+      )
+
+-- | Scripts that print JSON of one form, in the order in which they are run. In each @pra@ is the
+-- program.
+commands :: [(String, String)]
+commands =
+  concat
+    [ [ ("profile", "pra profile; pra profile " ++ small ++ " --folding row-major"),
+        ("array", "pra array --format json " ++ small),
+        ("field", "pra field --q 9 --json; pra field --q 5 --json"),
+        ("sequence", "pra sequence --from=-3 --length 4 --json"),
+        ("sequence", "pra sequence --from 1000000000000000000 --length 0 --json"),
+        ("synthesise", "echo '0 0 1 0 1 1 1' | pra synthesise --q 2 --json"),
+        ("synthesise", "echo '0 1 A' | pra synthesise --q 4 --json"),
+        ("polynomials", "pra polynomials --q 4 --degree 2 --json"),
+        ("polynomials", "pra polynomials --q 2 --degree 3 --irreducible --count --json"),
+        ("advise", "pra advise --json --q 2 --rows 3 --columns 5"),
+        ("advise", "pra advise --json --q 4 --rows 15 --columns 273 --window 2x3"),
+        ("census", "pra census --q 2 --degree 4 --output census.csv --json"),
+        ("census", "pra merge census.csv --output whole.csv --json")
+      ],
+      proofs,
+      [("locate", "pra locate --json " ++ arguments) | arguments <- locating],
+      [ ("locate", "printf '3 2 / 3 1\\n0 0\\n3 9\\n\\n' | pra locate --batch; true"),
+        ("rates", "pra rates --format json --trials 20 --seed 1"),
+        ("rates", "pra rates --format json --trials 20 --size 2x2 --errors 5 --radius 1")
+      ],
+      touching
+    ]
+  where
+    small = "--q 2 --polynomial 1,1,0,0,1 --shape 3x5"
+
+proofs :: [(String, String)]
+proofs =
+  [ ("prove", "pra prove --json; pra prove --json --mask '##/.#'"),
+    ("prove", "pra prove --json --surface sheet"),
+    ("prove", "pra array --format csv --output a.csv; pra prove --json a.csv --window 2x2"),
+    ("certificate", "pra certificate --rank; pra certificate --enumeration"),
+    ("certificate-written", "pra certificate --output c.json --json"),
+    ("check", "pra check c.json --json"),
+    ("check", "sed 's/\"windows\":255/\"windows\":254/' c.json > d.json; pra check d.json --json")
+  ]
+
+-- | Arguments of @locate@: each outcome, by each road.
+locating :: [String]
+locating =
+  [ "'3 2 / 3 1'",
+    "'0 0 / 0 0'",
+    "--explain '3 2 0 / 3 0 2 / 0 1 3'",
+    "'3 ?'",
+    "'? ?'",
+    "--surface sheet --road table '3 2 / 3 1'",
+    "--road algebra '3 2 / 3 1'",
+    "--road search '3 2 / 3 1'",
+    "--orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'",
+    "--orientation any '3 2 / 3 1'",
+    "--doubt 0.2 '[[[0,0,0.1,0.9], 2], [3, 1]]'",
+    "--orientation any '[[[0,0,0.1,0.9], 2], [3, 1]]'",
+    "'3 2 / 3 1 ; 0,3: 1 1 / 1 1 ; 4,0: 2 2 / 3 0'",
+    vast ++ "'3 1 3 3 0 / 2 1 3 3 3 / 3 2 2 2 0 / 3 1 1 1 0 / 2 0 2 0 3'",
+    vast ++ "'3 1 3 3 0'",
+    vast ++ "'[[[0.1,0.1,0.1,0.7], 2,2,1,3,1,2,3,1,2,3], [1,2,3,2,1,2,3,1,2,3,2]]'"
+  ]
+  where
+    vast = "--q 4 --polynomial 2,0,1,1,1,0,0,0,0,0,0,0,1 --shape 4095x4097 "
+
+touching :: [(String, String)]
+touching =
+  [ ("decode", "pra decode --json " ++ worked ++ " data/worked-example/composite.pgm"),
+    ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
+    ("decode", "{ echo P2 40 52 255; yes 0 | head -2080; } > b.pgm; pra decode --json b.pgm"),
+    ("truth", "pra probe --object cube --seed 7 --output frames --truth t.json > log; cat t.json"),
+    ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
+    ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
+    ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
+    ("objects", "pra objects --json; pra objects --json --at 6,5; pra objects --json --at 14,16")
+  ]
+  where
+    worked = "data/worked-example/frames"
+
+-- | The names of the forms of output in the sources: what stands between @pra-tactile/@ and a
+-- slash, and what is given to @encodeSchema@.
+formsOfSources :: IO [String]
+formsOfSources = do
+  files <- concat <$> mapM sourcesIn ["app", "src"]
+  nub . sort . concatMap forms <$> mapM readFile files
+  where
+    forms text = [name | rest <- tails text, Just name <- map (`namedIn` rest) marks]
+    marks = ["\"pra-tactile/", "encodeSchema \"", "schema = \""]
+    namedIn mark rest
+      | mark `isPrefixOf` rest,
+        (name, '/' : digit : '"' : _) <- span (`elem` '-' : ['a' .. 'z']) (drop (length mark) rest),
+        digit `elem` ['0' .. '9'],
+        not (null name) =
+        Just name
+      | otherwise = Nothing
+    sourcesIn folder = do
+      entries <- map (folder </>) <$> listDirectory folder
+      folders <- filterM doesDirectoryExist entries
+      (filter (".hs" `isSuffixOf`) entries ++) . concat <$> mapM sourcesIn folders
