@@ -3,9 +3,12 @@
 module PraTactile.Conformance.Subject
   ( Subject (..),
     Came (..),
+    Check (..),
+    Checked (..),
     Fault (..),
     FaultKind (..),
     faultName,
+    upToFault,
   )
 where
 
@@ -19,12 +22,34 @@ data Subject = Subject
     subjectOffers :: [Operation],
     -- | Put a profile in force; what came, or what went wrong.
     subjectProfile :: Profile -> IO (Either Fault Came),
-    -- | Ask these questions, in this order; as many replies, in the same order. After a fault the
-    -- subject is started again, with the same profile, before it is asked on.
+    -- | Ask these questions, in this order; the replies in the same order, up to the first fault.
+    -- After a fault the subject is started again, with the same profile, before it is asked on.
     subjectAsk :: [SomeQuestion] -> IO [Either Fault Came],
     -- | How many questions are best asked at once.
-    subjectBatch :: Int
+    subjectBatch :: Int,
+    -- | What it says that it offers and nobody here knows.
+    subjectUnknown :: [String],
+    -- | What must hold of how it is spoken to, tried after all else.
+    subjectChecks :: [Check]
   }
+
+-- | Something that must hold of the exchange itself, whatever is asked.
+data Check = Check
+  { -- | As the id of a law, of the stage @protocol@.
+    checkId :: String,
+    -- | What must hold, in a sentence.
+    checkSentence :: String,
+    checkTry :: IO Checked
+  }
+
+-- | What came of a check.
+data Checked
+  = CheckHeld
+  | -- | After these requests this should have come, and that came.
+    CheckFailed [Value] Came Came
+  | -- | After these requests something went wrong.
+    CheckErred [Value] Fault
+  deriving stock (Eq, Show)
 
 -- | What came in reply, as the protocol has it.
 data Came
@@ -80,3 +105,11 @@ faultName kind = case kind of
   DoesNotStop -> "does-not-stop"
   ClosedPipe -> "closed-pipe"
   TooSlow -> "too-slow"
+
+-- | What comes of these actions, the first fault being the last of it.
+upToFault :: [IO (Either Fault a)] -> IO [Either Fault a]
+upToFault actions = case actions of
+  [] -> pure []
+  action : others -> do
+    came <- action
+    (came :) <$> either (const (pure [])) (const (upToFault others)) came

@@ -1,0 +1,72 @@
+-- | A subject in another process, in whatever language: it speaks the protocol, JSON lines on its
+-- standard input and output. Whatever it does instead comes as a fault with a name.
+module PraTactile.Conformance.Process
+  ( Command (..),
+    Mode (..),
+    Limits (..),
+    withProcess,
+    checkTexts,
+  )
+where
+
+import Data.IORef
+import PraTactile.Conformance.Process.Checks
+import PraTactile.Conformance.Process.Child (Command (..))
+import PraTactile.Conformance.Process.OneShot
+import PraTactile.Conformance.Process.Reply (Started (..))
+import PraTactile.Conformance.Process.Session
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Profile (Profile, canonicalProfile)
+import System.FilePath (takeFileName)
+
+-- | How a command is spoken to.
+data Mode
+  = -- | One process answers many requests.
+    InSession
+  | -- | A process a request.
+    OneShot
+  deriving stock (Eq, Show)
+
+-- | Start a command and use it as a subject; no process of it is left afterwards, however that
+-- ends. 'Left' where it cannot be started, or never answers. The run-time system must be the
+-- threaded one.
+withProcess :: Mode -> Limits -> Command -> (Subject -> IO a) -> IO (Either Fault a)
+withProcess mode limits command use = case mode of
+  InSession -> withSession limits command (use . inSession limits)
+  OneShot ->
+    offeredOneShot limits command canonicalProfile
+      >>= traverse (\offers -> inOneShot limits command offers >>= use)
+
+inSession :: Limits -> Session -> Subject
+inSession limits session =
+  Subject
+    { subjectName = startedName started,
+      subjectOffers = [known | known <- [minBound ..], operationName known `elem` said],
+      subjectProfile = putProfile session,
+      subjectAsk = askAll session,
+      subjectBatch = max 64 (min 1024 (8 * startedInFlight started)),
+      subjectUnknown = filter (`notElem` map operationName [minBound ..]) said,
+      subjectChecks = sessionChecks limits session
+    }
+  where
+    started = sessionStarted session
+    said = startedOperations started
+
+inOneShot :: Limits -> Command -> [Operation] -> IO Subject
+inOneShot limits command offers = do
+  force <- newIORef (canonicalProfile :: Profile)
+  pure
+    Subject
+      { subjectName = takeFileName (commandProgram command),
+        subjectOffers = offers,
+        subjectProfile = \profile -> do
+          writeIORef force profile
+          oneShot limits command profile Nothing,
+        subjectAsk = \questions -> do
+          profile <- readIORef force
+          upToFault [oneShot limits command profile (Just one) | one <- zip [1 ..] questions],
+        subjectBatch = 32,
+        subjectUnknown = [],
+        subjectChecks = oneShotChecks limits command
+      }

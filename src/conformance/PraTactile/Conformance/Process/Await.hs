@@ -1,0 +1,110 @@
+-- | Waiting for one reply of a process, and naming what came instead.
+module PraTactile.Conformance.Process.Await
+  ( awaitLine,
+    flooded,
+    endOf,
+    withErrors,
+    exitText,
+    secondsText,
+  )
+where
+
+import Control.Concurrent (threadDelay)
+import Data.ByteString (ByteString)
+import qualified Data.ByteString.Char8 as Bytes
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Process.Lines
+import PraTactile.Conformance.Process.Reply (excerpt)
+import PraTactile.Conformance.Subject
+import System.Exit (ExitCode (..))
+
+-- | The next line, if it comes within so many seconds.
+awaitLine :: Child -> Double -> IO (Either Fault ByteString)
+awaitLine child seconds = do
+  now <- getMonotonicTime
+  line <- nextLine child (now + seconds)
+  case line of
+    Line bytes -> pure (Right bytes)
+    NoMore partial -> Left <$> (endOf child partial >>= withErrors child)
+    Unfinished partial -> Left <$> (late partial >>= withErrors child)
+    Oversized beginning -> Left <$> oversized child beginning
+  where
+    late partial
+      | not (Bytes.null partial) =
+        pure $
+          Fault HalfLine $
+            "no end of the line within " ++ secondsText seconds ++ ": " ++ excerpt partial
+      | otherwise = do
+        lost <- inputLost child
+        pure $
+          if lost
+            then Fault ClosedPipe "it closed its standard input and did not answer"
+            else Fault TimedOut ("no reply within " ++ secondsText seconds)
+
+-- | A line that is too long: it ends, or it never does.
+oversized :: Child -> ByteString -> IO Fault
+oversized child beginning = do
+  flood <- drain child 2 1
+  pure $
+    if floodGoesOn flood && floodLines flood == 0
+      then Fault EndlessOutput ("a line without end: " ++ excerpt beginning ++ " ...")
+      else Fault LineTooLong ("a line of more than 1 MiB: " ++ excerpt beginning ++ " ...")
+
+-- | A fault in what was read, or that of a flood of which it is the beginning: more lines than
+-- were asked for, of which there are so many.
+flooded :: Child -> Int -> Fault -> IO Fault
+flooded child outstanding fault
+  | faultKind fault `notElem` [NotJson, NotAReply, OutOfOrder, AnsweredTwice] = pure fault
+  | otherwise = do
+    flood <- drain child 0.5 (2 * outstanding + 1000)
+    pure $
+      if floodLines flood >= 2 * outstanding + 1000
+        || (floodGoesOn flood && floodBytes flood > longestLine)
+        then Fault EndlessOutput ("more output than was asked for: " ++ faultDetail fault)
+        else fault
+
+-- | Why the standard output ended, after this part of a line.
+endOf :: Child -> ByteString -> IO Fault
+endOf child partial = do
+  now <- getMonotonicTime
+  code <- waitExit child (now + 0.5)
+  pure $ case code of
+    _
+      | not (Bytes.null partial) ->
+        Fault HalfLine ("its output ends within a line: " ++ excerpt partial)
+    Just ended -> Fault Crashed (exitText ended)
+    Nothing -> Fault ClosedPipe "it closed its standard output and goes on"
+
+-- | The fault with what the process said on its standard error.
+withErrors :: Child -> Fault -> IO Fault
+withErrors child fault = do
+  -- What a process says last may arrive after its end.
+  threadDelay 2000
+  said <- errorsTail child
+  pure $
+    if Bytes.null (Bytes.filter (`notElem` " \n\r\t") said)
+      then fault
+      else fault {faultDetail = faultDetail fault ++ "; on its standard error: " ++ lastLines said}
+  where
+    lastLines = excerptEnd . Bytes.dropWhileEnd (`elem` "\n\r\t ")
+    excerptEnd bytes =
+      let short = Bytes.drop (Bytes.length bytes - 300) bytes
+       in (if Bytes.length bytes > 300 then "... " else "") ++ excerptAll short
+    excerptAll = concatMap excerpt . pieces
+    pieces bytes =
+      if Bytes.null bytes then [] else let (a, b) = Bytes.splitAt 100 bytes in a : pieces b
+
+exitText :: ExitCode -> String
+exitText code = case code of
+  ExitSuccess -> "it ended, with status 0"
+  ExitFailure n
+    | n < 0 -> "it was ended by signal " ++ show (negate n)
+    | otherwise -> "it ended, with status " ++ show n
+
+secondsText :: Double -> String
+secondsText seconds
+  | seconds == fromInteger whole = show whole ++ (if whole == 1 then " second" else " seconds")
+  | otherwise = show seconds ++ " seconds"
+  where
+    whole = round seconds :: Integer

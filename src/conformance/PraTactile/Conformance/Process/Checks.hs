@@ -1,0 +1,135 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | What must hold of a process whatever it is asked: how it ends, and what it does without a
+-- profile.
+module PraTactile.Conformance.Process.Checks
+  ( sessionChecks,
+    oneShotChecks,
+    checkTexts,
+  )
+where
+
+import Data.Aeson (Value, object, (.=))
+import qualified Data.ByteString as Bytes
+import Data.Foldable (traverse_)
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Process.Await
+import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Process.Lines
+import PraTactile.Conformance.Process.OneShot
+import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Process.Session
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Profile (profileValue)
+import PraTactile.Profile (Profile (..), canonicalProfile)
+import System.Exit (ExitCode (..))
+
+-- | The ids of all checks, and what each demands.
+checkTexts :: [(String, String)]
+checkTexts =
+  [ (noneInForceId, "after a refused profile none is in force, and a run is errored"),
+    (inputEndsId, "at the end of its input it ends within 5 seconds and writes nothing more"),
+    (stoppedId, "after stop it ends within 5 seconds and writes nothing more"),
+    (unknownId, "an operation that is not known is skipped")
+  ]
+
+noneInForceId, inputEndsId, stoppedId, unknownId :: String
+noneInForceId = "protocol/none-in-force-after-a-refusal"
+inputEndsId = "protocol/ends-with-its-input"
+stoppedId = "protocol/ends-when-stopped"
+unknownId = "protocol/unknown-operation-is-skipped"
+
+check :: String -> IO Checked -> Check
+check name = Check name (concat (lookup name checkTexts))
+
+-- | Those of a process that answers many requests, which is stopped by the last one.
+sessionChecks :: Limits -> Session -> [Check]
+sessionChecks limits session =
+  [ check noneInForceId (noneInForce limits session),
+    check inputEndsId (judged [startRequest] <$> withStarted session (endsBy closeInput)),
+    check stoppedId (judged [stopRequest] <$> stopped)
+  ]
+  where
+    stopped = current session >>= either (pure . Left) (endsBy stop)
+    stop child = send child (requestLine stopRequest)
+    judged requests = either (CheckErred requests) (const CheckHeld)
+
+-- | Ask a process to end, and see that it does so in silence.
+endsBy :: (Child -> IO ()) -> Child -> IO (Either Fault ())
+endsBy ask child = do
+  ask child
+  now <- getMonotonicTime
+  let deadline = now + 5
+  line <- nextLine child deadline
+  case line of
+    NoMore rest | Bytes.null rest -> waitExit child deadline >>= maybe goesOn ended
+    Unfinished rest | Bytes.null rest -> goesOn
+    NoMore rest -> wrote rest
+    Unfinished rest -> wrote rest
+    Line rest -> wrote rest
+    Oversized rest -> wrote rest
+  where
+    goesOn = fault DoesNotStop "it still runs 5 seconds later"
+    wrote rest = fault OutputAfterStop (excerpt rest)
+    ended code = case code of
+      ExitFailure n | n < 0 -> fault Crashed (exitText code)
+      _ -> pure (Right ())
+    fault kind detail = Left <$> withErrors child (Fault kind detail)
+
+-- | A possible profile, an impossible one, and a question.
+noneInForce :: Limits -> Session -> IO Checked
+noneInForce limits session = case startedQuestions session of
+  [] -> pure CheckHeld
+  question : _ -> do
+    let requests =
+          [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 question]
+    came <- withStarted session $ \child -> do
+      traverse_ (send child . requestLine) (take 2 requests)
+      first <- reply child
+      second <- reply child
+      case (first, second) of
+        (Right _, Right (CameRefused _)) -> do
+          send child (requestLine (runRequest 1 question))
+          reply child
+        (Right _, Right other) -> pure (Right other)
+        (Left why, _) -> pure (Left why)
+        (_, Left why) -> pure (Left why)
+    pure $ case came of
+      Left why -> CheckErred requests why
+      Right (CameErrored _) -> CheckHeld
+      Right other -> CheckFailed requests (CameErrored "no profile is in force") other
+  where
+    impossible = canonicalProfile {profileOrder = 6}
+    reply child = do
+      line <- awaitLine child (limitReply limits)
+      pure (line >>= fmap replyCame . readReply)
+
+-- | A question of the first operation that is offered.
+startedQuestions :: Session -> [SomeQuestion]
+startedQuestions session =
+  [ question
+    | question@(SomeQuestion asked) <- samples,
+      operationName (operationOf asked) `elem` startedOperations (sessionStarted session)
+  ]
+
+-- | Those of a command that answers one request.
+oneShotChecks :: Limits -> Command -> [Check]
+oneShotChecks limits command =
+  [check unknownId (judged <$> runOnce limits command request)]
+  where
+    request = unknownRequest canonicalProfile
+    judged came = case replyCame <$> came of
+      Left why -> CheckErred [request] why
+      Right (CameSkipped _) -> CheckHeld
+      Right other -> CheckFailed [request] (CameSkipped "not known") other
+
+-- | A one-shot request for what is no operation.
+unknownRequest :: Profile -> Value
+unknownRequest profile =
+  object
+    [ "profile" .= profileValue profile,
+      "sequence" .= (1 :: Int),
+      "operation" .= ("no-such-operation" :: String),
+      "input" .= object []
+    ]

@@ -1,0 +1,126 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The protocol with a process a request: one object in, one reply out.
+module PraTactile.Conformance.Process.OneShot
+  ( oneShot,
+    offeredOneShot,
+    runOnce,
+    samples,
+  )
+where
+
+import Control.Exception
+import Data.Aeson (Value)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.IORef
+import Data.Maybe (fromMaybe)
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Process.Await
+import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Process.Lines
+import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Process.Session (Limits (..))
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Profile (Profile)
+import System.Exit (ExitCode (..))
+
+-- | Ask one question, or whether the profile is possible.
+oneShot :: Limits -> Command -> Profile -> Maybe (Int, SomeQuestion) -> IO (Either Fault Came)
+oneShot limits command profile asked = do
+  answered <- runOnce limits command (oneShotRequest profile asked)
+  pure (answered >>= named)
+  where
+    named reply = case (asked, replySequence reply) of
+      (Just (number, _), Just given)
+        | given == toInteger number -> Right (replyCame reply)
+        | otherwise -> Left (Fault OutOfOrder (wrong number ("\"sequence\" " ++ show given)))
+      (Just (number, _), Nothing) -> Left (Fault NotAReply (wrong number "no \"sequence\""))
+      (Nothing, _) -> Right (replyCame reply)
+    wrong number what = "a reply to request " ++ show number ++ " with " ++ what
+
+-- | Start the command, give it one request, and take its one reply.
+runOnce :: Limits -> Command -> Value -> IO (Either Fault Reply)
+runOnce limits command request = bracket (try (begin command)) (either nothing end) $ \started ->
+  case started of
+    Left problem -> pure (Left (Fault CannotStart (show problem)))
+    Right child -> do
+      send child (requestLine request)
+      closeInput child
+      now <- getMonotonicTime
+      let deadline = now + limitReply limits
+      line <- awaitLine child (limitReply limits)
+      case line of
+        Left fault -> pure (Left fault)
+        Right bytes -> either (pure . Left) (ended child deadline) (readReply bytes)
+  where
+    nothing :: IOException -> IO ()
+    nothing _ = pure ()
+
+-- | The reply, if nothing follows it and the process ends well.
+ended :: Child -> Double -> Reply -> IO (Either Fault Reply)
+ended child deadline reply = do
+  more <- restOf
+  case more of
+    Line line
+      | Right _ <- readReply line -> fault AnsweredTwice ("a second reply: " ++ excerpt line)
+      | otherwise -> fault NotAReply ("output after the reply: " ++ excerpt line)
+    Oversized start -> fault LineTooLong ("output after the reply: " ++ excerpt start)
+    Unfinished _ -> fault DoesNotStop "it does not end after its reply"
+    NoMore partial
+      | not (Bytes.null partial) ->
+        fault HalfLine ("output after the reply: " ++ excerpt partial)
+      | otherwise -> do
+        code <- waitExit child deadline
+        case code of
+          Just ExitSuccess -> pure (Right reply)
+          Just failed -> fault Crashed (exitText failed ++ ", after its reply")
+          Nothing -> fault DoesNotStop "it does not end after its reply"
+  where
+    restOf = nextLine child deadline
+    fault kind detail = flooded child 1 (Fault kind detail) >>= fmap Left . withErrors child
+
+-- | The operations that a command knows: each is asked for once, and is not known where the reply
+-- is @skipped@. 'Left' where it answers none of them.
+offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [Operation])
+offeredOneShot limits command profile = do
+  first <- newIORef Nothing
+  offers <- concat <$> mapM (offer first) samples
+  fault <- readIORef first
+  pure $ case (offers, fault) of
+    ([], Just why) -> Left why
+    (_, Just why) | faultKind why == CannotStart -> Left why
+    _ -> Right (map fst offers)
+  where
+    offer first question@(SomeQuestion asked) = do
+      came <- oneShot limits command profile (Just (1, question))
+      case came of
+        Right (CameSkipped _) -> pure []
+        Right _ -> pure [(operationOf asked, ())]
+        Left why -> do
+          modifyIORef first (Just . fromMaybe why)
+          pure [(operationOf asked, ()) | faultKind why `notElem` [CannotStart, NotJson]]
+
+-- | A question of each operation, to which every profile has an answer or a refusal.
+samples :: [SomeQuestion]
+samples =
+  [ SomeQuestion (Add 1 0),
+    SomeQuestion (Multiply 1 1),
+    SomeQuestion (Negate 1),
+    SomeQuestion (Inverse 1),
+    SomeQuestion (Power 1 1),
+    SomeQuestion (Logarithm 1),
+    SomeQuestion (Trace 1),
+    SomeQuestion (Primitive [1, 1]),
+    SomeQuestion (FirstPrimitive 1),
+    SomeQuestion (Term 0),
+    SomeQuestion (Terms 0 1),
+    SomeQuestion (Cell 0 0),
+    SomeQuestion (Pack [0]),
+    SomeQuestion (Unpack 0),
+    SomeQuestion (Locate [[Just 1]]),
+    SomeQuestion (Nearest Nothing [[Just 1]]),
+    SomeQuestion (Posterior [[Certainly 1]]),
+    SomeQuestion (Prove ["#"]),
+    SomeQuestion (Distance ["#"])
+  ]

@@ -1,0 +1,187 @@
+-- | The protocol with a process that answers many requests, one after the other. A process that
+-- fails is ended; another one takes its place and its profile.
+module PraTactile.Conformance.Process.Session
+  ( Session,
+    Limits (..),
+    withSession,
+    sessionStarted,
+    putProfile,
+    askAll,
+
+    -- * For the laws of the protocol
+    withStarted,
+    current,
+  )
+where
+
+import Control.Exception
+import Data.ByteString (ByteString)
+import Data.IORef
+import PraTactile.Conformance.Process.Await
+import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Profile (Profile)
+
+-- | How long is waited.
+newtype Limits = Limits
+  { -- | For the reply to each request, seconds.
+    limitReply :: Double
+  }
+
+-- | A process of a command, or none at the moment.
+data Session = Session
+  { sessionCommand :: Command,
+    sessionLimits :: Limits,
+    sessionStarted :: Started,
+    sessionChild :: IORef (Maybe Child),
+    -- | The profile that was put in force last.
+    sessionProfile :: IORef (Maybe Profile),
+    -- | The number of the next request.
+    sessionNext :: IORef Int
+  }
+
+-- | Start a command and use it; it is ended afterwards, however that ends. 'Left' where it cannot
+-- be started, or never answers.
+withSession :: Limits -> Command -> (Session -> IO a) -> IO (Either Fault a)
+withSession limits command use = do
+  held <- newIORef Nothing
+  flip finally (letGo held) $ do
+    started <- begun limits command held
+    case started of
+      Left fault -> pure (Left fault)
+      Right said -> do
+        session <- Session command limits said held <$> newIORef Nothing <*> newIORef 1
+        Right <$> use session
+
+-- | Start the command and await its first reply.
+begun :: Limits -> Command -> IORef (Maybe Child) -> IO (Either Fault Started)
+begun limits command held = mask $ \unmasked -> do
+  letGo held
+  started <- try (begin command)
+  case started of
+    Left problem -> pure (Left (Fault CannotStart (show (problem :: IOException))))
+    Right child -> do
+      writeIORef held (Just child)
+      unmasked $ do
+        send child (requestLine startRequest)
+        reply <- awaitLine child (limitReply limits)
+        either (fmap Left . flooded child 1) (pure . Right) (reply >>= readStarted)
+
+letGo :: IORef (Maybe Child) -> IO ()
+letGo held = mask_ $ do
+  child <- readIORef held
+  mapM_ end child
+  writeIORef held Nothing
+
+-- | A process of its own that was started, for an action.
+withStarted :: Session -> (Child -> IO (Either Fault a)) -> IO (Either Fault a)
+withStarted session use = do
+  held <- newIORef Nothing
+  flip finally (letGo held) $ do
+    started <- begun (sessionLimits session) (sessionCommand session) held
+    child <- readIORef held
+    case (started, child) of
+      (Right _, Just one) -> use one
+      (Left fault, _) -> pure (Left fault)
+      _ -> pure (Left (Fault CannotStart "it has ended"))
+
+-- | The process, started again if there is none, with its profile in force.
+current :: Session -> IO (Either Fault Child)
+current session = do
+  there <- readIORef (sessionChild session)
+  case there of
+    Just child -> pure (Right child)
+    Nothing -> do
+      started <- begun (sessionLimits session) (sessionCommand session) (sessionChild session)
+      child <- readIORef (sessionChild session)
+      profile <- readIORef (sessionProfile session)
+      case (started, child) of
+        (Right _, Just one) -> do
+          again <- maybe (pure (Right (CameErrored ""))) (profileOn session one) profile
+          either (failed session) (const (pure (Right one))) again
+        (Left fault, _) -> failed session fault
+        _ -> failed session (Fault CannotStart "it has ended")
+
+failed :: Session -> Fault -> IO (Either Fault a)
+failed session fault = Left fault <$ letGo (sessionChild session)
+
+-- | Put a profile in force; what came.
+putProfile :: Session -> Profile -> IO (Either Fault Came)
+putProfile session profile = do
+  child <- current session
+  came <- either (pure . Left) (\one -> profileOn session one profile) child
+  writeIORef (sessionProfile session) (if inForce came then Just profile else Nothing)
+  either (failed session) (pure . Right) came
+  where
+    inForce came = case came of
+      Right (CameResult _) -> True
+      _ -> False
+
+profileOn :: Session -> Child -> Profile -> IO (Either Fault Came)
+profileOn session child profile = do
+  send child (requestLine (profileRequest profile))
+  line <- awaitLine child (limitReply (sessionLimits session))
+  either (fmap Left . flooded child 1) (pure . Right) (line >>= fmap replyCame . readReply)
+
+-- | Ask questions; their replies in order, up to the first fault.
+askAll :: Session -> [SomeQuestion] -> IO [Either Fault Came]
+askAll session questions = do
+  (came, fault) <- exchangeAgain (startedInFlight (sessionStarted session)) questions
+  case fault of
+    Nothing -> pure (map Right came)
+    Just why
+      | length suspects <= 1 -> pure (map Right came ++ [Left why])
+      | otherwise -> do
+        -- Which of those that waited for a reply is at fault shows when each is asked alone.
+        (alone, again) <- exchangeAgain 1 suspects
+        pure (map Right came ++ maybe [Left why] (\f -> map Right alone ++ [Left f]) again)
+      where
+        suspects =
+          take (startedInFlight (sessionStarted session)) (drop (length came) questions)
+  where
+    exchangeAgain window asked = do
+      child <- current session
+      (came, fault) <-
+        either (\why -> pure ([], Just why)) (\one -> exchange session one window asked) child
+      mapM_ (const (letGo (sessionChild session))) fault
+      pure (came, fault)
+
+-- | Ask, with so many requests at most that wait for their replies.
+exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Came], Maybe Fault)
+exchange session child window questions = do
+  first <- readIORef (sessionNext session)
+  let count = length questions
+      requests = zipWith (\i -> requestLine . runRequest i) [first ..] questions
+  writeIORef (sessionNext session) (first + count)
+  go first first requests []
+  where
+    -- The number of the next reply, that of the next request, and the requests from it on.
+    go next unsent requests came
+      | next == unsent && null requests = pure (reverse came, Nothing)
+      | not (null requests) && unsent - next <= window `div` 2 = do
+        let (now, later) = splitAt (window - (unsent - next)) requests
+        send child (mconcat now)
+        go next (unsent + length now) later came
+      | otherwise = do
+        line <- awaitLine child (limitReply (sessionLimits session))
+        case line >>= answerTo next of
+          Right one -> go (next + 1) unsent requests (one : came)
+          Left fault -> do
+            why <- flooded child (unsent - next) fault
+            pure (reverse came, Just why)
+
+-- | A line as the reply to the request of this number.
+answerTo :: Int -> ByteString -> Either Fault Came
+answerTo number line = do
+  reply <- readReply line
+  case replySequence reply of
+    Just given
+      | given == toInteger number -> Right (replyCame reply)
+      | given < toInteger number && given >= 1 ->
+        Left (Fault AnsweredTwice (instead ("answered " ++ show given ++ " again")))
+      | otherwise -> Left (Fault OutOfOrder (instead ("answered " ++ show given)))
+    Nothing -> Left (Fault NotAReply (instead "a reply without \"sequence\""))
+  where
+    instead what = what ++ " where " ++ show number ++ " was to be answered: " ++ excerpt line
