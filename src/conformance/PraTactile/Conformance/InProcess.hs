@@ -1,0 +1,74 @@
+-- | An implementation in this process as a subject: it is asked in the forms of the protocol as
+-- well, so that what is offered, refused and answered is judged alike.
+module PraTactile.Conformance.InProcess
+  ( inProcess,
+    Force,
+    noForce,
+    putInForce,
+    answerIn,
+  )
+where
+
+import Control.Exception
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Aeson (Value (Bool), encode)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.IORef
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Question (Question, SomeQuestion (..))
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire
+import PraTactile.Profile (Profile)
+
+-- | The session of the profile in force, if one is.
+type Force = IORef (Maybe Session)
+
+noForce :: IO Force
+noForce = newIORef Nothing
+
+-- | An implementation as a subject. An exception of it is a crash.
+inProcess :: Implementation -> IO Subject
+inProcess implementation = do
+  force <- noForce
+  pure
+    Subject
+      { subjectName = implementationName implementation,
+        subjectOffers = offered implementation,
+        subjectProfile = guarded . putInForce implementation force,
+        subjectAsk = upToFault . map (\(SomeQuestion asked) -> guarded (answerIn force asked)),
+        subjectBatch = 64,
+        subjectUnknown = [],
+        subjectChecks = []
+      }
+
+-- | Put a profile in force; after a refusal none is.
+putInForce :: Implementation -> Force -> Profile -> IO Came
+putInForce implementation force profile' = do
+  writeIORef force Nothing
+  opened <- runExceptT (open implementation profile')
+  case opened of
+    Left why -> pure (CameRefused (refusalReason why))
+    Right session -> CameResult (Bool True) <$ writeIORef force (Just session)
+
+-- | The answer of the session in force, computed to its end.
+answerIn :: Force -> Question a -> IO Came
+answerIn force question = readIORef force >>= maybe none answered
+  where
+    none = pure (CameErrored "no profile is in force")
+    answered session = do
+      answer <- runExceptT (answerOf session question)
+      case answer of
+        Left why -> CameRefused <$> evaluated why
+        Right a -> do
+          let value = answerValue question a
+          _ <- evaluate (Lazy.length (encode value))
+          pure (CameResult value)
+    evaluated why = let reason = refusalReason why in evaluate (length reason) >> pure reason
+
+guarded :: IO a -> IO (Either Fault a)
+guarded action = (Right <$> action) `catches` [Handler asynchronous, Handler (pure . Left . crash)]
+  where
+    asynchronous :: SomeAsyncException -> IO a
+    asynchronous = throwIO
+    crash :: SomeException -> Fault
+    crash problem = Fault Crashed (displayException problem)

@@ -1,0 +1,173 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The other side of the protocol: an implementation in this process that others ask by JSON
+-- lines. Whatever comes in, a line has a line in reply, but for @stop@.
+module PraTactile.Conformance.Serve
+  ( serve,
+    serveOnce,
+  )
+where
+
+import Control.Monad (when)
+import Data.Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.ByteString (ByteString)
+import Data.ByteString.Builder (Builder, hPutBuilder)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.IORef (writeIORef)
+import Data.List (find)
+import Data.Maybe (fromMaybe)
+import qualified Data.Text as Text
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.InProcess
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject (Came (..))
+import PraTactile.Conformance.Wire.Line (readLine)
+import PraTactile.Format.Json.Codec (readValue)
+import PraTactile.Format.Profile (profileCodec)
+import System.IO
+
+-- | Answer the lines of one handle on another one, until @stop@ or the end of the input.
+serve :: Implementation -> Handle -> Handle -> IO ()
+serve implementation input output = do
+  mapM_ (`hSetBinaryMode` True) [input, output]
+  hSetBuffering output (BlockBuffering (Just 65536))
+  force <- noForce
+  start <- getMonotonicTime
+  answering (replyTo implementation force) input output start Empty
+
+-- | What was read and not used: bytes, or the rest of a line that is too long.
+data Pending
+  = Empty
+  | Pending ByteString
+  | TooLong
+
+-- | Reply to each line; what is ready is written when no more waits, or when it has waited for a
+-- fiftieth of a second.
+answering :: (ByteString -> IO (Maybe Series)) -> Handle -> Handle -> Double -> Pending -> IO ()
+answering reply input output = go
+  where
+    go flushed pending = case pending of
+      Pending bytes
+        | Just i <- Bytes.elemIndex '\n' bytes,
+          i <= longestLine -> do
+          answer <- reply (Bytes.take i bytes)
+          case answer of
+            Nothing -> hFlush output
+            Just keys -> do
+              say keys
+              now <- getMonotonicTime
+              let due = now - flushed > 0.02
+              when due (hFlush output)
+              go (if due then now else flushed) (Pending (Bytes.drop (i + 1) bytes))
+      Pending bytes | Bytes.length bytes > longestLine -> do
+        say (errored "a line of more than 1 MiB")
+        go flushed (afterLine bytes)
+      _ -> do
+        hFlush output
+        more <- Bytes.hGetSome input 65536
+        now <- getMonotonicTime
+        case (pending, Bytes.null more) of
+          (Pending rest, True) | not (Bytes.null rest) -> reply rest >>= mapM_ say >> hFlush output
+          (_, True) -> hFlush output
+          (TooLong, _) -> go now (afterLine more)
+          (Pending rest, _) -> go now (Pending (rest <> more))
+          (Empty, _) -> go now (Pending more)
+    afterLine bytes = case Bytes.elemIndex '\n' bytes of
+      Just i -> Pending (Bytes.drop (i + 1) bytes)
+      Nothing -> TooLong
+    say = hPutBuilder output . line
+
+-- | An object as a line.
+line :: Series -> Builder
+line keys = fromEncoding (pairs keys) <> "\n"
+
+-- | The reply to a line; 'Nothing' to @stop@.
+replyTo :: Implementation -> Force -> ByteString -> IO (Maybe Series)
+replyTo implementation force bytes = case requestIn bytes of
+  Left problem -> pure (Just (errored problem))
+  Right keys -> case KeyMap.lookup "command" keys of
+    Just "start" -> pure (Just (started implementation keys))
+    Just "profile" -> Just . cameKeys <$> profiled implementation force keys
+    Just "run" -> Just . (repeated keys <>) <$> ran implementation force keys
+    Just "stop" -> pure Nothing
+    _ -> pure (Just (repeated keys <> errored "a command is start, profile, run or stop"))
+
+requestIn :: ByteString -> Either String Object
+requestIn bytes = case readLine bytes of
+  Right (Object keys) -> Right keys
+  Right _ -> Left "a request is a JSON object"
+  Left _ -> Left "a request is one line of JSON"
+
+-- | What this implementation says of itself.
+started :: Implementation -> Object -> Series
+started implementation keys
+  | KeyMap.lookup "protocol" keys == Just (Number 1) =
+    "protocol" .= (1 :: Int)
+      <> "name" .= implementationName implementation
+      <> "operations" .= map operationName (offered implementation)
+      <> "in_flight" .= (64 :: Int)
+  | otherwise = errored "only protocol 1 is spoken here"
+
+-- | Put the profile of a request in force. What is no profile is refused as an input would be.
+profiled :: Implementation -> Force -> Object -> IO Came
+profiled implementation force keys = case readValue profileCodec <$> KeyMap.lookup "profile" keys of
+  Just (Right asked) -> putInForce implementation force asked
+  _ -> CameRefused "invalid" <$ writeIORef force Nothing
+
+-- | The answer to a run, under the profile in force.
+ran :: Implementation -> Force -> Object -> IO Series
+ran implementation force keys = case KeyMap.lookup "operation" keys of
+  Just (String name)
+    | Just operation <- find ((== Text.unpack name) . operationName) (offered implementation) ->
+      cameKeys <$> answerIn force (Raw operation (fromMaybe Null (KeyMap.lookup "input" keys)))
+    | otherwise ->
+      pure (cameKeys (CameSkipped (Text.unpack name ++ " is not offered")) <> "link" .= page)
+  _ -> pure (errored "a run has an operation")
+  where
+    page = "docs/conformance.md" :: String
+
+-- | Answer one request, which has the profile as well: whether that is possible, where it asks for
+-- nothing else.
+serveOnce :: Implementation -> Handle -> Handle -> IO ()
+serveOnce implementation input output = do
+  mapM_ (`hSetBinaryMode` True) [input, output]
+  bytes <- firstLine [] 0
+  answer <- either (pure . errored) once (bytes >>= requestIn)
+  hPutBuilder output (line answer)
+  hFlush output
+  where
+    once keys = do
+      force <- noForce
+      opened <- profiled implementation force keys
+      (repeated keys <>) <$> case opened of
+        CameResult _ | KeyMap.member "operation" keys -> ran implementation force keys
+        _ -> pure (cameKeys opened)
+    firstLine pieces size = do
+      more <- Bytes.hGetSome input 65536
+      let whole = Bytes.concat (reverse (more : pieces))
+      if Bytes.null more || Bytes.elem '\n' more
+        then pure (Right (Bytes.takeWhile (/= '\n') whole))
+        else
+          if size + Bytes.length more > longestLine
+            then pure (Left "a line of more than 1 MiB")
+            else firstLine (more : pieces) (size + Bytes.length more)
+
+-- | The number of a request, as its reply repeats it.
+repeated :: Object -> Series
+repeated keys = maybe mempty ("sequence" .=) (KeyMap.lookup "sequence" keys)
+
+cameKeys :: Came -> Series
+cameKeys came = case came of
+  CameResult value -> "result" .= value
+  CameRefused why -> "refused" .= why
+  CameSkipped why -> "skipped" .= why
+  CameErrored why -> errored why
+
+errored :: String -> Series
+errored = ("errored" .=)
+
+-- | How long a line may be: 1 MiB.
+longestLine :: Int
+longestLine = 1024 * 1024
