@@ -1,0 +1,132 @@
+-- | What a run of the suite says of a subject, as data.
+module PraTactile.Conformance.Report
+  ( -- * Reports
+    Report (..),
+    LawReport (..),
+    Outcome (..),
+    outcomeName,
+    countOf,
+    casesOf,
+
+    -- * Certification
+    certified,
+    sound,
+    uncovered,
+
+    -- * Failures
+    Counterexample (..),
+  )
+where
+
+import Data.Aeson (Value)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+
+-- | Of a subject.
+data Report = Report
+  { reportSubject :: String,
+    reportOffers :: [Operation],
+    -- | What it offers and nobody here knows.
+    reportUnknown :: [String],
+    reportSeed :: Int,
+    -- | The laws were chosen, so that what they say is not all.
+    reportPartial :: Bool,
+    reportSeconds :: Double,
+    -- | Patterns of laws that must fail, none of which did.
+    reportUnexpected :: [String],
+    -- | In the order in which they were tried.
+    reportLaws :: [LawReport]
+  }
+  deriving stock (Show)
+
+-- | Of a law under a profile.
+data LawReport = LawReport
+  { lawReportId :: String,
+    lawReportStage :: Stage,
+    lawReportNeeds :: [Operation],
+    lawReportSentence :: String,
+    lawReportSource :: String,
+    -- | The profile's name; 'Nothing' for a law of profiles or of the protocol.
+    lawReportProfile :: Maybe String,
+    lawReportOutcome :: Outcome,
+    lawReportCases :: Int,
+    lawReportExhaustive :: Bool,
+    lawReportCounterexample :: Maybe Counterexample,
+    -- | The shipped impostor that errs exactly alike.
+    lawReportLikely :: Maybe String,
+    -- | Why it was skipped.
+    lawReportNote :: Maybe String
+  }
+  deriving stock (Show)
+
+-- | What came of a law.
+data Outcome
+  = Held
+  | Failed
+  | Skipped
+  | Errored
+  | -- | It failed, and was said to.
+    KnownFailure
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | As reports name it.
+outcomeName :: Outcome -> String
+outcomeName outcome = case outcome of
+  Held -> "held"
+  Failed -> "failed"
+  Skipped -> "skipped"
+  Errored -> "errored"
+  KnownFailure -> "known-failure"
+
+-- | How many laws had this outcome, each counted for each profile.
+countOf :: Outcome -> Report -> Int
+countOf outcome = length . filter ((== outcome) . lawReportOutcome) . reportLaws
+
+-- | How many cases were judged in all.
+casesOf :: Report -> Int
+casesOf = sum . map lawReportCases . reportLaws
+
+-- | Whether no law failed or erred, something is offered, and of each operation that is offered at
+-- least one law held.
+certified :: Report -> Bool
+certified report = sound report && null (uncovered report)
+
+-- | Whether no law failed or erred, something held, and no law passed that must fail: what can be
+-- said of a run of chosen laws.
+sound :: Report -> Bool
+sound report =
+  countOf Failed report == 0
+    && countOf Errored report == 0
+    && null (reportUnexpected report)
+    && not (null (reportOffers report))
+    && countOf Held report > 0
+
+-- | The operations that are offered, but of which no law held.
+uncovered :: Report -> [Operation]
+uncovered report =
+  [ operation
+    | operation <- reportOffers report,
+      null
+        [ ()
+          | one <- reportLaws report,
+            lawReportOutcome one == Held,
+            operation `elem` lawReportNeeds one
+        ]
+  ]
+
+-- | A case in which a subject is wrong.
+data Counterexample = Counterexample
+  { -- | In the form of the protocol.
+    counterRequests :: [Value],
+    -- | 'Nothing' where any answer would do.
+    counterExpected :: Maybe Came,
+    -- | By which road that is known.
+    counterRoad :: String,
+    counterGot :: Either Fault Came,
+    counterReason :: String,
+    counterShrinks :: Int,
+    -- | 'Nothing' where there is nothing to replay: a check of the protocol.
+    counterToken :: Maybe String
+  }
+  deriving stock (Show)

@@ -1,0 +1,80 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Reports as JSON, of the schema @pra-tactile/conform/1@.
+module PraTactile.Conformance.Report.Json
+  ( encodeReport,
+    cameValue,
+  )
+where
+
+import Data.Aeson
+import Data.ByteString (ByteString)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Json (encodeSchema)
+
+-- | The report on one line, without its end.
+encodeReport :: Report -> ByteString
+encodeReport report =
+  encodeSchema "conform/1" $
+    "subject" .= reportSubject report
+      <> "seed" .= reportSeed report
+      <> "certified" .= certified report
+      <> "held" .= countOf Held report
+      <> "failed" .= countOf Failed report
+      <> "skipped" .= countOf Skipped report
+      <> "errored" .= countOf Errored report
+      <> "known_failures" .= countOf KnownFailure report
+      <> "cases" .= casesOf report
+      <> "seconds" .= rounded (reportSeconds report)
+      <> "offered" .= map operationName (reportOffers report)
+      <> "not_offered"
+        .= map operationName (filter (`notElem` reportOffers report) [minBound ..])
+      <> "not_held" .= map operationName (uncovered report)
+      <> "unknown" .= reportUnknown report
+      <> "unexpected" .= reportUnexpected report
+      <> "laws" .= map lawValue (reportLaws report)
+
+-- | To a millisecond.
+rounded :: Double -> Double
+rounded seconds = fromInteger (round (seconds * 1000)) / 1000
+
+lawValue :: LawReport -> Value
+lawValue one =
+  object
+    [ "law" .= lawReportId one,
+      "stage" .= stageName (lawReportStage one),
+      "profile" .= lawReportProfile one,
+      "outcome" .= outcomeName (lawReportOutcome one),
+      "cases" .= lawReportCases one,
+      "exhaustive" .= lawReportExhaustive one,
+      "counterexample" .= fmap counterexampleValue (lawReportCounterexample one),
+      "likely" .= lawReportLikely one,
+      "note" .= lawReportNote one
+    ]
+
+counterexampleValue :: Counterexample -> Value
+counterexampleValue counter =
+  object
+    [ "requests" .= counterRequests counter,
+      "expected" .= fmap cameValue (counterExpected counter),
+      "got" .= either faultValue cameValue (counterGot counter),
+      "road" .= counterRoad counter,
+      "reason" .= counterReason counter,
+      "shrinks" .= counterShrinks counter,
+      "token" .= counterToken counter
+    ]
+
+-- | A reply as it stands in the protocol.
+cameValue :: Came -> Value
+cameValue came = case came of
+  CameResult value -> object ["result" .= value]
+  CameRefused why -> object ["refused" .= why]
+  CameSkipped why -> object ["skipped" .= why]
+  CameErrored why -> object ["errored" .= why]
+
+faultValue :: Fault -> Value
+faultValue fault =
+  object ["fault" .= faultName (faultKind fault), "detail" .= faultDetail fault]

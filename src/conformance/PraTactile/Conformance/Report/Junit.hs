@@ -1,0 +1,73 @@
+-- | Reports as XML in the form of JUnit, which build servers read: a suite a profile, a case a law.
+module PraTactile.Conformance.Report.Junit
+  ( junitText,
+  )
+where
+
+import Data.List (nub)
+import Data.Maybe (fromMaybe)
+import PraTactile.Conformance.Report
+
+-- | The report as an XML document; given what is said of a law that failed.
+junitText :: (LawReport -> String) -> Report -> String
+junitText explained report =
+  unlines ("<?xml version=\"1.0\" encoding=\"UTF-8\"?>" : element "testsuites" attributes suites)
+  where
+    attributes = ("name", "conformance of " ++ reportSubject report) : totals (reportLaws report)
+    suites = concatMap suite names
+    names = nub (map lawReportProfile (reportLaws report))
+    suite name =
+      let own = filter ((== name) . lawReportProfile) (reportLaws report)
+       in element
+            "testsuite"
+            (("name", fromMaybe "all profiles" name) : totals own)
+            (concatMap (testCase explained) own)
+
+totals :: [LawReport] -> [(String, String)]
+totals own =
+  [ ("tests", show (length own)),
+    ("failures", number Failed),
+    ("errors", number Errored),
+    ("skipped", show (length (filter (`elem` [Skipped, KnownFailure]) (map lawReportOutcome own))))
+  ]
+  where
+    number outcome = show (length (filter ((== outcome) . lawReportOutcome) own))
+
+testCase :: (LawReport -> String) -> LawReport -> [String]
+testCase explained one = element "testcase" named $ case lawReportOutcome one of
+  Held -> []
+  Failed -> [told "failure"]
+  Errored -> [told "error"]
+  Skipped -> element "skipped" [("message", fromMaybe "" (lawReportNote one))] []
+  KnownFailure -> element "skipped" [("message", "known to fail")] []
+  where
+    named = [("classname", fromMaybe "" (lawReportProfile one)), ("name", lawReportId one)]
+    told name =
+      opening name [("message", lawReportSentence one)] ++ ">" ++ escaped (explained one) ++ "</"
+        ++ name
+        ++ ">"
+
+element :: String -> [(String, String)] -> [String] -> [String]
+element name attributes content
+  | null content = [opening name attributes ++ "/>"]
+  | otherwise = [opening name attributes ++ ">"] ++ content ++ ["</" ++ name ++ ">"]
+
+-- | How an element begins, without the end of that.
+opening :: String -> [(String, String)] -> String
+opening name attributes =
+  '<' : unwords (name : [key ++ "=\"" ++ escaped value ++ "\"" | (key, value) <- attributes])
+
+-- | As text or in an attribute; characters that XML cannot have become question marks.
+escaped :: String -> String
+escaped = concatMap one
+  where
+    one c = case c of
+      '<' -> "&lt;"
+      '>' -> "&gt;"
+      '&' -> "&amp;"
+      '"' -> "&quot;"
+      '\n' -> "&#10;"
+      '\t' -> "&#9;"
+      _
+        | c < ' ' || c == '\xFFFE' || c == '\xFFFF' || (c >= '\xD800' && c <= '\xDFFF') -> "?"
+        | otherwise -> [c]

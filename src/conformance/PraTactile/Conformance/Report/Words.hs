@@ -1,0 +1,200 @@
+-- | Reports in words: a line a stage, then each failure with all that its reader needs, each side
+-- named, and what it comes to in the end.
+module PraTactile.Conformance.Report.Words
+  ( reportText,
+    failureText,
+    summaryLine,
+    valueText,
+  )
+where
+
+import Data.Aeson (Value, encode)
+import qualified Data.Aeson as Json
+import qualified Data.Aeson.Key as Key
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (intercalate, nub)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import qualified Data.Text.Encoding.Error as Text
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Subject
+
+-- | The whole report, lines with their ends; given how a token is tried again.
+reportText :: (String -> String) -> Report -> String
+reportText again report =
+  unlines . intercalate [""] . filter (not . null) $
+    [heading report, map (stageLine report) (stagesOf report)]
+      ++ map (failureLines again) shown
+      ++ [more, notes report, [summaryLine report]]
+  where
+    (shown, hidden) = splitAt mostShown (failures report)
+    more = case hidden of
+      [] -> []
+      _ ->
+        [ "and " ++ counted (length hidden) "law" ++ " more, which --json tells of: "
+            ++ unwords (map (lawReportId . fst) hidden)
+        ]
+
+-- | How many failures are told of at length.
+mostShown :: Int
+mostShown = 10
+
+-- | All that is said of one law that failed, lines with their ends.
+failureText :: (String -> String) -> LawReport -> String
+failureText again one = unlines (failureLines again (one, []))
+
+heading :: Report -> [String]
+heading report =
+  [ reportSubject report ++ ": " ++ counted (length (reportOffers report)) "operation" ++ " of "
+      ++ show (length [minBound .. maxBound :: Operation])
+      ++ " offered, "
+      ++ counted (length profiles) "profile"
+      ++ ", seed "
+      ++ show (reportSeed report)
+  ]
+  where
+    profiles = nub [name | one <- reportLaws report, Just name <- [lawReportProfile one]]
+
+stagesOf :: Report -> [Stage]
+stagesOf report =
+  [ stage
+    | stage <- [minBound ..],
+      stage `elem` map lawReportStage (reportLaws report)
+  ]
+
+-- | A stage, and what came of its laws.
+stageLine :: Report -> Stage -> String
+stageLine report stage =
+  "  " ++ padded 12 (stageName stage) ++ intercalate ", " (concatMap count [minBound ..])
+    ++ ("; " ++ counted (sum (map lawReportCases own)) "case")
+  where
+    own = filter ((== stage) . lawReportStage) (reportLaws report)
+    count outcome = case length (filter ((== outcome) . lawReportOutcome) own) of
+      0 -> []
+      n -> [show n ++ " " ++ outcomeText outcome]
+
+outcomeText :: Outcome -> String
+outcomeText outcome = if outcome == KnownFailure then "known to fail" else outcomeName outcome
+
+-- | The laws that failed or erred, each with its profiles, in the order in which they were tried;
+-- alike are those of one law with one outcome, and those that the same fault befell.
+failures :: Report -> [(LawReport, [String])]
+failures report =
+  [ (one, concatMap (maybe [] pure . lawReportProfile) others)
+    | key <- nub (map alike failing),
+      (one : others) <- [filter ((== key) . alike) failing]
+  ]
+  where
+    failing = filter ((`elem` [Failed, Errored]) . lawReportOutcome) (reportLaws report)
+    alike one = case lawReportCounterexample one of
+      Just counter | null (counterRequests counter) -> ("", lawReportOutcome one)
+      _ -> (lawReportId one, lawReportOutcome one)
+
+failureLines :: (String -> String) -> (LawReport, [String]) -> [String]
+failureLines again (one, others) =
+  (lawReportId one ++ " " ++ outcomeName (lawReportOutcome one) ++ under) :
+  map item ([("must hold", lawReportSentence one), ("source", lawReportSource one)] ++ counter)
+  where
+    under = maybe "" (" under " ++) (lawReportProfile one) ++ also
+    also = case nub others of
+      [] -> ""
+      names -> ", and under " ++ commas names
+    item (name, text) = "  " ++ padded 16 name ++ text
+    counter = maybe [] (counterItems again (lawReportLikely one)) (lawReportCounterexample one)
+
+counterItems :: (String -> String) -> Maybe String -> Counterexample -> [(String, String)]
+counterItems again likely counter =
+  concat
+    [ zip ("asked" : repeat "then") (map requestText (counterRequests counter)),
+      [("yours", either faultText cameText (counterGot counter))],
+      [(side, cameText came) | Just came <- [counterExpected counter]],
+      [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
+      [("why", counterReason counter)],
+      [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
+      [("likely", "exactly as the impostor " ++ name ++ " does") | Just name <- [likely]],
+      [("again", again token) | Just token <- [counterToken counter]]
+    ]
+  where
+    side = if counterRoad counter == "the definition" then "the definition" else "expected"
+
+-- | A request without what every request has.
+requestText :: Value -> String
+requestText request = case request of
+  Json.Object keys
+    | Just (Json.String name) <- KeyMap.lookup (key "operation") keys,
+      Just input <- KeyMap.lookup (key "input") keys ->
+      Text.unpack name ++ " " ++ valueText input
+    | Just profile <- KeyMap.lookup (key "profile") keys -> "profile " ++ longer profile
+  _ -> valueText request
+  where
+    key = Key.fromString
+    longer = cut 600 . whole
+
+cameText :: Came -> String
+cameText came = case came of
+  CameResult value -> valueText value
+  CameRefused why -> "refused: " ++ why
+  CameSkipped why -> "skipped: " ++ why
+  CameErrored why -> "errored: " ++ why
+
+faultText :: Fault -> String
+faultText fault = faultName (faultKind fault) ++ ": " ++ faultDetail fault
+
+-- | A value as JSON; of a long one the beginning and the end.
+valueText :: Value -> String
+valueText = cut 200 . whole
+
+whole :: Value -> String
+whole = Text.unpack . Text.decodeUtf8With Text.lenientDecode . Lazy.toStrict . encode
+
+cut :: Int -> String -> String
+cut most text
+  | null (drop most text) = text
+  | otherwise =
+    take (most - 40) text ++ " ... " ++ drop (length text - 30) text ++ " (" ++ show (length text)
+      ++ " characters)"
+
+-- | What else there is to say.
+notes :: Report -> [String]
+notes report =
+  concat
+    [ [ "not offered: " ++ unwords (map operationName missing) ++ "; their laws were skipped"
+        | missing@(_ : _) <- [filter (`notElem` reportOffers report) [minBound ..]]
+      ],
+      [ "offered, but not known here: " ++ unwords unknown
+        | unknown@(_ : _) <- [reportUnknown report]
+      ],
+      ["held, but must fail: " ++ pattern' | pattern' <- reportUnexpected report],
+      [ "offered, but no law of it held: " ++ unwords (map operationName none)
+        | not (reportPartial report),
+          none@(_ : _) <- [uncovered report]
+      ]
+    ]
+
+-- | What it comes to.
+summaryLine :: Report -> String
+summaryLine report
+  | certified report = "certified: " ++ tally
+  | reportPartial report && sound report = "what was tried held, which is not all: " ++ tally
+  | null (reportOffers report) = "not certified: nothing is offered"
+  | otherwise = "not certified: " ++ tally
+  where
+    tally =
+      intercalate ", " (concatMap count [minBound ..])
+        ++ ("; " ++ counted (casesOf report) "case" ++ " in " ++ seconds)
+    count outcome = case countOf outcome report of
+      0 | outcome /= Held -> []
+      n -> [show n ++ " " ++ outcomeText outcome]
+    seconds = show (fromInteger (round (10 * reportSeconds report)) / 10 :: Double) ++ " seconds"
+
+counted :: Int -> String -> String
+counted n what = show n ++ " " ++ what ++ (if n == 1 then "" else "s")
+
+commas :: [String] -> String
+commas = intercalate ", "
+
+padded :: Int -> String -> String
+padded width text = text ++ replicate (max 1 (width - length text)) ' '

@@ -1,0 +1,180 @@
+-- | Running a suite on a subject: the laws one after the other, or shared among several processes
+-- of the same subject, within a time for all, to a report.
+module PraTactile.Conformance.Run
+  ( module PraTactile.Conformance.Run.Work,
+    runSuite,
+    countWork,
+    replay,
+  )
+where
+
+import Control.Concurrent
+import Control.Exception
+import Control.Monad (forM, when)
+import Data.Foldable (for_, traverse_)
+import Data.IORef
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Traversable (for)
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Run.Case
+import PraTactile.Conformance.Run.One
+import PraTactile.Conformance.Run.Pattern
+import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Run.Work
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Error (FormatError)
+
+-- | Try all laws that were chosen on a subject, of which several may be given that are alike; then
+-- how it is spoken to. The report, and each of its parts as it is made.
+runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO Report
+runSuite settings suite tell subjects = do
+  start <- getMonotonicTime
+  let budget = Budget (start + settingLimit settings) (settingFailFast settings)
+      offers = concatMap subjectOffers (take 1 subjects)
+      work = workOf settings offers suite
+      checks = concatMap (checksChosen settings) (take 1 subjects)
+  stopped <- newIORef False
+  let finished stop one = do
+        let classified = classify settings one
+        when (stop && lawReportOutcome classified `elem` [Failed, Errored]) $
+          writeIORef stopped True
+        classified <$ tell classified
+  tried <-
+    inParallel subjects work $ \worker one ->
+      tryWithin budget stopped (tryWork (planOf settings) suite worker one) one
+        >>= finished (settingFailFast settings)
+  checked <- for checks $ \check ->
+    checkWithin budget stopped check >>= finished False
+  end <- getMonotonicTime
+  pure
+    Report
+      { reportSubject = concatMap subjectName (take 1 subjects),
+        reportOffers = offers,
+        reportUnknown = concatMap subjectUnknown (take 1 subjects),
+        reportSeed = settingSeed settings,
+        reportPartial = not (choosesAll settings),
+        reportSeconds = end - start,
+        reportUnexpected = unexpected settings (tried ++ checked),
+        reportLaws = tried ++ checked
+      }
+
+-- | How many parts the report of such a run has.
+countWork :: Settings -> Suite about -> Subject -> Int
+countWork settings suite subject =
+  length (workOf settings (subjectOffers subject) suite) + length (checksChosen settings subject)
+
+-- | Try the case of a token again. 'Nothing' where no law has its name.
+replay ::
+  Settings -> Suite about -> Token -> Subject -> IO (Maybe (Either FormatError Report))
+replay settings suite token subject = for (workFor suite token) $ \work -> do
+  start <- getMonotonicTime
+  worker <- newWorker subject
+  came <- tryToken (planOf settings) suite worker work (tokenCase token)
+  end <- getMonotonicTime
+  pure $ case came of
+    Left why -> Left why
+    Right one ->
+      Right
+        Report
+          { reportSubject = subjectName subject,
+            reportOffers = subjectOffers subject,
+            reportUnknown = subjectUnknown subject,
+            reportSeed = settingSeed settings,
+            reportPartial = True,
+            reportSeconds = end - start,
+            reportUnexpected = [],
+            reportLaws = [one]
+          }
+
+planOf :: Settings -> Subject -> Plan
+planOf settings subject =
+  Plan
+    { planSeed = settingSeed settings,
+      planCases = settingCases settings,
+      planWindow = subjectBatch subject,
+      planTick = const (pure ())
+    }
+
+-- | When all must be done, and whether the first failure ends it.
+data Budget = Budget Double Bool
+
+-- | The report of some work, if there is time for it; otherwise it says so.
+tryWithin :: Budget -> IORef Bool -> IO LawReport -> Work -> IO LawReport
+tryWithin (Budget deadline failFast) stopped try' work
+  | Just reason <- workLeftOut work = pure (skipped work reason)
+  | otherwise = do
+    over <- readIORef stopped
+    now <- getMonotonicTime
+    let left = deadline - now
+    if over && failFast
+      then pure (skipped work "not tried: another law failed before it")
+      else
+        if left <= 0
+          then pure (tooSlow work)
+          else fromMaybe (tooSlow work) <$> timeoutSeconds left try'
+
+checksChosen :: Settings -> Subject -> [Check]
+checksChosen settings subject =
+  [ check
+    | check <- subjectChecks subject,
+      null (settingStages settings) || OnProtocol `elem` settingStages settings,
+      null (settingRun settings) || any (`matches` checkId check) (settingRun settings),
+      settingSkipMustFail settings || not (any (`matches` checkId check) (settingSkip settings))
+  ]
+
+checkWithin :: Budget -> IORef Bool -> Check -> IO LawReport
+checkWithin (Budget deadline failFast) stopped check = do
+  over <- readIORef stopped
+  now <- getMonotonicTime
+  if over && failFast
+    then pure ((checkReport check) {lawReportNote = Just "not tried: another law failed before it"})
+    else
+      if now >= deadline
+        then pure (checkTooSlow check)
+        else checkedReport check <$> checkTry check
+
+-- | A failure of a law that must fail is a known one.
+classify :: Settings -> LawReport -> LawReport
+classify settings one
+  | lawReportOutcome one `elem` [Failed, Errored],
+    any (`matches` lawReportId one) (mustFail settings) =
+    one {lawReportOutcome = KnownFailure}
+  | otherwise = one
+
+-- | The patterns of laws that must fail of which some were tried and none did.
+unexpected :: Settings -> [LawReport] -> [String]
+unexpected settings reports =
+  [ pattern'
+    | pattern' <- mustFail settings,
+      let outcomes = [lawReportOutcome one | one <- reports, pattern' `matches` lawReportId one],
+      Held `elem` outcomes,
+      KnownFailure `notElem` outcomes
+  ]
+
+-- | Do all of it, each worker taking what comes next; the results in the order of the work.
+inParallel :: [Subject] -> [work] -> (Worker -> work -> IO a) -> IO [a]
+inParallel subjects work act = case subjects of
+  [subject] -> newWorker subject >>= forM work . act
+  _ -> do
+    queue <- newMVar (zip [0 :: Int ..] work)
+    results <- newMVar Map.empty
+    ends <- mask_ . for subjects $ \subject -> do
+      ended <- newEmptyMVar
+      thread <- forkIOWithUnmask $ \unmasked ->
+        try (unmasked (newWorker subject >>= worked queue results)) >>= putMVar ended
+      pure (thread, ended)
+    let await (_, ended) = takeMVar ended >>= either (throwIO :: SomeException -> IO ()) pure
+    traverse_ await ends `onException` for_ ends (killThread . fst)
+    Map.elems <$> readMVar results
+  where
+    worked queue results worker = do
+      next <- modifyMVar queue $ \left -> pure $ case left of
+        [] -> ([], Nothing)
+        first : others -> (others, Just first)
+      for_ next $ \(i, one) -> do
+        came <- act worker one
+        modifyMVar_ results (pure . Map.insert i came)
+        worked queue results worker

@@ -1,0 +1,118 @@
+-- | A law tried on a subject under a profile: all its cases in their order, or drawn ones, of which
+-- one in trouble is made as small as it becomes.
+module PraTactile.Conformance.Run.Case
+  ( Plan (..),
+    Tried (..),
+    Failure (..),
+    tryLaw,
+    tryCase,
+  )
+where
+
+import Data.Aeson (Value)
+import Data.Bits (xor)
+import Data.Char (ord)
+import Data.List (foldl')
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Run.Trials
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Error (FormatError)
+import PraTactile.Format.Json.Codec (readValue, writeValue)
+import Test.QuickCheck (Gen, resize)
+import Test.QuickCheck.Gen (unGen)
+import Test.QuickCheck.Random (mkQCGen)
+
+-- | How laws are tried.
+data Plan = Plan
+  { planSeed :: Int,
+    -- | How many cases are drawn of a law that does not exhaust its domain.
+    planCases :: Int,
+    -- | How many trials go on at once.
+    planWindow :: Int,
+    -- | What to do after so many questions more.
+    planTick :: Int -> IO ()
+  }
+
+-- | What came of a law.
+data Tried = Tried
+  { -- | How many cases were judged; where one failed, to that one.
+    triedCases :: Int,
+    triedExhaustive :: Bool,
+    triedFailure :: Maybe Failure
+  }
+
+-- | A case in trouble.
+data Failure = Failure
+  { failureTrouble :: Trouble,
+    -- | In the form of the law's cases.
+    failureCase :: Value,
+    -- | How often it was made smaller.
+    failureShrinks :: Int,
+    -- | What was asked in the cases that violate the law, as far as they were tried.
+    failureWrong :: [[Exchange]]
+  }
+
+-- | Try the cases of a law, drawn ones from the plan's seed and the law's own name.
+tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
+tryLaw plan subject name (Cases form domain trial) = case domain of
+  Every every -> do
+    came <- search' (map trial every)
+    let failure (i, why) =
+          Failure why (writeValue form (every !! i)) 0 (searchWrong came)
+    pure (Tried (searchCases came) True (failure <$> searchTrouble came))
+  Some gen smaller -> do
+    (cases, came) <- drawing 0 (drawn plan name gen)
+    failure <- traverse (uncurry (shrunk smaller 0)) came
+    pure (Tried cases False failure)
+  where
+    search' = search subject (planWindow plan) (planTick plan)
+    -- Draws of which the law says nothing are made good by others, up to ten for each case.
+    drawing count draws
+      | null now = pure (count, Nothing)
+      | otherwise = do
+        came <- search' (map trial now)
+        let count' = count + searchCases came
+        case searchTrouble came of
+          Just (i, why) -> pure (count', Just (now !! i, (why, searchWrong came)))
+          Nothing
+            | searchCases came == 0 && null later -> pure (count', Nothing)
+            | otherwise -> drawing count' later
+      where
+        (now, later) = splitAt (planCases plan - count) draws
+    shrunk smaller steps a (why, wrong)
+      | timedOut why = pure (failed a)
+      | otherwise = do
+        came <- search' (map trial candidates)
+        case searchTrouble came of
+          Just (i, why') ->
+            let wrong' = take 256 (wrong ++ searchWrong came)
+             in shrunk smaller (steps + 1) (candidates !! i) (why', wrong')
+          Nothing -> pure (failed a)
+      where
+        candidates = smaller a
+        failed one = Failure why (writeValue form one) steps wrong
+
+-- | Whether each smaller case would cost as long again as this one.
+timedOut :: Trouble -> Bool
+timedOut trouble = case trouble of
+  Broke _ _ (Left fault) -> faultKind fault `elem` [TimedOut, HalfLine, EndlessOutput]
+  _ -> False
+
+-- | Ten times as many as are needed, growing.
+drawn :: Plan -> String -> Gen a -> [a]
+drawn plan name gen = unGen (traverse sized [0 .. 10 * planCases plan - 1]) source 0
+  where
+    sized i = resize (i * 100 `div` max 1 (planCases plan) `mod` 101) gen
+    source = mkQCGen (foldl' mixed (planSeed plan) name)
+    mixed h c = (h `xor` ord c) * 16777619
+
+-- | Try one case, given in the form of the law's cases.
+tryCase :: Plan -> Subject -> Cases -> Value -> Either FormatError (IO Tried)
+tryCase plan subject (Cases form domain trial) value = tried <$> readValue form value
+  where
+    tried a = do
+      came <- search subject (planWindow plan) (planTick plan) [trial a]
+      let failure (_, why) = Failure why value 0 (searchWrong came)
+      pure (Tried (searchCases came) (exhausts domain) (failure <$> searchTrouble came))
+    exhausts (Every _) = True
+    exhausts (Some _ _) = False

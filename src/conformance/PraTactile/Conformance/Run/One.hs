@@ -1,0 +1,285 @@
+-- | One law tried on one subject, as it is reported.
+module PraTactile.Conformance.Run.One
+  ( -- * Subjects at work
+    Worker,
+    newWorker,
+
+    -- * Trying
+    tryWork,
+    tryToken,
+
+    -- * Reports of what was not tried
+    skipped,
+    tooSlow,
+    timeoutSeconds,
+
+    -- * Checks of the protocol
+    checkReport,
+    checkedReport,
+    checkTooSlow,
+  )
+where
+
+import Data.Aeson (Value (Bool), object, (.=))
+import qualified Data.Aeson.Key as Key
+import Data.IORef
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process.Reply (profileRequest, runRequest)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Run.Case
+import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Run.Trials
+import PraTactile.Conformance.Run.Work
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Error (FormatError)
+import PraTactile.Profile (Profile)
+import System.Timeout (timeout)
+
+-- | A subject, and the profile that was put in force last, with what came instead of that.
+data Worker = Worker Subject (IORef (Maybe (Profile, Maybe Counterexample)))
+
+newWorker :: Subject -> IO Worker
+newWorker subject = Worker subject <$> newIORef Nothing
+
+-- | Try all cases of a law.
+tryWork :: (Subject -> Plan) -> Suite about -> Worker -> Work -> IO LawReport
+tryWork planFor suite worker@(Worker subject _) work =
+  inForce worker work $
+    reportOf suite work
+      <$> tryLaw (narrowed work (planFor subject)) subject (workId work) (workCases work)
+
+-- | Try one case of a law.
+tryToken ::
+  (Subject -> Plan) -> Suite about -> Worker -> Work -> Value -> IO (Either FormatError LawReport)
+tryToken planFor suite worker@(Worker subject _) work case' =
+  case tryCase (narrowed work (planFor subject)) subject (workCases work) case' of
+    Left why -> pure (Left why)
+    Right tried -> Right <$> inForce worker work (reportOf suite work <$> tried)
+
+-- | Trials that put profiles in force have the subject for themselves.
+narrowed :: Work -> Plan -> Plan
+narrowed work plan = maybe plan {planWindow = 1} (const plan) (workProfile work)
+
+-- | Do it with the profile of the work in force; where that is refused, say so.
+inForce :: Worker -> Work -> IO LawReport -> IO LawReport
+inForce (Worker subject held) work act = case workProfile work of
+  Nothing -> writeIORef held Nothing >> act
+  Just (_, profile) -> do
+    before <- readIORef held
+    refused <- case before of
+      Just (there, came) | there == profile -> pure came
+      _ -> do
+        came <- notInForce profile <$> subjectProfile subject profile
+        came <$ writeIORef held (Just (profile, came))
+    case refused of
+      Nothing -> act
+      Just counterexample ->
+        pure
+          (blank work)
+            { lawReportOutcome = Errored,
+              lawReportCounterexample = Just counterexample
+            }
+
+-- | What came, unless the profile is in force.
+notInForce :: Profile -> Either Fault Came -> Maybe Counterexample
+notInForce profile came = case came of
+  Right (CameResult (Bool True)) -> Nothing
+  _ ->
+    Just
+      Counterexample
+        { counterRequests = [profileRequest profile],
+          counterExpected = Just (CameResult (Bool True)),
+          counterRoad = "the definition",
+          counterGot = came,
+          counterReason = "the profile names an array, so that it can be put in force",
+          counterShrinks = 0,
+          counterToken = Nothing
+        }
+
+-- | What came of the cases.
+reportOf :: Suite about -> Work -> Tried -> LawReport
+reportOf suite work tried = case triedFailure tried of
+  Just failure ->
+    counted
+      { lawReportOutcome = outcomeOf (failureTrouble failure),
+        lawReportCounterexample = Just (counterexampleOf work failure),
+        lawReportLikely = workProfile work >>= likely failure . snd
+      }
+  Nothing
+    | triedCases tried == 0 ->
+      (skipped work "no case under this profile") {lawReportExhaustive = triedExhaustive tried}
+    | otherwise -> counted {lawReportOutcome = Held}
+  where
+    counted =
+      (blank work)
+        { lawReportCases = triedCases tried,
+          lawReportExhaustive = triedExhaustive tried
+        }
+    likely failure profile = case failureTrouble failure of
+      Wrong violation -> suiteLikely suite profile (violationAsked violation : failureWrong failure)
+      Broke {} -> Nothing
+
+-- | Whether the law failed, or something else went wrong.
+outcomeOf :: Trouble -> Outcome
+outcomeOf trouble = case trouble of
+  Wrong _ -> Failed
+  Broke _ _ (Right (CameSkipped _)) -> Failed
+  Broke _ _ (Left fault) | faultKind fault == WrongType -> Failed
+  Broke {} -> Errored
+
+counterexampleOf :: Work -> Failure -> Counterexample
+counterexampleOf work failure = case failureTrouble failure of
+  Wrong violation ->
+    made
+      { counterRequests = requestsOf (violationAsked violation),
+        counterExpected = Just (cameOf (violationExpected violation)),
+        counterRoad = violationRoad violation,
+        counterGot = case reverse (violationAsked violation) of
+          Exchange _ _ reply : _ -> Right (cameOf reply)
+          [] -> Right (CameErrored "nothing was asked"),
+        counterReason = violationReason violation
+      }
+  Broke before what came ->
+    made
+      { counterRequests = requestsOf before ++ [requestOf (length before + 1) what],
+        counterExpected = case what of
+          AskedQuestion question -> cameOf <$> workAnswer work question
+          AskedProfile _ -> Nothing,
+        counterGot = came,
+        counterReason = reasonFor came
+      }
+  where
+    made =
+      Counterexample
+        { counterRequests = [],
+          counterExpected = Nothing,
+          counterRoad = "the definition",
+          counterGot = Right (CameErrored ""),
+          counterReason = "",
+          counterShrinks = failureShrinks failure,
+          counterToken =
+            Just (writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure)))
+        }
+    requestOf i what = case what of
+      AskedQuestion question -> runRequest i question
+      AskedProfile profile -> profileRequest profile
+
+cameOf :: Reply -> Came
+cameOf reply = case reply of
+  Result value -> CameResult value
+  RefusedFor why -> CameRefused why
+
+-- | Why what came is no answer.
+reasonFor :: Either Fault Came -> String
+reasonFor came = case came of
+  Right (CameSkipped _) -> "what is offered is answered or refused, not skipped"
+  Right _ -> "an error of the subject is no answer"
+  Left fault | faultKind fault == WrongType -> "the result has another type"
+  Left _ -> "a request has one reply, within the time limit"
+
+-- | What was asked, as requests of the protocol.
+requestsOf :: [Exchange] -> [Value]
+requestsOf = zipWith request [1 :: Int ..]
+  where
+    request i (Exchange operation input _) = case operation of
+      Just name ->
+        object
+          [ Key.fromString "command" .= "run",
+            Key.fromString "sequence" .= i,
+            Key.fromString "operation" .= operationName name,
+            Key.fromString "input" .= input
+          ]
+      Nothing -> object [Key.fromString "command" .= "profile", Key.fromString "profile" .= input]
+
+-- | A report that says nothing yet.
+blank :: Work -> LawReport
+blank work =
+  LawReport
+    { lawReportId = workId work,
+      lawReportStage = workStage work,
+      lawReportNeeds = workNeeds work,
+      lawReportSentence = workSentence work,
+      lawReportSource = workSource work,
+      lawReportProfile = fst <$> workProfile work,
+      lawReportOutcome = Skipped,
+      lawReportCases = 0,
+      lawReportExhaustive = False,
+      lawReportCounterexample = Nothing,
+      lawReportLikely = Nothing,
+      lawReportNote = Nothing
+    }
+
+-- | Not tried, for this reason.
+skipped :: Work -> String -> LawReport
+skipped work reason = (blank work) {lawReportNote = Just reason}
+
+-- | Not finished when the time for all was over.
+tooSlow :: Work -> LawReport
+tooSlow = outOfTime . blank
+
+outOfTime :: LawReport -> LawReport
+outOfTime report =
+  report
+    { lawReportOutcome = Errored,
+      lawReportCounterexample =
+        Just
+          Counterexample
+            { counterRequests = [],
+              counterExpected = Nothing,
+              counterRoad = "",
+              counterGot = Left (Fault TooSlow "the time for all of it was over"),
+              counterReason = "--limit is the time for all laws together",
+              counterShrinks = 0,
+              counterToken = Nothing
+            }
+    }
+
+-- | The result, unless it takes more than so many seconds.
+timeoutSeconds :: Double -> IO a -> IO (Maybe a)
+timeoutSeconds seconds = timeout (max 1 (ceiling (min 1e9 seconds * 1e6)))
+
+-- | A check that was not made.
+checkReport :: Check -> LawReport
+checkReport check =
+  LawReport
+    { lawReportId = checkId check,
+      lawReportStage = OnProtocol,
+      lawReportNeeds = [],
+      lawReportSentence = checkSentence check,
+      lawReportSource = "the protocol",
+      lawReportProfile = Nothing,
+      lawReportOutcome = Skipped,
+      lawReportCases = 0,
+      lawReportExhaustive = True,
+      lawReportCounterexample = Nothing,
+      lawReportLikely = Nothing,
+      lawReportNote = Nothing
+    }
+
+-- | What came of a check.
+checkedReport :: Check -> Checked -> LawReport
+checkedReport check checked = case checked of
+  CheckHeld -> tried {lawReportOutcome = Held}
+  CheckFailed requests wanted came -> failing Failed requests (Just wanted) (Right came)
+  CheckErred requests fault -> failing Errored requests Nothing (Left fault)
+  where
+    tried = (checkReport check) {lawReportCases = 1}
+    failing outcome requests wanted came =
+      tried
+        { lawReportOutcome = outcome,
+          lawReportCounterexample =
+            Just
+              Counterexample
+                { counterRequests = requests,
+                  counterExpected = wanted,
+                  counterRoad = "the protocol",
+                  counterGot = came,
+                  counterReason = checkSentence check,
+                  counterShrinks = 0,
+                  counterToken = Nothing
+                }
+        }
+
+checkTooSlow :: Check -> LawReport
+checkTooSlow = outOfTime . checkReport

@@ -1,0 +1,154 @@
+{-# LANGUAGE GADTs #-}
+
+-- | Many trials at once: the next question of each is asked together with those of the others, so
+-- that another process always has something to do; what is found is the same as if they were tried
+-- one after the other.
+module PraTactile.Conformance.Run.Trials
+  ( search,
+    Search (..),
+    Trouble (..),
+    Asked (..),
+  )
+where
+
+import Data.Aeson (Value (..), encode)
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.IntSet as IntSet
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process.Reply (excerpt)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire
+import PraTactile.Format.Profile (profileValue)
+import PraTactile.Profile (Profile)
+
+-- | What is wrong with a case.
+data Trouble
+  = Wrong Violation
+  | -- | After these exchanges this was asked, and that came, which is no answer.
+    Broke [Exchange] Asked (Either Fault Came)
+  deriving stock (Show)
+
+-- | What was asked.
+data Asked
+  = AskedQuestion SomeQuestion
+  | AskedProfile Profile
+  deriving stock (Show)
+
+-- | What came of trials.
+data Search = Search
+  { -- | How many were judged, to the first in trouble; those of which the law says nothing do not
+    -- count.
+    searchCases :: Int,
+    -- | The first one in trouble, by its index.
+    searchTrouble :: Maybe (Int, Trouble),
+    -- | What was asked in those that violate the law, as far as they were tried.
+    searchWrong :: [[Exchange]]
+  }
+
+-- | A trial that goes on: what was asked in it, the last first, and what it asks next.
+data Active = Active Int [Exchange] (Ask Verdict)
+
+data State = State
+  { judged :: IntSet.IntSet,
+    trouble :: Maybe (Int, Trouble),
+    violations :: [(Int, [Exchange])],
+    active :: [Active],
+    waiting :: [Active]
+  }
+
+-- | Try these, at most so many at once, to the first one in order that is in trouble; given what to
+-- do after so many questions more.
+search :: Subject -> Int -> (Int -> IO ()) -> [Ask Verdict] -> IO Search
+search subject window tick trials =
+  go (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials))
+  where
+    go before
+      | null (active state) = pure (found state)
+      | otherwise = do
+        replies <- asked subject (active state)
+        tick (length replies)
+        -- Those after a fault are not needed any more; others wait for their turn.
+        let rest = drop (length replies) (active state)
+        go (foldr settle state {active = rest} (zipWith fed (active state) replies))
+      where
+        state = refilled window before
+
+found :: State -> Search
+found state =
+  Search
+    { searchCases = IntSet.size (fst (IntSet.split (bound state) (judged state))),
+      searchTrouble = trouble state,
+      searchWrong = map snd (violations state)
+    }
+
+-- | One more than the index of the first trial in trouble.
+bound :: State -> Int
+bound = maybe maxBound ((+ 1) . fst) . trouble
+
+-- | With as many trials that ask as may be, those that ask nothing being settled.
+refilled :: Int -> State -> State
+refilled window before
+  | null new = state
+  | otherwise = refilled window (foldr (settle . Right) state {waiting = later} new)
+  where
+    state = before {active = filter inTime (active before)}
+    inTime (Active i _ _) = i < bound before
+    (new, later) =
+      splitAt (window - length (active state)) (takeWhile inTime (waiting state))
+
+-- | A trial that goes on or is judged, or the one that is in trouble.
+settle :: Either (Int, Trouble) Active -> State -> State
+settle fate state = case fate of
+  Left (i, why) -> blamed i why
+  Right (Active i _ (Done verdict)) -> case verdict of
+    NotMeant -> state
+    Holds -> counted i state
+    Violated violation ->
+      (counted i (blamed i (Wrong violation)))
+        { violations = take 256 ((i, violationAsked violation) : violations state)
+        }
+  Right going -> state {active = going : active state}
+  where
+    counted i s = s {judged = IntSet.insert i (judged s)}
+    blamed i why
+      | i < bound state = counted i state {trouble = Just (i, why)}
+      | otherwise = state
+
+-- | What the first trials ask next, asked; the replies up to the first fault.
+asked :: Subject -> [Active] -> IO [Either Fault Came]
+asked subject trials = case trials of
+  Active _ _ (Opening profile _) : _ -> (: []) <$> subjectProfile subject profile
+  _ -> subjectAsk subject (questions trials)
+  where
+    questions some = case some of
+      Active _ _ (Asking question _) : others -> SomeQuestion question : questions others
+      _ -> []
+
+-- | A trial with the reply to what it asked.
+fed :: Active -> Either Fault Came -> Either (Int, Trouble) Active
+fed (Active i before trial) reply = case trial of
+  Done _ -> Right (Active i before trial)
+  Opening profile continue -> case reply of
+    Right (CameResult (Bool True)) ->
+      on Nothing (profileValue profile) (Result (Bool True)) (continue (Right ()))
+    Right (CameRefused why) ->
+      on Nothing (profileValue profile) (RefusedFor why) (continue (Left (Refusal why)))
+    Right (CameResult value) -> broken (AskedProfile profile) (Left (wrongType value))
+    _ -> broken (AskedProfile profile) reply
+  Asking question continue -> case reply of
+    Right (CameResult value) -> case readAnswer question value of
+      Just answer -> onward question (Result value) (continue (Right answer))
+      Nothing -> broken (AskedQuestion (SomeQuestion question)) (Left (wrongType value))
+    Right (CameRefused why) -> onward question (RefusedFor why) (continue (Left (Refusal why)))
+    _ -> broken (AskedQuestion (SomeQuestion question)) reply
+  where
+    broken what came = Left (i, Broke (reverse before) what came)
+    onward :: Question b -> Reply -> Ask Verdict -> Either (Int, Trouble) Active
+    onward question = on (Just (operationOf question)) (questionInput question)
+    on operation input came next = Right (Active i (Exchange operation input came : before) next)
+
+wrongType :: Value -> Fault
+wrongType value =
+  Fault WrongType ("a result of another type: " ++ excerpt (Lazy.toStrict (encode value)))
