@@ -13,6 +13,7 @@ import qualified Command.Census
 import qualified Command.Certificate
 import qualified Command.Check
 import qualified Command.Compare
+import qualified Command.Conform
 import qualified Command.Decode
 import qualified Command.Evaluate
 import qualified Command.Field
@@ -25,6 +26,7 @@ import qualified Command.Profile
 import qualified Command.Prove
 import qualified Command.Rates
 import qualified Command.Sequence
+import qualified Command.Serve
 import qualified Command.Shapes
 import qualified Command.Stitch
 import qualified Command.Synthesise
@@ -147,4 +149,8 @@ commands =
       ( commandGroup "Objects and symbols:" <> hidden
           <> mconcat
             [Command.Objects.command, Command.Shapes.command, Command.Train.command]
+      )
+    <|> subparser
+      ( commandGroup "Other implementations:" <> hidden
+          <> mconcat [Command.Conform.command, Command.Serve.command]
       )

@@ -192,8 +192,8 @@ allowances =
           ),
           ( Conformance,
             recognising
-              ++ "pra-tactile:formats aeson bytestring containers directory process QuickCheck \
-                 \random scientific text transformers unix vector"
+              ++ "pra-tactile:formats aeson base64-bytestring bytestring containers directory \
+                 \filepath process QuickCheck random scientific text transformers unix vector"
           )
         ]
     )

@@ -1,0 +1,133 @@
+-- | @pra-tactile conform@: is an implementation right, in whatever language?
+module Command.Conform
+  ( command,
+  )
+where
+
+import ConformList
+import ConformOptions
+import Control.Monad (join)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Foldable (for_)
+import Data.IORef
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import ExitStatus
+import FormatFile (readProfile)
+import Interrupt
+import Message (formatMessage)
+import Options
+import Output
+import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Process
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Report.Json
+import PraTactile.Conformance.Report.Junit
+import PraTactile.Conformance.Report.Words
+import PraTactile.Conformance.Run
+import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Suite
+import PraTactile.Profile (Profile)
+import Progress
+import System.FilePath (takeBaseName)
+import Visible
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "conform"
+    "Hold an implementation in any language against the laws: start COMMAND, ask it over JSON \
+    \lines, and tell where it is wrong, by the smallest case (the protocol: docs/conformance.md). \
+    \Exit status 0: certified, or all of the chosen laws held; 1: a law failed, or COMMAND erred, \
+    \hung or crashed; 2: it cannot be started or never answers."
+    [ "pra-tactile conform --stage field -- pra-tactile serve",
+      "pra-tactile conform --run 'array/*' --cases 20 --json -- pra-tactile serve",
+      "pra-tactile conform --list"
+    ]
+    (run <$> conformOptions)
+
+run :: Options -> IO ExitStatus
+run options = do
+  profiles <- chosenProfiles (profileFiles options)
+  suite <- orUnusable impossible (standardSuite profiles)
+  settings <- settingsOf suite options
+  case (listed options, commandGiven options) of
+    (True, []) ->
+      Answered <$ printAs (form options) (listText settings suite) (listJson settings suite)
+    (True, _) -> unusable "--list runs no command; leave it out"
+    (False, []) -> unusable "name the command to put under the suite, as in: conform -- ./decoder"
+    (False, program : arguments) -> do
+      for_ (junit options) orUnwritable
+      report <- endingInOrder (conformed options settings suite (Command program arguments))
+      told options report
+  where
+    impossible name = name ++ ": this profile describes no array"
+
+-- | The profiles of the files, or the default ones.
+chosenProfiles :: [FilePath] -> IO [(String, Profile)]
+chosenProfiles files = case files of
+  [] -> pure defaultProfiles
+  _ -> traverse (\file -> (,) (visibleName (takeBaseName file)) <$> readProfile file) files
+
+-- | Run the suite, or the case of a token, on as many processes as are to be.
+conformed :: Options -> Settings -> Suite Known -> Command -> IO Report
+conformed options settings suite subject =
+  nested (parallelism options) [] >>= either (unusable . notStarted subject) pure
+  where
+    nested :: Int -> [Subject] -> IO (Either Fault Report)
+    nested 0 started = Right <$> tried started
+    nested left started =
+      join
+        <$> withProcess
+          (mode options)
+          (Limits (timeLimit options))
+          subject
+          (\one -> nested (left - 1) (one : started))
+    tried started = case (tokenGiven options, started) of
+      (Just token, one : _) -> replayed settings suite token one
+      _ -> whole settings suite started
+
+-- | Why there is nothing to be asked.
+notStarted :: Command -> Fault -> String
+notStarted subject fault = case faultKind fault of
+  CannotStart -> "cannot start " ++ name ++ ": " ++ faultDetail fault
+  kind -> name ++ " never answered start: " ++ faultName kind ++ ", " ++ faultDetail fault
+  where
+    name = visibleName (commandProgram subject)
+
+-- | Try all that was chosen.
+whole :: Settings -> Suite Known -> [Subject] -> IO Report
+whole settings suite started =
+  withProgress total 0 $ \tick -> do
+    done <- newIORef 0
+    let tell _ = atomicModifyIORef' done (\n -> (n + 1, n + 1)) >>= tick
+    runSuite settings suite tell started
+  where
+    total = toInteger (sum (map (countWork settings suite) (take 1 started)))
+
+-- | Try the case of a token.
+replayed :: Settings -> Suite Known -> Token -> Subject -> IO Report
+replayed settings suite token subject = do
+  came <- replay settings suite token subject
+  case came of
+    Nothing -> unusable ("--replay: there is no law " ++ visible (tokenLaw token))
+    Just (Left why) -> unusable (formatMessage "the token's case" "a case of its law" why)
+    Just (Right report) -> pure report
+
+-- | Print the report, and say by the status what it comes to.
+told :: Options -> Report -> IO ExitStatus
+told options report = do
+  printAs (form options) (concatMap shown (lines (reportText again report))) (encodeReport report)
+  for_ (junit options) $ \file ->
+    writeWhole file (utf8 (junitText (failureText again) report))
+  pure (if certified report || reportPartial report && sound report then Answered else NotAnswered)
+  where
+    again token =
+      unwords $
+        ["pra-tactile conform --replay", token]
+          ++ ["--one-shot" | mode options == OneShot]
+          ++ ("--" : commandGiven options)
+    utf8 = Lazy.fromStrict . Text.encodeUtf8 . Text.pack
+    shown text = visible text ++ "\n"

@@ -1,0 +1,125 @@
+-- | The options of @pra-tactile conform@, and what they say of the laws.
+module ConformOptions
+  ( Options (..),
+    conformOptions,
+    settingsOf,
+  )
+where
+
+import Control.Monad (unless)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Char (isSpace)
+import Data.Foldable (for_)
+import Data.List (dropWhileEnd)
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import qualified Data.Text.Encoding.Error as Text
+import ExitStatus
+import Files (readBytesUpTo)
+import Options
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process (Mode (..), checkTexts)
+import PraTactile.Conformance.Run
+import PraTactile.Conformance.Run.Pattern
+import PraTactile.Conformance.Run.Token
+import Visible
+
+-- | As they are given.
+data Options = Options
+  { mode :: Mode,
+    stages :: [Stage],
+    runPatterns :: [String],
+    skipPatterns :: [String],
+    skipMustFail :: Bool,
+    knownFailures :: Maybe FilePath,
+    profileFiles :: [FilePath],
+    seed :: Int,
+    cases :: Int,
+    -- | For each reply, seconds.
+    timeLimit :: Double,
+    -- | For all, seconds.
+    wholeLimit :: Double,
+    failFast :: Bool,
+    parallelism :: Int,
+    tokenGiven :: Maybe Token,
+    listed :: Bool,
+    form :: AnswerForm,
+    junit :: Maybe FilePath,
+    -- | The program and its arguments.
+    commandGiven :: [String]
+  }
+
+conformOptions :: Parser Options
+conformOptions =
+  Options
+    <$> flag InSession OneShot (long "one-shot" <> help "Start a process for each request")
+    <*> many (choosing "stage" (allNamed stageName) "stage" "NAME" stageHelp mempty)
+    <*> many (patternOption "run" runHelp)
+    <*> many (patternOption "skip" "Leave out the laws whose id fits; may be repeated")
+    <*> switch (long "skip-must-fail" <> help "Try what is skipped all the same: it must fail")
+    <*> optionalFile "known-failures" "FILE" knownHelp
+    <*> many (fileOption "profile" "FILE" profileHelp)
+    <*> seedOption (value 1 <> showDefault)
+    <*> defaulting 100 intReader "cases" "N" "Cases of each law that does not try all there are"
+    <*> defaulting 5 decimalReader "timeout" "SECONDS" "How long each reply may take"
+    <*> defaulting 300 decimalReader "limit" "SECONDS" "How long all of it may take"
+    <*> switch (long "fail-fast" <> help "End at the first law that fails or errs")
+    <*> defaulting 1 intReader "parallel" "N" "Processes of COMMAND at once"
+    <*> optional (valued tokenReader "replay" "TOKEN" "Try again the case of a token in a report")
+    <*> switch (long "list" <> help "Print the laws, and run nothing")
+    <*> jsonSwitch "Print the report as JSON"
+    <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
+    <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
+  where
+    stageHelp = "Try only the laws of a stage; may be repeated"
+    runHelp = "Try only the laws whose id fits, as in 'field/*' or commutes; may be repeated"
+    knownHelp = "Laws that are known to fail: an id or a pattern a line, # before a comment"
+    profileHelp =
+      "A profile as 'pra-tactile profile' prints it, in place of the suite's own; may be repeated"
+    patternOption name text = strOption (long name <> metavar "PATTERN" <> help text)
+    tokenReader = eitherReader $ \text ->
+      maybe (Left (visible (take 40 text) ++ " is no token of a report")) Right (readToken text)
+
+-- | Which laws are tried and how; leaves with status 2 where an option says what cannot be.
+settingsOf :: Suite about -> Options -> IO Settings
+settingsOf suite options = do
+  for_ complaints unusable
+  known <- maybe (pure []) (fmap patternsIn . readBytesUpTo mebibyte) (knownFailures options)
+  named "--run" (runPatterns options)
+  named "--skip" (skipPatterns options)
+  named "--known-failures" known
+  pure
+    standardSettings
+      { settingSeed = seed options,
+        settingCases = cases options,
+        settingLimit = wholeLimit options,
+        settingFailFast = failFast options,
+        settingStages = stages options,
+        settingRun = runPatterns options,
+        settingSkip = skipPatterns options,
+        settingSkipMustFail = skipMustFail options,
+        settingKnown = known
+      }
+  where
+    ids = idsOf suite ++ map fst checkTexts
+    named name patterns =
+      for_ patterns $ \one ->
+        unless (any (matches one) ids) . unusable $
+          name ++ ": no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
+    mebibyte = 1024 * 1024
+    complaints =
+      take 1 . concat $
+        [ ["--cases is a number from 1 up" | cases options < 1],
+          ["--parallel is a number from 1 to 64" | parallelism options `notElem` [1 .. 64]],
+          ["--timeout is a number of seconds above 0" | timeLimit options <= 0],
+          ["--limit is a number of seconds above 0" | wholeLimit options <= 0],
+          ["--skip-must-fail needs --skip" | skipMustFail options && null (skipPatterns options)]
+        ]
+
+-- | The patterns in a file, without its comments.
+patternsIn :: Bytes.ByteString -> [String]
+patternsIn =
+  filter (not . null) . map (trimmed . takeWhile (/= '#')) . lines . Text.unpack
+    . Text.decodeUtf8With Text.lenientDecode
+  where
+    trimmed = dropWhileEnd isSpace . dropWhile isSpace
