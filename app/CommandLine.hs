@@ -32,6 +32,7 @@ import qualified Command.Stitch
 import qualified Command.Synthesise
 import qualified Command.Table
 import qualified Command.Train
+import qualified Command.Vectors
 import Data.Char (isLower)
 import Data.Version (showVersion)
 import ExitStatus
@@ -152,5 +153,5 @@ commands =
       )
     <|> subparser
       ( commandGroup "Other implementations:" <> hidden
-          <> mconcat [Command.Conform.command, Command.Serve.command]
+          <> mconcat [Command.Conform.command, Command.Serve.command, Command.Vectors.command]
       )

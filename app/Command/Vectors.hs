@@ -1,0 +1,129 @@
+-- | @pra-tactile vectors@: test vectors for implementations that the suite cannot run.
+module Command.Vectors
+  ( command,
+  )
+where
+
+import Control.Exception (IOException, try)
+import Control.Monad (filterM, forM)
+import Data.Foldable (for_)
+import Data.List (sort)
+import Data.Maybe (fromMaybe)
+import ExitStatus
+import Files (readBytes)
+import FormatFile (readProfile)
+import Message (formatMessage)
+import Options
+import Output (writeMessage, writeWhole)
+import PraTactile.Conformance.Profiles (profileNamed)
+import PraTactile.Conformance.Question (Operation, operationName)
+import PraTactile.Conformance.Vectors
+import PraTactile.Conformance.Vectors.Text
+import PraTactile.Profile (Profile)
+import System.Directory (createDirectoryIfMissing, doesDirectoryExist, listDirectory)
+import System.FilePath (takeBaseName, takeExtension, (<.>), (</>))
+import Visible (visibleName)
+
+-- | What is to be done.
+data Work
+  = -- | Write the vectors of some operations, or all, and a profile, or all, into a folder.
+    Make FilePath (Maybe Operation) (Maybe FilePath) Int
+  | -- | Make all that are in a folder again, and compare.
+    Check FilePath
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "vectors"
+    "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json; or \
+    \make those in a folder again and compare."
+    [ "pra-tactile vectors --output vectors --operation locate",
+      "pra-tactile vectors --check vectors"
+    ]
+    (run <$> (making <|> Check <$> folder "check" "Check the vectors in this folder"))
+  where
+    folder name text = strOption (long name <> metavar "FOLDER" <> action "directory" <> help text)
+    operations = allNamed operationName
+    making =
+      Make
+        <$> folder "output" "Write the vectors here; files of the same name are replaced"
+        <*> optional
+          (choosing "operation" operations "operation" "NAME" "Of one operation" mempty)
+        <*> optionalFile "profile" "FILE" "Under the profile in this file (default: those shipped)"
+        <*> seedOption (value 1 <> showDefault)
+
+run :: Work -> IO ExitStatus
+run work = case work of
+  Make folder operation profile seed -> make folder operation profile seed
+  Check folder -> check folder
+
+make :: FilePath -> Maybe Operation -> Maybe FilePath -> Int -> IO ExitStatus
+make folder chosen file seed = do
+  profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
+  let operations = maybe [minBound ..] pure chosen
+  counts <- forM profiles $ \(name, profile) -> do
+    made <- makeVectors seed profile operations >>= orUnusable (\why -> name ++ ": " ++ why)
+    for_ made $ \vectors -> do
+      let place = folder </> operationName (vectorsOperation vectors)
+      createFolder place
+      writeWhole (place </> name <.> "json") (vectorsText vectors)
+    pure (sum (map testsOf made))
+  putStrLn $
+    "wrote " ++ show (length profiles * length operations) ++ " files with " ++ show (sum counts)
+      ++ " tests into "
+      ++ visibleName folder
+  pure Answered
+  where
+    testsOf = length . concatMap groupTests . vectorsGroups
+
+-- | The profile in a file, with the name that it has among the default ones, or else the file's.
+named :: FilePath -> IO (String, Profile)
+named file = do
+  profile <- readProfile file
+  pure (fromMaybe (takeBaseName file) (profileNamed profile), profile)
+
+createFolder :: FilePath -> IO ()
+createFolder folder =
+  (try (createDirectoryIfMissing True folder) :: IO (Either IOException ()))
+    >>= orUnusable (writeMessage folder)
+
+-- | Each file is made again from the operation, the profile and the seed that it states.
+check :: FilePath -> IO ExitStatus
+check folder = do
+  files <- vectorFiles folder
+  if null files
+    then unusable ("there are no vectors in " ++ visibleName folder)
+    else go (0 :: Int) files
+  where
+    go tests [] = do
+      putStrLn ("good: all " ++ show tests ++ " tests are as they are made again")
+      pure Answered
+    go tests (file : others) = do
+      bytes <- readBytes file
+      stated <- orUnusable (formatMessage file "test vectors of this program") (readVectors bytes)
+      made <- again file stated
+      case difference bytes stated made of
+        Nothing -> go (tests + length (statedTests stated)) others
+        Just why -> NotAnswered <$ putStrLn ("bad: " ++ visibleName file ++ ": " ++ why)
+
+-- | The vectors that a file should have.
+again :: FilePath -> StatedVectors -> IO Vectors
+again file stated = do
+  made <- makeVectors seed (statedProfile stated) [statedOperation stated]
+  case made of
+    Right [vectors] -> pure vectors
+    Right _ -> unusable (visibleName file ++ ": no vectors are made of it")
+    Left why -> unusable (visibleName file ++ ": " ++ why)
+  where
+    seed = fromMaybe 1 (statedSeed stated)
+
+-- | The files OPERATION/PROFILE.json in a folder, in order.
+vectorFiles :: FilePath -> IO [FilePath]
+vectorFiles folder = do
+  operations <- listed folder >>= filterM doesDirectoryExist
+  concat <$> traverse (fmap (filter ((== ".json") . takeExtension)) . listed) operations
+  where
+    listed place = do
+      content <- try (listDirectory place) :: IO (Either IOException [FilePath])
+      either (unusable . unreadable place) (pure . map (place </>) . sort) content
+    unreadable place problem = "cannot read " ++ visibleName place ++ ": " ++ systemReason problem

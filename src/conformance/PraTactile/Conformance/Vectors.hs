@@ -1,0 +1,194 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Test vectors, for those who cannot run the suite: of each operation and profile inputs with
+-- their answers, and how each answer is known. The answers are this library's, checked by the
+-- definition when they are made, and the same to the byte for the same seed.
+module PraTactile.Conformance.Vectors
+  ( Vectors (..),
+    TestGroup (..),
+    Test (..),
+    TestProof (..),
+    Digest (..),
+    vectorProfiles,
+    makeVectors,
+  )
+where
+
+import Control.Monad.Trans.Class (lift)
+import Control.Monad.Trans.Except (ExceptT (..), runExceptT, throwE)
+import Data.Aeson (Value (..))
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString as Bytes
+import qualified Data.Set as Set
+import PraTactile.Array (Shape (..), naturalsBelow)
+import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Implementation (Implementation (..), Session, answerOf)
+import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Vectors.Canonical
+import PraTactile.Conformance.Vectors.Flag
+import PraTactile.Conformance.Vectors.Inputs
+import PraTactile.Conformance.Wire
+import PraTactile.Format.Digest (digestOf)
+import PraTactile.Profile
+
+-- | The test vectors of an operation under a profile.
+data Vectors = Vectors
+  { vectorsOperation :: Operation,
+    vectorsProfile :: Profile,
+    -- | Of a table too large to be listed.
+    vectorsDigest :: Maybe Digest,
+    vectorsGroups :: [TestGroup]
+  }
+  deriving stock (Eq, Show)
+
+-- | Tests with where their inputs are from.
+data TestGroup = TestGroup
+  { groupName :: String,
+    groupTests :: [Test]
+  }
+  deriving stock (Eq, Show)
+
+-- | An input, and what comes of it.
+data Test = Test
+  { -- | 12 hexadecimal digits, of operation, profile and input.
+    testId :: String,
+    testInput :: Value,
+    testOutcome :: Either Refusal Value,
+    testFlags :: [Flag],
+    testProof :: TestProof
+  }
+  deriving stock (Eq, Show)
+
+-- | How a test came about. The definition and the library agree on every one.
+data TestProof
+  = -- | The file holds the whole domain.
+    Exhaustive
+  | -- | The input was chosen; these two ways lead to the answer.
+    TwoRoads String String
+  | -- | The input was drawn from this seed.
+    Sampled Int
+  deriving stock (Eq, Show)
+
+-- | The SHA-256 of all values of an operation, a byte each.
+data Digest = Digest
+  { -- | Which values, in which order.
+    digestOver :: String,
+    digestHex :: String
+  }
+  deriving stock (Eq, Show)
+
+-- | The profiles of which vectors are shipped: the default ones, and GF(256) with all 255 units as
+-- the sequence.
+vectorProfiles :: [(String, Profile)]
+vectorProfiles = defaultProfiles ++ [("gf256-15x17", bytes)]
+  where
+    bytes =
+      canonicalProfile
+        { profileOrder = 256,
+          profileModulus = [1, 0, 1, 1, 1, 0, 0, 0, 1],
+          profilePolynomial = [2, 1],
+          profileState = [1],
+          profileWindow = Shape 1 1
+        }
+
+-- | The vectors of these operations under a profile, from a seed. 'Left' says what is wrong: the
+-- profile is impossible, or the library and the definition do not agree.
+makeVectors :: Int -> Profile -> [Operation] -> IO (Either String [Vectors])
+makeVectors seed profile operations = runExceptT $ do
+  k <- ExceptT (pure (either (Left . refusalReason) Right (known profile)))
+  session <- lift (runExceptT (open library profile)) >>= either (throwE . refusalReason) pure
+  traverse (vectorsOf seed k session) operations
+
+vectorsOf :: Int -> Known -> Session -> Operation -> ExceptT String IO Vectors
+vectorsOf seed k session operation = do
+  groups <- traverse tested (groupsOf seed k operation)
+  digest <- traverse (digested k session) (table k operation)
+  pure (Vectors operation (knownProfile k) digest (withoutRepeated groups))
+  where
+    tested group =
+      TestGroup (groupSource group)
+        <$> traverse (testOf k session operation (proofOf group)) (groupQuestions group)
+    proofOf group = case groupKind group of
+      WholeDomain -> Exhaustive
+      Chosen -> uncurry TwoRoads (roads operation)
+      Drawn -> Sampled seed
+
+-- | Each input once, where it comes first.
+withoutRepeated :: [TestGroup] -> [TestGroup]
+withoutRepeated = filter (not . null . groupTests) . go Set.empty
+  where
+    go _ [] = []
+    go seen (TestGroup name tests : others) =
+      let (seen', kept) = once seen tests in TestGroup name kept : go seen' others
+    once seen [] = (seen, [])
+    once seen (test : more)
+      | testId test `Set.member` seen = once seen more
+      | otherwise = (test :) <$> once (Set.insert (testId test) seen) more
+
+-- | A test, if both roads lead to the same answer.
+testOf :: Known -> Session -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
+testOf k session operation proof (SomeQuestion question) = do
+  came <- lift (runExceptT (answerOf session question))
+  outcome <- case (expected k question, came) of
+    (Right wanted, Right given)
+      | agrees k question wanted given -> pure (Right (shown wanted given))
+    (Left wanted, Left given) | wanted == given -> pure (Left wanted)
+    _ -> throwE ("the two roads part at " ++ operationName operation ++ ": " ++ show question)
+  let input = questionInput question
+      severalPlaces = case outcome of
+        Right (Object fields) -> KeyMap.member "positions" fields
+        _ -> False
+      flags = case someQuestion operation input of
+        Just (SomeQuestion read') -> flagsOf profile severalPlaces read'
+        Nothing -> [Malformed]
+  pure (Test (identifier operation profile input) input outcome flags proof)
+  where
+    profile = knownProfile k
+    -- Probabilities as the definition has them, exact up to one rounding; those of the library
+    -- depend on the machine's logarithms in their last digits.
+    shown wanted given = answerValue question (if operation == OfPosterior then wanted else given)
+
+-- | The two ways to an answer: the library's, and that of the definition.
+roads :: Operation -> (String, String)
+roads operation = case operation of
+  OfAdd -> ("table of sums", "sums of polynomials modulo p")
+  OfMultiply -> ("table of logarithms", "products of polynomials modulo the modulus")
+  OfNegate -> ("table", "search for the element whose sum is 0")
+  OfInverse -> ("table", "search for the element whose product is 1")
+  OfPower -> ("logarithm times exponent", "repeated multiplication")
+  OfLogarithm -> ("table", "counting powers of the primitive element")
+  OfTrace -> ("Frobenius by logarithms", "sum of repeated p-th powers")
+  OfPrimitive -> ("irreducible, and the order by the factors of q^n - 1", "walking the powers of x")
+  OfFirstPrimitive -> ("sieve of candidates", "all polynomials in order")
+  OfTerm -> ("jump by powers of x", "the recurrence")
+  OfTerms -> ("jump by powers of x", "the recurrence")
+  OfCell -> ("Chinese remainder of row and column", "folding the sequence")
+  OfPack -> ("Horner's rule in the library", "Horner's rule in the definition")
+  OfUnpack -> ("repeated division in the library", "digits in the definition")
+  OfLocate -> ("the memory table", "comparison with every position")
+  OfNearest -> ("totals of differing cells", "comparison with every position")
+  OfPosterior -> ("sums of logarithms", "products of exact fractions")
+  OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
+  OfDistance -> ("search among information sets", "the lightest of all windows")
+
+-- | All values of an operation that are too many to list, in an order.
+table :: Known -> Operation -> Maybe (String, [Question Code])
+table k operation = case (wholeDomain k operation, operation) of
+  (Nothing, OfAdd) -> Just ("sums, row by row", [Add a b | a <- codes, b <- codes])
+  (Nothing, OfMultiply) -> Just ("products, row by row", [Multiply a b | a <- codes, b <- codes])
+  (Nothing, OfTerm) -> Just ("terms of a period", map Term (naturalsBelow (n1 * n2)))
+  (Nothing, OfCell) ->
+    Just ("cells, row by row", [Cell r c | r <- naturalsBelow n1, c <- naturalsBelow n2])
+  _ -> Nothing
+  where
+    codes = naturalsBelow (profileOrder (knownProfile k))
+    Shape n1 n2 = profileShape (knownProfile k)
+
+digested :: Known -> Session -> (String, [Question Code]) -> ExceptT String IO Digest
+digested k session (over, questions) = do
+  came <- lift (runExceptT (traverse (answerOf session) questions))
+  if came == traverse (expected k) questions
+    then pure (Digest over (digestOf (Bytes.pack (map fromIntegral (either (const []) id came)))))
+    else throwE ("the two roads part at the table of " ++ over)
