@@ -52,6 +52,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conformance
 import qualified Test.Conformance.Definition
+import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.ForgedCertificates
 import qualified Test.Formats
@@ -156,6 +157,7 @@ specs = do
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
+  describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec

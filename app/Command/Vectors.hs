@@ -6,7 +6,6 @@ where
 
 import Control.Exception (IOException, try)
 import Control.Monad (filterM, forM)
-import Data.Foldable (for_)
 import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import ExitStatus
@@ -62,12 +61,18 @@ make folder chosen file seed = do
   profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
   let operations = maybe [minBound ..] pure chosen
   counts <- forM profiles $ \(name, profile) -> do
-    made <- makeVectors seed profile operations >>= orUnusable (\why -> name ++ ": " ++ why)
-    for_ made $ \vectors -> do
-      let place = folder </> operationName (vectorsOperation vectors)
-      createFolder place
-      writeWhole (place </> name <.> "json") (vectorsText vectors)
-    pure (sum (map testsOf made))
+    let usable = orUnusable (\why -> name ++ ": " ++ why)
+    prepared <- prepare profile >>= usable
+    sum
+      <$> forM
+        operations
+        ( \operation -> do
+            vectors <- makeVectors seed prepared operation >>= usable
+            let place = folder </> operationName operation
+            createFolder place
+            writeWhole (place </> name <.> "json") (vectorsText vectors)
+            pure (testsOf vectors)
+        )
   putStrLn $
     "wrote " ++ show (length profiles * length operations) ++ " files with " ++ show (sum counts)
       ++ " tests into "
@@ -93,29 +98,31 @@ check folder = do
   files <- vectorFiles folder
   if null files
     then unusable ("there are no vectors in " ++ visibleName folder)
-    else go (0 :: Int) files
+    else go [] (0 :: Int) files
   where
-    go tests [] = do
+    go _ tests [] = do
       putStrLn ("good: all " ++ show tests ++ " tests are as they are made again")
       pure Answered
-    go tests (file : others) = do
+    go ready tests (file : others) = do
       bytes <- readBytes file
       stated <- orUnusable (formatMessage file "test vectors of this program") (readVectors bytes)
-      made <- again file stated
+      (prepared, ready') <- preparedFor file (statedProfile stated) ready
+      made <-
+        makeVectors (fromMaybe 1 (statedSeed stated)) prepared (statedOperation stated)
+          >>= orUnusable (\why -> visibleName file ++ ": " ++ why)
       case difference bytes stated made of
-        Nothing -> go (tests + length (statedTests stated)) others
+        Nothing -> go ready' (tests + length (statedTests stated)) others
         Just why -> NotAnswered <$ putStrLn ("bad: " ++ visibleName file ++ ": " ++ why)
 
--- | The vectors that a file should have.
-again :: FilePath -> StatedVectors -> IO Vectors
-again file stated = do
-  made <- makeVectors seed (statedProfile stated) [statedOperation stated]
-  case made of
-    Right [vectors] -> pure vectors
-    Right _ -> unusable (visibleName file ++ ": no vectors are made of it")
-    Left why -> unusable (visibleName file ++ ": " ++ why)
-  where
-    seed = fromMaybe 1 (statedSeed stated)
+-- | What is prepared for a profile, found among the last ones or made and kept with them.
+preparedFor ::
+  FilePath -> Profile -> [(Profile, Prepared)] -> IO (Prepared, [(Profile, Prepared)])
+preparedFor file profile ready = case lookup profile ready of
+  Just found -> pure (found, ready)
+  Nothing -> do
+    made <- prepare profile >>= orUnusable (\why -> visibleName file ++ ": " ++ why)
+    -- As many as there are profiles shipped: each has its tables.
+    pure (made, (profile, made) : take (length vectorProfiles) ready)
 
 -- | The files OPERATION/PROFILE.json in a folder, in order.
 vectorFiles :: FilePath -> IO [FilePath]

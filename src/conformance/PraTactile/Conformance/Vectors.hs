@@ -10,12 +10,14 @@ module PraTactile.Conformance.Vectors
     TestProof (..),
     Digest (..),
     vectorProfiles,
+    Prepared,
+    prepare,
     makeVectors,
   )
 where
 
 import Control.Monad.Trans.Class (lift)
-import Control.Monad.Trans.Except (ExceptT (..), runExceptT, throwE)
+import Control.Monad.Trans.Except (ExceptT, runExceptT, throwE)
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString as Bytes
@@ -93,13 +95,21 @@ vectorProfiles = defaultProfiles ++ [("gf256-15x17", bytes)]
           profileWindow = Shape 1 1
         }
 
--- | The vectors of these operations under a profile, from a seed. 'Left' says what is wrong: the
--- profile is impossible, or the library and the definition do not agree.
-makeVectors :: Int -> Profile -> [Operation] -> IO (Either String [Vectors])
-makeVectors seed profile operations = runExceptT $ do
-  k <- ExceptT (pure (either (Left . refusalReason) Right (known profile)))
-  session <- lift (runExceptT (open library profile)) >>= either (throwE . refusalReason) pure
-  traverse (vectorsOf seed k session) operations
+-- | Both roads to the answers under a profile.
+data Prepared = Prepared Known Session
+
+-- | Prepare them. 'Left' is the reason why the profile is refused.
+prepare :: Profile -> IO (Either String Prepared)
+prepare profile = case known profile of
+  Left refusal -> pure (Left (refusalReason refusal))
+  Right k -> do
+    opened <- runExceptT (open library profile)
+    pure (either (Left . refusalReason) (Right . Prepared k) opened)
+
+-- | The vectors of an operation, from a seed. 'Left' says where the library and the definition do
+-- not agree.
+makeVectors :: Int -> Prepared -> Operation -> IO (Either String Vectors)
+makeVectors seed (Prepared k session) operation = runExceptT (vectorsOf seed k session operation)
 
 vectorsOf :: Int -> Known -> Session -> Operation -> ExceptT String IO Vectors
 vectorsOf seed k session operation = do

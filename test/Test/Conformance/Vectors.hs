@@ -1,0 +1,184 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The shipped test vectors: they are what the program makes, and what is called exhaustive is.
+module Test.Conformance.Vectors (spec) where
+
+import Control.Monad (forM, forM_)
+import Data.Aeson (Key, Value (..), object, (.=))
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString as Bytes
+import qualified Data.ByteString.Char8 as Bytes8
+import qualified Data.ByteString.Lazy as Lazy
+import Data.List (isInfixOf, sortOn)
+import Data.Maybe (mapMaybe)
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..), area, naturalsBelow)
+import PraTactile.Conformance.Question (Operation (..), operationName)
+import PraTactile.Conformance.Vectors
+import PraTactile.Conformance.Vectors.Text
+import PraTactile.Format.Profile (encodeProfile)
+import PraTactile.Profile
+import System.Directory (createDirectory, listDirectory)
+import System.FilePath ((<.>), (</>))
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Schemas (spoilt, validated)
+import Test.Support
+
+spec :: Spec
+spec = do
+  shippedSpec
+  commandSpec
+
+shippedSpec :: Spec
+shippedSpec = describe "those shipped" $ do
+  it "are made again to the byte, and there are no others" $ do
+    forM_ vectorProfiles $ \(name, profile) -> do
+      prepared <- prepare profile >>= right
+      forM_ [minBound ..] $ \operation -> do
+        made <- makeVectors 1 prepared operation >>= right
+        bytes <- Lazy.readFile (shipped operation name)
+        (name, operation, bytes == vectorsText made) `shouldBe` (name, operation, True)
+    there <- listDirectory folder >>= fmap concat . traverse (listDirectory . (folder </>))
+    length there `shouldBe` length vectorProfiles * length [minBound :: Operation ..]
+  it "obey their schema, and when they are spoilt do not" $ do
+    texts <- forM everyFile (fmap (map unbroken . Bytes8.unpack) . Bytes.readFile)
+    let lines' = map ((,) "vectors") texts
+    validated lines' >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
+    spoilt (take 1 lines') >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
+  it "are below 8 MB" $ do
+    sizes <- forM everyFile (fmap Bytes.length . Bytes.readFile)
+    sum sizes `shouldSatisfy` (< 8 * 1000 * 1000)
+  it "are the whole domain, each input once, where they are called exhaustive" $
+    forM_ vectorProfiles $ \(name, profile) -> forM_ [minBound ..] $ \operation -> do
+      tests <- testsIn (shipped operation name)
+      let whole = mapMaybe exhaustive tests
+      if null whole
+        then pure ()
+        else
+          (name, operation, inOrder whole)
+            `shouldBe` (name, operation, inOrder (domain profile operation))
+  it "are whole tables of small fields, and of others there is the SHA-256" $
+    forM_ vectorProfiles $ \(name, profile) -> forM_ [OfAdd, OfMultiply] $ \operation -> do
+      tests <- testsIn (shipped operation name)
+      text <- Bytes.readFile (shipped operation name)
+      let q = profileOrder profile
+          whole = fromIntegral (length (mapMaybe exhaustive tests))
+      (name, whole, "\"digest\":{" `Bytes.isInfixOf` text)
+        `shouldBe` if q <= 16 then (name, q * q, False) else (name, 0, True)
+  it "each have an id of their own, which others can compute" $ do
+    ids <- concat <$> forM everyFile (fmap (mapMaybe (at ["id"])) . testsIn)
+    Set.size (Set.fromList (map show ids)) `shouldBe` length ids
+    -- By Python: json.dumps with sort_keys and the separators (',', ':'), then hashlib.sha256.
+    powers <- testsIn (shipped OfPower "paper")
+    let squared = object ["a" .= (2 :: Int), "exponent" .= (-2 :: Int)]
+    [at ["id"] test | test <- powers, at ["input"] test == Just squared]
+      `shouldBe` [Just "3714fc324e04"]
+  where
+    everyFile = [shipped operation name | (name, _) <- vectorProfiles, operation <- [minBound ..]]
+    exhaustive test
+      | at ["proof", "kind"] test == Just "exhaustive" = at ["input"] test
+      | otherwise = Nothing
+    inOrder = sortOn show
+    unbroken c = if c == '\n' then ' ' else c
+
+commandSpec :: Spec
+commandSpec = describe "vectors" $ do
+  it "--check: good, or the first test that differs, by its id" $
+    inFolder $ \place -> do
+      pra ["vectors", "--output", place </> "v", "--operation", "add"]
+        >>= (`shouldSatisfy` answered)
+      let file = place </> "v" </> "add" </> "paper.json"
+      good <- pra ["vectors", "--check", place </> "v"]
+      good `shouldSatisfy` \(status, out, err) -> (status, take 9 out, err) == (0, "good: all", "")
+      text <- Bytes.readFile file
+      let (before, after) = Bytes.breakSubstring "\"result\":3" text
+      Bytes.writeFile file (before <> "\"result\":2" <> Bytes.drop 10 after)
+      let stated = Bytes8.unpack (Bytes.take 12 (Bytes.drop 7 (last' (Bytes8.lines before))))
+      (status, out, _) <- pra ["vectors", "--check", place </> "v"]
+      (status, ("test " ++ stated ++ ": result is 2, made again 3") `isInfixOf` out)
+        `shouldBe` (1, True)
+      let others = filter (not . Bytes.isInfixOf (Bytes8.pack stated)) (Bytes8.lines text)
+      Bytes.writeFile file (Bytes8.unlines others)
+      (status', out', _) <- pra ["vectors", "--check", place </> "v"]
+      (status', "belongs" `isInfixOf` out') `shouldBe` (1, True)
+  it "--profile, --seed: a profile of one's own, named by its file, and other drawn inputs" $
+    inFolder $ \place -> do
+      let arguments seed to =
+            words "vectors --operation power --profile"
+              ++ [place </> "mine.json", "--seed", seed, "--output", place </> to]
+          written to = Bytes.readFile (place </> to </> "power" </> "mine.json")
+      Bytes.writeFile (place </> "mine.json") (encodeProfile mine)
+      forM_ [("7", "a"), ("7", "b"), ("8", "c")] $ \(seed, to) ->
+        pra (arguments seed to) >>= (`shouldSatisfy` answered)
+      [a, b, c] <- traverse written ["a", "b", "c"]
+      (a == b, a == c) `shouldBe` (True, False)
+      pra ["vectors", "--check", place </> "c"] >>= (`shouldSatisfy` answered)
+  it "refuses folders and files that have no vectors" $
+    inFolder $ \place -> do
+      ["vectors", "--check", place] `complains` "there are no vectors in"
+      ["vectors", "--check", place </> "none"] `complains` "cannot read"
+      createDirectory (place </> "add")
+      writeFile (place </> "add" </> "x.json") "{\"schema\": \"pra-tactile/vectors/1\"}"
+      ["vectors", "--check", place] `complains` "operation"
+      writeFile (place </> "file") ""
+      ["vectors", "--output", place </> "file", "--operation", "add"] `complains` "file"
+      ["vectors", "--output", place, "--operation", "divide"] `complains` "divide"
+      ["vectors"] `complains` "--output"
+  where
+    answered (status, _, err) = (status, err) == (0, "")
+    last' = foldl (const id) ""
+
+-- | GF(2), x^2 + x + 1, one row of three cells.
+mine :: Profile
+mine =
+  canonicalProfile
+    { profileOrder = 2,
+      profileModulus = [1, 1],
+      profilePolynomial = [1, 1, 1],
+      profileState = [0, 1],
+      profileShape = Shape 1 3,
+      profileWindow = Shape 1 2
+    }
+
+folder :: FilePath
+folder = "data/vectors"
+
+shipped :: Operation -> String -> FilePath
+shipped operation name = folder </> operationName operation </> name <.> "json"
+
+testsIn :: FilePath -> IO [Value]
+testsIn file = statedTests <$> (Bytes.readFile file >>= right . readVectors)
+
+-- | What a value has under a path of keys.
+at :: [Key] -> Value -> Maybe Value
+at path value = case (path, value) of
+  ([], _) -> Just value
+  (name : names, Object fields) -> KeyMap.lookup name fields >>= at names
+  _ -> Nothing
+
+-- | All inputs of an operation that has finitely many under a profile, or that are meant where
+-- there is no end of them: a period of the sequence, and the array's own cells.
+domain :: Profile -> Operation -> [Value]
+domain profile operation = case operation of
+  OfAdd -> pairs "a" codes "b" codes
+  OfMultiply -> pairs "a" codes "b" codes
+  OfNegate -> singles "a" codes
+  OfInverse -> singles "a" codes
+  OfLogarithm -> singles "a" codes
+  OfTrace -> singles "a" codes
+  OfTerm -> singles "index" (naturalsBelow (n1 * n2))
+  OfCell -> pairs "row" (naturalsBelow n1) "column" (naturalsBelow n2)
+  OfUnpack -> singles "packed" (naturalsBelow (q ^ cells))
+  OfPack -> [object ["cells" .= content] | content <- traverse (const codes) [1 .. cells]]
+  _ -> []
+  where
+    q = profileOrder profile
+    codes = naturalsBelow q
+    cells = area (profileWindow profile)
+    Shape n1 n2 = profileShape profile
+    singles :: Key -> [Natural] -> [Value]
+    singles name values = [object [name .= value] | value <- values]
+    pairs :: Key -> [Natural] -> Key -> [Natural] -> [Value]
+    pairs name as other bs = [object [name .= a, other .= b] | a <- as, b <- bs]
