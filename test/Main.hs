@@ -55,6 +55,7 @@ import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.ForgedCertificates
+import qualified Test.Examples
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -174,6 +175,7 @@ specs = do
   describe "The command line: census" Test.CommandLine.Census.spec
   describe "The tools" Test.Tools.spec
   describe "Schemas" Test.Schemas.spec
+  describe "The examples" Test.Examples.spec
   describe "The command line: JSON" Test.CommandLine.Json.spec
   describe "The command line: bounds" Test.CommandLine.Bounds.spec
   describe "Hostile inputs" Test.Hostile.spec

@@ -15,8 +15,8 @@ class Decoder:
         demand(q <= 256 and not more and len(modulus) == m + 1 and modulus[-1] == 1)
         demand(size == q**n - 1 and n == len(polynomial) - 1 and any(state))
         demand(1 <= math.prod(window) <= 4096 and (math.gcd(*shape) == 1 or folding == "row-major"))
-        self.q, self.GF = q, GF(p)
-        if m > 1: self.GF = GF(p, m, irreducible_poly=galois.Poly(modulus[::-1], field=self.GF))
+        self.q, self.GF, irreducible = q, GF(p), galois.Poly(modulus[::-1], field=GF(p))
+        if m > 1: self.GF = GF(p, m, irreducible_poly=irreducible)
         demand(self.primitive(polynomial))
         h = galois.Poly(polynomial[::-1], field=self.GF)
         feedback = h.reverse() if reading == "characteristic" else h // h.coeffs[-1]
@@ -46,7 +46,7 @@ OPERATIONS = {"add": lambda d, a, b: a + b, "multiply": lambda d, a, b: a * b,
     "first-primitive": Decoder.first_primitive, "term": lambda d, index: d.s[[index % d.s.size]]}
 START, decoder = dict(protocol=1, name="galois", operations=[*OPERATIONS], in_flight=1), None
 for request in map(json.loads, sys.stdin):
-    reply, profile = {"sequence": request.get("sequence")}, request.get("profile")
+    reply, profile = {k: request[k] for k in request if k == "sequence"}, request.get("profile")
     if request["command"] == "stop": break
     decoder = None if profile else decoder
     try:

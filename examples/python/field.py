@@ -27,7 +27,7 @@ class Field:
         # An element of order q - 1 exists exactly if all others but 0 are its powers, and so have
         # inverses: exactly if the modulus is irreducible.
         cycles = (self._powers(g) for g in range(1, q))
-        self.exp = next((c for c in cycles if len(c) == q - 1), None)
+        self.exp = next((c for c in cycles if len(c) == q - 1 and 0 not in c), None)
         if self.exp is None:
             raise Impossible("the modulus is reducible")
         self.log = {a: i for i, a in enumerate(self.exp)}
@@ -53,12 +53,9 @@ class Field:
         return self.code(product[: self.m])
 
     def _powers(self, g):
-        """1, g, g^2, ... until 1 comes again, or q - 1 of them without."""
+        """1, g, g^2, ... until one of them comes again."""
         powers = [1]
-        while len(powers) < self.q - 1:
-            power = self._product(powers[-1], g)
-            if power in (0, 1):
-                break
+        while (power := self._product(powers[-1], g)) not in powers:
             powers.append(power)
         return powers
 

@@ -28,7 +28,7 @@ class Array:
             raise Impossible("a coefficient or a term of the state is no element")
         if self.size != q**n - 1:
             raise Impossible("the cells are not as many as the terms of a period")
-        if not self.field.is_primitive(polynomial):
+        if polynomial[-1] != 1 or not self.field.is_primitive(polynomial):
             raise Impossible("the polynomial is not primitive")
         if len(self.state) != n or not any(self.state):
             raise Impossible("the state is not n terms, or all zeros")

@@ -29,6 +29,7 @@ documents =
     "docs/cli.md",
     "docs/json.md",
     "docs/locating.md",
+    "docs/conformance.md",
     "docs/evaluation.md",
     "docs/benchmarks.md"
   ]

@@ -117,11 +117,13 @@ examplesIn help =
          in unwords (first : map (dropWhile isSpace) more) : joined next
       [] -> []
 
--- | A folder of its own, in which the shipped data are where they are in the repository.
+-- | A folder of its own, in which the shipped data and the examples are where they are in the
+-- repository.
 scratch :: (FilePath -> IO a) -> IO a
 scratch act = inFolder $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
+  createDirectoryLink (top </> "examples") (folder </> "examples")
   createDirectory (folder </> "docs")
   act folder
 

@@ -31,7 +31,7 @@ spec = do
       filter (`notElem` nub (map fst printed) ++ ofConformance) named `shouldBe` []
   where
     -- Tested where these are made.
-    ofConformance = ["conform", "vectors"]
+    ofConformance = ["vectors"]
 
 -- | Lines of JSON, each with the name of its schema, and what is wrong with it, or @good@. Nothing,
 -- and the test pending, where there is no validator.
@@ -70,6 +70,7 @@ samples :: IO [(String, String)]
 samples = inFolder $ \folder -> do
   top <- getCurrentDirectory
   createDirectoryLink (top </> "data") (folder </> "data")
+  createDirectoryLink (top </> "examples") (folder </> "examples")
   concat
     <$> forM
       commands
@@ -105,7 +106,8 @@ commands =
         ("rates", "pra rates --format json --trials 20 --seed 1"),
         ("rates", "pra rates --format json --trials 20 --size 2x2 --errors 5 --radius 1")
       ],
-      touching
+      touching,
+      conforming
     ]
   where
     small = "--q 2 --polynomial 1,1,0,0,1 --shape 3x5"
@@ -157,6 +159,23 @@ touching =
   ]
   where
     worked = "data/worked-example/frames"
+
+-- | A report of a subject that is right, of one that is wrong, and of one that ends at once.
+conforming :: [(String, String)]
+conforming =
+  [ ("conform-laws", "pra conform --list --json"),
+    ("conform", conform ("--run window/pack" ++ paper) "pra-tactile serve"),
+    ("conform", conform ("--one-shot --run array/cell-at-the-edges" ++ paper) adapter),
+    ("conform", started ++ conform ("--stage window" ++ paper) ended)
+  ]
+  where
+    conform options subject = "pra conform --json " ++ options ++ " -- " ++ subject
+    paper = " --profile examples/adapter/paper.json"
+    adapter = "python3 examples/adapter/adapter.py"
+    started =
+      "echo '{\"protocol\": 1, \"name\": \"brief\", \"operations\": [\"pack\"], \"in_flight\": 1}'"
+        ++ " > started; "
+    ended = "sh -c 'read line; cat started' brief"
 
 -- | The names of the forms of output in the sources: what stands between @pra-tactile/@ and a
 -- slash, and what is given to @encodeSchema@.

@@ -1,0 +1,91 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The decoders in @examples@, which others are to learn from: each is put under the suite, as its
+-- page says, and found right.
+module Test.Examples (spec) where
+
+import Data.Aeson (Value (..))
+import Data.List (isPrefixOf)
+import System.Directory
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import System.Process (readProcessWithExitCode)
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  describe "in C" $ do
+    it "is built without a warning, asks for no memory, and is certified" $
+      withDecoder $ \decoder -> do
+        (_, symbols, _) <- readProcessWithExitCode "nm" ["-u", decoder] ""
+        filter (`elem` ["malloc", "calloc", "realloc"]) (map name (words symbols)) `shouldBe` []
+        certified ["--cases", "20"] [decoder]
+    it "is right in one-shot mode" $
+      withDecoder $ \decoder ->
+        heldAll
+          (words "--one-shot --profile examples/adapter/paper.json --cases 3 --skip *-as-defined")
+          [decoder, "--one-shot"]
+  describe "in Python" $ do
+    it "is certified" $
+      withPython $ \python -> certified ["--cases", "20"] [python, "examples/python/subject.py"]
+    it "is right in one-shot mode" $
+      withPython $ \python ->
+        heldAll
+          (words "--one-shot --profile examples/adapter/paper.json --run array/cell-at-the-edges")
+          [python, "examples/python/subject.py", "--one-shot"]
+    it "passes all test vectors" $
+      withPython $ \python -> do
+        (status, out, err) <- readProcessWithExitCode python ["test/data/run_vectors.py"] ""
+        (status, err, length (lines out)) `shouldBe` (ExitSuccess, "", 1)
+        (read out :: Int) `shouldSatisfy` (> 10000)
+  it "on galois: it is short" $ do
+    text <- readFile "examples/galois/subject.py"
+    length (lines text) `shouldSatisfy` (< 60)
+  it "the adapter is the one that its page shows" $ do
+    page <- lines <$> readFile "docs/conformance.md"
+    adapter <- readFile "examples/adapter/adapter.py"
+    takeWhile (/= "```") (drop 1 (dropWhile (/= "```python") page)) `shouldBe` lines adapter
+  where
+    name = takeWhile (/= '@')
+
+-- | It is certified under the default profiles.
+certified :: [String] -> [String] -> Expectation
+certified options subject = do
+  (status, out, err) <- pra (["conform", "--json"] ++ options ++ ["--"] ++ subject)
+  (err, map (`key` out) [["failed"], ["errored"], ["certified"]])
+    `shouldBe` ("", [Just (Number 0), Just (Number 0), Just (Bool True)])
+  status `shouldBe` 0
+
+-- | Some laws were tried, and all of these held.
+heldAll :: [String] -> [String] -> Expectation
+heldAll options subject = do
+  (status, out, err) <- pra (["conform", "--json"] ++ options ++ ["--"] ++ subject)
+  (status, err, map (`key` out) [["failed"], ["errored"]])
+    `shouldBe` (0, "", [Just (Number 0), Just (Number 0)])
+  key ["held"] out `shouldSatisfy` (/= Just (Number 0))
+
+-- | With the decoder in C, built in a folder of its own.
+withDecoder :: (FilePath -> Expectation) -> Expectation
+withDecoder test = do
+  compiler <- findExecutable "cc"
+  case compiler of
+    Nothing -> pendingWith "there is no C compiler here"
+    Just cc -> inFolder $ \folder -> do
+      entries <- listDirectory ("examples" </> "c")
+      let sources = ["examples" </> "c" </> file | file <- entries, isSource file]
+          decoder = folder </> "decoder"
+      (status, out, err) <-
+        readProcessWithExitCode
+          cc
+          (words "-std=c99 -O2 -Wall -Wextra -pedantic -Werror -o" ++ [decoder] ++ sources)
+          ""
+      (status, out, err) `shouldBe` (ExitSuccess, "", "")
+      test decoder
+  where
+    isSource file = "c." `isPrefixOf` reverse file
+
+withPython :: (FilePath -> Expectation) -> Expectation
+withPython test =
+  findExecutable "python3" >>= maybe (pendingWith "python3 is not installed here") test
