@@ -41,7 +41,9 @@ data Known = Known
     -- | A period of the sequence.
     knownTerms :: Vector Int,
     -- | The cells, row by row.
-    knownCells :: Vector Int
+    knownCells :: Vector Int,
+    -- | All positions, row by row.
+    positions :: [(Int, Int)]
   }
 
 -- | What is known under a profile. Refuses as @impossible-profile@ what describes no array, and as
@@ -61,12 +63,14 @@ known profile = do
   let size = (fromIntegral n1, fromIntegral n2)
       terms = sequenceOf f (characteristicOf f (profileReading profile) (take (n + 1) stated)) state
       period = Vector.fromListN (uncurry (*) size) terms
-  pure (Known profile f size period (folded (profileFolding profile) size period))
+      cells = folded (profileFolding profile) size period
+  pure (Known profile f size period cells [(r, c) | r <- below fst size, c <- below snd size])
   where
     q = profileOrder profile
     Shape n1 n2 = profileShape profile
     windowCells = rows (profileWindow profile) * columns (profileWindow profile)
     impossible = Left (Refusal "impossible-profile")
+    below side size = [0 .. side size - 1]
     need holds = if holds then Right () else impossible
 
 -- | The characteristic polynomial h(x), or of a reciprocal one x^n h(1/x), made monic.
@@ -112,23 +116,18 @@ ownSurface k = case profileFolding (knownProfile k) of
   Diagonal -> Torus
   RowMajor -> TwistedTorus
 
--- | All positions, row by row.
-positions :: Known -> [(Int, Int)]
-positions k = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
-  where
-    (n1, n2) = knownSize k
-
 -- | What a surface has at a row and a column, which may be negative; -1 where there is no cell.
 onSurface :: Known -> Surface -> Int -> Int -> Int
 onSurface k surface r c = case surface of
-  Torus -> at ((r `mod` n1) * n2 + c `mod` n2)
-  TwistedTorus -> at ((r * n2 + c) `mod` (n1 * n2))
-  Sheet
-    | r >= 0 && r < n1 && c >= 0 && c < n2 -> at (r * n2 + c)
-    | otherwise -> -1
+  Torus -> at (wrapped n1 r * n2 + wrapped n2 c)
+  TwistedTorus -> at (wrapped (n1 * n2) (r * n2 + c))
+  Sheet -> if r >= 0 && r < n1 && c >= 0 && c < n2 then at (r * n2 + c) else -1
   where
     (n1, n2) = knownSize k
     at = (knownCells k Vector.!)
+    -- A remainder, which takes long only where there is anything to take away.
+    wrapped side a = if a >= 0 && a < side then a else a `mod` side
+{-# INLINE onSurface #-}
 
 -- | The position that a row and a column are on a surface; on the sheet as they are.
 canonical :: Known -> Surface -> (Int, Int) -> (Int, Int)

@@ -12,6 +12,7 @@ import Data.List (foldl')
 import Data.Maybe (fromMaybe)
 import Data.Ratio (denominator, numerator, (%))
 import qualified Data.Set as Set
+import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Definition.Array
@@ -91,21 +92,23 @@ completeWindows k cells =
 
 -- | The positions at which these cells are the array's, all of them on the surface.
 agreeingAt :: Known -> [Observed Int] -> [(Int, Int)]
-agreeingAt k cells = [place | (place, 0) <- differences k cells]
+agreeingAt k cells = filter agreeing (positions k)
+  where
+    at = onSurface k (profileSurface (knownProfile k))
+    agreeing (r, c) = all (\((i, j), a) -> at (r + i) (c + j) == a) cells
 
 -- | In how many of these cells each position differs, on the sheet those at which all of them lie
 -- on it.
 differences :: Known -> [Observed Int] -> [((Int, Int), Int)]
-differences k cells =
-  [(place, e) | place <- positions k, let e = differing place 0 cells, e >= 0]
+differences k cells = [(place, e) | place <- positions k, let e = differing place 0 cells, e >= 0]
   where
-    surface = profileSurface (knownProfile k)
+    at = onSurface k (profileSurface (knownProfile k))
     differing _ e [] = e :: Int
-    differing (r, c) e (((i, j), a) : others)
-      | at < 0 = -1
-      | otherwise = differing (r, c) (if at == a then e else e + 1) others
-      where
-        at = onSurface k surface (r + i) (c + j)
+    differing place@(r, c) e (((i, j), a) : others) = case at (r + i) (c + j) of
+      b
+        | b < 0 -> -1
+        | b == a -> differing place e others
+        | otherwise -> differing place (e + 1) others
 
 -- | The nearest positions, if they are within the radius.
 nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Place
@@ -144,26 +147,27 @@ position (r, c) = Position (fromIntegral r) (fromIntegral c)
 -- of a cell's numbers would divide every product alike.
 posterior :: Known -> Chances -> Either Refusal [(Position, Double)]
 posterior k patch = do
-  cells <- observedIn (weights k) (map (map felt) patch)
-  let surface = profileSurface (knownProfile k)
-      products =
-        [ (place, w)
-          | place@(r, c) <- positions k,
-            let w =
-                  product
-                    [ if at < 0 then 0 else chances !! at
-                      | ((i, j), chances) <- cells,
-                        let at = onSurface k surface (r + i) (c + j)
-                    ],
-            w > 0
-        ]
+  cells <- observedIn (fmap Vector.fromList . weights k) (map (map felt) patch)
+  let products = [(place, w) | place <- positions k, let w = likelihood place 1 cells, w > 0]
       total = sum (map snd products)
   if null products
     then refused "contradiction"
-    else Right [(position place, fromRational (w % total)) | (place, w) <- products]
+    else Right [(position place, w `over` total) | (place, w) <- products]
   where
     felt Unfelt = Nothing
     felt chance = Just chance
+    at = onSurface k (profileSurface (knownProfile k))
+    likelihood _ w [] = w :: Integer
+    likelihood place@(r, c) w (((i, j), chances) : others) = case at (r + i) (c + j) of
+      b
+        | b < 0 || chances Vector.! b == 0 -> 0
+        | otherwise -> likelihood place (w * chances Vector.! b) others
+
+-- | The quotient of two integers, rounded once. Doubles have integers up to 2^53.
+over :: Integer -> Integer -> Double
+over a b
+  | max a b <= 2 ^ (53 :: Int) = fromInteger a / fromInteger b
+  | otherwise = fromRational (a % b)
 
 -- | Integers in the proportion of a cell's probabilities: q numbers, none negative, that add up to
 -- 1 within 0.001.

@@ -89,7 +89,10 @@ rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k)
 -- So the least weight is the least difference, and 0 if two windows are the same.
 distance :: Known -> [Offset] -> Natural
 distance k offsets =
-  fromIntegral (minimum [length (filter (/= 0) w) | (_, w) <- windowsOn k (ownSurface k) offsets])
+  fromIntegral (minimum (map weight (positions k)))
+  where
+    at = onSurface k (ownSurface k)
+    weight (r, c) = length (filter (\(i, j) -> at (r + i) (c + j) /= 0) offsets)
 
 -- | The base-q number of a window's cells.
 pack :: Known -> [Int] -> Natural
