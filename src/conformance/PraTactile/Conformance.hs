@@ -1,35 +1,42 @@
--- | The conformance suite: what every implementation of the code must do, as data. A law is a name
--- and a property over a session with the implementation under test; it needs QuickCheck and no test
--- framework:
+-- | The conformance suite: what every implementation of the code must do, as data. A law has an id
+-- and cases; what it expects is what the definition says under the profile. To put your own
+-- implementation under it, fill in the record 'Implementation' with functions that call it,
+-- beginning with 'noOperations' where it lacks some, and run
 --
--- > mapM_ (\law -> quickCheck (lawProperty law session)) laws
+-- > runLaws yours >>= exitWith
 --
--- The project's own test suite runs all of them on this library; a user runs them on theirs.
+-- or, in a test suite, 'lawProperties', each of them a property of QuickCheck:
+--
+-- > for_ (lawProperties yours) (\(name, property) -> prop name property)
+--
+-- The project's own test suite runs all of them on this library.
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,
     library,
 
+    -- * Running all laws
+    runLaws,
+    lawProperties,
+    lawProperty,
+    openingProperty,
+
     -- * Laws
     Law (..),
     laws,
-    damageLaws,
-    chanceLaws,
     openingLaws,
+
+    -- * Profiles
+    defaultProfiles,
+    Known,
+    known,
   )
 where
 
+import PraTactile.Conformance.Definition (Known, known)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
-import PraTactile.Conformance.Laws.Array (arrayLaws)
-import PraTactile.Conformance.Laws.Chances (chanceLaws)
-import PraTactile.Conformance.Laws.Damage (damageLaws)
-import PraTactile.Conformance.Laws.Field (fieldLaws)
-import PraTactile.Conformance.Laws.Locate (locateLaws)
-import PraTactile.Conformance.Laws.Opening (openingLaws)
-import PraTactile.Conformance.Laws.Sequence (sequenceLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws)
 import PraTactile.Conformance.Library (library)
-
--- | All laws of a session.
-laws :: [Law Session]
-laws = concat [fieldLaws, sequenceLaws, arrayLaws, locateLaws, damageLaws, chanceLaws]
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Conformance.Properties

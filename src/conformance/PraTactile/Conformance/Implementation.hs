@@ -24,6 +24,7 @@ module PraTactile.Conformance.Implementation
 where
 
 import Control.Monad.Trans.Except (ExceptT, throwE)
+import Data.Aeson (Value)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
@@ -53,6 +54,9 @@ data Implementation = Implementation
 data Session = Session
   { -- | the conventions in force
     profile :: Profile,
+    -- | the question that an operation and an input are, or 'Nothing' for an input that is none;
+    -- 'someQuestion', unless inputs are read by other means
+    understood :: Operation -> Value -> Maybe SomeQuestion,
     -- | the sum of two elements: A + A^2 = 1, thus 1 for 2 and 3
     add :: Code -> Code -> Wire Code,
     -- | the product: A A^2 = 1, thus 1 for 2 and 3
@@ -126,6 +130,7 @@ noOperations :: Profile -> Session
 noOperations p =
   Session
     { profile = p,
+      understood = someQuestion,
       add = \_ _ -> missing,
       multiply = \_ _ -> missing,
       negation = const missing,
@@ -173,7 +178,7 @@ answerOf s question = case question of
   Posterior chances -> traverse (traverse (chancesOf s)) chances >>= posterior s
   Prove mask -> prove s mask
   Distance mask -> distance s mask
-  Raw operation input -> case someQuestion operation input of
+  Raw operation input -> case understood s operation input of
     Nothing -> refuse "invalid"
     Just (SomeQuestion read') -> answerValue read' <$> answerOf s read'
 

@@ -7,6 +7,7 @@ where
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Wire
@@ -29,7 +30,7 @@ standardSuite profiles = suite <$> traverse possible profiles
           suiteLaws = laws,
           suiteOpenings = openingLaws,
           suiteAnswer = answered,
-          suiteLikely = \_ _ -> Nothing
+          suiteLikely = likely
         }
 
 -- | What the definition answers, as a reply of the protocol.

@@ -65,6 +65,7 @@ specialMasks :: Profile -> [MaskRows]
 specialMasks p =
   [full (profileWindow p)]
     ++ [["##."], ["##", ".."], [".#"], ["..", ".#"], ["#.", ".."], ["##.", "...", "..."]]
+    ++ [['#' : blank n2], ['#' : '#' : blank n2], "#" : replicate (fromIntegral n1) "."]
     ++ [far 11 8 | n1 > 11 && n2 > 9]
     ++ [one 0 (n2 - 1), one (n1 - 1) 0, one (n1 - 1) (n2 - 1), one 0 n2, one n1 0, one n1 n2]
     ++ [one 0 (n2 + 1), one (n1 + 1) 0]
@@ -73,6 +74,8 @@ specialMasks p =
     full (Shape h w) = replicate (fromIntegral h) (replicate (fromIntegral w) '#')
     far :: Natural -> Natural -> MaskRows
     far r c = drawn (r + 1) 10 [(0, 0), (0, 9), (r, c)]
+    blank :: Natural -> String
+    blank n = replicate (fromIntegral n) '.'
     one :: Natural -> Natural -> MaskRows
     one r c = drawn (r + 1) (c + 1) [(0, 0), (r, c)]
     drawn :: Natural -> Natural -> [(Natural, Natural)] -> MaskRows

@@ -46,8 +46,8 @@ newWorker subject = Worker subject <$> newIORef Nothing
 tryWork :: (Subject -> Plan) -> Suite about -> Worker -> Work -> IO LawReport
 tryWork planFor suite worker@(Worker subject _) work =
   inForce worker work $
-    reportOf suite work
-      <$> tryLaw (narrowed work (planFor subject)) subject (workId work) (workCases work)
+    tryLaw (narrowed work (planFor subject)) subject (workId work) (workCases work)
+      >>= reportOf suite work
 
 -- | Try one case of a law.
 tryToken ::
@@ -55,7 +55,7 @@ tryToken ::
 tryToken planFor suite worker@(Worker subject _) work case' =
   case tryCase (narrowed work (planFor subject)) subject (workCases work) case' of
     Left why -> pure (Left why)
-    Right tried -> Right <$> inForce worker work (reportOf suite work <$> tried)
+    Right tried -> Right <$> inForce worker work (tried >>= reportOf suite work)
 
 -- | Trials that put profiles in force have the subject for themselves.
 narrowed :: Work -> Plan -> Plan
@@ -98,18 +98,23 @@ notInForce profile came = case came of
         }
 
 -- | What came of the cases.
-reportOf :: Suite about -> Work -> Tried -> LawReport
+reportOf :: Suite about -> Work -> Tried -> IO LawReport
 reportOf suite work tried = case triedFailure tried of
-  Just failure ->
-    counted
-      { lawReportOutcome = outcomeOf (failureTrouble failure),
-        lawReportCounterexample = Just (counterexampleOf work failure),
-        lawReportLikely = workProfile work >>= likely failure . snd
-      }
+  Just failure -> do
+    cause <- maybe (pure Nothing) (likely failure . snd) (workProfile work)
+    pure
+      counted
+        { lawReportOutcome = outcomeOf (failureTrouble failure),
+          lawReportCounterexample = Just (counterexampleOf work failure),
+          lawReportLikely = cause
+        }
   Nothing
     | triedCases tried == 0 ->
-      (skipped work "no case under this profile") {lawReportExhaustive = triedExhaustive tried}
-    | otherwise -> counted {lawReportOutcome = Held}
+      pure
+        (skipped work "no case under this profile")
+          { lawReportExhaustive = triedExhaustive tried
+          }
+    | otherwise -> pure counted {lawReportOutcome = Held}
   where
     counted =
       (blank work)
@@ -118,7 +123,7 @@ reportOf suite work tried = case triedFailure tried of
         }
     likely failure profile = case failureTrouble failure of
       Wrong violation -> suiteLikely suite profile (violationAsked violation : failureWrong failure)
-      Broke {} -> Nothing
+      Broke {} -> pure Nothing
 
 -- | Whether the law failed, or something else went wrong.
 outcomeOf :: Trouble -> Outcome

@@ -34,7 +34,7 @@ data Suite about = Suite
     -- | What the definition answers.
     suiteAnswer :: about -> SomeQuestion -> Reply,
     -- | The shipped impostor that errs exactly alike in these cases.
-    suiteLikely :: Profile -> [[Exchange]] -> Maybe String
+    suiteLikely :: Profile -> [[Exchange]] -> IO (Maybe String)
   }
 
 -- | Which laws are tried, and how.

@@ -1,0 +1,40 @@
+-- | All impostors: implementations that are wrong, which the laws must find. They work through the
+-- record of an implementation, so that any road to it finds them too: the laws in this process, and
+-- the server of the protocol.
+module PraTactile.Conformance.Impostors
+  ( Impostor (..),
+    impostors,
+    impostorNamed,
+  )
+where
+
+import Data.List (find)
+import PraTactile.Conformance.Impostors.Arrays
+import PraTactile.Conformance.Impostors.Fields
+import PraTactile.Conformance.Impostors.Impostor
+import PraTactile.Conformance.Impostors.Openings
+import PraTactile.Conformance.Impostors.Places
+import PraTactile.Conformance.Law (Stage (..))
+
+-- | By the stages of a decoder.
+impostors :: [Impostor]
+impostors =
+  concat
+    [ [OnProfile] `touchedBy` openingImpostors,
+      [OnField ..] `touchedBy` readingImpostors,
+      [OnField ..] `touchedBy` fieldImpostors,
+      [OnPolynomial] `touchedBy` polynomialImpostors,
+      [OnSequence, OnArray] `touchedBy` sequenceImpostors,
+      [OnArray ..] `touchedBy` arrayImpostors,
+      [OnWindow] `touchedBy` windowImpostors,
+      [OnProof] `touchedBy` proofImpostors,
+      [OnLocate ..] `touchedBy` locateImpostors,
+      [OnDamage] `touchedBy` damageImpostors,
+      [OnChances] `touchedBy` chanceImpostors
+    ]
+  where
+    stages `touchedBy` some = [impostor {impostorTouches = stages} | impostor <- some]
+
+-- | The one of this name.
+impostorNamed :: String -> Maybe Impostor
+impostorNamed name = find ((== name) . impostorName) impostors

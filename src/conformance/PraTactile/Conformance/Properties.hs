@@ -1,0 +1,135 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE RankNTypes #-}
+
+-- | Laws for those who write tests in Haskell: all of them in one call that prints a report, or each
+-- as a property of QuickCheck.
+module PraTactile.Conformance.Properties
+  ( runLaws,
+    runLawsUnder,
+    lawProperties,
+    lawProperty,
+    openingProperty,
+  )
+where
+
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Aeson (Value, encode)
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.Text as Text
+import qualified Data.Text.Encoding as Text
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.InProcess (inProcess)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Report (certified)
+import PraTactile.Conformance.Report.Words (reportText)
+import PraTactile.Conformance.Run (runSuite, standardSettings)
+import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Profile (Profile)
+import System.Exit (ExitCode (..))
+import Test.QuickCheck
+
+-- | Try all laws of opening and of sessions under the default profiles, and print the report: names,
+-- counts, and of each law that failed the smallest case, with your answer and the definition's. The
+-- exit status is 0 if the implementation is certified, otherwise 1.
+runLaws :: Implementation -> IO ExitCode
+runLaws = runLawsUnder defaultProfiles
+
+-- | The same under other profiles, by their names. One that describes no array is an exit status of
+-- 2.
+runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
+runLawsUnder profiles implementation = case standardSuite profiles of
+  Left name -> ExitFailure 2 <$ putStrLn (name ++ ": this profile describes no array")
+  Right suite -> do
+    subject <- inProcess implementation
+    report <- runSuite standardSettings suite (const (pure ())) [subject]
+    putStr (reportText (const "runLaws") report)
+    pure (if certified report then ExitSuccess else ExitFailure 1)
+
+-- | All laws that an implementation offers what they need, under the default profiles, each with its
+-- id and the profile's name.
+lawProperties :: Implementation -> [(String, Property)]
+lawProperties implementation =
+  [(lawId law, openingProperty (map snd defaultProfiles) law implementation) | law <- openingLaws]
+    ++ [ (lawId law ++ ", " ++ name, underProfile about p law)
+         | (name, p) <- defaultProfiles,
+           Right about <- [known p],
+           law <- laws,
+           all (`elem` offered implementation) (lawNeeds law)
+       ]
+  where
+    underProfile about p law = idempotentIOProperty $ do
+      opened <- runExceptT (open implementation p)
+      pure $ case opened of
+        Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
+        Right session -> casesProperty (askSession session) (lawCases law about)
+
+-- | A law of sessions as a property of one. It fails for a session whose profile describes no array.
+lawProperty :: Law Known -> Session -> Property
+lawProperty law session = case known (profile session) of
+  Left why -> counterexample ("the session's profile describes no array: " ++ refusalReason why) False
+  Right about -> casesProperty (askSession session) (lawCases law about)
+
+-- | A law of opening as a property of an implementation, about these profiles.
+openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
+openingProperty profiles law implementation =
+  casesProperty (Asked (\p -> (() <$) <$> runExceptT (open implementation p)) nothing) (lawCases law profiles)
+  where
+    nothing :: Question b -> IO (Either Refusal b)
+    nothing = const (pure (Left (Refusal "not-offered")))
+
+-- | How to put profiles in force, and questions.
+data Asked
+  = Asked (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
+
+askSession :: Session -> Asked
+askSession session = Asked (const (pure (Left (Refusal "not-offered")))) (runExceptT . answerOf session)
+
+casesProperty :: Asked -> Cases -> Property
+casesProperty (Asked opens answers) (Cases form domain trial) = case domain of
+  Every cases -> once (idempotentIOProperty (firstViolated cases))
+  Some draw smaller ->
+    forAllShrinkShow draw smaller (shown . writeValue form) (idempotentIOProperty . fmap judged . verdict)
+  where
+    verdict = answerAll opens answers . trial
+    firstViolated cases = case cases of
+      [] -> pure (property True)
+      one : rest ->
+        verdict one >>= \came -> case came of
+          Violated _ -> pure (judged came)
+          _ -> firstViolated rest
+
+-- | A case that the law says nothing of counts as one that holds.
+judged :: Verdict -> Property
+judged came = case came of
+  Holds -> property True
+  NotMeant -> property True
+  Violated violation -> counterexample (inWords violation) False
+
+-- | What was asked and answered, and what should have been.
+inWords :: Violation -> String
+inWords violation =
+  unlines $
+    concat [[asked exchange, "yours           " ++ replied (exchangeReply exchange)] | exchange <- violationAsked violation]
+      ++ ["expected        " ++ replied (violationExpected violation)]
+      ++ ["by              " ++ violationRoad violation]
+      ++ ["because         " ++ violationReason violation]
+  where
+    asked (Exchange operation input _) =
+      "asked           " ++ maybe "profile" operationName operation ++ " " ++ shown input
+    replied came = case came of
+      Result value -> shown value
+      RefusedFor name -> "refused: " ++ name
+
+-- | As JSON, cut where it is long.
+shown :: Value -> String
+shown value
+  | length text > 300 = take 300 text ++ " ..."
+  | otherwise = text
+  where
+    text = Text.unpack (Text.decodeUtf8 (Lazy.toStrict (encode value)))
