@@ -40,6 +40,16 @@ spec = do
         (status, out, err) <- readProcessWithExitCode python ["test/data/run_vectors.py"] ""
         (status, err, length (lines out)) `shouldBe` (ExitSuccess, "", 1)
         (read out :: Int) `shouldSatisfy` (> 10000)
+  it "in Go: is certified under the paper's profile" $ do
+    compiler <- findExecutable "go"
+    case compiler of
+      Nothing -> pendingWith "there is no Go here"
+      Just _ -> inFolder $ \folder -> do
+        let decoder = folder </> "decoder"
+            build = "cd examples/go && GOTOOLCHAIN=local go build -o '" ++ decoder ++ "' ."
+        (status, _, err) <- readProcessWithExitCode "sh" ["-c", build] ""
+        (status, err) `shouldBe` (ExitSuccess, "")
+        certified (words "--profile examples/adapter/paper.json --cases 20") [decoder]
   it "on galois: it is short" $ do
     text <- readFile "examples/galois/subject.py"
     length (lines text) `shouldSatisfy` (< 60)
@@ -50,7 +60,7 @@ spec = do
   where
     name = takeWhile (/= '@')
 
--- | It is certified under the default profiles.
+-- | It is certified, under the default profiles if no others are given.
 certified :: [String] -> [String] -> Expectation
 certified options subject = do
   (status, out, err) <- pra (["conform", "--json"] ++ options ++ ["--"] ++ subject)
