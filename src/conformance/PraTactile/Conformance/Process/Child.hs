@@ -33,8 +33,10 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import Data.Maybe (isNothing)
 import GHC.Clock (getMonotonicTime)
+import System.Directory (doesPathExist, findExecutable)
 import System.Exit (ExitCode)
 import System.IO
+import System.IO.Error (ioeGetErrorString)
 import System.Posix.IO (closeFd, fdReadBuf, handleToFd)
 import System.Posix.Signals (sigKILL, signalProcess, signalProcessGroup)
 import System.Posix.Types (CPid, Fd)
@@ -64,10 +66,23 @@ data Child = Child
     childThreads :: [ThreadId]
   }
 
--- | Start a process, in a process group of its own. Throws what the system says where it cannot be
+-- | Start a process, in a process group of its own; 'Left' with the reason where it cannot be
 -- started. To be called with asynchronous exceptions masked, and followed by 'end'.
-begin :: Command -> IO Child
-begin (Command program arguments) = do
+begin :: Command -> IO (Either String Child)
+begin command = try (begun command) >>= either (fmap Left . reason) (pure . Right)
+  where
+    reason :: IOException -> IO String
+    reason problem = do
+      found <- findExecutable (commandProgram command)
+      there <- doesPathExist (commandProgram command)
+      pure $ case found of
+        Nothing
+          | '/' `notElem` commandProgram command || not there -> "there is no such program"
+          | otherwise -> "it is no program that may be run"
+        Just _ -> ioeGetErrorString problem
+
+begun :: Command -> IO Child
+begun (Command program arguments) = do
   (handles, process) <- started
   broken <- newIORef False
   errors <- newIORef Bytes.empty

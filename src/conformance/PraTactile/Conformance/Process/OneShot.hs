@@ -12,8 +12,6 @@ where
 import Control.Exception
 import Data.Aeson (Value)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.IORef
-import Data.Maybe (fromMaybe)
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
@@ -41,9 +39,9 @@ oneShot limits command profile asked = do
 
 -- | Start the command, give it one request, and take its one reply.
 runOnce :: Limits -> Command -> Value -> IO (Either Fault Reply)
-runOnce limits command request = bracket (try (begin command)) (either nothing end) $ \started ->
+runOnce limits command request = bracket (begin command) (mapM_ end) $ \started ->
   case started of
-    Left problem -> pure (Left (Fault CannotStart (show problem)))
+    Left problem -> pure (Left (Fault CannotStart problem))
     Right child -> do
       send child (requestLine request)
       closeInput child
@@ -53,9 +51,6 @@ runOnce limits command request = bracket (try (begin command)) (either nothing e
       case line of
         Left fault -> pure (Left fault)
         Right bytes -> either (pure . Left) (ended child deadline) (readReply bytes)
-  where
-    nothing :: IOException -> IO ()
-    nothing _ = pure ()
 
 -- | The reply, if nothing follows it and the process ends well.
 ended :: Child -> Double -> Reply -> IO (Either Fault Reply)
@@ -84,22 +79,22 @@ ended child deadline reply = do
 -- is @skipped@. 'Left' where it answers none of them.
 offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [Operation])
 offeredOneShot limits command profile = do
-  first <- newIORef Nothing
-  offers <- concat <$> mapM (offer first) samples
-  fault <- readIORef first
-  pure $ case (offers, fault) of
-    ([], Just why) -> Left why
-    (_, Just why) | faultKind why == CannotStart -> Left why
-    _ -> Right (map fst offers)
+  replies <- sampled samples
+  pure $ case [why | (_, Left why) <- replies] of
+    why : _ | null [() | (_, Right _) <- replies] -> Left why
+    _ -> Right [operation | (operation, reply) <- replies, not (skips reply)]
   where
-    offer first question@(SomeQuestion asked) = do
-      came <- oneShot limits command profile (Just (1, question))
-      case came of
-        Right (CameSkipped _) -> pure []
-        Right _ -> pure [(operationOf asked, ())]
-        Left why -> do
-          modifyIORef first (Just . fromMaybe why)
-          pure [(operationOf asked, ()) | faultKind why `notElem` [CannotStart, NotJson]]
+    -- A command that cannot be started will not be later on either.
+    sampled questions = case questions of
+      [] -> pure []
+      question@(SomeQuestion asked) : others -> do
+        reply <- oneShot limits command profile (Just (1, question))
+        ((operationOf asked, reply) :) <$> case reply of
+          Left why | faultKind why == CannotStart -> pure []
+          _ -> sampled others
+    skips reply = case reply of
+      Right (CameSkipped _) -> True
+      _ -> False
 
 -- | A question of each operation, to which every profile has an answer or a refusal.
 samples :: [SomeQuestion]

@@ -59,9 +59,9 @@ withSession limits command use = do
 begun :: Limits -> Command -> IORef (Maybe Child) -> IO (Either Fault Started)
 begun limits command held = mask $ \unmasked -> do
   letGo held
-  started <- try (begin command)
+  started <- begin command
   case started of
-    Left problem -> pure (Left (Fault CannotStart (show (problem :: IOException))))
+    Left problem -> pure (Left (Fault CannotStart problem))
     Right child -> do
       writeIORef held (Just child)
       unmasked $ do

@@ -34,8 +34,9 @@ reportText again report =
     more = case hidden of
       [] -> []
       _ ->
-        [ "and " ++ counted (length hidden) "law" ++ " more, which --json tells of: "
-            ++ unwords (map (lawReportId . fst) hidden)
+        [ "and " ++ counted (length hidden) "law" ++ " more, of which --json tells: "
+            ++ unwords (take 5 (map (lawReportId . fst) hidden))
+            ++ (if length hidden > 5 then " ..." else "")
         ]
 
 -- | How many failures are told of at length.
@@ -177,8 +178,8 @@ notes report =
 -- | What it comes to.
 summaryLine :: Report -> String
 summaryLine report
+  | reportPartial report && sound report = "what was chosen held: " ++ tally
   | certified report = "certified: " ++ tally
-  | reportPartial report && sound report = "what was tried held, which is not all: " ++ tally
   | null (reportOffers report) = "not certified: nothing is offered"
   | otherwise = "not certified: " ++ tally
   where
