@@ -1,15 +1,27 @@
--- | @pra-tactile serve@: this library as a subject of the conformance suite, or of any program that
--- asks it over JSON lines.
+-- | @pra-tactile serve@: this library, or an impostor that is wrong in one way, as a subject of the
+-- conformance suite, or of any program that asks it over JSON lines.
 module Command.Serve
   ( command,
   )
 where
 
+import Data.Aeson (object, (.=))
+import Data.String (fromString)
 import ExitStatus
+import Json
 import Options
+import PraTactile.Conformance.Impostors
+import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Serve
 import System.IO (stdin, stdout)
+
+data Options = Options
+  { once :: Bool,
+    impostor :: Maybe Impostor,
+    listed :: Bool,
+    form :: AnswerForm
+  }
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -18,13 +30,39 @@ command =
     "Answer the requests of the conformance protocol, JSON lines on the standard input, until stop \
     \or the end of the input."
     [ "echo '{\"command\": \"start\", \"protocol\": 1}' | pra-tactile serve",
-      "pra-tactile conform --stage field -- pra-tactile serve"
+      "pra-tactile conform --run field/multiplication-as-defined -- pra-tactile serve --impostor \
+      \reduces-by-another-modulus",
+      "pra-tactile serve --impostors"
     ]
     ( run
-        <$> switch (long "one-shot" <> help "Answer one request, which has the profile as well")
+        <$> ( Options
+                <$> switch (long "one-shot" <> help onceHelp)
+                <*> optional (choosing "impostor" named "impostor" "NAME" impostorHelp mempty)
+                <*> switch (long "impostors" <> help "List the impostors, and serve nothing")
+                <*> jsonSwitch "List them as JSON"
+            )
     )
+  where
+    named = [(impostorName one, one) | one <- impostors]
+    onceHelp = "Answer one request, which has the profile as well"
+    impostorHelp = "Be wrong in the way of an impostor, for the suite to find"
 
-run :: Bool -> IO ExitStatus
-run once = do
-  (if once then serveOnce else serve) library stdin stdout
-  pure Answered
+run :: Options -> IO ExitStatus
+run options
+  | listed options = Answered <$ printAs (form options) text json
+  | form options == AsJson = unusable "--json is for --impostors; replies are JSON anyway"
+  | otherwise = Answered <$ answer (maybe id impostorMake (impostor options) library) stdin stdout
+  where
+    answer = if once options then serveOnce else serve
+    text = concatMap listedText impostors
+    json = encodeSchema "impostors/1" (fromString "impostors" .= map listedValue impostors)
+    listedText one =
+      impostorName one ++ ": " ++ impostorMistake one ++ "\n    found by "
+        ++ unwords (killersOf (impostorName one))
+        ++ "\n"
+    listedValue one =
+      object
+        [ fromString "name" .= impostorName one,
+          fromString "mistake" .= impostorMistake one,
+          fromString "laws" .= killersOf (impostorName one)
+        ]

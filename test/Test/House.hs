@@ -193,7 +193,8 @@ allowances =
           ( Conformance,
             recognising
               ++ "pra-tactile:formats aeson base64-bytestring bytestring containers directory \
-                 \filepath process QuickCheck random scientific text transformers unix vector"
+                 \file-embed filepath process QuickCheck random scientific text transformers unix \
+                 \vector"
           )
         ]
     )
