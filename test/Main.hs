@@ -50,12 +50,15 @@ import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sequences
+import qualified Test.Conform
+import qualified Test.Conform.Run
+import qualified Test.Conform.Serve
 import qualified Test.Conformance
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
-import qualified Test.ForgedCertificates
 import qualified Test.Examples
+import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -159,6 +162,9 @@ specs = do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
+  describe "Conformance: the runner" Test.Conform.Run.spec
+  describe "Conformance: processes" Test.Conform.spec
+  describe "Conformance: the server" Test.Conform.Serve.spec
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec

@@ -8,6 +8,7 @@ import ConformList
 import ConformOptions
 import Control.Monad (join)
 import qualified Data.ByteString.Lazy as Lazy
+import Data.Char (isAlphaNum)
 import Data.Foldable (for_)
 import Data.IORef
 import qualified Data.Text as Text
@@ -128,6 +129,9 @@ told options report = do
       unwords $
         ["pra-tactile conform --replay", token]
           ++ ["--one-shot" | mode options == OneShot]
-          ++ ("--" : commandGiven options)
+          ++ ("--" : map shellWord (commandGiven options))
+    shellWord text
+      | not (null text) && all (\c -> isAlphaNum c || c `elem` "-_./:=+,@%") text = text
+      | otherwise = "'" ++ concatMap (\c -> if c == '\'' then "'\\''" else [c]) text ++ "'"
     utf8 = Lazy.fromStrict . Text.encodeUtf8 . Text.pack
     shown text = visible text ++ "\n"

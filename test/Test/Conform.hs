@@ -1,0 +1,199 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | @conform@ on real processes: those that are right, those that are wrong, and those that do
+-- anything but reply; and what it leaves behind.
+module Test.Conform (spec) where
+
+import Data.Aeson (Value (..))
+import Data.Foldable (for_)
+import Data.List (isInfixOf)
+import System.Directory (findExecutable)
+import System.FilePath ((</>))
+import System.Process (readProcess)
+import Test.CommandLine.Run
+import Test.Conform.Subjects
+import Test.Hspec
+import Test.Support (inFolder)
+
+spec :: Spec
+spec = do
+  python <- runIO (findExecutable "python3")
+  case python of
+    Nothing ->
+      it "is tried on small subjects" $
+        pendingWith "python3 is not installed here, so that these subjects were not run"
+    Just _ -> parallel $ do
+      faultSpec
+      oneShotSpec
+      choiceSpec
+      replaySpec
+      endSpec
+  usageSpec
+
+-- | What a process can do instead of replying, and the name that it gets.
+instead :: [(String, String)]
+instead =
+  [ ("crash", "crashed"),
+    ("signal", "crashed"),
+    ("children", "crashed"),
+    ("hang", "timeout"),
+    ("garbage", "not-json"),
+    ("nan", "not-json"),
+    ("deep", "not-json"),
+    ("digits", "not-json"),
+    ("half-line", "half-line"),
+    ("no-line-end", "half-line"),
+    ("long-line", "line-too-long"),
+    ("endless-line", "endless-output"),
+    ("endless", "endless-output"),
+    ("order", "out-of-order"),
+    ("twice", "answered-twice"),
+    ("both", "not-a-reply"),
+    ("neither", "not-a-reply"),
+    ("type", "wrong-type"),
+    ("closed-output", "closed-pipe"),
+    ("closed-input", "closed-pipe"),
+    ("last-word", "output-after-stop"),
+    ("stays", "does-not-stop")
+  ]
+
+faultSpec :: Spec
+faultSpec = describe "in a session" $ do
+  for_ instead $ \(fault, name) -> it (fault ++ " is " ++ name) $ do
+    (status, out, err) <- adder ["--timeout", "3", "--json"] [fault]
+    (status, err) `shouldBe` (1, "")
+    faults out `shouldContain` [name]
+    reported "certified" out `shouldBe` Just (Bool False)
+  it "what is right is certified, whatever it writes to its standard error" $
+    for_ ["none", "flood"] $ \fault -> do
+      (status, out, _) <- adder ["--json"] [fault]
+      (status, faults out, reported "certified" out) `shouldBe` (0, [], Just (Bool True))
+      reported "failed" out `shouldBe` Just (Number 0)
+  it "what is skipped though it is offered fails" $ do
+    (status, out, _) <- adder ["--json"] ["skips"]
+    (status, lookup "field/addition-as-defined" (outcomes out)) `shouldBe` (1, Just "failed")
+  it "what errs is errored" $ do
+    (status, out, _) <- adder ["--json"] ["errs"]
+    (status, lookup "field/addition-as-defined" (outcomes out)) `shouldBe` (1, Just "errored")
+  it "whoever skips everything, offers nothing or refuses possible profiles is not certified" $
+    for_ ["skips-all", "offers-nothing", "refuses-all"] $ \fault -> do
+      (status, out, _) <- adder ["--json"] [fault]
+      (status, reported "certified" out) `shouldBe` (1, Just (Bool False))
+  it "what it said last on its standard error is told" $ do
+    (_, out, _) <- adder [] ["crash"]
+    out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
+  it "time is limited for all together as well" $ do
+    (status, out, _) <- adder ["--timeout", "60", "--limit", "2", "--json"] ["hang"]
+    (status, take 1 (faults out)) `shouldBe` (1, ["too-slow"])
+  it "several processes of it find the same" $ do
+    (_, alone, _) <- adder ["--json"] ["order"]
+    (_, several, _) <- adder ["--json", "--parallel", "3"] ["order"]
+    (outcomes several, tokens several) `shouldBe` (outcomes alone, tokens alone)
+
+oneShotSpec :: Spec
+oneShotSpec = describe "with a process a request" $ do
+  for_ oneShotFaults $ \(fault, name) -> it (fault ++ " is " ++ name) $ do
+    (status, out, _) <- once ["--timeout", "4", "--json"] [fault]
+    (status, faults out) `shouldBe` (1, [name])
+  it "what is right is certified" $ do
+    (status, out, _) <- once ["--json"] []
+    (status, reported "certified" out) `shouldBe` (0, Just (Bool True))
+  where
+    oneShotFaults =
+      [ ("crash", "crashed"),
+        ("silent", "crashed"),
+        ("status", "crashed"),
+        ("hang", "timeout"),
+        ("wrong-number", "out-of-order"),
+        ("twice", "answered-twice"),
+        ("stays", "does-not-stop")
+      ]
+
+choiceSpec :: Spec
+choiceSpec = describe "laws that fail" $ do
+  it "are no failure where they are known, and one where they pass all the same" $
+    inFolder $ \folder -> do
+      let file = folder </> "known"
+      writeFile file "# what is known\n\nfield/addition-as-*  # not yet\n"
+      (status, out, _) <- adder ["--known-failures", file, "--json"] ["errs"]
+      lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just "known-failure"
+      status `shouldBe` 0
+      (status', out', _) <- adder ["--known-failures", file] ["none"]
+      status' `shouldBe` 1
+      out' `shouldSatisfy` isInfixOf "held, but must fail: field/addition-as-*"
+  it "must fail where they are skipped, if that is asked for" $ do
+    let skip = ["--skip", "field/addition-as-defined", "--skip-must-fail"]
+    (held, _, _) <- adder skip ["none"]
+    (_, out, _) <- adder ("--json" : skip) ["errs"]
+    held `shouldBe` 1
+    lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just "known-failure"
+  it "end the run at once, if that is asked for" $ do
+    (_, out, _) <- adder ["--json", "--fail-fast"] ["errs"]
+    map snd (outcomes out) `shouldBe` ["errored", "skipped", "skipped", "skipped"]
+  it "are written for build servers as XML" $
+    inFolder $ \folder -> do
+      let file = folder </> "report.xml"
+      _ <- adder ["--junit", file] ["garbage"]
+      counts <- readProcess "python3" ["-c", countErrors, file] ""
+      counts `shouldBe` "4 1\n"
+  where
+    countErrors =
+      "import sys, xml.etree.ElementTree as x\n\
+      \t = x.parse(sys.argv[1]).getroot()\n\
+      \print(len(t.findall('.//testcase')), len(t.findall('.//error')))"
+
+replaySpec :: Spec
+replaySpec = describe "a token" $ do
+  it "is all that is needed to try the case again" $ do
+    (_, out, _) <- adder ["--json"] ["type"]
+    let subject fault = ["python3", "test/subjects/faulty.py", fault]
+    length (tokens out) `shouldBe` 1
+    for_ (tokens out) $ \token -> do
+      (status, again, _) <- conform ["--json", "--replay", token] (subject "skips-all")
+      (status, map snd (outcomes again)) `shouldBe` (1, ["failed"])
+      (status', again', _) <- conform ["--json", "--replay", token] (subject "none")
+      (status', map snd (outcomes again'), reported "cases" again')
+        `shouldBe` (0, ["held"], Just (Number 1))
+  it "that is none is said to be" $ do
+    (status, out, err) <- conform ["--replay", "abc"] ["true"]
+    (status, out) `shouldBe` (2, "")
+    err `shouldSatisfy` isInfixOf "abc is no token"
+
+endSpec :: Spec
+endSpec = describe "nothing is left behind" $
+  for_ ["SIGINT", "SIGTERM", "SIGHUP"] $ \signal -> it ("after " ++ signal) $
+    withProfile $ \profile ->
+      inFolder $ \folder -> do
+        let run =
+              ["pra-tactile", "conform", "--timeout", "60", "--profile", profile, "--"]
+                ++ ["python3", "test/subjects/faulty.py", "hang", folder]
+        said <-
+          readProcess
+            "env"
+            ( ["TMPDIR=" ++ folder, "python3", "test/subjects/interrupted.py", signal, folder]
+                ++ run
+            )
+            ""
+        said `shouldBe` "True 0 0\n"
+
+usageSpec :: Spec
+usageSpec = describe "usage" $ do
+  it "a command that cannot be started, or never answers" $ do
+    ["conform", "--", "./no-such-subject"] `complains` "there is no such program"
+    ["conform", "--", "README.md"] `complains` "there is no such program"
+    ["conform", "--", "./README.md"] `complains` "it is no program that may be run"
+    ["conform", "--", "true"] `complains` "never answered start: crashed"
+    ["conform", "--one-shot", "--", "true"] `complains` "never answered start: crashed"
+    ["conform", "--timeout", "1", "--", "sleep", "60"] `complains` "never answered start: timeout"
+  it "no command, and names of no law" $ do
+    ["conform"] `complains` "name the command"
+    ["conform", "--run", "no-such-law", "--", "true"] `complains` "no law is called \"no-such-law\""
+    ["conform", "--cases", "0", "--", "true"] `complains` "--cases is a number from 1 up"
+    inFolder $ \folder -> do
+      writeFile (folder </> "known") "field/no-such-law\n"
+      ["conform", "--known-failures", folder </> "known", "--", "true"]
+        `complains` "no law is called \"field/no-such-law\""
+  it "the laws are listed, each once" $ do
+    (status, out, _) <- pra ["conform", "--list", "--stage", "field"]
+    status `shouldBe` 0
+    length (filter (isInfixOf "field/addition-commutes") (lines out)) `shouldBe` 1

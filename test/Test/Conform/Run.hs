@@ -1,0 +1,103 @@
+-- | The runner on laws made for it: what it finds does not depend on how many trials go on at once,
+-- counterexamples are the first or the smallest, and tokens say all.
+module Test.Conform.Run (spec) where
+
+import Control.Monad (forM)
+import Data.Aeson (Value, toJSON)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..))
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.InProcess
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question (Question (..))
+import PraTactile.Conformance.Run.Case
+import PraTactile.Conformance.Run.Pattern
+import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Json.Codec (Codec, natural, pairOf)
+import PraTactile.Profile
+import Test.Hspec
+import Test.QuickCheck (Gen, chooseInteger)
+
+spec :: Spec
+spec = do
+  it "of a whole domain, the first failing case, however many trials go on at once" $ do
+    found <- forM [1, 2, 7, 64] $ \window -> tried window (everyPairOf judged)
+    map summary found `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural], 0), 38)
+  it "of drawn cases, one that no step makes smaller, however many trials go on at once" $ do
+    found <- forM [1, 2, 7, 64] $ \window -> tried window drawnPair
+    map (fmap failureCase . triedFailure) found
+      `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural]))
+  it "cases of which the law says nothing do not count" $ do
+    found <- tried 7 (everyPairOf (const (pure NotMeant)))
+    summary found `shouldBe` (Nothing, 0)
+  it "drawn ones of which the law says nothing are made good by others" $ do
+    found <- tried 7 (Cases pair (Some draws (const [])) halfMeant)
+    triedCases found `shouldBe` 50
+  it "a token is read as it was written, with any profile" $ do
+    let other = canonicalProfile {profileShape = Shape 3 85}
+        token = Token "field/some" (Just other) (toJSON [1 :: Int])
+        alone = token {tokenProfile = Nothing}
+    readToken (writeToken token) `shouldBe` Just token
+    readToken (writeToken alone) `shouldBe` Just alone
+    map readToken ["", "abc", take 20 (writeToken token), writeToken token ++ "/"]
+      `shouldBe` replicate 4 Nothing
+  it "patterns are of the whole id with * or ?, of a part of it without" $
+    map
+      (`matches` "field/addition-commutes")
+      ["field/*", "*commute", "commutes", "field/?ddition-*", ""]
+      `shouldBe` [True, False, True, True, True]
+
+-- | Wrong where a < b and the terms at both are 1, by two questions, one after the other.
+judged :: (Natural, Natural) -> Ask Verdict
+judged (a, b) = do
+  first <- ask (Terms a 1)
+  second <- ask (Terms b 1)
+  pure $
+    if (first, second) == (Right [1], Right [1]) && a < b
+      then Violated (Violation [] (Result (toJSON ())) "" "")
+      else Holds
+
+halfMeant :: (Natural, Natural) -> Ask Verdict
+halfMeant (a, b) = pure (if even (a + b) then Holds else NotMeant)
+
+everyPairOf :: ((Natural, Natural) -> Ask Verdict) -> Cases
+everyPairOf = Cases pair (Every [(a, b) | a <- [0 .. 9], b <- [0 .. 9]])
+
+drawnPair :: Cases
+drawnPair = Cases pair (Some draws smaller) judged
+  where
+    smaller (a, b) = [(a', b) | a' <- below a] ++ [(a, b') | b' <- below b]
+    below n = [0 | n > 0] ++ [n `div` 2 | n > 1] ++ [n - 1 | n > 0]
+
+draws :: Gen (Natural, Natural)
+draws = (,) <$> drawn <*> drawn
+  where
+    drawn = fromInteger <$> chooseInteger (0, 100)
+
+pair :: Codec (Natural, Natural)
+pair = pairOf natural
+
+-- | On an implementation whose sequence is 1 at 3 and from 7 on, and 0 elsewhere.
+tried :: Int -> Cases -> IO Tried
+tried window cases = do
+  subject <- inProcess steps
+  _ <- subjectProfile subject canonicalProfile
+  tryLaw (Plan 1 50 window (const (pure ()))) subject "some" cases
+
+steps :: Implementation
+steps =
+  Implementation
+    { implementationName = "steps",
+      offered = [],
+      open = \profile' ->
+        pure
+          (noOperations profile')
+            { terms = \from _ -> pure [if from == 3 || from >= 7 then 1 else 0]
+            }
+    }
+
+summary :: Tried -> (Maybe (Value, Int), Int)
+summary one =
+  ((\failure -> (failureCase failure, failureShrinks failure)) <$> triedFailure one, triedCases one)

@@ -1,0 +1,91 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The server: this library through the pipe, and what it says to requests that are none.
+module Test.Conform.Serve (spec) where
+
+import Data.Aeson (Value (..))
+import Data.Foldable (for_)
+import Data.List (isPrefixOf)
+import Data.Maybe (listToMaybe)
+import PraTactile.Conformance.Impostors
+import PraTactile.Conformance.Impostors.Killers
+import PraTactile.Conformance.Law (lawId)
+import PraTactile.Conformance.Laws (laws, openingLaws)
+import Test.CommandLine.Run
+import Test.Conform.Subjects
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "is certified through the pipe, under all profiles" $ do
+    (status, out, err) <- conform ["--limit", "1200", "--timeout", "60", "--json"] served
+    (status, err) `shouldBe` (0, "")
+    [law | law@(_, outcome) <- outcomes out, outcome `notElem` ["held", "skipped"]] `shouldBe` []
+    reported "certified" out `shouldBe` Just (Bool True)
+  it "answers a process a request" $ do
+    (_, profile, _) <- pra ["profile"]
+    let asked keys = "{\"profile\": " ++ concat (lines profile) ++ keys ++ "}\n"
+        once' keys = praWith ["serve", "--one-shot"] (asked keys)
+    once' (", \"sequence\": 7, " ++ operation "multiply" "{\"a\": 2, \"b\": 3}")
+      `shouldReturn` (0, "{\"sequence\":7,\"result\":1}\n", "")
+    once' "" `shouldReturn` (0, "{\"result\":true}\n", "")
+    (_, unknown, _) <- once' (", " ++ operation "divide" "{}")
+    unknown `shouldSatisfy` ("{\"skipped\":" `isPrefixOf`)
+  for_ strange $ \(what, requests, replies) -> it what $ do
+    (status, out, err) <- praWith ["serve"] (unlines requests)
+    (status, err) `shouldBe` (0, "")
+    zipWith isPrefixOf replies (lines out) `shouldBe` map (const True) replies
+    length (lines out) `shouldBe` length replies
+  describe "an impostor is found through the pipe, by the first law that is said to find it" $
+    parallel $
+      for_ impostors $ \one -> it (impostorName one) $ do
+        law <- maybe (fail "no law finds it") pure (listToMaybe (killersOf (impostorName one)))
+        (status, out, err) <-
+          conform
+            ["--run", law, "--fail-fast", "--json"]
+            (served ++ ["--impostor", impostorName one])
+        (status, err, (law, "failed") `elem` outcomes out) `shouldBe` (1, "", True)
+  it "the impostors are listed, each with what is wrong and with laws that there are" $ do
+    (status, out, _) <- pra ["serve", "--impostors"]
+    status `shouldBe` 0
+    length (lines out) `shouldBe` 2 * length impostors
+    length impostors `shouldSatisfy` (>= 60)
+    let ids = map lawId laws ++ map lawId openingLaws
+    filter (`notElem` ids) (concatMap (killersOf . impostorName) impostors) `shouldBe` []
+  where
+    served = ["pra-tactile", "serve"]
+
+operation :: String -> String -> String
+operation name input = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input
+
+-- | Requests, and how the replies begin.
+strange :: [(String, [String], [String])]
+strange =
+  [ ( "a line that is no JSON is errored, and the next one answered",
+      ["{", start],
+      [err, "{\"prot"]
+    ),
+    ("another protocol is errored", ["{\"command\": \"start\", \"protocol\": 2}"], [err]),
+    ( "a list, an empty line and an unknown command are errored",
+      ["[]", "", unknown],
+      [err, err, err]
+    ),
+    ( "a run without a profile is errored, with its number",
+      ["{\"command\": \"run\", \"sequence\": 5, " ++ operation "negate" "{\"a\": 1}" ++ "}"],
+      ["{\"sequence\":5,\"errored\":"]
+    ),
+    ( "what is no profile is refused",
+      ["{\"command\": \"profile\"}"],
+      ["{\"refused\":\"invalid\"}"]
+    ),
+    ("to stop there is no reply, and none to what follows", [start, stop, start], ["{\"prot"]),
+    ( "a line of more than a mebibyte is errored, and the next one answered",
+      [replicate 1100000 ' ' ++ start, start],
+      [err, "{\"prot"]
+    )
+  ]
+  where
+    start = "{\"command\": \"start\", \"protocol\": 1}"
+    stop = "{\"command\": \"stop\"}"
+    unknown = "{\"command\": \"wait\"}"
+    err = "{\"errored\":"
