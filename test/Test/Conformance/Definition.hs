@@ -2,7 +2,7 @@
 
 -- | Two roads to every answer: the definition of the conformance suite, and the library, which
 -- shares none of its code. All that is cheap to exhaust is asked of both, and much that is drawn.
-module Test.Conformance.Definition (spec, disagreements, askedUnder, openedOtherwise) where
+module Test.Conformance.Definition (spec) where
 
 import Control.Monad (filterM)
 import Control.Monad.Trans.Except (runExceptT)
@@ -14,7 +14,7 @@ import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), Surface (..), naturalsBelow)
 import PraTactile.Conformance.Definition
-import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Implementation (Implementation (..), Session, answerOf)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles
 import PraTactile.Conformance.Question
@@ -282,7 +282,7 @@ patchAt k (r, c) (high, wide) =
 drawn :: Known -> Gen [SomeQuestion]
 drawn k = do
   place <- (,) <$> below (2 * n1) <*> below (2 * n2)
-  shape <- (,) <$> around high <*> around wide
+  shape <- (,) <$> sides high <*> sides wide
   missing <- elements [0, 0, 10, 30, 80]
   wrong <- elements [0, 0, 5, 20]
   zeros <- frequency [(6, pure False), (1, pure True)]
@@ -301,7 +301,7 @@ drawn k = do
     Shape high wide = profileWindow profile
     Shape n1 n2 = profileShape profile
     below n = fromIntegral <$> chooseInt (0, fromIntegral n - 1)
-    around n = elements (filter (> 0) [n, n, n + 1, n + 1, n + 2, if n > 1 then n - 1 else n])
+    sides n = elements (filter (> 0) [n, n, n + 1, n + 1, n + 2, if n > 1 then n - 1 else n])
     percent n a b = frequency [(n, a), (100 - n, b)]
     damaged missing wrong zeros cell' =
       percent missing (pure Nothing) $

@@ -14,7 +14,7 @@ where
 
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
-import PraTactile.Array (Position)
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance.Definition.Array
 import PraTactile.Conformance.Definition.Field
 import qualified PraTactile.Conformance.Definition.Locate as Locate
@@ -81,11 +81,12 @@ agrees k question wanted came = case question of
 sameChances :: Known -> [(Position, Double)] -> [(Position, Double)] -> Bool
 sameChances k wanted came =
   Map.size given == length came
-    && all (`Map.member` places) (Map.keys given)
+    && all inside (Map.keys given)
     && all ((<= 1e-9) . abs) (Map.unionWith (+) given (negate <$> Map.fromList wanted))
   where
     given = Map.fromList came
-    places = Map.fromList [(Locate.position place, ()) | place <- positions k]
+    inside (Position r c) = r < rows shape && c < columns shape
+    shape = profileShape (knownProfile k)
 
 samePlace :: Place -> Place -> Bool
 samePlace wanted came = case (wanted, came) of
