@@ -3,7 +3,7 @@
 -- matter (.hlint.yaml, tools/pure.hlint.yaml).
 module Test.House (spec) where
 
-import Data.Char (isAlphaNum, isSpace)
+import Data.Char (isAlphaNum, isSpace, isUpper)
 import Data.Foldable (for_)
 import Data.List (isPrefixOf, (\\))
 import qualified Data.Map.Strict as Map
@@ -69,6 +69,23 @@ spec = describe "the house" $
             ]
       length linear `shouldSatisfy` (> 1)
       others `shouldBe` []
+    it "the definition of conformance has of the code types alone" $ \(house, _) -> do
+      let definition = filter (below "PraTactile.Conformance.Definition" . sourceName) house
+          conformance =
+            map ("PraTactile.Conformance." ++) (words "Definition Question Wire")
+          foreign' line = case words line of
+            "import" : name : listed
+              | name == "qualified" -> foreign' (unwords ("import" : listed))
+              | not (below "PraTactile" name) || any (`below` name) conformance -> False
+              | otherwise -> null listed || not (all isType (typesOf (unwords listed)))
+            _ -> False
+      length definition `shouldSatisfy` (> 1)
+      [ (sourceName one, line)
+        | one <- definition,
+          line <- lines (sourceText one),
+          foreign' line
+        ]
+        `shouldBe` []
     it "of the code, the objects see positions and shapes only" $ \(house, _) ->
       [ (sourceName one, name)
         | one <- house,
@@ -117,6 +134,9 @@ spec = describe "the house" $
             (\letter -> if isAlphaNum letter || letter `elem` "_'" then letter else ' ')
             text
         )
+    typesOf listed =
+      words [if letter `elem` ".," then ' ' else letter | letter <- listed, letter `notElem` "()"]
+    isType name = all isUpper (take 1 name)
     impure name = any (`below` name) world
     below folder name = name == folder || (folder ++ ".") `isPrefixOf` name
 

@@ -9,7 +9,7 @@ import Control.Monad.Trans.Except (runExceptT)
 import Data.Aeson (decode)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
-import Data.List (sort)
+import Data.List (sort, tails)
 import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), Surface (..), naturalsBelow)
@@ -31,7 +31,33 @@ spec = describe "the definition and the library agree" $ do
   for_ ["gf2-3x5", "gf3-2x13", "gf9-5x16"] $ \name ->
     it (name ++ ", folded either way on every surface") $
       traverse disagreements (variants name) `shouldReturn` map (const []) (variants name)
+  it "the distance is the least of all pairs" $
+    for_ ["paper", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16"] $ \name ->
+      for_ (underName name) $ \k ->
+        for_ [["##", "##"], ["###"], ["#.#", ".#."], ["##", "##", "##"], ["#", "#", "#"]] $ \mask ->
+          expected k (Distance mask) `shouldBe` Right (leastOfPairs k mask)
   it "which profiles are possible" (openedOtherwise `shouldReturn` [])
+
+underName :: String -> [Known]
+underName name =
+  [k | (given, profile) <- defaultProfiles, given == name, Right k <- [known profile]]
+
+-- | In how many cells two windows on the folding's own surface differ, of all pairs the least.
+leastOfPairs :: Known -> [String] -> Natural
+leastOfPairs k mask =
+  minimum
+    [ fromIntegral (length (filter id (zipWith (/=) a b)))
+      | a : others <- tails (map window places),
+        b <- others
+    ]
+  where
+    Shape n1 n2 = profileShape (knownProfile k)
+    places = [(r, c) | r <- naturalsBelow n1, c <- naturalsBelow n2]
+    window (r, c) =
+      [ expected k (Cell (r + i) (c + j))
+        | (i, line) <- zip [0 ..] mask,
+          (j, '#') <- zip [0 ..] line
+      ]
 
 -- | A default profile with each folding on each surface.
 variants :: String -> [Profile]
@@ -147,9 +173,17 @@ polynomialQuestions profile =
       codes <- traverse (const [0 .. q - 1]) [1 .. n]
   ]
     ++ [SomeQuestion (Primitive h) | h <- [[q, 1], profilePolynomial profile, [1, 0, 1, 1, 0]]]
-    ++ [SomeQuestion (FirstPrimitive n) | n <- [0 .. 4]]
+    ++ [SomeQuestion (FirstPrimitive n) | n <- [0 .. 4] ++ [high]]
+    -- Of a degree from which on orders are not walked.
+    ++ [ SomeQuestion (Primitive (c : zeros (i - 1) ++ b : zeros (degree - i - 1) ++ [1]))
+         | i <- [1 .. degree - 1],
+           (c, b) <- [(1, 1), (q - 1, 1), (1, q - 1), (q - 1, q - 1)]
+       ]
   where
     q = profileOrder profile
+    zeros n = replicate n 0
+    high = fromIntegral degree
+    degree = length (takeWhile (<= 2 ^ (16 :: Int)) (iterate (* q) 1))
     longest = length (takeWhile (<= 1000) (iterate (* q) 1)) - 1
 
 -- | All terms and cells twice over, and some far away.

@@ -125,7 +125,7 @@ commandSpec = describe "vectors" $ do
       writeFile (place </> "file") ""
       ["vectors", "--output", place </> "file", "--operation", "add"] `complains` "file"
       (status, out, err) <- pra ["vectors", "--output", place, "--operation", "divide"]
-      (status, out, "'divide' is no operation" `isInfixOf` err) `shouldBe` (2, "", True)
+      (status, out, "\"divide\" is no operation" `isInfixOf` err) `shouldBe` (2, "", True)
   where
     answered (status, _, err) = (status, err) == (0, "")
     last' = foldl (const id) ""
