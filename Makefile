@@ -6,7 +6,7 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test lint format fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test lint format fuzz prove bench mutants evaluate figures house shapes network check-network check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -63,6 +63,11 @@ prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with ever
 bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
+
+# SEEDS=20; about ten minutes.
+mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
+	@tools/build.sh bench:mutants
+	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
 
 house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
 	@runghc $$(tools/extensions.sh) -itest tools/House.hs > house.dot

@@ -5,15 +5,20 @@ module PraTactile.Conformance.Impostors
   ( Impostor (..),
     impostors,
     impostorNamed,
+    fromTheDocumentation,
   )
 where
 
 import Data.List (find)
 import PraTactile.Conformance.Impostors.Arrays
+import PraTactile.Conformance.Impostors.Decoder (decoder)
 import PraTactile.Conformance.Impostors.Fields
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Impostors.Openings
 import PraTactile.Conformance.Impostors.Places
+import PraTactile.Conformance.Impostors.Searching (rightSearching)
+import PraTactile.Conformance.Impostors.Ways (rightWays)
+import PraTactile.Conformance.Implementation (Implementation)
 import PraTactile.Conformance.Law (Stage (..))
 
 -- | By the stages of a decoder.
@@ -22,7 +27,8 @@ impostors =
   concat
     [ [OnProfile] `touchedBy` openingImpostors,
       [OnField ..] `touchedBy` readingImpostors,
-      [OnField ..] `touchedBy` fieldImpostors,
+      [OnField ..] `touchedBy` arithmeticImpostors,
+      [OnField] `touchedBy` fieldImpostors,
       [OnPolynomial] `touchedBy` polynomialImpostors,
       [OnSequence, OnArray] `touchedBy` sequenceImpostors,
       [OnArray ..] `touchedBy` arrayImpostors,
@@ -34,6 +40,10 @@ impostors =
     ]
   where
     stages `touchedBy` some = [impostor {impostorTouches = stages} | impostor <- some]
+
+-- | The decoder that most of them are made of, right in all its steps.
+fromTheDocumentation :: Implementation -> Implementation
+fromTheDocumentation = decoder rightWays rightSearching
 
 -- | The one of this name.
 impostorNamed :: String -> Maybe Impostor

@@ -1,6 +1,7 @@
 -- | Mistakes in the arithmetic of the alphabet, and in polynomials over it.
 module PraTactile.Conformance.Impostors.Fields
-  ( fieldImpostors,
+  ( arithmeticImpostors,
+    fieldImpostors,
     polynomialImpostors,
   )
 where
@@ -15,9 +16,13 @@ import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Impostors.Ways
 import PraTactile.Profile (Profile (..))
 
--- | In the field.
+-- | In sums and products, and so in all that is made of them.
+arithmeticImpostors :: [Impostor]
+arithmeticImpostors = sums ++ products
+
+-- | In one operation of the field.
 fieldImpostors :: [Impostor]
-fieldImpostors = sums ++ products ++ inverses ++ powers ++ logarithms ++ traces
+fieldImpostors = negatives ++ inverses ++ powers ++ logarithms ++ traces
 
 sums :: [Impostor]
 sums =
@@ -25,10 +30,6 @@ sums =
       ways {plus = \p a b -> (a + b) `mod` order p},
     misstepped "adds-by-xor" "adds codes bit by bit, as in characteristic 2, whatever the field" $ \ways ->
       ways {plus = \p a b -> (a `xor` b) `mod` order p},
-    mistaken "negates-nothing" "takes an element for its own negative, as in characteristic 2" $ \s ->
-      s {negation = \a -> add s a 0},
-    mistaken "negates-modulo-q" "takes q less the code for the negative" $ \s ->
-      s {negation = \a -> add s a 0 >> pure ((profileOrder (profile s) - a) `mod` profileOrder (profile s))},
     mistaken "takes-codes-modulo-q" "takes a code of q or more modulo q" $ \s ->
       let cut a = a `mod` profileOrder (profile s)
        in s
@@ -47,6 +48,14 @@ sums =
   ]
   where
     order p = fromIntegral (profileOrder p) :: Int
+
+negatives :: [Impostor]
+negatives =
+  [ mistaken "negates-nothing" "takes an element for its own negative, as in characteristic 2" $ \s ->
+      s {negation = \a -> add s a 0},
+    mistaken "negates-modulo-q" "takes q less the code for the negative" $ \s ->
+      s {negation = \a -> add s a 0 >> pure ((profileOrder (profile s) - a) `mod` profileOrder (profile s))}
+  ]
 
 products :: [Impostor]
 products =

@@ -1,0 +1,57 @@
+-- | The score of the laws against the impostors: for each impostor the laws that find it, the
+-- profile under which they first do, and in how many cases; then whether some do with other seeds.
+module Main (main) where
+
+import Control.Monad (forM, forM_, unless)
+import Data.List (nub, (\\))
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Definition (known)
+import PraTactile.Conformance.Impostors
+import PraTactile.Conformance.Impostors.Score
+import PraTactile.Conformance.Law (Law (lawId))
+import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Array (area)
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Profile (Profile (profileShape))
+import System.Environment (getArgs)
+import System.Exit (exitFailure)
+import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
+import Text.Printf (printf)
+
+-- | The arguments: how many seeds (20), and names of impostors, if not all.
+main :: IO ()
+main = do
+  hSetBuffering stdout LineBuffering
+  arguments <- getArgs
+  let (seeds, names) = case arguments of
+        count : some -> (read count, some)
+        [] -> (20, [])
+      chosen = filter (\one -> null names || impostorName one `elem` names) impostors
+      -- What is found under some of the default profiles is found under all of them.
+      profiles =
+        [ (name, p, about)
+          | (name, p) <- defaultProfiles,
+            area (profileShape p) <= 1024,
+            Right about <- [known p]
+        ]
+  scores <- forM chosen $ \impostor -> do
+    start <- getMonotonicTime
+    found <- kills 1 profiles impostor
+    end <- getMonotonicTime
+    others <- forM [2 .. seeds :: Int] $ \seed -> survives seed profiles impostor found
+    let escaped = length (filter id others) + (if null found then 1 else 0)
+    printf "%s: %s\n" (impostorName impostor) (impostorMistake impostor)
+    printf "  found by %d laws in %.1f s; with %d of %d seeds\n" (length found) (end - start) (seeds - escaped) seeds
+    forM_ found $ \kill ->
+      printf "    %-45s %-26s %d cases\n" (killLaw kill) (killProfile kill) (killCases kill)
+    pure (impostorName impostor, escaped, map killLaw found)
+  let idle = (map lawId openingLaws ++ map lawId laws) \\ nub (concat [found | (_, _, found) <- scores])
+      survivors = [name | (name, escaped, _) <- scores, escaped > 0]
+  printf "%d of %d impostors are found with each of %d seeds\n" (length scores - length survivors) (length scores) seeds
+  unless (null survivors) (putStrLn ("not found: " ++ unwords survivors))
+  unless (null idle || not (null names)) (putStrLn ("laws that find none: " ++ unwords idle))
+  unless (null survivors && (null idle || not (null names))) exitFailure
+  where
+    survives seed profiles impostor found = case found of
+      [] -> pure True
+      kill : rest -> findsAt seed profiles impostor kill >>= maybe (survives seed profiles impostor rest) (const (pure False))
