@@ -6,7 +6,7 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test lint format fuzz prove bench evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test lint format fuzz mutate prove bench evaluate figures house shapes network check-network check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -63,6 +63,10 @@ prove: setup ## prove every array to 2^20 cells by both roads; to 2^16 with ever
 bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
+
+# Hours; the results are kept, and a later run goes on with them. OPTIONS="--count 600 --seed 1 --shard 1/4 --jobs 2"
+mutate: setup ## plant mistakes in the sources and find which the tests notice (GHC 9.0)
+	@tools/mutate.sh $(OPTIONS)
 
 house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
 	@runghc $$(tools/extensions.sh) -itest tools/House.hs > house.dot

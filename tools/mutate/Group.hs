@@ -1,0 +1,142 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Groups of examples of the test suite, how long each takes and which sites it comes to; and
+-- running one with a mutant on.
+module Group
+  ( Suite (..),
+    Group (..),
+    measured,
+    Run (..),
+    run,
+  )
+where
+
+import Control.Monad (forM)
+import Data.Aeson
+import Data.Char (isSpace)
+import qualified Data.IntSet as Set
+import Data.List (isPrefixOf, stripPrefix)
+import Data.Maybe (isNothing, listToMaybe, mapMaybe)
+import Data.Time.Clock (diffUTCTime, getCurrentTime)
+import System.Directory (doesFileExist, removeFile)
+import System.Exit (ExitCode (..))
+import System.IO (IOMode (..), hPutStrLn, stderr, withFile)
+import System.Process
+import System.Timeout (timeout)
+
+-- | The instrumented suite, and the untouched sources in which it runs.
+data Suite = Suite
+  { suiteProgram :: FilePath,
+    suiteHome :: FilePath,
+    suiteScratch :: FilePath,
+    suiteVariables :: [(String, String)]
+  }
+
+-- | Examples under one heading of the suite.
+data Group = Group
+  { -- | As hspec's @--match@ takes it.
+    groupPath :: String,
+    -- | Seconds, without a mutant.
+    groupTook :: Double,
+    groupSites :: Set.IntSet
+  }
+
+instance ToJSON Group where
+  toJSON g =
+    object
+      ["path" .= groupPath g, "seconds" .= groupTook g, "sites" .= Set.toList (groupSites g)]
+
+instance FromJSON Group where
+  parseJSON = withObject "group" $ \o ->
+    Group <$> o .: "path" <*> o .: "seconds" <*> (Set.fromList <$> o .: "sites")
+
+-- | The groups that pass without a mutant, from the file if it is there. Those that fail, and take
+-- no part, are named on the standard error.
+measured :: Suite -> FilePath -> IO [Group]
+measured suite file = do
+  there <- doesFileExist file
+  known <- if there then decodeFileStrict file else pure Nothing
+  maybe measure pure known
+  where
+    measure = do
+      listed <- readCreateProcess (inHome suite [] ["--dry-run", "--no-color"]) ""
+      groups <- forM (headings (lines listed)) $ \path -> do
+        let trace = suiteScratch suite ++ "/sites"
+        ended <- run suite 1200 [("PRA_TACTILE_SITES", trace)] path (suiteScratch suite ++ "/log")
+        traced <- doesFileExist trace
+        sites <-
+          if traced then Set.fromList . map read . lines <$> readFile trace else pure Set.empty
+        Set.size sites `seq` if traced then removeFile trace else pure ()
+        hPutStrLn stderr (path ++ ": " ++ show (Set.size sites) ++ " sites, " ++ show ended)
+        pure [Group path (runTook ended) sites | runPassed ended]
+      encodeFile file (concat groups)
+      pure (concat groups)
+
+-- | The headings of the first and second rank, as paths; of a first one without second ones itself.
+headings :: [String] -> [String]
+headings rows = case dropWhile blank rows of
+  [] -> []
+  top : more ->
+    let (body, others) = break (\row -> not (blank row) && depth row == 0) more
+        seconds =
+          [drop 2 a | (a, b) <- zip body (drop 1 body), depth a == 2, not (blank a), depth b > 2]
+     in if depth top == 0 && not (null body)
+          then
+            ( if null seconds
+                then ["/" ++ top ++ "/"]
+                else ["/" ++ top ++ "/" ++ s ++ "/" | s <- seconds]
+            )
+              ++ headings others
+          else headings others
+  where
+    blank = all isSpace
+    depth = length . takeWhile (== ' ')
+
+-- | How a run of a group ended.
+data Run = Run
+  { runPassed :: Bool,
+    runTimedOut :: Bool,
+    -- | The path of an example that failed.
+    runFailed :: Maybe String,
+    runTook :: Double
+  }
+  deriving stock (Show)
+
+-- | Run a group, at most this many seconds, with these environment variables; its output goes to
+-- the file.
+run :: Suite -> Int -> [(String, String)] -> String -> FilePath -> IO Run
+run suite seconds variables path output = do
+  begun <- getCurrentTime
+  ended <- withFile output WriteMode $ \log' -> do
+    (_, _, _, process) <-
+      createProcess
+        (inHome suite variables ["--no-color", "--seed", "1", "--fail-fast", "--match", path])
+          { std_out = UseHandle log',
+            std_err = UseHandle log',
+            std_in = NoStream,
+            create_group = True
+          }
+    code <- timeout (seconds * 1000000) (waitForProcess process)
+    case code of
+      Just found -> pure (Just found)
+      Nothing -> do
+        interruptProcessGroupOf process
+        _ <- timeout 5000000 (waitForProcess process)
+        terminateProcess process
+        Nothing <$ waitForProcess process
+  now <- getCurrentTime
+  text <- readFile output
+  let failed = listToMaybe (mapMaybe rerun (lines text))
+      passed = ended == Just ExitSuccess && not (any (isPrefixOf "0 examples") (lines text))
+  pure (Run passed (isNothing ended) failed (realToFrac (diffUTCTime now begun)))
+  where
+    rerun row =
+      takeWhile (/= '"') <$> stripPrefix "To rerun use: --match \"" (dropWhile isSpace row)
+
+inHome :: Suite -> [(String, String)] -> [String] -> CreateProcess
+inHome suite variables arguments =
+  -- An endless mutant may take memory without end, too.
+  (proc "sh" (["-c", "ulimit -d 4000000; exec \"$0\" \"$@\"", suiteProgram suite] ++ arguments))
+    { cwd = Just (suiteHome suite),
+      env = Just (suiteVariables suite ++ variables)
+    }
