@@ -1,10 +1,12 @@
 -- | Runs the >>> examples of the sources' documentation: runghc tools/Doctests.hs FILE...
 module Main (main) where
 
+import System.Directory (listDirectory)
 import System.Environment (getArgs)
 import Test.DocTest (doctest)
 
 main :: IO ()
-main = getArgs >>= doctest . (["-isrc/" ++ wing | wing <- wings] ++) . ("-v0" :)
-  where
-    wings = ["common", "code", "touch", "recognition", "formats"]
+main = do
+  arguments <- getArgs
+  wings <- listDirectory "src"
+  doctest ("-v0" : ["-isrc/" ++ wing | wing <- wings] ++ arguments)

@@ -7,7 +7,6 @@ module Test.ForgedCertificates (spec) where
 import Control.Monad (forM, forM_)
 import Data.Either (isLeft)
 import Data.Proxy (Proxy (..))
-import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
@@ -23,22 +22,19 @@ import Test.Hspec
 spec :: Spec
 spec = forM_ [(2, 6), (2, 8), (3, 4), (3, 6), (4, 3), (4, 4), (5, 3), (7, 2), (9, 2)] $ \(q, n) ->
   describe ("over GF(" ++ show q ++ "), n = " ++ show n) $
-    forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> do
-      it "a root of order (q^n - 1) / l, for each prime l: both checkers say no" $ do
-        genuine <- certificateOfFirst k n
-        checkCertificate genuine `shouldBe` Right ()
-        forged <- forM (certificateFactors genuine) $ \factor ->
-          (,) (orderPrime factor) <$> forgery k n genuine (orderPrime factor)
-        forM_ forged $ \(l, lie) -> checkCertificate lie `shouldBe` Left (RootOrderFault l)
-        inPython (map encodeCertificate (genuine : map snd forged))
-          `shouldReturn` (True : map (const False) forged)
-      it "with another residue, without that prime, or with no prime in its place" $ do
-        genuine <- certificateOfFirst k n
-        lies <- forM (certificateFactors genuine) $ \factor ->
-          liesAbout factor <$> forgery k n genuine (orderPrime factor)
-        forM_ (concat lies) $ \lie -> checkCertificate lie `shouldSatisfy` isLeft
-        inPython (map encodeCertificate (concat lies))
-          `shouldReturn` map (const False) (concat lies)
+    forM_ (lookup q everyField) $ \(SomeField (k :: Proxy k)) -> beforeAll (forgeries k n) $ do
+      it "a root of order (q^n - 1) / l, for each prime l: both checkers say no" $
+        \(genuine, forged) -> do
+          checkCertificate genuine `shouldBe` Right ()
+          forM_ forged $ \(factor, lie) ->
+            checkCertificate lie `shouldBe` Left (RootOrderFault (orderPrime factor))
+          inPython (map encodeCertificate (genuine : map snd forged))
+            `shouldReturn` (True : map (const False) forged)
+      it "with another residue, without that prime, or with no prime in its place" $
+        \(_, forged) -> do
+          let lies = concatMap (uncurry liesAbout) forged
+          forM_ lies $ \lie -> checkCertificate lie `shouldSatisfy` isLeft
+          inPython (map encodeCertificate lies) `shouldReturn` map (const False) lies
 
 -- | Ways to hide a factor l with x^((q^n - 1) / l) = 1.
 liesAbout :: OrderFactor -> Certificate -> [Certificate]
@@ -53,13 +49,17 @@ liesAbout factor forged =
     withFactors change = forged {certificateFactors = change (certificateFactors forged)}
     instead lie this = if orderPrime this == l then lie else this
 
--- | The certificate made to speak of a polynomial whose root has order (q^n - 1) / l.
-forgery :: KnownField k => Proxy k -> Int -> Certificate -> Natural -> IO Certificate
-forgery k n genuine l =
-  maybe
-    (fail "no polynomial of that order")
-    (\h -> pure (forgedFor h genuine))
-    (polynomialOfOrder k n (fromIntegral (certificatePeriod genuine `div` l)))
+-- | A genuine certificate, and for each of its factors l the one made to speak of a polynomial
+-- whose root has order (q^n - 1) / l.
+forgeries ::
+  KnownField k => Proxy k -> Int -> IO (Certificate, [(OrderFactor, Certificate)])
+forgeries k n = do
+  genuine <- certificateOfFirst k n
+  forged <- forM (certificateFactors genuine) $ \factor ->
+    case polynomialOfOrder k n (fromIntegral (certificatePeriod genuine `div` orderPrime factor)) of
+      Nothing -> fail "no polynomial of that order"
+      Just h -> pure (factor, forgedFor h genuine)
+  pure (genuine, forged)
 
 -- | The certificate by rank of the array of the first primitive polynomial, folded row by row.
 certificateOfFirst :: forall k. KnownField k => Proxy k -> Int -> IO Certificate

@@ -186,7 +186,7 @@ spec = do
         (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
         (mkStdGen seed)
     noiseOf setup damage =
-      noiseFor (fieldOrder (codebookArray (setupBook setup))) (damageErrors damage)
+      noiseFor (fieldOrder (codebookArray (setupCodebook setup))) (damageErrors damage)
 
 bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
 bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array

@@ -13,7 +13,7 @@ module PraTactile.Rates
     Radius (..),
     TrialSetup,
     trialSetup,
-    setupBook,
+    setupCodebook,
     setupShape,
     SetupError (..),
     simulate,

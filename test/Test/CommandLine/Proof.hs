@@ -7,6 +7,7 @@ import Control.Monad (forM_, void)
 import Data.Aeson
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (toList)
 import Data.List (intercalate, isInfixOf, isPrefixOf, sort, sortOn)
@@ -16,6 +17,7 @@ import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
+import Test.CheckerInPython
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Support
@@ -188,7 +190,7 @@ certificateSpec = describe "certificate and check" $ do
     it ("any number, name or list that is changed breaks the seal: by " ++ road) $
       inFolder $ \folder -> do
         changes <- tamperings <$> certificateOf options
-        verdicts <- inPython folder (map (canonical . snd) changes)
+        verdicts <- inPython (map (Bytes8.pack . canonical . snd) changes)
         verdicts `shouldBe` map (const False) changes
         -- This program reads each file in a process of its own: a sample is enough.
         forM_
@@ -202,7 +204,7 @@ certificateSpec = describe "certificate and check" $ do
       )
       $ inFolder $ \folder -> do
         changes <- map (fmap sealed) . tamperings <$> certificateOf options
-        python <- inPython folder (map (canonical . snd) changes)
+        python <- inPython (map (Bytes8.pack . canonical . snd) changes)
         ours <- mapM (isGood folder . snd) changes
         zip (map fst changes) ours `shouldBe` zip (map fst changes) python
         let stated =
@@ -265,31 +267,3 @@ isGood folder value = do
 
 checker :: FilePath
 checker = "data/check_certificate.py"
-
--- | What the checker in Python says to each certificate, in one process; the example is pending
--- where there is no Python.
-inPython :: FilePath -> [String] -> IO [Bool]
-inPython folder texts = do
-  python <- findExecutable "python3"
-  case python of
-    Nothing ->
-      [] <$ pendingWith "python3 is not installed here, so the checker in Python was not tried"
-    Just executable -> do
-      let file = folder </> "texts"
-      writeFile file (unlines texts)
-      (_, out, _) <- readProcessWithExitCode executable ["-c", driver, file] ""
-      pure (map (== "good") (lines out))
-  where
-    driver =
-      unlines
-        [ "import json, sys",
-          "sys.path.insert(0, 'data')",
-          "sys.dont_write_bytecode = True",
-          "import check_certificate",
-          "for line in open(sys.argv[1]):",
-          "    try:",
-          "        check_certificate.check(json.loads(line))",
-          "        print('good')",
-          "    except Exception:",
-          "        print('bad')"
-        ]

@@ -5,6 +5,7 @@ module PraTactile.Locate.Decoder
     locator,
     locatorArray,
     locatorMask,
+    locatorCodebook,
 
     -- * Symbols
     SymbolDecoder (..),
@@ -98,6 +99,11 @@ locator choice packing array mask =
     torus = prepared packing Torus array mask
     twistedTorus = prepared packing TwistedTorus array mask
     sheet = prepared packing Sheet array mask
+
+-- | The array's codebook on a surface, the one that its decoders use; refused where the array is
+-- too large for one.
+locatorCodebook :: Locator k -> Surface -> Either LocateError (Codebook k)
+locatorCodebook made = preparedCodebook . locatorOn made
 
 -- | All there is for a surface, each part made when it is first asked for.
 prepared :: KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Prepared k

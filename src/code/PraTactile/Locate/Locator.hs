@@ -6,6 +6,7 @@
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
+    locatorCodebook,
     locate,
     decoderFor,
     agreedSymbols,

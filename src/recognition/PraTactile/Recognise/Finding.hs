@@ -77,8 +77,8 @@ findingAt reader location position = do
       }
   where
     cells = locationCells location
-    array = codebookArray (recogniserBook reader)
-    place0 = cellFrom (recogniserBook reader) position
+    array = codebookArray (recogniserCodebook reader)
+    place0 = cellFrom (recogniserCodebook reader) position
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
     -- Cells with a symbol that the network knows as what the array has there.
     right = Map.mapMaybeWithKey agreeing cells

@@ -106,24 +106,26 @@ locateGrid reader tolerance dissenters grid =
   GridLocation orientation cells (snd <$> found) outcome
   where
     q = fieldOrder (Proxy :: Proxy k)
-    codebook = recogniserBook reader
+    codebook = recogniserCodebook reader
     (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
     cells = seenOnFace orientation (gridCells grid)
     witnesses = witnessesOf codebook tolerance orientation (dissenters, gridStrays grid) cells
     stated = toleratedErrors tolerance
-    ask by seen =
+    ask seen =
       rightOnly
-        (locate (by reader) (onePatch (codebookSurface codebook) seen) {queryRadius = stated})
-
+        ( locate
+            (recogniserLocator reader)
+            (onePatch (codebookSurface codebook) seen) {queryRadius = stated}
+        )
     beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
     found = do
       seen <- beliefs
-      posterior <- ask recogniserPosterior (Probabilities <$> seen) >>= answerPosterior
+      posterior <- ask (Probabilities <$> seen) >>= answerPosterior
       evidenceFrom codebook witnesses orientationDoubt seen posterior
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
-      fmap candidatePosition . answerOutcome <$> ask recogniserNearest (Symbol <$> known)
+      fmap candidatePosition . answerOutcome <$> ask (Symbol <$> known)
     alone numbers =
       exactly (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) >>= onlyPlace
     findings =

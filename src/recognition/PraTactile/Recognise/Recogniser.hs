@@ -10,8 +10,9 @@ import PraTactile.Array (PseudorandomArray, Shape (..), Surface, arrayShape)
 import PraTactile.Classify.Network (Network, outputCount)
 import PraTactile.Classify.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
-import PraTactile.Locate (DecoderName (..), LocateError, Locator, locator)
-import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate (LocateError, Locator, locator)
+import PraTactile.Locate.Decoder.Codebook (Codebook)
+import PraTactile.Locate.Locator (locatorCodebook)
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Recognise.Reading (Reader (..))
@@ -22,11 +23,9 @@ import PraTactile.Window (Mask, Packing (..), maskExtent)
 -- shapes and the trained network.
 data Recogniser k = Recogniser
   { -- | the array on its surface, with its window
-    recogniserBook :: Codebook k,
-    -- | that array's locator of symbols
-    recogniserNearest :: Locator k,
-    -- | its locator of probabilities
-    recogniserPosterior :: Locator k,
+    recogniserCodebook :: Codebook k,
+    -- | that array's locator, which decodes by this codebook
+    recogniserLocator :: Locator k,
     recogniserWindow :: Shape,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
@@ -46,9 +45,9 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Refuses what 'book' refuses,
--- classes that are not one an element, and a placement on an array of another shape or with symbols
--- at another pitch than 'canonicalPitch', at which they are read.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses arrays too large for
+-- a 'Codebook', classes that are not one an element, and a placement on an array of another shape
+-- or with symbols at another pitch than 'canonicalPitch', at which they are read.
 recogniser ::
   KnownField k =>
   Surface ->
@@ -65,12 +64,11 @@ recogniser surface array window layout alphabetOfAll network
   | placementPitch layout /= canonicalPitch =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
   | otherwise = do
-    codebook <- either (Left . RecogniserArray) Right (buildCodebook surface array window)
+    codebook <- either (Left . RecogniserArray) Right (locatorCodebook made surface)
     pure
       Recogniser
-        { recogniserBook = codebook,
-          recogniserNearest = decoderBy NearestDecoder,
-          recogniserPosterior = decoderBy PosteriorDecoder,
+        { recogniserCodebook = codebook,
+          recogniserLocator = made,
           recogniserWindow = maskExtent window,
           recogniserPlacement = layout,
           recogniserReader = Reader (templates alphabetOfAll) network
@@ -78,6 +76,6 @@ recogniser surface array window layout alphabetOfAll network
   where
     q = fieldOrder array
     -- The codebook decodes; the order of cells in tables does not matter.
-    decoderBy name = locator (Just name) MostSignificantFirst array window
+    made = locator Nothing MostSignificantFirst array window
     given = outputCount network
     shaped = alphabetSize alphabetOfAll

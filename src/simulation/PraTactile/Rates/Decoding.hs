@@ -69,9 +69,9 @@ decodeByLocate bySymbols byProbabilities radius setup trial = do
         resultDoubt = posteriorDoubt soft
       }
   where
-    query seen = (onePatch (codebookSurface (setupBook setup)) seen) {queryRadius = radius}
+    query seen = (onePatch (codebookSurface (setupCodebook setup)) seen) {queryRadius = radius}
     rightOnly = either (const Nothing) Just
-    true = positionOf (setupBook setup) (trialPosition trial)
+    true = positionOf (setupCodebook setup) (trialPosition trial)
     q = fieldOrder (Proxy :: Proxy k)
     reading j
       | not (testBit (trialSeen trial Primitive.! (j `div` 64)) (j `mod` 64)) = Just Nothing

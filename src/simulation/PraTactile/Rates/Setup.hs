@@ -7,7 +7,7 @@ module PraTactile.Rates.Setup
     largestSetup,
 
     -- * What it holds
-    setupBook,
+    setupCodebook,
     setupShape,
     setupCells,
     setupPositions,
@@ -38,7 +38,7 @@ import PraTactile.Locate.Decoder.Codebook
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
 data TrialSetup (k :: Field) = TrialSetup
   { -- | The array on its surface.
-    setupBook :: !(Codebook k),
+    setupCodebook :: !(Codebook k),
     -- | The rows and columns of a patch.
     setupShape :: !Shape,
     -- | The cells of a patch.
@@ -83,7 +83,7 @@ trialSetup codebook shape
   | otherwise =
     Right
       TrialSetup
-        { setupBook = codebook,
+        { setupCodebook = codebook,
           setupShape = shape,
           setupCells = n,
           setupPositions = positions,
