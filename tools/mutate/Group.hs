@@ -6,6 +6,7 @@ module Group
   ( Suite (..),
     Group (..),
     measured,
+    examplesOf,
     Run (..),
     run,
   )
@@ -71,6 +72,19 @@ measured suite file = do
         pure [Group path (runTook ended) sites | runPassed ended]
       encodeFile file (concat groups)
       pure (concat groups)
+
+-- | The paths of all examples and headings.
+examplesOf :: Suite -> IO [String]
+examplesOf suite = do
+  listed <- readCreateProcess (inHome suite [] ["--dry-run", "--no-color"]) ""
+  pure (go [] (filter (not . all isSpace) (lines listed)))
+  where
+    go above rows = case rows of
+      [] -> []
+      row : more ->
+        let (indent, title) = span (== ' ') row
+            here = take (length indent `div` 2) above ++ [title]
+         in (concatMap ('/' :) here ++ "/") : go here more
 
 -- | The headings of the first and second rank, as paths; of a first one without second ones itself.
 headings :: [String] -> [String]

@@ -1,10 +1,12 @@
--- | Hunts mutants: @hunt SPEC PROGRAM-FOLDER HOME SITES RESULTS [--count N] [--seed N] [--shard
--- I/N] [--jobs N]@. Each mutant of the sample is on while the groups of examples run that come to
--- its site, the quickest group first, up to the first that fails. A line of JSON each is appended
--- to @RESULTS@; mutants that stand there already are not run again. At the end the table by module
--- is printed.
+-- | Hunts mutants: @hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE [OPTIONS]@ ("Choice" has
+-- the options). Each mutant is on while the groups of examples run that come to its site, the
+-- quickest group first, up to the first that fails. A line of JSON each is appended to @RESULTS@.
+-- What stands there already is not run again if it was found in this @STATE@ of the sources, or if
+-- the mutant's file is the same and what noticed it still is in the suite. At the end the table by
+-- module is printed.
 module Main (main) where
 
+import Choice
 import Control.Concurrent
 import Control.Monad (forM, forM_)
 import Data.Aeson (decodeStrict, encode)
@@ -20,70 +22,48 @@ import Group
 import Site
 import System.Directory
 import System.Environment (getArgs, getEnvironment)
+import System.Exit (ExitCode (..), exitWith)
 import System.FilePath (takeDirectory, (</>))
 import System.IO
 import Text.Printf (hPrintf, printf)
-import Text.Read (readMaybe)
 
 main :: IO ()
 main = do
   arguments <- getArgs
   case arguments of
-    spec : program : home : sites : results : options
-      | Just choice <- choose standard options -> do
+    spec : program : home : mutants : results : state : options
+      | Just choice <- chooseFrom options -> do
         variables <- getEnvironment
         let path = maybe program ((program ++ ":") ++) (lookup "PATH" variables)
             suite scratch =
               Suite spec home scratch (("PATH", path) : filter ((/= "PATH") . fst) variables)
-        hunt choice suite sites results
-    _ ->
+        hunt choice suite mutants results state
+    _ -> do
       hPutStrLn
         stderr
-        "usage: hunt SPEC PROGRAM-FOLDER HOME SITES RESULTS [--count N] [--seed N] [--shard I/N] \
-        \[--jobs N]"
+        ("usage: hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE " ++ usage)
+      exitWith (ExitFailure 2)
 
--- | What is hunted, and how.
-data Choice = Choice
-  { choiceCount :: Int,
-    choiceSeed :: Int,
-    choiceShard :: (Int, Int),
-    choiceJobs :: Int
-  }
-
-standard :: Choice
-standard = Choice {choiceCount = 600, choiceSeed = 1, choiceShard = (1, 1), choiceJobs = 2}
-
-choose :: Choice -> [String] -> Maybe Choice
-choose choice options = case options of
-  [] -> Just choice
-  "--count" : n : more -> readMaybe n >>= \i -> choose choice {choiceCount = i} more
-  "--seed" : n : more -> readMaybe n >>= \i -> choose choice {choiceSeed = i} more
-  "--jobs" : n : more -> readMaybe n >>= \i -> choose choice {choiceJobs = i} more
-  "--shard" : text : more -> case break (== '/') text of
-    (i, '/' : n) -> do
-      shard <- (,) <$> readMaybe i <*> readMaybe n
-      choose choice {choiceShard = shard} more
-    _ -> Nothing
-  _ -> Nothing
-
-hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> IO ()
-hunt choice suite sitesFile resultsFile = do
-  sites <- readSites sitesFile
+hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> String -> IO ()
+hunt choice suite mutantsFile resultsFile state = do
+  mutants <- readMutants mutantsFile
   let folder = takeDirectory resultsFile
       (shard, shards) = choiceShard choice
-      ours =
-        [ m
-          | (i, m) <- zip [0 ..] (sample (choiceSeed choice) (choiceCount choice) sites),
-            i `mod` shards == shard - 1
-        ]
+      ours = [m | (i, m) <- zip [0 ..] mutants, i `mod` shards == shard - 1]
+      bySource = Map.fromList [(mutantName m, siteSource (mutantSite m)) | m <- ours]
   createDirectoryIfMissing True (folder </> "scratch")
+  examples <- Names.fromList <$> examplesOf (suite (folder </> "scratch"))
   groups <- measured (suite (folder </> "scratch")) (folder </> "groups.json")
-  known <- readResults resultsFile
-  let wanted = Names.fromList (map mutantName ours)
-      left = [m | m <- ours, mutantName m `Names.notMember` Names.fromList (map resultName known)]
+  let holds r =
+        Map.lookup (resultName r) bySource == Just (resultSource r)
+          && (resultState r == state || any (`Names.member` examples) (noticedIn (resultOutcome r)))
+  known <-
+    Map.elems . Map.fromList . map (\r -> (resultName r, r)) . filter holds
+      <$> readResults resultsFile
+  let left = [m | m <- ours, mutantName m `Names.notMember` Names.fromList (map resultName known)]
   begun <- getCurrentTime
   queue <- newMVar left
-  done <- newMVar (filter ((`Names.member` wanted) . resultName) known)
+  done <- newMVar known
   ended <- forM [1 .. choiceJobs choice] $ \worker -> do
     end <- newEmptyMVar
     let scratch = folder </> ("scratch-" ++ show worker)
@@ -92,7 +72,7 @@ hunt choice suite sitesFile resultsFile = do
             [] -> ([], Nothing)
             one : more -> (more, Just one)
           forM_ next $ \mutant -> do
-            result <- try' (suite scratch) groups mutant
+            result <- try' (suite scratch) state groups mutant
             modifyMVar_ done $ \results -> do
               Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
               progress begun (length ours) (length left) (result : results)
@@ -109,8 +89,8 @@ readResults file = do
   if there then mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file else pure []
 
 -- | Run the tests that come to a mutant's site.
-try' :: Suite -> [Group] -> Mutant -> IO Result
-try' suite groups mutant = do
+try' :: Suite -> String -> [Group] -> Mutant -> IO Result
+try' suite state groups mutant = do
   begun <- getCurrentTime
   outcome <- go (sortOn groupTook [g | g <- groups, Set.member (siteNumber site) (groupSites g)])
   now <- getCurrentTime
@@ -121,6 +101,8 @@ try' suite groups mutant = do
         resultFile = siteFile site,
         resultLine = siteLine site,
         resultKind = siteKind site,
+        resultSource = siteSource site,
+        resultState = state,
         resultOutcome = outcome,
         resultTook = realToFrac (diffUTCTime now begun)
       }
@@ -171,11 +153,15 @@ progress begun whole left results = do
   hFlush stderr
 
 noticedBy :: Outcome -> Bool
-noticedBy outcome = case outcome of
-  Killed _ -> True
-  TimedOut _ -> True
-  Survived -> False
-  Unreached -> False
+noticedBy = not . null . noticedIn
+
+-- | The example that failed, or the group that took too long.
+noticedIn :: Outcome -> [String]
+noticedIn outcome = case outcome of
+  Killed example -> [example]
+  TimedOut group -> [group]
+  Survived -> []
+  Unreached -> []
 
 -- | How many were noticed of each part of the library and of each module, as a table of Markdown;
 -- then those that were not.

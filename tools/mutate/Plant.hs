@@ -1,16 +1,18 @@
-{-# LANGUAGE OverloadedStrings #-}
-
--- | Plants mutants: @plant HIE-FOLDER ROOT SITES [LEFT-OUT]@ reads what the compiler wrote about
--- each module under @ROOT/src@ (@-fwrite-ide-info@), rewrites the module so that each site of a
--- kind ("Kind") asks "Mutant" what it is to do, and writes the list of sites, one JSON object a
--- line. @LEFT-OUT@ is a file with the numbers of sites that are not to be planted, because there
--- the function that is planted does not type-check.
+-- | Plants mutants: @plant HIE-FOLDER ROOT MUTANTS LEFT-OUT [OPTIONS]@ reads what the compiler wrote
+-- about each module under @ROOT/src@ (@-fwrite-ide-info@), draws a sample of the mutants that could
+-- be planted there ("Choice" has the options), rewrites the modules so that each site of the sample
+-- asks "Mutant" what it is to do, and writes the sample, one JSON object a line. @LEFT-OUT@ is a
+-- file with the numbers of sites that are not to be planted, because there the function that is
+-- planted does not type-check.
 --
--- Numbers of sites depend on the sources alone, not on what is left out.
+-- Numbers of sites depend on the sources alone, not on the sample and not on what is left out.
 module Main (main) where
 
-import Control.Monad (forM)
-import Data.Aeson (encode, object, (.=))
+import Choice
+import Control.Monad (forM, forM_)
+import qualified Crypto.Hash.SHA256 as SHA256
+import Data.Aeson (encode)
+import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isDigit, isLetter)
 import Data.IORef (atomicModifyIORef', newIORef)
@@ -18,6 +20,8 @@ import Data.List (isPrefixOf, isSuffixOf, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
+import Data.Text (pack)
+import Data.Text.Encoding (encodeUtf8)
 import GHC.Data.FastString (unpackFS)
 import GHC.Iface.Ext.Binary
 import GHC.Iface.Ext.Types
@@ -27,35 +31,60 @@ import GHC.Types.SrcLoc
 import GHC.Types.Unique.Supply (mkSplitUniqSupply)
 import GHC.Unit.Module (moduleName, moduleNameString)
 import Kind
+import Site (Mutant (..), mutantsOf)
+import qualified Site
 import System.Directory (doesDirectoryExist, listDirectory)
 import System.Environment (getArgs)
+import System.Exit (ExitCode (..), exitWith)
 import System.FilePath ((</>))
+import System.IO (hPutStrLn, stderr)
+import Text.Printf (printf)
 
 main :: IO ()
 main = do
   arguments <- getArgs
   case arguments of
-    hie : root : sites : more -> do
-      leftOut <- Set.fromList . map read . lines . concat <$> traverse readFile more
-      files <- filter (".hie" `isSuffixOf`) <$> filesUnder hie
-      modules <- sortOn moduleFile <$> traverse readModule files
-      let numbered = snd (foldr number' (1, []) (reverse (map sitesOf modules)))
-          number' (one, found) (next, others) =
-            (next + length found, (one, zip [next ..] found) : others)
-      listed <- forM (reverse numbered) $ \(one, found) -> do
-        let file = root </> moduleFile one
-            kept = filter ((`Set.notMember` leftOut) . fst) found
-        source <- readFile file
-        length source `seq` writeFile file (planted kept source)
-        pure (concatMap (describe one) (filter ((`elem` map fst kept) . fst . fst) (named found)))
-      Lazy.writeFile sites (Lazy.unlines (concat listed))
-      putStrLn (show (sum (map (length . snd) numbered)) ++ " sites")
-    _ -> putStrLn "usage: plant HIE-FOLDER ROOT SITES [LEFT-OUT]"
+    hie : root : mutants : leftOut : options
+      | Just choice <- chooseFrom options -> plant choice hie root mutants leftOut
+    _ -> do
+      hPutStrLn stderr ("usage: plant HIE-FOLDER ROOT MUTANTS LEFT-OUT " ++ usage)
+      exitWith (ExitFailure 2)
+
+plant :: Choice -> FilePath -> FilePath -> FilePath -> FilePath -> IO ()
+plant choice hie root mutants leftOut = do
+  without <- Set.fromList . map read . lines <$> readFile leftOut
+  files <- filter (".hie" `isSuffixOf`) <$> filesUnder hie
+  modules <- sortOn moduleFile <$> traverse readModule files
+  let found = numbered (map sitesOf modules)
+      possible =
+        [ describe one site
+          | (one, sites) <- found,
+            site@((number', _), _) <- named sites,
+            number' `Set.notMember` without
+        ]
+      drawn = sample choice possible
+      wanted = Set.fromList (map (Site.siteNumber . mutantSite) drawn)
+  forM_ found $ \(one, sites) ->
+    writeFile
+      (root </> moduleFile one)
+      (planted (filter ((`Set.member` wanted) . fst) sites) (moduleText one))
+  Lazy.writeFile mutants (Lazy.unlines (map encode drawn))
+  printf
+    "%d sites for %d mutants; %d are drawn, at %d sites\n"
+    (length possible)
+    (length (concatMap mutantsOf possible))
+    (length drawn)
+    (Set.size wanted)
+  where
+    numbered = snd . foldl next (1, [])
+    next (first, before) (one, sites) =
+      (first + length sites, before ++ [(one, zip [first ..] sites)])
 
 -- | A module as the compiler saw it.
 data Module = Module
   { moduleTitle :: String,
     moduleFile :: FilePath,
+    moduleText :: String,
     moduleLines :: Map.Map Int String,
     moduleTrees :: [HieAST TypeIndex]
   }
@@ -70,6 +99,7 @@ readModule file = do
     Module
       { moduleTitle = moduleNameString (moduleName (hie_module found)),
         moduleFile = hie_hs_file found,
+        moduleText = text,
         moduleLines = Map.fromList (zip [1 ..] (lines text)),
         moduleTrees = Map.elems (getAsts (hie_asts found))
       }
@@ -200,21 +230,23 @@ named = go Map.empty
             count = Map.findWithDefault (0 :: Int) key seen + 1
          in (one, key ++ " " ++ show count) : go (Map.insert key count seen) others
 
-describe :: Module -> ((Int, Site), String) -> [Lazy.ByteString]
+describe :: Module -> ((Int, Site), String) -> Site.Site
 describe one ((number', site), name) =
-  [ encode
-      ( object
-          [ "site" .= number',
-            "module" .= moduleTitle one,
-            "file" .= moduleFile one,
-            "line" .= srcSpanStartLine (siteSpan site),
-            "column" .= srcSpanStartCol (siteSpan site),
-            "kind" .= kindName (siteKind site),
-            "name" .= name,
-            "variants" .= map fst (kindVariants (siteKind site))
-          ]
-      )
-  ]
+  Site.Site
+    { Site.siteNumber = number',
+      Site.siteModule = moduleTitle one,
+      Site.siteFile = moduleFile one,
+      Site.siteLine = srcSpanStartLine (siteSpan site),
+      Site.siteKind = kindName (siteKind site),
+      Site.siteName = name,
+      Site.siteVariants = map fst (kindVariants (siteKind site)),
+      Site.siteSource = digest (moduleText one)
+    }
+
+-- | The first 16 hexadecimal digits of the SHA-256 of a text.
+digest :: String -> String
+digest text =
+  concatMap (printf "%02x") (Bytes.unpack (Bytes.take 8 (SHA256.hash (encodeUtf8 (pack text)))))
 
 -- | A module's text with its sites planted.
 planted :: [(Int, Site)] -> String -> String

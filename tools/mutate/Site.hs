@@ -1,13 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The sites as @plant@ lists them, what became of mutants, and which of them are tried.
+-- | Sites and mutants as @plant@ lists them, and what became of a mutant.
 module Site
   ( Site (..),
-    readSites,
     Mutant (..),
+    readMutants,
     mutantName,
     mutantsOf,
-    sample,
     Outcome (..),
     Result (..),
     resultName,
@@ -16,10 +15,7 @@ where
 
 import Data.Aeson hiding (Result)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.List (sortOn)
-import qualified Data.Map.Strict as Map
 import Data.Maybe (mapMaybe)
-import System.Random (mkStdGen, randoms)
 
 -- | A place in the sources where mistakes are planted.
 data Site = Site
@@ -30,7 +26,9 @@ data Site = Site
     siteKind :: String,
     -- | The definition it is in, the kind, and which site of that kind it is there.
     siteName :: String,
-    siteVariants :: [String]
+    siteVariants :: [String],
+    -- | A digest of the file.
+    siteSource :: String
   }
 
 instance FromJSON Site where
@@ -43,16 +41,35 @@ instance FromJSON Site where
       <*> o .: "kind"
       <*> o .: "name"
       <*> o .: "variants"
-
--- | The sites of a file, one JSON object a line.
-readSites :: FilePath -> IO [Site]
-readSites file = mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file
+      <*> o .: "source"
 
 -- | A mistake: a site, and which of its variants, from 1.
 data Mutant = Mutant
   { mutantSite :: Site,
     mutantVariant :: Int
   }
+
+instance ToJSON Mutant where
+  toJSON (Mutant site variant) =
+    object
+      [ "site" .= siteNumber site,
+        "module" .= siteModule site,
+        "file" .= siteFile site,
+        "line" .= siteLine site,
+        "kind" .= siteKind site,
+        "name" .= siteName site,
+        "variants" .= siteVariants site,
+        "source" .= siteSource site,
+        "variant" .= variant
+      ]
+
+instance FromJSON Mutant where
+  parseJSON value =
+    Mutant <$> parseJSON value <*> withObject "mutant" (.: "variant") value
+
+-- | The mutants of a file, one JSON object a line.
+readMutants :: FilePath -> IO [Mutant]
+readMutants file = mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file
 
 -- | A name that stays while other definitions change.
 mutantName :: Mutant -> String
@@ -61,22 +78,6 @@ mutantName (Mutant site variant) =
 
 mutantsOf :: Site -> [Mutant]
 mutantsOf site = [Mutant site i | i <- [1 .. length (siteVariants site)]]
-
--- | This many mutants in an order drawn from the seed, of each module three at least where it has
--- as many; those come first.
-sample :: Int -> Int -> [Site] -> [Mutant]
-sample seed count sites = take (max count (length first)) (first ++ others)
-  where
-    shuffled =
-      map snd (sortOn fst (zip (randoms (mkStdGen seed) :: [Int]) (concatMap mutantsOf sites)))
-    (first, others) = go (Map.empty :: Map.Map String Int) shuffled
-    go seen mutants = case mutants of
-      [] -> ([], [])
-      one : more ->
-        let key = siteModule (mutantSite one)
-            early = Map.findWithDefault 0 key seen < 3
-            (a, b) = go (Map.insertWith (+) key 1 seen) more
-         in if early then (one : a, b) else (a, one : b)
 
 -- | What became of a mutant.
 data Outcome
@@ -96,6 +97,9 @@ data Result = Result
     resultFile :: FilePath,
     resultLine :: Int,
     resultKind :: String,
+    -- | The digests of the mutant's file, and of all files.
+    resultSource :: String,
+    resultState :: String,
     resultOutcome :: Outcome,
     -- | Seconds.
     resultTook :: Double
@@ -113,6 +117,8 @@ instance ToJSON Result where
         "file" .= resultFile r,
         "line" .= resultLine r,
         "kind" .= resultKind r,
+        "source" .= resultSource r,
+        "state" .= resultState r,
         "outcome" .= (name :: String),
         "by" .= by,
         "seconds" .= resultTook r
@@ -140,5 +146,7 @@ instance FromJSON Result where
       <*> o .: "file"
       <*> o .: "line"
       <*> o .: "kind"
+      <*> o .: "source"
+      <*> o .: "state"
       <*> pure outcome
       <*> o .: "seconds"
