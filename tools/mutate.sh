@@ -25,7 +25,7 @@ libraries="pra-tactile:lib:recognition-internal pra-tactile:lib:simulation pra-t
 cabal="cabal --config-file=$PWD/cabal/offline.config"
 
 if [ "$(cat "$work/state" 2>/dev/null)" != "$state $sample" ]; then
-  rm -rf "$work/state" "$work/home" "$work/groups.json"
+  rm -rf "$work/state" "$work/home" "$work/groups.jsonl"
   mkdir -p "$work/home" "$work/tree"
   sources | tar -cf "$work/sources.tar" -T -
   tar -xf "$work/sources.tar" -C "$work/home"

@@ -12,11 +12,12 @@ module Group
   )
 where
 
-import Control.Monad (forM)
 import Data.Aeson
+import qualified Data.ByteString.Char8 as Bytes
+import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isSpace)
 import qualified Data.IntSet as Set
-import Data.List (isPrefixOf, stripPrefix)
+import Data.List (isPrefixOf, stripPrefix, (\\))
 import Data.Maybe (isNothing, listToMaybe, mapMaybe)
 import Data.Time.Clock (diffUTCTime, getCurrentTime)
 import System.Directory (doesFileExist, removeFile)
@@ -39,39 +40,47 @@ data Group = Group
     groupPath :: String,
     -- | Seconds, without a mutant.
     groupTook :: Double,
+    groupPasses :: Bool,
     groupSites :: Set.IntSet
   }
 
 instance ToJSON Group where
   toJSON g =
     object
-      ["path" .= groupPath g, "seconds" .= groupTook g, "sites" .= Set.toList (groupSites g)]
+      [ "path" .= groupPath g,
+        "seconds" .= groupTook g,
+        "passes" .= groupPasses g,
+        "sites" .= Set.toList (groupSites g)
+      ]
 
 instance FromJSON Group where
   parseJSON = withObject "group" $ \o ->
-    Group <$> o .: "path" <*> o .: "seconds" <*> (Set.fromList <$> o .: "sites")
+    Group
+      <$> o .: "path"
+      <*> o .: "seconds"
+      <*> o .: "passes"
+      <*> (Set.fromList <$> o .: "sites")
 
--- | The groups that pass without a mutant, from the file if it is there. Those that fail, and take
--- no part, are named on the standard error.
+-- | The groups that pass without a mutant, as far as they are known from the file, where those that
+-- are not are added, an object a line. Those that fail take no part, and are named on the standard
+-- error.
 measured :: Suite -> FilePath -> IO [Group]
 measured suite file = do
   there <- doesFileExist file
-  known <- if there then decodeFileStrict file else pure Nothing
-  maybe measure pure known
+  known <- if there then mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file else pure []
+  listed <- readCreateProcess (inHome suite [] ["--dry-run", "--no-color"]) ""
+  more <- traverse measure (headings (lines listed) \\ map groupPath known)
+  pure (filter groupPasses (known ++ more))
   where
-    measure = do
-      listed <- readCreateProcess (inHome suite [] ["--dry-run", "--no-color"]) ""
-      groups <- forM (headings (lines listed)) $ \path -> do
-        let trace = suiteScratch suite ++ "/sites"
-        ended <- run suite 1200 [("PRA_TACTILE_SITES", trace)] path (suiteScratch suite ++ "/log")
-        traced <- doesFileExist trace
-        sites <-
-          if traced then Set.fromList . map read . lines <$> readFile trace else pure Set.empty
-        Set.size sites `seq` if traced then removeFile trace else pure ()
-        hPutStrLn stderr (path ++ ": " ++ show (Set.size sites) ++ " sites, " ++ show ended)
-        pure [Group path (runTook ended) sites | runPassed ended]
-      encodeFile file (concat groups)
-      pure (concat groups)
+    measure path = do
+      let trace = suiteScratch suite ++ "/sites"
+      ended <- run suite 1200 [("PRA_TACTILE_SITES", trace)] path (suiteScratch suite ++ "/log")
+      traced <- doesFileExist trace
+      sites <- if traced then map read . lines <$> readFile trace else pure []
+      length sites `seq` if traced then removeFile trace else pure ()
+      let group = Group path (runTook ended) (runPassed ended) (Set.fromList sites)
+      hPutStrLn stderr (path ++ ": " ++ show (Set.size (groupSites group)) ++ " sites, " ++ show ended)
+      group <$ Lazy.appendFile file (encode group <> "\n")
 
 -- | The paths of all examples and headings.
 examplesOf :: Suite -> IO [String]
@@ -139,7 +148,7 @@ run suite seconds variables path output = do
         terminateProcess process
         Nothing <$ waitForProcess process
   now <- getCurrentTime
-  text <- readFile output
+  text <- readFile output >>= \all' -> length all' `seq` pure all'
   let failed = listToMaybe (mapMaybe rerun (lines text))
       passed = ended == Just ExitSuccess && not (any (isPrefixOf "0 examples") (lines text))
   pure (Run passed (isNothing ended) failed (realToFrac (diffUTCTime now begun)))

@@ -2,8 +2,9 @@
 -- the options). Each mutant is on while the groups of examples run that come to its site, the
 -- quickest group first, up to the first that fails. A line of JSON each is appended to @RESULTS@.
 -- What stands there already is not run again if it was found in this @STATE@ of the sources, or if
--- the mutant's file is the same and what noticed it still is in the suite. At the end the table by
--- module is printed.
+-- the mutant's file is the same and what noticed it still is in the suite. Mutants that change
+-- nothing that could be observed, by @tools/mutate/equivalent.txt@ in HOME, are not run. At the end
+-- the table by module is printed.
 module Main (main) where
 
 import Choice
@@ -13,7 +14,8 @@ import Data.Aeson (decodeStrict, encode)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import qualified Data.IntSet as Set
-import Data.List (sortOn)
+import Data.Char (isSpace)
+import Data.List (partition, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Set as Names
@@ -37,23 +39,27 @@ main = do
         let path = maybe program ((program ++ ":") ++) (lookup "PATH" variables)
             suite scratch =
               Suite spec home scratch (("PATH", path) : filter ((/= "PATH") . fst) variables)
-        hunt choice suite mutants results state
+        hunt choice suite home mutants results state
     _ -> do
       hPutStrLn
         stderr
         ("usage: hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE " ++ usage)
       exitWith (ExitFailure 2)
 
-hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> String -> IO ()
-hunt choice suite mutantsFile resultsFile state = do
+hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> FilePath -> String -> IO ()
+hunt choice suite home mutantsFile resultsFile state = do
   mutants <- readMutants mutantsFile
   let folder = takeDirectory resultsFile
       (shard, shards) = choiceShard choice
-      ours = [m | (i, m) <- zip [0 ..] mutants, i `mod` shards == shard - 1]
+  equivalent <- readEquivalent (home </> "tools" </> "mutate" </> "equivalent.txt")
+  let (same, ours) =
+        partition
+          ((`Map.member` equivalent) . mutantName)
+          [m | (i, m) <- zip [0 ..] mutants, i `mod` shards == shard - 1]
       bySource = Map.fromList [(mutantName m, siteSource (mutantSite m)) | m <- ours]
   createDirectoryIfMissing True (folder </> "scratch")
   examples <- Names.fromList <$> examplesOf (suite (folder </> "scratch"))
-  groups <- measured (suite (folder </> "scratch")) (folder </> "groups.json")
+  groups <- measured (suite (folder </> "scratch")) (folder </> "groups.jsonl")
   let holds r =
         Map.lookup (resultName r) bySource == Just (resultSource r)
           && (resultState r == state || any (`Names.member` examples) (noticedIn (resultOutcome r)))
@@ -62,7 +68,8 @@ hunt choice suite mutantsFile resultsFile state = do
       <$> readResults resultsFile
   let left = [m | m <- ours, mutantName m `Names.notMember` Names.fromList (map resultName known)]
   begun <- getCurrentTime
-  queue <- newMVar left
+  -- Those that quick groups do not notice wait until all others have been tried.
+  queue <- newMVar [(mutant, Quick) | mutant <- left]
   done <- newMVar known
   ended <- forM [1 .. choiceJobs choice] $ \worker -> do
     end <- newEmptyMVar
@@ -71,48 +78,78 @@ hunt choice suite mutantsFile resultsFile state = do
           next <- modifyMVar queue $ \waiting -> pure $ case waiting of
             [] -> ([], Nothing)
             one : more -> (more, Just one)
-          forM_ next $ \mutant -> do
-            result <- try' (suite scratch) state groups mutant
-            modifyMVar_ done $ \results -> do
-              Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
-              progress begun (length ours) (length left) (result : results)
-              pure (result : results)
+          forM_ next $ \(mutant, pace) -> do
+            tried <- try' (suite scratch) state pace groups mutant
+            case tried of
+              Nothing -> do
+                hPutStrLn stderr ("not noticed by quick tests: " ++ mutantName mutant)
+                modifyMVar_ queue (\waiting -> pure (waiting ++ [(mutant, Slow)]))
+              Just result -> modifyMVar_ done $ \results -> do
+                Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
+                progress begun (length ours) (length left) (result : results)
+                pure (result : results)
             work
     createDirectoryIfMissing True scratch
     end <$ forkFinally work (const (putMVar end ()))
   mapM_ takeMVar ended
-  readMVar done >>= putStr . table
+  readMVar done >>= putStr . table same
+
+-- | The names of mutants in a file, each on a line of its own; the reason follows, indented.
+readEquivalent :: FilePath -> IO (Map.Map String String)
+readEquivalent file = do
+  there <- doesFileExist file
+  text <- if there then readFile file else pure ""
+  pure (Map.fromList (entries (filter (not . all isSpace) (lines text))))
+  where
+    entries rows = case rows of
+      [] -> []
+      name : more ->
+        let (reason, others) = span ((== " ") . take 1) more
+         in (name, unwords (concatMap words reason)) : entries others
 
 readResults :: FilePath -> IO [Result]
 readResults file = do
   there <- doesFileExist file
   if there then mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file else pure []
 
--- | Run the tests that come to a mutant's site.
-try' :: Suite -> String -> [Group] -> Mutant -> IO Result
-try' suite state groups mutant = do
+-- | Which groups run: those that take at most 'quickly' in all, from the quickest on, or the others.
+data Pace = Quick | Slow
+
+-- | Seconds.
+quickly :: Double
+quickly = 20
+
+-- | Run the tests that come to a mutant's site, or 'Nothing' if slow ones are left.
+try' :: Suite -> String -> Pace -> [Group] -> Mutant -> IO (Maybe Result)
+try' suite state pace groups mutant = do
   begun <- getCurrentTime
-  outcome <- go (sortOn groupTook [g | g <- groups, Set.member (siteNumber site) (groupSites g)])
+  outcome <- case pace of
+    Quick -> go (map fst quick)
+    Slow -> go (map fst slow)
   now <- getCurrentTime
-  pure
-    Result
-      { resultModule = siteModule site,
-        resultMutant = mutantName mutant,
-        resultFile = siteFile site,
-        resultLine = siteLine site,
-        resultKind = siteKind site,
-        resultSource = siteSource site,
-        resultState = state,
-        resultOutcome = outcome,
-        resultTook = realToFrac (diffUTCTime now begun)
-      }
+  pure $ case (pace, outcome) of
+    (Quick, Survived) | not (null slow) -> Nothing
+    _ ->
+      Just
+        Result
+          { resultModule = siteModule site,
+            resultMutant = mutantName mutant,
+            resultFile = siteFile site,
+            resultLine = siteLine site,
+            resultKind = siteKind site,
+            resultSource = siteSource site,
+            resultState = state,
+            resultOutcome = outcome,
+            resultTook = realToFrac (diffUTCTime now begun)
+          }
   where
     site = mutantSite mutant
     variables =
       [("PRA_TACTILE_MUTANT", show (siteNumber site) ++ "." ++ show (mutantVariant mutant))]
-    go reached = case reached of
-      [] -> pure Unreached
-      _ -> through reached
+    reached = sortOn groupTook [g | g <- groups, Set.member (siteNumber site) (groupSites g)]
+    (quick, slow) =
+      span ((<= quickly) . snd) (zip reached (drop 1 (scanl (+) 0 (map groupTook reached))))
+    go of' = if null reached then pure Unreached else through of'
     through left = case left of
       [] -> pure Survived
       group : more -> do
@@ -163,29 +200,44 @@ noticedIn outcome = case outcome of
   Survived -> []
   Unreached -> []
 
--- | How many were noticed of each part of the library and of each module, as a table of Markdown;
--- then those that were not.
-table :: [Result] -> String
-table results =
+-- | How many were noticed of each part of the library and of each module, as a table of Markdown,
+-- beside those that change nothing; then those that were not noticed.
+table :: [Mutant] -> [Result] -> String
+table same results =
   unlines $
-    ["| part or module | mutants | noticed | of them by the time | % |", "|---|--:|--:|--:|--:|"]
-      ++ map row (Map.toList (Map.fromListWith (++) (concatMap keys results)))
+    [ "| part or module | mutants | change nothing | noticed | of them by the time | % of the others |",
+      "|---|--:|--:|--:|--:|--:|"
+    ]
+      ++ map row (Map.toList (Map.unionWith (<>) ran equal))
       ++ ["", "Not noticed:"]
       ++ [ printf "%s:%d: %s%s" (resultFile r) (resultLine r) (resultMutant r) (unreached r)
            | r <- sortOn (\r -> (resultFile r, resultLine r)) results,
              not (noticedBy (resultOutcome r))
          ]
   where
-    keys r = [(part r, [r]), (part r ++ " " ++ resultModule r, [r])]
-    part = takeWhile (/= '/') . drop 4 . resultFile
+    ran =
+      Map.fromListWith
+        (<>)
+        [(key, ([r], [])) | r <- results, key <- keys (resultFile r) (resultModule r)]
+    equal =
+      Map.fromListWith
+        (<>)
+        [ (key, ([], [m]))
+          | m@(Mutant site _) <- same,
+            key <- keys (siteFile site) (siteModule site)
+        ]
+    keys file name = ["all", part file, part file ++ " " ++ name]
+    part = takeWhile (/= '/') . drop 4
     unreached r = if resultOutcome r == Unreached then " (no test comes to it)" else ""
-    row (key, those) =
+    row :: (String, ([Result], [Mutant])) -> String
+    row (key, (those, without)) =
       let noticed = length (filter (noticedBy . resultOutcome) those)
           late = length [() | r <- those, TimedOut _ <- [resultOutcome r]]
        in printf
-            "| %s | %d | %d | %d | %.1f |"
+            "| %s | %d | %d | %d | %d | %.1f |"
             key
-            (length those)
+            (length those + length without)
+            (length without)
             noticed
             late
-            (100 * fromIntegral noticed / fromIntegral (length those) :: Double)
+            (100 * fromIntegral noticed / fromIntegral (max 1 (length those)) :: Double)
