@@ -13,8 +13,8 @@ import Control.Monad (forM, forM_)
 import Data.Aeson (decodeStrict, encode)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
-import qualified Data.IntSet as Set
 import Data.Char (isSpace)
+import qualified Data.IntSet as Set
 import Data.List (partition, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
@@ -136,6 +136,7 @@ try' suite state pace groups mutant = do
             resultMutant = mutantName mutant,
             resultFile = siteFile site,
             resultLine = siteLine site,
+            resultColumn = siteColumn site,
             resultKind = siteKind site,
             resultSource = siteSource site,
             resultState = state,
@@ -210,7 +211,7 @@ table same results =
     ]
       ++ map row (Map.toList (Map.unionWith (<>) ran equal))
       ++ ["", "Not noticed:"]
-      ++ [ printf "%s:%d: %s%s" (resultFile r) (resultLine r) (resultMutant r) (unreached r)
+      ++ [ printf "%s:%d:%d: %s%s" (resultFile r) (resultLine r) (resultColumn r) (resultMutant r) (unreached r)
            | r <- sortOn (\r -> (resultFile r, resultLine r)) results,
              not (noticedBy (resultOutcome r))
          ]

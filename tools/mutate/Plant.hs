@@ -237,6 +237,7 @@ describe one ((number', site), name) =
       Site.siteModule = moduleTitle one,
       Site.siteFile = moduleFile one,
       Site.siteLine = srcSpanStartLine (siteSpan site),
+      Site.siteColumn = srcSpanStartCol (siteSpan site),
       Site.siteKind = kindName (siteKind site),
       Site.siteName = name,
       Site.siteVariants = map fst (kindVariants (siteKind site)),

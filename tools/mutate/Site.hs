@@ -23,6 +23,7 @@ data Site = Site
     siteModule :: String,
     siteFile :: FilePath,
     siteLine :: Int,
+    siteColumn :: Int,
     siteKind :: String,
     -- | The definition it is in, the kind, and which site of that kind it is there.
     siteName :: String,
@@ -38,6 +39,7 @@ instance FromJSON Site where
       <*> o .: "module"
       <*> o .: "file"
       <*> o .: "line"
+      <*> o .: "column"
       <*> o .: "kind"
       <*> o .: "name"
       <*> o .: "variants"
@@ -56,6 +58,7 @@ instance ToJSON Mutant where
         "module" .= siteModule site,
         "file" .= siteFile site,
         "line" .= siteLine site,
+        "column" .= siteColumn site,
         "kind" .= siteKind site,
         "name" .= siteName site,
         "variants" .= siteVariants site,
@@ -96,6 +99,7 @@ data Result = Result
     resultMutant :: String,
     resultFile :: FilePath,
     resultLine :: Int,
+    resultColumn :: Int,
     resultKind :: String,
     -- | The digests of the mutant's file, and of all files.
     resultSource :: String,
@@ -116,6 +120,7 @@ instance ToJSON Result where
         "mutant" .= resultMutant r,
         "file" .= resultFile r,
         "line" .= resultLine r,
+        "column" .= resultColumn r,
         "kind" .= resultKind r,
         "source" .= resultSource r,
         "state" .= resultState r,
@@ -145,6 +150,7 @@ instance FromJSON Result where
       <*> o .: "mutant"
       <*> o .: "file"
       <*> o .: "line"
+      <*> o .: "column"
       <*> o .: "kind"
       <*> o .: "source"
       <*> o .: "state"

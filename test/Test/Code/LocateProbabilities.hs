@@ -4,6 +4,7 @@ module Test.Code.LocateProbabilities (spec) where
 
 import Control.Monad (forM_)
 import Data.Maybe (catMaybes, fromMaybe)
+import Data.Proxy (Proxy (..))
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
@@ -71,6 +72,11 @@ codebookSpec = do
     map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith close [0.9, 0.1]
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
+  it "certainty is the belief that gives one symbol all of the probability" $
+    forM_ everyField $ \(q, SomeField (k :: Proxy k)) ->
+      forM_ (elementsOf k) $ \a ->
+        (q, Right (certainly a))
+          `shouldBe` (q, belief [if b == a then 1 else 0 | b <- elementsOf k])
   it "an array can be impossible" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
