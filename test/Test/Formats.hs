@@ -40,8 +40,13 @@ spec = do
 roundTrips :: Spec
 roundTrips = do
   it "whole numbers that a double may round are written as text: from 2^53 on, either way" $
-    forM_ [(n, abs n >= 2 ^ (53 :: Int)) | e <- [0, 1, 52, 53, 54, 80 :: Int], d <- [-1, 0, 1], s <- [1, -1], let { n = s * (2 ^ e + d) }] $
-      \(n, asText) ->
+    forM_
+      [ (n, abs n >= 2 ^ (53 :: Int))
+        | e <- [0, 1, 52, 53, 54, 80 :: Int],
+          d <- [-1, 0, 1],
+          n <- [2 ^ e + d, negate (2 ^ e + d)]
+      ]
+      $ \(n, asText) ->
         (n, KeyMap.lookup "from" (fields (Lazy.toStrict (encodeTerms canonicalProfile n 0 []))))
           `shouldBe` (n, Just (if asText then toJSON (show n) else toJSON n))
   prop "decodeProfile . encodeProfile = Right" $
@@ -112,7 +117,9 @@ roundTrips = do
                            [ object
                                [ "vertices" .= map vertexText [edgeStart e, edgeEnd e],
                                  "faces"
-                                   .= [map vertexText (faceVertices f) | f <- [edgeLeft e, edgeRight e]]
+                                   .= map
+                                     (map vertexText . faceVertices)
+                                     [edgeLeft e, edgeRight e]
                                ]
                              | e <- solidEdges body
                            ]

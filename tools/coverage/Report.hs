@@ -56,7 +56,7 @@ report modules =
     ["| part | expressions | evaluated | % |", "|---|--:|--:|--:|"]
       ++ map row (Map.toList parts)
       ++ [row ("all", concatMap coveredExpressions modules), "", "Never evaluated:"]
-      ++ [ coveredFile one ++ ":" ++ show line ++ ":" ++ show column ++ " to " ++ end line line' column'
+      ++ [ coveredFile one ++ concatMap ((':' :) . show) [line, column] ++ end line line' column'
            | one <- sortOn coveredFile modules,
              place <- outermost [p | (p, 0) <- coveredExpressions one],
              let (line, column, line', column') = fromHpcPos place
@@ -66,7 +66,8 @@ report modules =
       Map.fromListWith
         (flip (++))
         [(takeWhile (/= '/') (drop 4 (coveredFile one)), coveredExpressions one) | one <- modules]
-    end line line' column' = if line == line' then show column' else show line' ++ ":" ++ show column'
+    end line line' column' =
+      " to " ++ (if line == line' then "" else show line' ++ ":") ++ show column'
     row :: (String, [(HpcPos, Integer)]) -> String
     row (name, expressions) =
       let all' = length expressions
@@ -80,4 +81,6 @@ report modules =
 
 -- | Those that are in no other one, in the order of the text.
 outermost :: [HpcPos] -> [HpcPos]
-outermost places = [p | p <- sortOn fromHpcPos places, not (any (\q -> q /= p && p `insideHpcPos` q) places)]
+outermost places = filter (not . inAnother) (sortOn fromHpcPos places)
+  where
+    inAnother p = any (\q -> q /= p && p `insideHpcPos` q) places

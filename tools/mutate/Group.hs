@@ -79,7 +79,9 @@ measured suite file = do
       sites <- if traced then map read . lines <$> readFile trace else pure []
       length sites `seq` if traced then removeFile trace else pure ()
       let group = Group path (runTook ended) (runPassed ended) (Set.fromList sites)
-      hPutStrLn stderr (path ++ ": " ++ show (Set.size (groupSites group)) ++ " sites, " ++ show ended)
+      hPutStrLn
+        stderr
+        (path ++ ": " ++ show (Set.size (groupSites group)) ++ " sites, " ++ show ended)
       group <$ Lazy.appendFile file (encode group <> "\n")
 
 -- | The paths of all examples and headings.

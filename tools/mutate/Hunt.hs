@@ -112,7 +112,8 @@ readResults file = do
   there <- doesFileExist file
   if there then mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file else pure []
 
--- | Which groups run: those that take at most 'quickly' in all, from the quickest on, or the others.
+-- | Which groups run: those that take at most 'quickly' in all, from the quickest on; or the
+-- others.
 data Pace = Quick | Slow
 
 -- | Seconds.
@@ -206,12 +207,13 @@ noticedIn outcome = case outcome of
 table :: [Mutant] -> [Result] -> String
 table same results =
   unlines $
-    [ "| part or module | mutants | change nothing | noticed | of them by the time | % of the others |",
+    [ "| part or module | mutants | change nothing | noticed | by the time | % of the others |",
       "|---|--:|--:|--:|--:|--:|"
     ]
       ++ map row (Map.toList (Map.unionWith (<>) ran equal))
       ++ ["", "Not noticed:"]
-      ++ [ printf "%s:%d:%d: %s%s" (resultFile r) (resultLine r) (resultColumn r) (resultMutant r) (unreached r)
+      ++ [ printf "%s:%d:%d: %s" (resultFile r) (resultLine r) (resultColumn r) (resultMutant r)
+             ++ unreached r
            | r <- sortOn (\r -> (resultFile r, resultLine r)) results,
              not (noticedBy (resultOutcome r))
          ]

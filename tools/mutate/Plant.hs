@@ -1,9 +1,9 @@
--- | Plants mutants: @plant HIE-FOLDER ROOT MUTANTS LEFT-OUT [OPTIONS]@ reads what the compiler wrote
--- about each module under @ROOT/src@ (@-fwrite-ide-info@), draws a sample of the mutants that could
--- be planted there ("Choice" has the options), rewrites the modules so that each site of the sample
--- asks "Mutant" what it is to do, and writes the sample, one JSON object a line. @LEFT-OUT@ is a
--- file with the numbers of sites that are not to be planted, because there the function that is
--- planted does not type-check.
+-- | Plants mutants: @plant HIE-FOLDER ROOT MUTANTS LEFT-OUT [OPTIONS]@ reads what the compiler
+-- wrote about each module under @ROOT/src@ (@-fwrite-ide-info@), draws a sample of the mutants that
+-- could be planted there ("Choice" has the options), rewrites the modules so that each site of the
+-- sample asks "Mutant" what it is to do, and writes the sample, one JSON object a line. @LEFT-OUT@
+-- is a file with the numbers of sites that are not to be planted, because there the function that
+-- is planted does not type-check.
 --
 -- Numbers of sites depend on the sources alone, not on the sample and not on what is left out.
 module Main (main) where

@@ -49,7 +49,8 @@ spec = do
           array <- right (folded RowMajor (Shape 1 (period h)) h)
           grid <- right (toGrid array)
           -- The first cells of a row, as many as a table still has room for, and one more.
-          let most = length (takeWhile (<= 2 ^ (26 :: Int)) (iterate (* fromIntegral q) (fromIntegral q :: Natural)))
+          let contents = iterate (* fromIntegral q) (fromIntegral q) :: [Natural]
+              most = length (takeWhile (<= 2 ^ (26 :: Int)) contents)
               digestOf count = do
                 m <- right (rectangle (Shape 1 count))
                 pure (digestOfWindows MostSignificantFirst TwistedTorus grid m)

@@ -146,7 +146,7 @@ boundsSpec = do
       other -> expectationFailure (show other)
     (() <$ decodeWith ready Guaranteed (patchOf (Shape 1 1) [(Position 0 0, one)]))
       `shouldBe` Left DecodingOtherCells
-  it "the words that may be looked at are one sum for all steps: one less, and the last is refused" $ do
+  it "the words allowed are one sum for all steps: with one less the last step is refused" $ do
     algebra <- vastAlgebra
     array <- vastArray
     m <- right (rectangle (Shape 8 8))
@@ -161,7 +161,9 @@ boundsSpec = do
         -- The steps asked for, one after the other, each allowed for as soon as it is asked for.
         climb allowed steps
           | length steps >= 12 = pure (reverse steps)
-          | otherwise = asked allowed >>= maybe (pure (reverse steps)) (\n -> climb (allowed + n) (n : steps))
+          | otherwise =
+            asked allowed
+              >>= maybe (pure (reverse steps)) (\n -> climb (allowed + n) (n : steps))
     steps <- climb 0 []
     length steps `shouldSatisfy` (> 3)
     short <- traverse (\k -> asked (sum (take k steps) - 1)) [1 .. length steps]

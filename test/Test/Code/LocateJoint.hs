@@ -70,7 +70,8 @@ joiningSpec = do
                           | ((r, c), _) <- given
                         ],
                   patchShape (jointPatch joined) === shape,
-                  observedCells (jointPatch joined) === [(at, a) | (at, as) <- looks, [a] <- [nub as]],
+                  observedCells (jointPatch joined)
+                    === [(at, a) | (at, as) <- looks, [a] <- [nub as]],
                   jointDisputed joined === [at | (at, as) <- looks, length (nub as) > 1],
                   -- Each look is a cell of one of the patches, at its displacement from the first.
                   [(at, a) | (at, as) <- looks, a <- sort as]
@@ -83,7 +84,8 @@ joiningSpec = do
   it "takes 100 patches, and no more" $ do
     let many n = replicate n ((3, 4), patchOf (Shape 1 1) [(Position 0 0, 'a')])
     fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
-    either Just (const Nothing) (joint agreedSymbol (many 101)) `shouldBe` Just (PatchesTooMany 101 100)
+    either Just (const Nothing) (joint agreedSymbol (many 101))
+      `shouldBe` Just (PatchesTooMany 101 100)
   where
     plus i d = fromInteger (toInteger i + d)
     genDisplaced = do

@@ -103,7 +103,8 @@ spec = do
           let (kept, left) = keptRows contents
               numbered = [(entryOf line, line) | line <- drawn]
               entryOf line = Bytes.split ',' line !! 1
-              alike = nub [one | one@(e, _) <- numbered, length (nub (filter ((== e) . fst) numbered)) == 1]
+              different e = length (nub (filter ((== e) . fst) numbered))
+              alike = nub [one | one@(e, _) <- numbered, different e == 1]
            in conjoin
                 [ sort [rowText row | (_, row) <- Map.elems kept] === sort (map snd alike),
                   [drawn !! (line - 2) | (line, _) <- Map.elems kept]

@@ -1,6 +1,6 @@
 -- | The digest that a store carries, computed anew by another program from the file alone: Python's
--- sqlite3 and hashlib. Stores that exist must stay readable, so that what is hashed is a promise: of
--- each table the number of its rows, then each row as its key and its columns.
+-- sqlite3 and hashlib. Stores that exist must stay readable, so that what is hashed is a promise:
+-- of each table the number of its rows, then each row as its key and its columns.
 module Test.Store.Digest (digestInPython) where
 
 import System.Directory (findExecutable)
@@ -25,7 +25,8 @@ program =
     [ "import hashlib, sqlite3, sys",
       "store = sqlite3.connect(sys.argv[1])",
       "def rows(table, columns, form):",
-      "    found = store.execute('SELECT id, %s FROM %s ORDER BY id' % (columns, table)).fetchall()",
+      "    query = 'SELECT id, %s FROM %s ORDER BY id' % (columns, table)",
+      "    found = store.execute(query).fetchall()",
       "    return [str(len(found))] + ['(%d,%s)' % (row[0], form(*row[1:])) for row in found]",
       "def numbers(*values):",
       "    return '[%s]' % ','.join(map(str, values))",
