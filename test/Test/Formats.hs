@@ -4,6 +4,7 @@
 -- the cause and the place.
 module Test.Formats (spec) where
 
+import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import Data.Aeson
 import qualified Data.Aeson.Key as Key
@@ -27,6 +28,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
+import System.Timeout (timeout)
 import Test.Formats.Answers
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -136,6 +138,13 @@ roundTrips = do
 
 refusals :: Spec
 refusals = do
+  it "a number of a billion digits beside a certificate breaks its seal, and is not written out" $ do
+    certificate <- generate someCertificate
+    let text = encodeCertificate certificate
+        spoilt = Bytes.init text <> ",\"more\":1e999999999}"
+        sealed = fmap fileSealed . decodeCertificate
+    sealed text `shouldBe` Right True
+    timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
   it "a key that is missing of an answer, unless answers without it may be" $ do
     recognition <- generate someRecognition
     let text = encodeRecognition recognition

@@ -12,6 +12,7 @@ import PraTactile.Array
 import PraTactile.ArrayCode
 import PraTactile.ArrayCode.Proof
 import PraTactile.Field
+import PraTactile.Field.Named (GF2, GF4)
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window

@@ -91,8 +91,8 @@ joiningSpec = do
     genDisplaced = do
       count <- choose (1, 4)
       vectorOf count $ do
-        h <- choose (1, 3)
-        w <- choose (1, 3)
+        h <- fromInteger <$> chooseInteger (1, 3)
+        w <- fromInteger <$> chooseInteger (1, 3)
         cells <- sublistOf [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]
         seen <- traverse (\at -> (,) at <$> QuickCheck.elements "ab") cells
         at <- (,) <$> choose (-3, 3) <*> choose (-3, 3)

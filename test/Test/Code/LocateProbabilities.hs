@@ -10,6 +10,7 @@ import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook (observedDistance)
 import PraTactile.Locate.Decoder.List (listPatch, standardListing)
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Definition
@@ -73,10 +74,16 @@ codebookSpec = do
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
   it "certainty is the belief that gives one symbol all of the probability" $
-    forM_ everyField $ \(q, SomeField (k :: Proxy k)) ->
-      forM_ (elementsOf k) $ \a ->
+    forM_ everyField $ \(q, SomeField (_ :: Proxy k)) ->
+      forM_ (elements :: [GF k]) $ \a ->
         (q, Right (certainly a))
-          `shouldBe` (q, belief [if b == a then 1 else 0 | b <- elementsOf k])
+          `shouldBe` (q, belief [if b == a then 1 else 0 | b <- elements :: [GF k]])
+  it "no distance is promised on a surface that is neither the array's own nor the sheet" $ do
+    let offsets = cellsOf (Shape 3 3)
+        on surface = (`observedDistance` offsets) <$> paperCodebook surface
+    d <- on Torus
+    d `shouldSatisfy` (> 0)
+    mapM on [Sheet, TwistedTorus] `shouldReturn` [d, 0]
   it "an array can be impossible" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
