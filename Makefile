@@ -6,7 +6,8 @@ DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
 export PREFIX DESTDIR
-.PHONY: all help setup build demo test lint format fuzz prove bench mutants evaluate figures house shapes network check-network check-newer-ghc \
+.PHONY: all help setup build demo test lint format fuzz mutants mutate prove bench evaluate figures house shapes network check-network \
+        check-newer-ghc \
         install uninstall clean
 # cabal holds one build at a time in dist-newstyle.
 .NOTPARALLEL:
@@ -68,6 +69,10 @@ bench: setup ## the benchmarks
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
 	@tools/build.sh bench:mutants
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)
+
+# Hours; the results are kept, and a later run goes on with them. OPTIONS="--count 600 --seed 1 --shard 1/4 --jobs 2"
+mutate: setup ## plant mistakes in the sources and find which the tests notice (GHC 9.0)
+	@tools/mutate.sh $(OPTIONS)
 
 house: setup ## draw the module graph (house.dot; house.svg where Graphviz is installed)
 	@runghc $$(tools/extensions.sh) -itest tools/House.hs > house.dot

@@ -62,6 +62,7 @@ import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
+import qualified Test.Formats.Rates
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe, hspec)
@@ -155,6 +156,7 @@ specs = do
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
+  describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Sources" Test.Source.spec

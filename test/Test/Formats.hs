@@ -4,26 +4,31 @@
 -- the cause and the place.
 module Test.Formats (spec) where
 
+import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import Data.Aeson
+import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (JSONPathElement (..))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isLeft)
-import Data.Foldable (fold)
+import Data.Foldable (fold, toList)
 import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
 import PraTactile.Explore
 import PraTactile.Files
 import PraTactile.Format
-import PraTactile.Object.Placement (Face (..))
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Description (Point (..))
+import PraTactile.Object.Placement (Face (..), placementSolids)
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
+import System.Timeout (timeout)
 import Test.Formats.Answers
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -36,6 +41,16 @@ spec = do
 
 roundTrips :: Spec
 roundTrips = do
+  it "whole numbers that a double may round are written as text: from 2^53 on, either way" $
+    forM_
+      [ (n, abs n >= 2 ^ (53 :: Int))
+        | e <- [0, 1, 52, 53, 54, 80 :: Int],
+          d <- [-1, 0, 1],
+          n <- [2 ^ e + d, negate (2 ^ e + d)]
+      ]
+      $ \(n, asText) ->
+        (n, KeyMap.lookup "from" (fields (Lazy.toStrict (encodeTerms canonicalProfile n 0 []))))
+          `shouldBe` (n, Just (if asText then toJSON (show n) else toJSON n))
   prop "decodeProfile . encodeProfile = Right" $
     forAll someProfile $ \profile ->
       decodeProfile (encodeProfile profile) === Right profile
@@ -78,7 +93,42 @@ roundTrips = do
     decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
       `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5)))
+  it "objects are written with all of their vertices, edges and faces, as the solid has them" $ do
+    layout <- right canonicalPlacement
+    let parsed = fields (encodeObjects canonicalProfile layout)
+        solids = placementSolids layout
+        named body =
+          [ o
+            | Just (Array all') <- [KeyMap.lookup "objects" parsed],
+              Object o <- toList all',
+              KeyMap.lookup "object" o == Just (toJSON (objectText (solidName body)))
+          ]
+    length solids `shouldBe` 2
+    forM_ solids $ \body -> do
+      map (KeyMap.lookup "vertices") (named body)
+        `shouldBe` [ Just
+                       ( object
+                           [ Key.fromString (vertexText v) .= millimetres p
+                             | (v, p) <- solidVertices body
+                           ]
+                       )
+                   ]
+      map (KeyMap.lookup "edges") (named body)
+        `shouldBe` [ Just
+                       ( toJSON
+                           [ object
+                               [ "vertices" .= map vertexText [edgeStart e, edgeEnd e],
+                                 "faces"
+                                   .= map
+                                     (map vertexText . faceVertices)
+                                     [edgeLeft e, edgeRight e]
+                               ]
+                             | e <- solidEdges body
+                           ]
+                       )
+                   ]
   where
+    millimetres p = map fromRational [pointX p, pointY p, pointZ p] :: [Double]
     top = Face "cube" (readFaceName "C1 C2 C3 C4")
     cornerOf = regionCorner . truthRegion
     whole region = (regionWidth region, regionHeight region, regionSymmetry region)
@@ -88,6 +138,13 @@ roundTrips = do
 
 refusals :: Spec
 refusals = do
+  it "a number of a billion digits beside a certificate breaks its seal, and is not written out" $ do
+    certificate <- generate someCertificate
+    let text = encodeCertificate certificate
+        spoilt = Bytes.init text <> ",\"more\":1e999999999}"
+        sealed = fmap fileSealed . decodeCertificate
+    sealed text `shouldBe` Right True
+    timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
   it "a key that is missing of an answer, unless answers without it may be" $ do
     recognition <- generate someRecognition
     let text = encodeRecognition recognition

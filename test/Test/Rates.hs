@@ -3,6 +3,7 @@ module Test.Rates (spec) where
 
 import Control.Monad (forM_, void)
 import Data.List (nub, sort, unfoldr)
+import Data.Maybe (isJust)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
@@ -118,6 +119,10 @@ spec = do
           abs (rate rates - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
       exactRates (UpTo 5) codebook m damage `shouldBe` Nothing
+      -- Whether there are any is known before anything is computed.
+      [large, larger] <- mapM (right . rectangle) [Shape 25 40, Shape 7 143]
+      [isJust (exactRates Guaranteed codebook them damage) | them <- [large, larger]]
+        `shouldBe` [True, False]
       exactRates (UpTo 4) codebook m (Damage 0.2 0.1) `shouldBe` Nothing
       and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
       and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True

@@ -42,6 +42,7 @@ import Test.Hspec
 import Test.Object.Support
 import Test.QuickCheck
 import Test.Store.Damage
+import Test.Store.Digest
 
 spec :: Spec
 spec = describe "store" $ do
@@ -106,6 +107,10 @@ spec = describe "store" $ do
       withCanonical $ \place path ->
         asked path $ \store ->
           (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
+    it "the digest is that of every cell of every table, as another program finds it" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "a.sqlite") "a \"quoted\" profile" place `shouldReturn` Right ()
+        digestInPython (directory </> "a.sqlite")
     it "placementOf . relation = id" $
       thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
 
@@ -125,8 +130,13 @@ spec = describe "store" $ do
       inDirectory $ \directory -> thePlacement $ \place -> do
         create directory profileText place `shouldReturn` Left (IsDirectory directory)
         create (directory </> "none" </> "a.sqlite") profileText place
-          >>= (`shouldSatisfy` isCannotWrite)
+          `shouldReturn` Left (CannotWrite (directory </> "none" </> "a.sqlite") NoFolder)
         listDirectory directory `shouldReturn` []
+    it "a file that this process is writing is in use" $
+      withCanonical $ \place path ->
+        withBinaryFile path AppendMode $ \_ -> do
+          opening path `shouldReturn` Left (CannotRead path InUse)
+          create path profileText place `shouldReturn` Left (CannotWrite path InUse)
     it "names that SQLite keeps for itself are plain names" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
@@ -301,10 +311,6 @@ plain fault = do
 
 profileText :: String
 profileText = "any text, \"quoted\"; with ' and \955\n"
-
-isCannotWrite :: Either StoreError () -> Bool
-isCannotWrite (Left (CannotWrite _ _)) = True
-isCannotWrite _ = False
 
 isDamaged :: FilePath -> Either StoreError () -> Bool
 isDamaged path (Left (DamagedFile named _)) = named == path

@@ -221,7 +221,7 @@ parseElement :: forall k. KnownField k => String -> Either FieldError (GF k)
 parseElement text = case text of
   "A" -> Right primitive
   'A' : '^' : digits@(_ : _)
-    | all isDigit digits -> Right (power primitive (remainderBy (max 1 (q - 1)) digits))
+    | all isDigit digits -> Right (power primitive (remainderBy (q - 1) digits))
   _ : _
     | all isDigit text, null (drop 3 significant), code < q -> Right (GF (fromIntegral code))
     | all isDigit text, Just large <- readMaybe text -> Left (CodeOutOfRange large q)

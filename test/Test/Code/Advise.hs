@@ -6,11 +6,13 @@ import Data.List (sort)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Advise
+import PraTactile.Advise.Fit (candidates)
 import PraTactile.Advise.Layout (degreeOfOrder, sureWindows)
 import PraTactile.Array
 import PraTactile.ArrayCode
 import PraTactile.ArrayCode.Proof
 import PraTactile.Field
+import PraTactile.Field.Named (GF2, GF4)
 import PraTactile.Polynomial
 import PraTactile.Sequence
 import PraTactile.Window
@@ -47,6 +49,11 @@ spec = do
       advice <- asked 4 15 273 (Just (Shape 2 3))
       [(optionLayout o, optionShape o) | o <- adviceOptions advice]
         `shouldBe` [(Single RowMajor, Shape 15 273)]
+  it "of 2^32 states or fewer 32 polynomials are tried, of more 4" $ do
+    forM_ [(20, 32), (32, 32), (33, 4)] $ \(n, count) ->
+      (n, length (candidates (Proxy :: Proxy GF2) n)) `shouldBe` (n, count)
+    forM_ [(16, 32), (17, 4)] $ \(n, count) ->
+      (n, length (candidates (Proxy :: Proxy GF4) n)) `shouldBe` (n, count)
   it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]

@@ -2,6 +2,7 @@
 module Test.Code.ArrayCode (spec) where
 
 import Control.Monad (forM_)
+import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Array
 import PraTactile.ArrayCode
@@ -107,6 +108,7 @@ spec = do
                 (verdict, _) <- right (proveCode code window)
                 codeVisited verdict
                   `shouldBe` Just (fromIntegral (Set.size (Set.fromList (contentsOf code window))))
+                codeCollision verdict `shouldBe` firstRepeated code window
   it "with one array is that array" $ do
     h <- paperPrimitive
     code <- coded (Shape 15 17) h
@@ -134,6 +136,17 @@ contentsOf code window =
     | j <- below (codeArrays code),
       p <- cellsOf (codeShape code)
   ]
+
+-- | Where a content was seen before, and the first place at which one is seen again, array by
+-- array, row by row.
+firstRepeated :: ArrayCode k -> Mask -> Maybe (Place, Place)
+firstRepeated code window =
+  go Map.empty [Place j p | j <- below (codeArrays code), p <- cellsOf (codeShape code)]
+  where
+    go _ [] = Nothing
+    go seen (place : more) = case Map.lookup (contentAt code window place) seen of
+      Just earlier -> Just (earlier, place)
+      Nothing -> go (Map.insert (contentAt code window place) place seen) more
 
 contentAt :: ArrayCode k -> Mask -> Place -> [Int]
 contentAt code window (Place j (Position r c)) =

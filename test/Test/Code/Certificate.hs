@@ -42,7 +42,26 @@ spec = do
       digestOfWindows LeastSignificantFirst Torus grid m
         -- 01, 11 and 10, read backwards: 2, 3 and 1.
         `shouldBe` Just (sha256 (Bytes.concat (map eightBytes [2, 0, 1])))
-    it "there is none of windows that repeat" $ do
+    it "by sorting as by a table: cells that tell windows apart put them in the order of any more" $
+      forM_ [(q, n) | (q, n) <- [(2, 6), (3, 4), (4, 4), (5, 3)]] $ \(q, n) ->
+        overField q $ \k -> do
+          h <- firstOver k n
+          array <- right (folded RowMajor (Shape 1 (period h)) h)
+          grid <- right (toGrid array)
+          -- The first cells of a row, as many as a table still has room for, and one more.
+          let contents = iterate (* fromIntegral q) (fromIntegral q) :: [Natural]
+              most = length (takeWhile (<= 2 ^ (26 :: Int)) contents)
+              digestOf count = do
+                m <- right (rectangle (Shape 1 count))
+                pure (digestOfWindows MostSignificantFirst TwistedTorus grid m)
+          few <- digestOf n
+          table <- digestOf (fromIntegral most)
+          sorted' <- digestOf (fromIntegral most + 1)
+          (q, table, sorted') `shouldBe` (q, few, few)
+    it "there is none of windows that repeat, by sorting either" $ do
+      paper <- paperArray >>= right . toGrid
+      repeating <- right (maskFrom [Position (15 * i) 0 | i <- [0 .. 19]])
+      digestOfWindows MostSignificantFirst Torus paper repeating `shouldBe` Nothing
       array <- paperArray
       grid <- right (toGrid array)
       m <- right (rectangle (Shape 1 2))

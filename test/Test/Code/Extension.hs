@@ -36,6 +36,11 @@ spec = do
           ]
           )
           `shouldBe` (q, n, [])
+    it "a residue is shown as an expression: in parentheses where it is an argument" $ do
+      h <- paperPrimitive
+      let a = residue h (polynomial [one, primitive])
+      showsPrec 11 a "" `shouldBe` "(" ++ show a ++ ")"
+      showsPrec 10 a "" `shouldBe` show a
     it "sums are those of the polynomials" $
       forM_ samples $ \(q, n, SomeField k) -> do
         h <- firstOver k n

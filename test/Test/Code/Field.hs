@@ -182,6 +182,9 @@ elementSpec = do
     forM_ (fieldsUpTo 32) $ \(q, SomeField k) -> (q, powers k) `shouldBe` (q, True)
   it "primitive ^ logarithm a = a, with 0 <= logarithm < q - 1" $
     forM_ everyField $ \(q, SomeField k) -> (q, logarithms k) `shouldBe` (q, True)
+  it "signum is 0 of 0, and 1 of all others" $
+    forM_ everyField $ \(q, SomeField k) ->
+      (q, map signum (elementsOf k)) `shouldBe` (q, zero : map (const one) (drop 1 (elementsOf k)))
   it "abs x * signum x = x" $
     forM_ everyField $ \(q, SomeField k) ->
       (q, [() | x <- elementsOf k, abs x * signum x /= x]) `shouldBe` (q, [])

@@ -146,6 +146,28 @@ boundsSpec = do
       other -> expectationFailure (show other)
     (() <$ decodeWith ready Guaranteed (patchOf (Shape 1 1) [(Position 0 0, one)]))
       `shouldBe` Left DecodingOtherCells
+  it "the words allowed are one sum for all steps: with one less the last step is refused" $ do
+    algebra <- vastAlgebra
+    array <- vastArray
+    m <- right (rectangle (Shape 8 8))
+    let word = content array (Position 1 2) (maskOffsets m)
+        diagonal = zipWith (\i a -> if i `elem` [0, 9 .. 63 :: Int] then a + 1 else a) [0 ..] word
+        -- What is asked for next when this many words are allowed.
+        asked allowed = do
+          ready <- right (decoder (Effort 0 allowed) algebra (maskOffsets m))
+          pure $ case decoded ready (UpTo 9) diagonal of
+            Left (DecodingTooLong _ more limit) | limit == allowed -> Just more
+            _ -> Nothing
+        -- The steps asked for, one after the other, each allowed for as soon as it is asked for.
+        climb allowed steps
+          | length steps >= 12 = pure (reverse steps)
+          | otherwise =
+            asked allowed
+              >>= maybe (pure (reverse steps)) (\n -> climb (allowed + n) (n : steps))
+    steps <- climb 0 []
+    length steps `shouldSatisfy` (> 3)
+    short <- traverse (\k -> asked (sum (take k steps) - 1)) [1 .. length steps]
+    short `shouldBe` map Just steps
   it "the far corner of the sheet has one position, however many of the torus agree" $
     onArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m -> do
       algebra <- right (prepareAlgebra Sheet array m)

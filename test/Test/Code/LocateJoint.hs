@@ -2,16 +2,22 @@
 module Test.Code.LocateJoint (spec) where
 
 import Control.Monad (forM_)
+import Data.List (nub, sort)
 import Data.Maybe (fromMaybe)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
+import PraTactile.Locate.Definition (looksByDefinition)
+import PraTactile.Locate.Joint
+import PraTactile.Locate.Patch
 import PraTactile.Symmetry
 import Test.Code.Asking
 import Test.Code.Generators
 import Test.Hspec
 import Test.Paper
+import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
@@ -36,6 +42,7 @@ spec = do
   it "cells that two patches saw differently count as not observed" $ do
     found <- nearestOf Guaranteed (Position 6 5) disputed
     (place found, answerDisputed found) `shouldBe` ([Position 6 5], [Position 1 1])
+  describe "joining" joiningSpec
   describe "patches displaced by one cell" displacedSpec
   describe "probabilities" beliefSpec
   it "no patches are no patch, and patches too far apart are refused before memory is taken" $ do
@@ -47,6 +54,49 @@ spec = do
     answered [identity] Guaranteed 0 [] `shouldBe` Left (LocatorPatch PatchEmpty)
   where
     far = 10 ^ (9 :: Int)
+
+joiningSpec :: Spec
+joiningSpec = do
+  it "puts every look at a cell where it belongs, from the upper left of all, as the definition" $
+    forAllShrink genDisplaced (filter (not . null) . shrinkList (const [])) $ \given ->
+      let lowest side = minimum (map (side . fst) given)
+          (shape, looks) = looksByDefinition given
+       in case joint agreedSymbol given of
+            Left refusal -> counterexample (show refusal) False
+            Right joined ->
+              conjoin
+                [ jointOffsets joined
+                    === [ Position (fromInteger (r - lowest fst)) (fromInteger (c - lowest snd))
+                          | ((r, c), _) <- given
+                        ],
+                  patchShape (jointPatch joined) === shape,
+                  observedCells (jointPatch joined)
+                    === [(at, a) | (at, as) <- looks, [a] <- [nub as]],
+                  jointDisputed joined === [at | (at, as) <- looks, length (nub as) > 1],
+                  -- Each look is a cell of one of the patches, at its displacement from the first.
+                  [(at, a) | (at, as) <- looks, a <- sort as]
+                    === sort
+                      [ (Position (i `plus` (r - lowest fst)) (j `plus` (c - lowest snd)), a)
+                        | ((r, c), p) <- given,
+                          (Position i j, a) <- observedCells p
+                      ]
+                ]
+  it "takes 100 patches, and no more" $ do
+    let many n = replicate n ((3, 4), patchOf (Shape 1 1) [(Position 0 0, 'a')])
+    fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
+    either Just (const Nothing) (joint agreedSymbol (many 101))
+      `shouldBe` Just (PatchesTooMany 101 100)
+  where
+    plus i d = fromInteger (toInteger i + d)
+    genDisplaced = do
+      count <- choose (1, 4)
+      vectorOf count $ do
+        h <- fromInteger <$> chooseInteger (1, 3)
+        w <- fromInteger <$> chooseInteger (1, 3)
+        cells <- sublistOf [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]
+        seen <- traverse (\at -> (,) at <$> QuickCheck.elements "ab") cells
+        at <- (,) <$> choose (-3, 3) <*> choose (-3, 3)
+        pure (at, patchOf (Shape h w) seen)
 
 displacedSpec :: Spec
 displacedSpec = do

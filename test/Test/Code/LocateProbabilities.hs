@@ -4,11 +4,13 @@ module Test.Code.LocateProbabilities (spec) where
 
 import Control.Monad (forM_)
 import Data.Maybe (catMaybes, fromMaybe)
+import Data.Proxy (Proxy (..))
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate
 import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Codebook (observedDistance)
 import PraTactile.Locate.Decoder.List (listPatch, standardListing)
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Definition
@@ -71,6 +73,17 @@ codebookSpec = do
     map snd (take 2 (posteriorRanking found)) `shouldSatisfy` and . zipWith close [0.9, 0.1]
     decide 0.11 found `shouldBe` Unique (Position 6 5) []
     decide 0.09 found `shouldBe` Refused BelowThreshold
+  it "certainty is the belief that gives one symbol all of the probability" $
+    forM_ everyField $ \(q, SomeField (_ :: Proxy k)) ->
+      forM_ (elements :: [GF k]) $ \a ->
+        (q, Right (certainly a))
+          `shouldBe` (q, belief [if b == a then 1 else 0 | b <- elements :: [GF k]])
+  it "no distance is promised on a surface that is neither the array's own nor the sheet" $ do
+    let offsets = cellsOf (Shape 3 3)
+        on surface = (`observedDistance` offsets) <$> paperCodebook surface
+    d <- on Torus
+    d `shouldSatisfy` (> 0)
+    mapM on [Sheet, TwistedTorus] `shouldReturn` [d, 0]
   it "an array can be impossible" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))

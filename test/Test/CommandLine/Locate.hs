@@ -141,6 +141,10 @@ spec = do
     locates ["locate", "--doubt", "0.2", "[[[0,0,0.1,0.9],2],[\"A^2\",1]]"] ["row 6, column 5"]
     (status, out, _) <- pra ["locate", "--json", "[[[0,0,0.1,0.9],2],[3,1]]"]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
+    (_, uncertain, _) <- pra ["locate", "--json", "[[[0.1,0.2,0.3,0.4],2],[[0.5,0.3,0.1,0.1],1]]"]
+    -- Sixteen contents are possible; the five likeliest places are told.
+    (\value -> case value of Just (Array them) -> length them; _ -> 0) (key ["likeliest"] uncertain)
+      `shouldBe` 5
     for_
       (words "[[[0,0,0.1],2],[3,1]] [[[0,0,2,-1],2],[3,1]] [[3.5]] [[3],[]] [3 [[true]]")
       $ \patch ->

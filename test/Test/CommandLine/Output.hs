@@ -105,6 +105,9 @@ filesSpec = describe "a file" $ do
       outcome `refuses` "cannot write old: file too large"
       listDirectory folder `shouldReturn` ["old"]
       readFile (folder </> "old") `shouldReturn` "old"
+      store <- scripted folder "trap '' XFSZ; ulimit -f 8; pra objects --write a.sqlite"
+      store `refuses` "cannot write a.sqlite: "
+      listDirectory folder `shouldReturn` ["old"]
   it "that a killed run left behind is called NAME.part, and the next run uses it up" $
     inFolder $ \folder -> do
       _ <- scripted folder "ulimit -f 1; pra table --output new"

@@ -11,6 +11,8 @@ import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isRight)
+import Data.List (nub, sort)
+import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census
@@ -91,6 +93,24 @@ spec = do
     forM_ [0 .. Bytes.length file - 1] $ \end -> do
       (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
       (end, first show (continue wanted (Bytes.take end file))) `shouldSatisfy` (isRight . snd)
+  it "of any rows those are kept that all rows of their entry are like, each once" $ do
+    let some wanted = take 4 (drop 1 (Bytes.lines (fileOf Unchecked wanted)))
+        header = headerOf Unchecked
+    forAll (listOf (elements (some (wantedOf 4 2) ++ some (wantedOf 2 6)))) $ \drawn ->
+      case contentsOf (Bytes.unlines (header : drawn)) of
+        Left fault -> counterexample (show fault) False
+        Right contents ->
+          let (kept, left) = keptRows contents
+              numbered = [(entryOf line, line) | line <- drawn]
+              entryOf line = Bytes.split ',' line !! 1
+              different e = length (nub (filter ((== e) . fst) numbered))
+              alike = nub [one | one@(e, _) <- numbered, different e == 1]
+           in conjoin
+                [ sort [rowText row | (_, row) <- Map.elems kept] === sort (map snd alike),
+                  [drawn !! (line - 2) | (line, _) <- Map.elems kept]
+                    === [rowText row | (_, row) <- Map.elems kept],
+                  left === length drawn - length alike
+                ]
   it "of a larger file, any byte changed at random is refused" $ do
     let wanted = wantedOf 3 3
         file = fileOf Checked wanted

@@ -2,7 +2,7 @@
 
 module Test.Touch.Shape (spec) where
 
-import Data.List (nub, tails, transpose)
+import Data.List (nub, sort, tails, transpose)
 import qualified Data.Set as Set
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
@@ -208,6 +208,37 @@ spec = do
       onShipped $ \these ->
         fmap (T.count "<rect" . alphabetSvg) paperAlphabet
           `shouldBe` Right (sum (map area these) + length these)
+    it "the SVG picture has the taxels of each shape in its frame, its name below, equal margins" $
+      onShipped $ \these -> do
+        picture <- either (fail . show) (pure . alphabetSvg) paperAlphabet
+        let rectangles = map rectangleOf (drop 1 (T.splitOn "<rect" picture))
+            frames = [r | (r, True) <- rectangles]
+            within (x, y, w, h) =
+              [ (row, column)
+                | ((u, v, 10, 10), False) <- rectangles,
+                  u >= x && v >= y && u + 10 <= x + w && v + 10 <= y + h,
+                  let (column, 0) = (u - x) `divMod` 10,
+                  let (row, 0) = (v - y) `divMod` 10
+              ]
+            raised shape =
+              [ (i, j)
+                | (i, row) <- zip [0 ..] (bitmapRows shape),
+                  (j, True) <- zip [0 ..] row
+              ]
+            names = map (valueOf "x" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
+            heights = map (valueOf "y" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
+        map (sort . within) frames `shouldBe` map raised these
+        names `shouldBe` [x + w `div` 2 | (x, _, w, _) <- frames]
+        heights `shouldSatisfy` \ys -> and [b > y + h | (b, (_, y, _, h)) <- zip ys frames]
+        case (map number (T.words (attribute "viewBox" picture)), frames, reverse frames) of
+          ([left, top, width, height], (x, y, _, _) : others, (u, v, w, _) : _) -> do
+            (left, top) `shouldBe` (0, 0)
+            width - (u + w) `shouldBe` x
+            [y' | (_, y', _, _) <- others] `shouldBe` map (const y) others
+            height `shouldSatisfy` (> maximum (v : heights))
+            zipWith (\(a, _, wide, _) (b, _, _, _) -> b - (a + wide)) frames others
+              `shouldSatisfy` \gaps -> all (> 0) gaps && length (nub gaps) == 1
+          other -> expectationFailure (show other)
 
   describe "Ordinary features" $ do
     it "are perfectly like themselves" $
@@ -225,6 +256,24 @@ spec = do
     it "the set of them is closed under the half turn and the mirrors of the window" $ do
       let images = Set.fromList [bitmapWhere (raises f) | f <- ordinaryFeatures]
       Set.unions (map family (Set.toList images)) `shouldBe` images
+
+-- | The rectangle of an SVG element from its attributes on, and whether it is a frame.
+rectangleOf :: T.Text -> ((Int, Int, Int, Int), Bool)
+rectangleOf text =
+  ( (valueOf "x" text, valueOf "y" text, valueOf "width" text, valueOf "height" text),
+    attribute "fill" (fst (T.breakOn ">" text)) == "none"
+  )
+
+-- | The value of an attribute, where it comes first.
+attribute :: T.Text -> T.Text -> T.Text
+attribute name text =
+  T.takeWhile (/= '"') (T.drop (T.length name + 3) (snd (T.breakOn (" " <> name <> "=\"") text)))
+
+valueOf :: T.Text -> T.Text -> Int
+valueOf name = number . attribute name
+
+number :: T.Text -> Int
+number = read . T.unpack
 
 -- | The distance by its definition: transformed rows placed by their middle, every taxel of a wide
 -- surround compared.

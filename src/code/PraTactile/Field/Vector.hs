@@ -7,7 +7,6 @@ module PraTactile.Field.Vector
     subtractVectors,
     multiplyVectors,
     scaleVector,
-    innerProduct,
   )
 where
 
@@ -37,15 +36,6 @@ multiplyVectors = elementwise (*)
 -- | The multiple of a vector by an element.
 scaleVector :: KnownField k => GF k -> Vector (GF k) -> Vector (GF k)
 scaleVector c a = generated (Primitive.length a) (\i -> c * unsafeIndex a i)
-
--- | The sum of the products, element by element, as many as the shorter vector has.
-innerProduct :: KnownField k => Vector (GF k) -> Vector (GF k) -> GF k
-innerProduct a b = go 0 zero
-  where
-    n = min (Primitive.length a) (Primitive.length b)
-    go !i !acc
-      | i >= n = acc
-      | otherwise = go (i + 1) (acc + unsafeIndex a i * unsafeIndex b i)
 
 elementwise :: (GF k -> GF k -> GF k) -> Vector (GF k) -> Vector (GF k) -> Vector (GF k)
 elementwise f a b = generated n (\i -> f (unsafeIndex a i) (unsafeIndex b i))

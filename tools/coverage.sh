@@ -1,0 +1,26 @@
+#!/bin/sh
+# Which expressions of src the test suite evaluates, by GHC's program coverage (hpc): of the tests, and of the program
+# that they run. Prints a table by part of the library, and lists what is never evaluated (tools/coverage/Report.hs).
+# usage: tools/coverage.sh
+set -eu
+cd "$(dirname "$0")/.."
+work=$PWD/dist-newstyle/coverage
+mkdir -p "$work/bin"
+cabal="cabal --config-file=$PWD/cabal/offline.config"
+# shellcheck disable=SC2086
+tools/quietly.sh "$work/build.log" "building with coverage; about 5 minutes" \
+  $cabal build -v1 --enable-tests --builddir="$work/build" --ghc-options="-fhpc -hpcdir $work/mix -w" test:spec exe:pra-tactile
+program() { $cabal list-bin -v0 --enable-tests --builddir="$work/build" "$1"; }
+
+# Runs of the program are counted together, apart from those of the tests, which end last.
+rm -f "$work"/*.tix
+cat > "$work/bin/pra-tactile" <<END
+#!/bin/sh
+HPCTIXFILE='$work/program.tix' exec '$(program exe:pra-tactile)' "\$@"
+END
+chmod +x "$work/bin/pra-tactile"
+HPCTIXFILE="$work/spec.tix" PATH="$work/bin:$PATH" tools/quietly.sh "$work/spec.log" "running the tests; about 10 minutes" "$(program test:spec)" --no-color
+hpc sum --union --output="$work/all.tix" "$work/spec.tix" "$work/program.tix"
+# shellcheck disable=SC2046
+ghc $(tools/extensions.sh) -v0 -O1 -package hpc -outputdir "$work/report.o" -o "$work/report" tools/coverage/Report.hs
+"$work/report" "$work/all.tix" "$work/mix"

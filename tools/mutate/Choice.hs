@@ -1,0 +1,63 @@
+-- | Which mutants are tried, and how: the options of @make mutate@.
+module Choice
+  ( Choice (..),
+    chooseFrom,
+    usage,
+    sample,
+  )
+where
+
+import Data.List (isPrefixOf, sortOn)
+import qualified Data.Map.Strict as Map
+import Site
+import System.Random (mkStdGen, randoms)
+import Text.Read (readMaybe)
+
+-- | What is hunted, and how.
+data Choice = Choice
+  { choiceCount :: Int,
+    choiceSeed :: Int,
+    -- | The modules whose names begin with one of these; all, if there are none.
+    choiceOnly :: [String],
+    -- | The part of the sample that is tried here, from 1, and how many parts there are.
+    choiceShard :: (Int, Int),
+    choiceJobs :: Int
+  }
+
+usage :: String
+usage = "[--count N] [--seed N] [--only MODULE] [--shard I/N] [--jobs N]"
+
+-- | The options in words; without them 600 mutants of seed 1, two at a time.
+chooseFrom :: [String] -> Maybe Choice
+chooseFrom = go (Choice 600 1 [] (1, 1) 2)
+  where
+    go choice options = case options of
+      [] -> Just choice
+      "--count" : n : more -> readMaybe n >>= \i -> go choice {choiceCount = i} more
+      "--seed" : n : more -> readMaybe n >>= \i -> go choice {choiceSeed = i} more
+      "--jobs" : n : more -> readMaybe n >>= \i -> go choice {choiceJobs = i} more
+      "--only" : name : more -> go choice {choiceOnly = name : choiceOnly choice} more
+      "--shard" : text : more -> case break (== '/') text of
+        (i, '/' : n) -> do
+          shard <- (,) <$> readMaybe i <*> readMaybe n
+          go choice {choiceShard = shard} more
+        _ -> Nothing
+      _ -> Nothing
+
+-- | Mutants of these sites in an order drawn from the seed, of each module three at least where it
+-- has as many; those come first.
+sample :: Choice -> [Site] -> [Mutant]
+sample choice sites = take (max (choiceCount choice) (length first)) (first ++ others)
+  where
+    possible = filter (among . siteModule) sites
+    among name = null (choiceOnly choice) || any (`isPrefixOf` name) (choiceOnly choice)
+    numbers = randoms (mkStdGen (choiceSeed choice)) :: [Int]
+    shuffled = map snd (sortOn fst (zip numbers (concatMap mutantsOf possible)))
+    (first, others) = go (Map.empty :: Map.Map String Int) shuffled
+    go seen mutants = case mutants of
+      [] -> ([], [])
+      one : more ->
+        let key = siteModule (mutantSite one)
+            early = Map.findWithDefault 0 key seen < 3
+            (a, b) = go (Map.insertWith (+) key 1 seen) more
+         in if early then (one : a, b) else (a, one : b)

@@ -1,0 +1,158 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Sites and mutants as @plant@ lists them, and what became of a mutant.
+module Site
+  ( Site (..),
+    Mutant (..),
+    readMutants,
+    mutantName,
+    mutantsOf,
+    Outcome (..),
+    Result (..),
+    resultName,
+  )
+where
+
+import Data.Aeson hiding (Result)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Maybe (mapMaybe)
+
+-- | A place in the sources where mistakes are planted.
+data Site = Site
+  { siteNumber :: Int,
+    siteModule :: String,
+    siteFile :: FilePath,
+    siteLine :: Int,
+    siteColumn :: Int,
+    siteKind :: String,
+    -- | The definition it is in, the kind, and which site of that kind it is there.
+    siteName :: String,
+    siteVariants :: [String],
+    -- | A digest of the file.
+    siteSource :: String
+  }
+
+instance FromJSON Site where
+  parseJSON = withObject "site" $ \o ->
+    Site
+      <$> o .: "site"
+      <*> o .: "module"
+      <*> o .: "file"
+      <*> o .: "line"
+      <*> o .: "column"
+      <*> o .: "kind"
+      <*> o .: "name"
+      <*> o .: "variants"
+      <*> o .: "source"
+
+-- | A mistake: a site, and which of its variants, from 1.
+data Mutant = Mutant
+  { mutantSite :: Site,
+    mutantVariant :: Int
+  }
+
+instance ToJSON Mutant where
+  toJSON (Mutant site variant) =
+    object
+      [ "site" .= siteNumber site,
+        "module" .= siteModule site,
+        "file" .= siteFile site,
+        "line" .= siteLine site,
+        "column" .= siteColumn site,
+        "kind" .= siteKind site,
+        "name" .= siteName site,
+        "variants" .= siteVariants site,
+        "source" .= siteSource site,
+        "variant" .= variant
+      ]
+
+instance FromJSON Mutant where
+  parseJSON value =
+    Mutant <$> parseJSON value <*> withObject "mutant" (.: "variant") value
+
+-- | The mutants of a file, one JSON object a line.
+readMutants :: FilePath -> IO [Mutant]
+readMutants file = mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file
+
+-- | A name that stays while other definitions change.
+mutantName :: Mutant -> String
+mutantName (Mutant site variant) =
+  unwords [siteModule site, siteName site ++ ":", siteVariants site !! (variant - 1)]
+
+mutantsOf :: Site -> [Mutant]
+mutantsOf site = [Mutant site i | i <- [1 .. length (siteVariants site)]]
+
+-- | What became of a mutant.
+data Outcome
+  = -- | An example failed, or the tests crashed: the example's path.
+    Killed String
+  | -- | The tests took too long: those of this group.
+    TimedOut String
+  | Survived
+  | -- | No test comes to the site.
+    Unreached
+  deriving stock (Eq, Show)
+
+-- | A mutant, and what became of it.
+data Result = Result
+  { resultModule :: String,
+    resultMutant :: String,
+    resultFile :: FilePath,
+    resultLine :: Int,
+    resultColumn :: Int,
+    resultKind :: String,
+    -- | The digests of the mutant's file, and of all files.
+    resultSource :: String,
+    resultState :: String,
+    resultOutcome :: Outcome,
+    -- | Seconds.
+    resultTook :: Double
+  }
+
+-- | The name of the mutant, by which a result is found again.
+resultName :: Result -> String
+resultName = resultMutant
+
+instance ToJSON Result where
+  toJSON r =
+    object
+      [ "module" .= resultModule r,
+        "mutant" .= resultMutant r,
+        "file" .= resultFile r,
+        "line" .= resultLine r,
+        "column" .= resultColumn r,
+        "kind" .= resultKind r,
+        "source" .= resultSource r,
+        "state" .= resultState r,
+        "outcome" .= (name :: String),
+        "by" .= by,
+        "seconds" .= resultTook r
+      ]
+    where
+      (name, by) = case resultOutcome r of
+        Killed example -> ("killed", Just example)
+        TimedOut group -> ("timeout", Just group)
+        Survived -> ("survived", Nothing)
+        Unreached -> ("unreached", Nothing)
+
+instance FromJSON Result where
+  parseJSON = withObject "result" $ \o -> do
+    name <- o .: "outcome"
+    by <- o .: "by"
+    outcome <- case (name :: String, by) of
+      ("killed", Just example) -> pure (Killed example)
+      ("timeout", Just group) -> pure (TimedOut group)
+      ("survived", Nothing) -> pure Survived
+      ("unreached", Nothing) -> pure Unreached
+      _ -> fail "no such outcome"
+    Result
+      <$> o .: "module"
+      <*> o .: "mutant"
+      <*> o .: "file"
+      <*> o .: "line"
+      <*> o .: "column"
+      <*> o .: "kind"
+      <*> o .: "source"
+      <*> o .: "state"
+      <*> pure outcome
+      <*> o .: "seconds"
