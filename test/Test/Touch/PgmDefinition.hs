@@ -201,7 +201,7 @@ mutated pieces = do
 
 byDefinition :: Spec
 byDefinition = do
-  modifyMaxSuccess (const 4000) $
+  modifyMaxSuccess (const 3000) $
     it "a file is read as it is defined, or refused for something that is wrong with it" $
       property $ \(Pieces pieces) ->
         let file = B.concat pieces
