@@ -183,8 +183,8 @@ damageSpec alphabetOfAll layout net array mask = do
     it "one is named just when more of its certain symbols are wrong than not" $
       for_ [(1, 0), (1, 1), (2, 0), (2, 1), (3, 1), (3, 2)] $ \(n, wrong) -> do
         let left = compositeOf (drawing (cells 3 3 (Position 6 5)))
-            row = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
-            right = (compositeOf (drawing row)) {compositeOrigin = (3 * 25.4, 0)}
+            line = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
+            right = (compositeOf (drawing line)) {compositeOrigin = (3 * 25.4, 0)}
         recognition <- recognisedWith standardTolerance [left, right]
         (n, wrong, fmap evidenceInconsistent (recognisedEvidence recognition))
           `shouldBe` (n, wrong, Just [1 | 2 * wrong > fromIntegral n])

@@ -9,7 +9,7 @@ import PraTactile
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
-import PraTactile.Files
+import PraTactile.Files (readFolder)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
