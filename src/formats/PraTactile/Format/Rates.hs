@@ -54,6 +54,7 @@ data Line = Line
     lineAsHard :: Maybe Rates,
     lineCalibration :: Calibration
   }
+  deriving stock (Eq, Show)
 
 -- | The ways to decode, by their names.
 ways :: [(String, Line -> Maybe Rates)]
