@@ -81,7 +81,7 @@ growing =
         settings
         (agreed k strong)
         faint
-        (\(x, y) -> (x + fromIntegral (apart + around), y + fromIntegral around))
+        (\(x, y) -> (x + fromIntegral (apart + border), y + fromIntegral border))
         (Prior (0, 0) (sigma * sigma * spread))
         (Window (0, 0) (sqrt spread * registrationReach settings * sigma))
         (0, 0)
@@ -98,7 +98,7 @@ growing =
         share = fromIntegral k / (1 + fromIntegral k)
         framed r =
           generate
-            (16 + 2 * around)
-            (16 + 2 * around)
-            (\x y -> fromMaybe 0 (index r (x - around) (y - around)))
-    around = 30
+            (16 + 2 * border)
+            (16 + 2 * border)
+            (\x y -> fromMaybe 0 (index r (x - border) (y - border)))
+    border = 30
