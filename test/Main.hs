@@ -73,19 +73,26 @@ import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseDamage
+import qualified Test.RecogniseGrid
 import qualified Test.Schemas
 import qualified Test.Source
 import qualified Test.Store
 import qualified Test.StoreTarget
 import qualified Test.Symmetry
 import qualified Test.Tools
+import qualified Test.Touch.Blend
+import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
+import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pgm
+import qualified Test.Touch.PgmDefinition
+import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
+import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.Train
 import qualified Test.Truth
@@ -137,13 +144,19 @@ specs = do
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.spec
     describe "PGM" Test.Touch.Pgm.spec
+    describe "PGM word by word" Test.Touch.PgmDefinition.spec
+    describe "PGM images" Test.Touch.PgmImages.spec
     describe "Probing" Test.Touch.Probe.spec
+    describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
     describe "The sensor" Test.Touch.Sensor.spec
     describe "Stitching" Test.Touch.Stitch.spec
+    describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
+    describe "Training images and parts" Test.Touch.Specimens.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
@@ -153,6 +166,7 @@ specs = do
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
+  describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec

@@ -180,6 +180,14 @@ damageSpec alphabetOfAll layout net array mask = do
         (placed (Position 6 5) (cells 3 6 (Position 6 5)) . withoutSource 2 recognition)
         (recognisedAnswer recognition)
         `shouldBe` True
+    it "one is named just when more of its certain symbols are wrong than not" $
+      for_ [(1, 0), (1, 1), (2, 0), (2, 1), (3, 1), (3, 2)] $ \(n, wrong) -> do
+        let left = compositeOf (drawing (cells 3 3 (Position 6 5)))
+            line = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
+            right = (compositeOf (drawing line)) {compositeOrigin = (3 * 25.4, 0)}
+        recognition <- recognisedWith standardTolerance [left, right]
+        (n, wrong, fmap evidenceInconsistent (recognisedEvidence recognition))
+          `shouldBe` (n, wrong, Just [1 | 2 * wrong > fromIntegral n])
     it "composites a cell out of place contradict each other" $ do
       let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
           right =
@@ -253,6 +261,11 @@ damageSpec alphabetOfAll layout net array mask = do
           _ -> expectationFailure "not on the torus"
         onSheet <- recognisedOn Sheet standardTolerance [compositeOf (drawing (cells 2 2 place))]
         recognisedAnswer onSheet `shouldSatisfy` either (const True) (const False)
+    it "windows in the sheet's corners are found on the sheet" $
+      for_ [Position r c | r <- [0, 13], c <- [0, 15]] $ \place -> do
+        let drawn = cells 2 2 place
+        onSheet <- recognisedOn Sheet standardTolerance [compositeOf (drawing drawn)]
+        either (const False) (placed place drawn) (recognisedAnswer onSheet) `shouldBe` True
     it "every window of the torus is told as on a face, across faces, or on no object" $ do
       answers <- mapM (\place -> (,) place <$> read' (cells 2 2 place)) everywhere
       let whereOf (place, Right (Found found)) =

@@ -61,6 +61,20 @@ motions = do
             poseRotation (move m p)
        in r >= 0 && r < 360
 
+  it "rotations stay in [0, 360) and turn as they should, however large or little they are" $
+    [ r
+      | e <- [-1074, -60, -50, 0, 1, 5, 9, 20 :: Int],
+        sign <- [-1, 1],
+        shift <- [-720, -360, 0, 360, 719],
+        let r = sign * 2 ^^ e + shift,
+        let r' = poseRotation (move (Motion r 0 0) (Pose 0 0 0)),
+        let (x, y) = movePoint (Motion r 0 0) (1, 0),
+        let (x', y') = (cos (r' * pi / 180), sin (r' * pi / 180)),
+        not (r' >= 0 && r' < 360 && abs (x - x') < 1e-9 && abs (y - y') < 1e-9)
+          || abs (x - cos (r * pi / 180)) + abs (y - sin (r * pi / 180)) > 1e-8
+    ]
+      `shouldBe` []
+
 plans :: Spec
 plans = do
   it "the region of the evaluation takes columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $

@@ -2,6 +2,7 @@
 
 module Test.Touch.Shape (spec) where
 
+import Control.Monad (replicateM)
 import Data.List (nub, sort, tails, transpose)
 import qualified Data.Set as Set
 import qualified Data.Text as T
@@ -187,6 +188,15 @@ spec = do
     it "the admissible shapes are whole families" $ do
       let every = Set.fromList (admissible paperParameters)
       Set.unions (map family (Set.toList every)) `shouldBe` every
+    it "is as long as there are stacks of rows that share a block and meet at no corner only" $ do
+      let rows = filter or (replicateM 4 [False, True])
+          mayLie a b = or (zipWith (&&) a b) && not (any diagonal (zip (pairs a) (pairs b)))
+          pairs list = zip list (drop 1 list)
+          diagonal ((a, b), (c, d)) = a /= b && c /= d && a /= c
+          -- Of each row, how many stacks begin with it: of one row more than of those counted.
+          more counts = [sum [n | (b, n) <- zip rows counts, mayLie a b] | a <- rows]
+          counted = iterate more (map (const 1) rows)
+      fmap sum (take 1 (drop 5 counted)) `shouldBe` [searchLength - 96]
     it "refuses constraints that nothing meets" $
       fmap fst (design 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
         `shouldBe` Left NoAlphabet
@@ -227,9 +237,11 @@ spec = do
               ]
             names = map (valueOf "x" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
             heights = map (valueOf "y" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
+            size = valueOf "font-size" picture
         map (sort . within) frames `shouldBe` map raised these
         names `shouldBe` [x + w `div` 2 | (x, _, w, _) <- frames]
-        heights `shouldSatisfy` \ys -> and [b > y + h | (b, (_, y, _, h)) <- zip ys frames]
+        heights `shouldSatisfy` \ys -> and [b - size > y + h | (b, (_, y, _, h)) <- zip ys frames]
+        T.null (attribute "font-family" picture) `shouldBe` False
         case (map number (T.words (attribute "viewBox" picture)), frames, reverse frames) of
           ([left, top, width, height], (x, y, _, _) : others, (u, v, w, _) : _) -> do
             (left, top) `shouldBe` (0, 0)

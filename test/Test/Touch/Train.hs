@@ -1,10 +1,12 @@
 module Test.Touch.Train (spec) where
 
+import Data.List (sort)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists, scale)
 import PraTactile.Classify.Network
 import PraTactile.Classify.Regimen
 import PraTactile.Classify.Samples
+import PraTactile.Classify.Specimens
 import PraTactile.Classify.Train
 import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows)
 import PraTactile.Shape
@@ -144,6 +146,17 @@ spec = do
       sum [stageRounds s * epochs (roundDescent s) | s <- stages shippedRegimen] `shouldBe` 5000
       [momentum (roundDescent s) | s <- stages shippedRegimen] `shouldBe` replicate 5 0.95
       map (maximum . stageNoise) (stages shippedRegimen) `shouldBe` [0, 0.1, 0.15, 0.2, 0]
+      map (minimum . stageNoise) (stages shippedRegimen) `shouldBe` replicate 5 0
+      map (length . stageNoise) (stages shippedRegimen) `shouldBe` [1, 2, 2, 2, 1]
+    it "a batch of it has of each class as many images of each sort as is said" $ do
+      let among kinds = sum [n | (kind, n) <- composition shippedRegimen, kind `elem` kinds]
+          upsideDown = [UpsideDown, CurtailedUpsideDown]
+      among [Upright, Curtailed] `shouldBe` 375
+      3 * among [Curtailed] `shouldBe` 375
+      among upsideDown `shouldBe` 225
+      among [Bare] `shouldBe` 5
+      among (filter (`notElem` (Bare : upsideDown)) impostors) `shouldBe` 650
+      sort (map fst (composition shippedRegimen)) `shouldBe` [minBound .. maxBound]
 
   describe "Synthetic images" $ do
     it "exactly seen, a symbol is its bitmap" $

@@ -10,7 +10,8 @@ module PraTactile.Classify.Evaluate
   )
 where
 
-import Data.List (foldl')
+import Data.List (elemIndex, foldl')
+import Data.Maybe (isJust)
 import PraTactile.Classify.Network
 import PraTactile.Classify.Samples
 import PraTactile.Classify.Specimens
@@ -118,12 +119,7 @@ tallied thresholds n class' count draw = go count (Tally 0 0 0 0)
       Recognised _ _ -> t {tallyWrong = tallyWrong t + 1}
       _ -> t {tallyRefused = tallyRefused t + 1}
       where
-        outvoted u =
-          if maybe False (/= first) class' then u {tallyOutvoted = tallyOutvoted u + 1} else u
-    greatest values =
-      snd
-        ( foldr
-            (\new best -> if fst new >= fst best then new else best)
-            (-1, -1)
-            (zip values [0 ..])
-        )
+        outvoted u
+          | isJust class' && class' /= first = u {tallyOutvoted = tallyOutvoted u + 1}
+          | otherwise = u
+    greatest values = elemIndex (maximum values) values

@@ -48,7 +48,9 @@ data Stage = Stage
   deriving stock (Eq, Show)
 
 -- | Eight hidden units; 5000 epochs in all: clean images, then half of them with noise of standard
--- deviation 0.1, then 0.15, then 0.2, then clean ones again. It takes less than a minute.
+-- deviation 0.1, then 0.15, then 0.2, then clean ones again. A batch has for each class 375 images
+-- of the symbol in place, a third of them curtailed; 225 of it upside down; 5 of a flat face; and
+-- 650 of other impostors. It takes less than a minute.
 shippedRegimen :: Regimen
 shippedRegimen =
   Regimen

@@ -38,7 +38,7 @@ data ImageError
     Truncated !Int !Int
   | -- | A sample above the maximum value: zero-based x and y, the sample, the maximum value.
     SampleAboveMaxval !(Int, Int) !Natural !Int
-  | -- | Something other than white space follows the image: how many bytes follow.
+  | -- | Something other than white space follows the image: how many bytes there are from it on.
     TrailingData !Int
   deriving stock (Eq, Show)
 

@@ -115,7 +115,9 @@ pgmFromIntensity m image = do
 
 -- | A share of the full scale as a whole number of steps.
 level :: Double -> Double -> Int
-level full share = round (full * max 0 (min 1 (if isNaN share then 0 else share)))
+level full share
+  | share > 0 = round (full * min 1 share)
+  | otherwise = 0 -- what is not a number, too
 
 -- | The raster as an 8-bit grey PNG file, values clipped to 0..1.
 rasterPng :: Raster -> L.ByteString

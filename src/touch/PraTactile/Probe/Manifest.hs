@@ -31,6 +31,7 @@ import Data.Csv
     toField,
     toRecord,
   )
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
@@ -84,8 +85,8 @@ parseManifest file = case filter
     entries <- traverse (uncurry entry) rest
     if null entries then Left NoEntries else Right entries
   where
-    unmarked f = if "\xef\xbb\xbf" `B.isPrefixOf` f then B.drop 3 f else f
-    trimmed line = if "\r" `B.isSuffixOf` line then B.take (B.length line - 1) line else line
+    unmarked f = fromMaybe f (B.stripPrefix "\xef\xbb\xbf" f)
+    trimmed = C.dropWhileEnd (== '\r')
     encoded = toField
 
 -- | One line's fields. The lines are split before cassava sees them, because it drops blank ones
@@ -94,8 +95,11 @@ record :: Int -> ByteString -> Either ManifestError Record
 record i line
   | odd (C.count '"' line) = Left (NotCsv i)
   | otherwise = case decode NoHeader (L.fromStrict line) of
-    Right records | [fields] <- V.toList records -> Right fields
-    _ -> Left (NotCsv i)
+    Right records -> case V.toList records of
+      [] -> Right (V.singleton B.empty) -- cassava drops a record of one empty field
+      [fields] -> Right fields
+      _ -> Left (NotCsv i)
+    Left _ -> Left (NotCsv i)
 
 {- Note [Open quotes] cassava 0.5.3 throws an exception, where it should refuse, for a quoted field
    that ends the line as soon as it begins. A record that holds no line break has an even number of

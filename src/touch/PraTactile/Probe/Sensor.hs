@@ -69,10 +69,9 @@ forwardImage sensor (HeightMap cell heights) (Pose x y r)
   | otherwise = case turnedByDegrees r of
     -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
     Just symmetry -> onRaster (invert symmetry) upright
-    Nothing -> generate sensorSide sensorSide (\i j -> scaled (slanted (angle * pi / 180) i j))
+    Nothing -> generate sensorSide sensorSide (\i j -> scaled (slanted (r * pi / 180) i j))
   where
     full = sensorFullScale sensor
-    angle = r - 360 * fromIntegral (floor (r / 360) :: Integer)
     scaled height = max 0 (min 1 (height / full))
     half = fromIntegral sensorSide / 2
     upright = generate sensorSide sensorSide (\i j -> scaled (covered (spans x i) (spans y j)))

@@ -57,7 +57,7 @@ verticalExtent scene component =
 
 -- | The extent along the first coordinate. The profile along it is, at each place, the largest mean
 -- of two pixels that neighbour across it: a symbol's side is at least two taxels of embossing long,
--- and a single noisy pixel does not move it.
+-- and a noisy pixel, or a line of up to three that sticks out, moves it by half a pixel at most.
 measured :: (Pixel -> Maybe Double) -> Double -> [Pixel] -> Maybe Extent
 measured at level pixels
   | null pixels = Nothing

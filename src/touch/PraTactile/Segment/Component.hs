@@ -25,7 +25,7 @@ components gap pixels = case Set.minView pixels of
     let (component, others) = flood [first] (Set.singleton first) rest
      in component : components gap others
   where
-    reach = [max 0 gap + 1, max 0 gap .. negate (max 0 gap) - 1]
+    reach = [negate gap - 1 .. gap + 1]
     flood [] found left = (found, left)
     flood ((x, y) : queue) found left =
       flood (near ++ queue) (foldr Set.insert found near) (foldr Set.delete left near)

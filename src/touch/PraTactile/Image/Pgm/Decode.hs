@@ -6,7 +6,8 @@ module PraTactile.Image.Pgm.Decode
 where
 
 import Codec.Picture (Image (..))
-import Control.Monad (when)
+import Control.Monad (unless, when)
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
@@ -54,47 +55,45 @@ rawSamples _ count maxval rest = do
   let found = B.length bytes
       needed = size * count
   when (found < needed) (Left (Truncated count (found `div` size)))
-  let trailing = B.drop needed bytes
-  when (C.any (not . isWhite) trailing) (Left (TrailingData (B.length trailing)))
-  Right (V.generate count (sampleAt bytes))
+  let trailing = C.dropWhile isWhite (B.drop needed bytes)
+  unless (B.null trailing) (Left (TrailingData (B.length trailing)))
+  Right (V.unfoldrN count sample bytes)
   where
-    size = if maxval < 256 then 1 else 2 :: Int
-    sampleAt bytes i
-      | size == 1 = byte bytes i
-      | otherwise = 256 * byte bytes (2 * i) + byte bytes (2 * i + 1)
-    byte bytes i = if i < B.length bytes then fromIntegral (B.index bytes i) else 0
+    size = if maxval < 256 then 1 else 2
+    sample bytes
+      | maxval < 256 = byte bytes
+      | otherwise = do
+        (high, more) <- byte bytes
+        (low, after) <- byte more
+        Just (256 * high + low, after)
+    byte = fmap (first fromIntegral) . B.uncons
     -- Note [The byte after the maximum value]
     delimiter = case C.uncons rest of
-      Just (c, bytes)
-        | isWhite c -> Right bytes
-        | c == '#' -> Right (B.drop 1 (C.dropWhile (not . isLineEnd) bytes))
-        | otherwise -> Left (BadHeader HeaderMaxval (B.take 8 rest))
+      Just ('#', comment) -> Right (B.drop 1 (C.dropWhile (not . isLineEnd) comment))
+      Just (_, bytes) -> Right bytes
       Nothing -> Left (Truncated count 0)
 
 {- Note [The byte after the maximum value] "A single whitespace character (usually a newline)"
    separates the maximum value from the samples, so no second one may be skipped: it would be a
-   sample. A comment that follows the maximum value's last digit at once counts, with the end of its
-   line, as that character, as in libnetpbm (pm_getc reads every header byte and turns a comment
-   into its line end); one after a blank is already image. -}
+   sample. That it is one, or the beginning of a comment, 'number' has seen. A comment that follows
+   the maximum value's last digit at once counts, with the end of its line, as that character, as in
+   libnetpbm (pm_getc reads every header byte and turns a comment into its line end); one after a
+   blank is already image. -}
 
 -- | The samples of a plain file: decimal numbers between white space; comments are tolerated.
 plainSamples :: Samples
-plainSamples width count maxval rest0
-  -- Each sample takes a digit and, but for the last, a white space: a file that is too short is
-  -- refused before anything is made.
-  | B.length rest0 < 2 * count - 1 = Left (Truncated count (countNumbers rest0))
-  | otherwise = do
-    rest <- check 0 rest0
-    let trailing = skipWhite rest
-    if B.null trailing
-      then
-        Right
-          ( V.unfoldrN
-              count
-              (fmap (\(n, after) -> (fromIntegral n, after)) . number . skipWhite)
-              rest0
-          )
-      else Left (TrailingData (B.length trailing))
+plainSamples width count maxval rest0 = do
+  rest <- check 0 rest0
+  let trailing = skipWhite rest
+  if B.null trailing
+    then
+      Right
+        ( V.unfoldrN
+            count
+            (fmap (\(n, after) -> (fromIntegral n, after)) . number . skipWhite)
+            rest0
+        )
+    else Left (TrailingData (B.length trailing))
   where
     -- Read once for what may be wrong and once for the values, so that a large image is never held
     -- as a list.
@@ -109,7 +108,6 @@ plainSamples width count maxval rest0
           | otherwise -> check (i + 1) after
       where
         start = skipWhite rest
-    countNumbers = length . C.words
 
 -- | A number of the header with what follows it.
 headerNumber :: HeaderField -> ByteString -> Either ImageError (Natural, ByteString)

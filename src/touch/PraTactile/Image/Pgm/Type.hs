@@ -39,7 +39,7 @@ instance Show Pgm where
     Sixteen m image -> shown "Pgm16 " m image
     where
       shown name m (Image w h samples) =
-        showString name . showsPrec 11 m . showString (size w h) . shows samples . showChar ')'
+        showString name . shows m . showString (size w h) . shows samples . showChar ')'
       size w h = " (Image " ++ show w ++ " " ++ show h ++ " "
 
 -- | The maximum value, 1 to 255, and the image. For matching only; 'pgm8' builds one.
@@ -75,11 +75,12 @@ checked ::
 checked m image@(Image w h samples) = do
   (w', h') <- checkSize (natural w) (natural h)
   when (V.length samples /= w' * h') (Left (WrongValueCount w h (V.length samples)))
-  case V.findIndex (> m) samples of
-    Just i -> Left (SampleAboveMaxval (i `rem` w', i `quot` w') (sampleAt i) (fromIntegral m))
+  case firstAbove of
+    Just (i, s) ->
+      Left (SampleAboveMaxval (i `rem` w', i `quot` w') (fromIntegral s) (fromIntegral m))
     Nothing -> Right image
   where
-    sampleAt i = maybe 0 fromIntegral (samples V.!? i)
+    firstAbove = V.findIndex (> m) samples >>= \i -> (,) i <$> samples V.!? i
     natural = fromIntegral . max 0
 
 -- | The number of columns.
@@ -103,15 +104,12 @@ pgmDynamic :: Pgm -> DynamicImage
 pgmDynamic (Eight _ image) = ImageY8 image
 pgmDynamic (Sixteen _ image) = ImageY16 image
 
--- | The size of an image in pixels as it may be, or why not. Nothing is multiplied or allocated
--- before the bound is known to hold.
+-- | The size of an image in pixels as it may be, or why not.
 checkSize :: Natural -> Natural -> Either ImageError (Int, Int)
 checkSize w h
   | w == 0 || h == 0 = Left (ZeroSize w h)
-  | w > limit || h > limit || w * h > limit = Left (TooManyPixels w h)
+  | w * h > fromIntegral maxPixels = Left (TooManyPixels w h)
   | otherwise = Right (fromIntegral w, fromIntegral h)
-  where
-    limit = fromIntegral maxPixels
 
 -- | The most pixels an image may have: 2^24, far above any composite.
 maxPixels :: Int

@@ -1,0 +1,163 @@
+-- | What recognition rests on, case by case: the common grid of all symbols, room on a face, cells
+-- too small for symbols, and which refusal is said of what.
+module Test.RecogniseGrid (spec) where
+
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import qualified Data.Set as Set
+import PraTactile
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Files (readFolder)
+import PraTactile.Image
+import PraTactile.Object.Canonical (canonicalLayings)
+import PraTactile.Object.Placement
+import PraTactile.Probe (taxelPitch)
+import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Reading
+import PraTactile.Relief
+import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Symmetry
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (generate)
+import Test.Support
+
+spec :: Spec
+spec = do
+  describe "the grid of a face" gridSpec
+  describe "room on a face" roomSpec
+  describe "cells" $
+    it "that are smaller than a symbol in either direction are refused, and no others" $
+      either (expectationFailure . show) id $
+        withProfile canonicalProfile (\array _ -> cellsTooSmall array)
+  describe "what is said" saidSpec
+
+gridSpec :: Spec
+gridSpec =
+  it "has each symbol in its cell, counted from the uppermost row and the leftmost column" $
+    forAllShrink (sublistOf everywhere) (filter (not . null) . shrinkList (const [])) $ \some ->
+      forAll (shuffle (if null some then [(0, 0)] else some)) $ \cells ->
+        let symbols = zipWith symbolIn [0 ..] cells
+            top = minimum (map fst cells)
+            left = minimum (map snd cells)
+         in fmap (Map.map (map readNumber) . gridCells) (faceGrid (groups symbols))
+              === Just (Map.fromList [((i - top, j - left), [n]) | (n, (i, j)) <- zip [0 ..] cells])
+              .&&. fmap (Set.unions . gridGroups) (faceGrid (groups symbols))
+                === Just (Set.fromList [0 .. length cells - 1])
+              .&&. fmap (map readNumber . gridStrays) (faceGrid (groups symbols)) === Just []
+  where
+    everywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
+    -- Every third one is known to the network.
+    symbolIn n (i, j) =
+      let centre = (16 * fromIntegral j, 20 * fromIntegral i)
+          what = (identity, 0)
+       in ReadSymbol
+            { readNumber = n,
+              readSource = 0,
+              readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
+              readAt = centre,
+              readClass = if n `mod` 3 == 0 then Just what else Nothing,
+              readSeen = 1,
+              readLikeliest = what,
+              readChances = [(what, 1)]
+            }
+
+roomSpec :: Spec
+roomSpec = do
+  it "a region as large as the face lies at its corner, and one a taxel larger has no place" $ do
+    layout <- right canonicalPlacement
+    let wrong =
+          [ (laidFace face, symmetry, width, height)
+            | face <- laidFaces layout,
+              symmetry <- rotations,
+              let across = taxelsOf (spotRight (laidExtent face)),
+              let down = taxelsOf (spotDown (laidExtent face)),
+              let (w, h) = if exchangesAxes symmetry then (down, across) else (across, down),
+              (width, height, fits) <- [(w, h, True), (w + 1, h, False), (w, h + 1, False)],
+              let found = fst <$> randomRegion [symmetry] (width, height) face (mkStdGen 1),
+              maybe fits (\r -> not (fits && atCorner r && regionSymmetry r == symmetry)) found
+          ]
+    wrong `shouldBe` []
+  it "fitting is whether the trials all have a place" $
+    whenRight canonicalPlacement $ \layout ->
+      forAll (choose (1, 5) >>= (`vectorOf` elements (laidFaces layout))) $ \faces ->
+        forAll ((,) <$> elements [30, 64, 65, 80, 81] <*> elements [30, 60, 64, 80]) $ \size ->
+          forAll ((,) <$> choose (0, 8) <*> choose (1, 999)) $ \(count, seed) ->
+            fitting rotations size faces seed count
+              === all
+                isJust
+                (take count (trials idealSensor rotations size [(f, flat) | f <- faces] seed))
+  where
+    flat = HeightMap taxelPitch (constant 0 0 0)
+    taxelsOf millimetres = round (millimetres / (127 / 80)) :: Int
+    atCorner r = abs (regionRight r) < 1e-9 && abs (regionDown r) < 1e-9
+
+cellsTooSmall :: KnownField k => PseudorandomArray k -> Expectation
+cellsTooSmall array = do
+  layout <- right canonicalPlacement
+  alphabetOfAll <- right paperAlphabet
+  sequence_
+    [ do
+        laid <-
+          right
+            ( placement
+                (Shape 15 17)
+                (Pitch (taxels across) (taxels down))
+                (placementSolids layout)
+                canonicalLayings
+            )
+        let wrong =
+              [ laidFace face
+                | face <- laidFaces laid,
+                  let found = relief array laid alphabetOfAll face,
+                  either
+                    (\e -> not (tooSmall && e == CellTooSmall across down))
+                    (const tooSmall)
+                    found
+              ]
+        wrong `shouldBe` []
+      | across <- [4, 6, 8, 10],
+        down <- [8, 10, 12, 14],
+        let tooSmall = across < 8 || down < 12
+    ]
+  where
+    taxels n = fromIntegral n * 127 / 80
+
+saidSpec :: Spec
+saidSpec = do
+  it "symbols of the right size that are none of the alphabet's are unclear" $ do
+    said <- saying (compositeOf (boxes [(0, 0), (0, 1), (1, 0), (1, 1)]))
+    said `shouldBe` Left SymbolsUnclear
+    alone <- saying (compositeOf (boxes [(1, 0)]))
+    alone `shouldBe` Left SymbolsUnclear
+  it "the lines of README.md are what is said of the worked example" $ do
+    text <- lines <$> readFile "README.md"
+    let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))
+    frames <- readFolder "data/worked-example/frames" >>= right
+    decoder' <- right canonicalDecoder
+    recognition <- right (decodeFolder decoder' frames)
+    map ("    " ++) (summary recognition) `shouldBe` printed
+  where
+    saying composite = do
+      layout <- right canonicalPlacement
+      alphabetOfAll <- right paperAlphabet
+      net <- right shippedNetwork
+      answered <-
+        right $
+          withProfile canonicalProfile $ \array mask -> do
+            reader <- right (recogniser Torus array mask layout alphabetOfAll net)
+            recognition <- right (recognise reader composite)
+            pure (either Left (const (Right ())) (recognisedAnswer recognition))
+      answered
+    -- Boxes of 8 x 12 in cells of 16 x 20.
+    boxes cells = generate 40 48 $ \x y ->
+      if (y `div` 20, x `div` 16) `elem` cells
+        && x `mod` 16 >= 4
+        && x `mod` 16 < 12
+        && y `mod` 20 >= 4
+        && y `mod` 20 < 16
+        then 1
+        else 0

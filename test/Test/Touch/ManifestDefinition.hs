@@ -1,0 +1,176 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Manifests against a slow reader of their grammar: lines, fields by RFC 4180 without line
+-- breaks, decimal numbers as fractions. It says all that is wrong with a file.
+module Test.Touch.ManifestDefinition (spec) where
+
+import Data.ByteString (ByteString)
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Char8 as C
+import Data.Char (isDigit)
+import Data.Either (partitionEithers)
+import Data.Maybe (isNothing)
+import Data.Text (Text)
+import qualified Data.Text as T
+import Data.Text.Encoding (decodeUtf8', encodeUtf8)
+import PraTactile.Probe
+import PraTactile.Probe.Manifest
+import Test.Hspec hiding (after, before)
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (once)
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 2000) $
+    it "a file is read as it is defined, or refused for something that is wrong with it" $
+      property $ \(Pieces pieces) ->
+        let file = B.concat pieces
+         in counterexample (show (file, defined file)) $
+              case (parseManifest file, defined file) of
+                (Right entries, Right found) -> entries === found
+                (Left e, Left causes) -> counterexample (show e) (e `elem` causes)
+                (other, _) -> counterexample (show other) False
+  it "a number of 400 characters is read, and one of 401 is not, in every column" $
+    [ (column, digits, either Left (Right . length) (parseManifest file))
+      | column <- [0 .. 3],
+        digits <- [399 .. 402],
+        let long = C.replicate (digits - 1) '0' <> "7"
+            fields = [if i == column then long else "1" | i <- [0 .. 3 :: Int]]
+            file = header <> "\n" <> B.intercalate "," ("a.pgm" : fields)
+    ]
+      `shouldBe` [ ( column,
+                     digits,
+                     if digits <= 400
+                       then Right 1
+                       else Left (BadNumber 2 name (T.replicate (digits - 1) "0" <> "7"))
+                   )
+                   | (column, name) <- zip [0 ..] (drop 1 manifestHeader),
+                     digits <- [399 .. 402]
+                 ]
+
+header :: ByteString
+header = encodeUtf8 (T.intercalate "," manifestHeader)
+
+-- | The entries of a file, or all that is wrong with it.
+defined :: ByteString -> Either [ManifestError] [Entry]
+defined file = case [(i, line) | (i, line) <- zip [1 ..] linesOf, not (B.null line)] of
+  [] -> Left [EmptyManifest]
+  (i, first) : rest -> case fieldsOf first of
+    Nothing -> Left [NotCsv i]
+    Just names
+      | names /= map encodeUtf8 manifestHeader -> Left [WrongHeader (map shown names)]
+      | null rest -> Left [NoEntries]
+      | otherwise -> case partitionEithers (map (uncurry entryOf) rest) of
+        ([], entries) -> Right entries
+        (causes, _) -> Left (concat causes)
+  where
+    text = if "\xef\xbb\xbf" `B.isPrefixOf` file then B.drop 3 file else file
+    linesOf = map (C.dropWhileEnd (== '\r')) (C.split '\n' text)
+
+entryOf :: Int -> ByteString -> Either [ManifestError] Entry
+entryOf i line = case fieldsOf line of
+  Nothing -> Left [NotCsv i]
+  Just [file, x, y, rotation, force] -> do
+    let numbers = map numberOf [x, y, rotation, force]
+        named = either (const Nothing) (Just . T.unpack) (decodeUtf8' file)
+        causes =
+          [BadFileName i | maybe True null named]
+            ++ [ BadNumber i name (shown field)
+                 | (name, field) <- zip (drop 1 manifestHeader) [x, y, rotation, force],
+                   isNothing (numberOf field)
+               ]
+    case (named, sequence numbers) of
+      (Just name, Just [x', y', r', f']) | null causes -> Right (Entry name (Pose x' y' r') f')
+      _ -> Left causes
+  Just fields -> Left [WrongFieldCount i (length fields)]
+
+-- | The fields of a line, bare ones without quotes in them, or quoted ones with quotes doubled.
+fieldsOf :: ByteString -> Maybe [ByteString]
+fieldsOf line = map C.pack <$> fields (C.unpack line)
+  where
+    fields text = do
+      (field, rest) <- case text of
+        '"' : quoted -> closing "" quoted
+        _ -> Just (break (`elem` (",\"\r" :: String)) text)
+      case rest of
+        "" -> Just [field]
+        ',' : more -> (field :) <$> fields more
+        _ -> Nothing
+    closing done text = case text of
+      '"' : '"' : rest -> closing ('"' : done) rest
+      '"' : rest -> Just (reverse done, rest)
+      c : rest -> closing (c : done) rest
+      [] -> Nothing
+
+-- | A decimal number: a sign, digits, a fraction, an exponent; finite, and of at most 400
+-- characters.
+numberOf :: ByteString -> Maybe Double
+numberOf field
+  | B.length field > 400 = Nothing
+  | otherwise = case C.unpack field of
+    '-' : text -> negate <$> unsigned text
+    '+' : text -> unsigned text
+    text -> unsigned text
+  where
+    unsigned text = do
+      let (whole, afterWhole) = span isDigit text
+      (fraction, afterFraction) <- case afterWhole of
+        '.' : more@(c : _) | isDigit c -> Just (span isDigit more)
+        _ -> Just ("", afterWhole)
+      e <- case afterFraction of
+        "" -> Just 0
+        c : '-' : digits | c `elem` ("eE" :: String) -> negate <$> decimal digits
+        c : '+' : digits | c `elem` ("eE" :: String) -> decimal digits
+        c : digits | c `elem` ("eE" :: String) -> decimal digits
+        _ -> Nothing
+      n <- decimal whole *> decimal (whole ++ fraction)
+      let v = fromRational (fromInteger n * 10 ^^ (e - toInteger (length fraction)))
+      if isInfinite v then Nothing else Just v
+    decimal digits
+      | not (null digits) && all isDigit digits = Just (read digits :: Integer)
+      | otherwise = Nothing
+
+shown :: ByteString -> Text
+shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
+
+-- | A file in pieces.
+newtype Pieces = Pieces [ByteString]
+  deriving stock (Show)
+
+instance Arbitrary Pieces where
+  arbitrary = do
+    mark <- frequency [(5, pure []), (1, pure ["\xef\xbb\xbf"])]
+    count <- frequency [(1, pure 0), (9, choose (1, 3 :: Int))]
+    entries <- concat <$> traverse (const entry) [1 .. count]
+    end <- lineEnd
+    mutated (mark ++ separated (map encodeUtf8 manifestHeader) ++ end ++ entries)
+    where
+      separated = drop 1 . concatMap (\field -> [",", field])
+      lineEnd = elements [["\n"], ["\r\n"], ["\n", "\n"], ["\n", "\r\n"], ["\r\r\n"]]
+      entry = do
+        name <- encodeUtf8 <$> elements ["a.pgm", "b c.pgm", "\233.pgm", "\"d,e\"", "\"\"\"f\""]
+        fields <- traverse (const (elements good)) [1 .. 4 :: Int]
+        (separated (name : fields) ++) <$> lineEnd
+  shrink (Pieces pieces) = map Pieces (shrinkList (const []) pieces)
+
+good, bad :: [ByteString]
+good = ["0", "1", "-3.5", "+2", "1e3", "12.70", "1E-2", "-00.5", "\"7\"", "1e+1", "0.1", "1e308"]
+bad = ["", "two", "NaN", "-Infinity", "-", "e5", "0x10", "1.2.3", "1e309", "-1e400", "--1", "\"\""]
+
+-- | As it is, or with one or two pieces left out, doubled, or changed.
+mutated :: [ByteString] -> Gen Pieces
+mutated pieces = do
+  times <- frequency [(2, pure 0), (3, pure (1 :: Int)), (1, pure 2)]
+  Pieces <$> foldr (const (>>= once)) (pure pieces) [1 .. times]
+  where
+    once list = do
+      i <- choose (0, length list)
+      piece <- elements ([",", "\"", "\n", "\r\n", "x_mm", "\xff", "#"] ++ good ++ bad)
+      let (before, after) = splitAt i list
+      elements
+        [ before ++ drop 1 after,
+          before ++ take 1 after ++ after,
+          before ++ piece : after,
+          before ++ piece : drop 1 after,
+          before
+        ]

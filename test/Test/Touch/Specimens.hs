@@ -1,0 +1,106 @@
+-- | Training images, and parts of symbols, against what is said of them.
+module Test.Touch.Specimens (spec) where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Classify.Part (partDistances)
+import PraTactile.Classify.Specimens
+import PraTactile.Classify.Templates (templates)
+import PraTactile.Image
+import PraTactile.Probe (Pose (..))
+import PraTactile.Probe.Sensor
+import PraTactile.Segment (Part (..))
+import PraTactile.Shape
+import PraTactile.Symmetry
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+import Test.Touch.Image (genRasterOf)
+
+spec :: Spec
+spec = do
+  describe "Specimens" specimens
+  describe "Parts" parts
+  it "a sensor without full scale, or a map without cells, feels nothing" $
+    [ forwardImage
+        standardSensor {sensorFullScale = full}
+        (HeightMap pitch (constant 40 40 0.5))
+        (Pose 20 20 turn)
+      | turn <- [0, 30],
+        (full, pitch) <- [(0, 1), (-1, 1), (0.8, 0), (0.8, -1)]
+    ]
+      `shouldSatisfy` all (== constant 16 16 0)
+
+specimens :: Spec
+specimens =
+  it "curtailed ones lack a corner of at most 3 taxels (upside down 4), or a margin of at most 2" $
+    either (expectationFailure . show) check paperAlphabet
+  where
+    check a = do
+      -- From one seed the whole symbol and the curtailed one are seen alike.
+      let lacking whole curtailed =
+            [ missing (fst (draw whole)) (fst (draw curtailed))
+              | (seed, shape) <- zip [1 .. 200] (cycle (shapes a)),
+                let draw kind = specimen a kind shape (mkStdGen seed)
+            ]
+          most found = (maximum (map fst found), maximum (map snd found))
+      map most [lacking Upright Curtailed, lacking UpsideDown CurtailedUpsideDown]
+        `shouldBe` [(3, 2), (4, 2)]
+    -- How thick the corner is, in its thinner direction, that holds all that differs; and the same
+    -- where that is a margin, which repeats what was seen, where a corner is flat.
+    missing whole seen =
+      let differing = [(x, y) | x <- [0 .. 7], y <- [0 .. 11], index whole x y /= index seen x y]
+          thickness =
+            minimum
+              [ min
+                  (maximum (0 : map (fromEdge right 8 . fst) differing))
+                  (maximum (0 : map (fromEdge bottom 12 . snd) differing))
+                | right <- [False, True],
+                  bottom <- [False, True]
+              ]
+          isMargin = any (\(x, y) -> index seen x y /= Just 0) differing
+       in (thickness, if isMargin then thickness else 0) :: (Int, Int)
+    fromEdge far size t = if far then size - t else t + 1
+
+parts :: Spec
+parts =
+  modifyMaxSuccess (const 3)
+    . it "partDistances are sums of squares, from a flat face and from shapes moved by half taxels"
+    $ forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(values, dice) ->
+      let seen = mapRaster (\v -> if v < 0.6 then 1 else 0) dice
+          -- From -1 to 1, and 0 where nothing was seen.
+          pixels = generate 8 12 (\x y -> (2 * at values x y - 1) * at seen x y)
+       in case paperAlphabet of
+            Left e -> counterexample (show e) False
+            Right a ->
+              let (distances, flat) = partDistances (templates a) (Part pixels seen)
+                  close p q = counterexample (show (p, q)) (abs (p - q) < 1e-9 * (1 + abs q))
+               in conjoin $
+                    close flat (V.sum (V.map (\v -> v * v) (rasterValues pixels))) :
+                    [ close d (distanceBy a c (onRaster s pixels) (onRaster s seen))
+                      | ((c, s), d) <- distances
+                    ]
+                      ++ [map fst distances === [(c, s) | s <- [identity, turned 2], c <- [0 .. 3]]]
+  where
+    at image x y = fromMaybe 0 (index image x y)
+    distanceBy a c pixels seen =
+      minimum
+        [ sum
+            [ at seen x y * (at pixels x y - value) ^ (2 :: Int)
+              | x <- [0 .. 7],
+                y <- [0 .. 11],
+                let value = moved shape (fromIntegral x - dx) (fromIntegral y - dy)
+            ]
+          | Right shape <- [shapeOf a c],
+            dx <- [-1, -0.5 .. 1],
+            dy <- [-1, -0.5 .. 1]
+        ]
+    -- The shape between its taxels, flat around.
+    moved shape x y =
+      sum
+        [ max 0 (1 - abs (x - fromIntegral i)) * max 0 (1 - abs (y - fromIntegral j))
+          | i <- [0 .. 7],
+            j <- [0 .. 11],
+            embossedAt shape i j
+        ]
