@@ -15,6 +15,7 @@ import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
+import PraTactile.Recognise (Evidence (..))
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Relief
@@ -133,6 +134,15 @@ saidSpec = do
     said `shouldBe` Left SymbolsUnclear
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldBe` Left SymbolsUnclear
+  it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
+    let said answer evidence = summary (Recognition [] [] evidence answer)
+        several = Right (Several identity [Position 1 2, Position 3 4])
+        doubtful = Just (Evidence 0.25 4 [] [] 3 1 Nothing)
+    said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
+    map (take 3 . words) (said several Nothing)
+      `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]
+    map (drop 1) [said (Left NoSymbols) doubtful, drop 1 (said several doubtful)]
+      `shouldBe` replicate 2 ["doubt 2.5e-1"]
   it "the lines of README.md are what is said of the worked example" $ do
     text <- lines <$> readFile "README.md"
     let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))

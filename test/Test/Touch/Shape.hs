@@ -223,12 +223,12 @@ spec = do
         picture <- either (fail . show) (pure . alphabetSvg) paperAlphabet
         let rectangles = map rectangleOf (drop 1 (T.splitOn "<rect" picture))
             frames = [r | (r, True) <- rectangles]
-            within (x, y, w, h) =
+            inFrame (x, y, w, h) =
               [ (row, column)
                 | ((u, v, 10, 10), False) <- rectangles,
                   u >= x && v >= y && u + 10 <= x + w && v + 10 <= y + h,
-                  let (column, 0) = (u - x) `divMod` 10,
-                  let (row, 0) = (v - y) `divMod` 10
+                  (column, 0) <- [(u - x) `divMod` 10],
+                  (row, 0) <- [(v - y) `divMod` 10]
               ]
             raised shape =
               [ (i, j)
@@ -238,10 +238,12 @@ spec = do
             names = map (valueOf "x" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
             heights = map (valueOf "y" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
             size = valueOf "font-size" picture
-        map (sort . within) frames `shouldBe` map raised these
+        map (sort . inFrame) frames `shouldBe` map raised these
         names `shouldBe` [x + w `div` 2 | (x, _, w, _) <- frames]
         heights `shouldSatisfy` \ys -> and [b - size > y + h | (b, (_, y, _, h)) <- zip ys frames]
         T.null (attribute "font-family" picture) `shouldBe` False
+        map (attribute "text-anchor" . fst . T.breakOn ">") (drop 1 (T.splitOn "<text" picture))
+          `shouldBe` map (const "middle") these
         case (map number (T.words (attribute "viewBox" picture)), frames, reverse frames) of
           ([left, top, width, height], (x, y, _, _) : others, (u, v, w, _) : _) -> do
             (left, top) `shouldBe` (0, 0)
