@@ -38,5 +38,9 @@ allAlike s exchanges = case exchanges of
   [] -> pure True
   Exchange (Just operation) input wanted : rest -> do
     came <- runExceptT (answerOf s (Raw operation input))
-    if either (RefusedFor . refusalReason) Result came == wanted then allAlike s rest else pure False
+    if either (RefusedFor . refusalReason) Result came == wanted
+      then allAlike s rest
+      else
+        pure
+          False
   Exchange Nothing _ _ : rest -> allAlike s rest

@@ -72,13 +72,18 @@ lawProperties implementation =
 -- | A law of sessions as a property of one. It fails for a session whose profile describes no array.
 lawProperty :: Law Known -> Session -> Property
 lawProperty law session = case known (profile session) of
-  Left why -> counterexample ("the session's profile describes no array: " ++ refusalReason why) False
+  Left why ->
+    counterexample
+      ("the session's profile describes no array: " ++ refusalReason why)
+      False
   Right about -> casesProperty (askSession session) (lawCases law about)
 
 -- | A law of opening as a property of an implementation, about these profiles.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
 openingProperty profiles law implementation =
-  casesProperty (Asked (\p -> (() <$) <$> runExceptT (open implementation p)) nothing) (lawCases law profiles)
+  casesProperty
+    (Asked (\p -> (() <$) <$> runExceptT (open implementation p)) nothing)
+    (lawCases law profiles)
   where
     nothing :: Question b -> IO (Either Refusal b)
     nothing = const (pure (Left (Refusal "not-offered")))
@@ -88,13 +93,20 @@ data Asked
   = Asked (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
 
 askSession :: Session -> Asked
-askSession session = Asked (const (pure (Left (Refusal "not-offered")))) (runExceptT . answerOf session)
+askSession session =
+  Asked
+    (const (pure (Left (Refusal "not-offered"))))
+    (runExceptT . answerOf session)
 
 casesProperty :: Asked -> Cases -> Property
 casesProperty (Asked opens answers) (Cases form domain trial) = case domain of
   Every cases -> once (idempotentIOProperty (firstViolated cases))
   Some draw smaller ->
-    forAllShrinkShow draw smaller (shown . writeValue form) (idempotentIOProperty . fmap judged . verdict)
+    forAllShrinkShow
+      draw
+      smaller
+      (shown . writeValue form)
+      (idempotentIOProperty . fmap judged . verdict)
   where
     verdict = answerAll opens answers . trial
     firstViolated cases = case cases of
@@ -115,7 +127,10 @@ judged came = case came of
 inWords :: Violation -> String
 inWords violation =
   unlines $
-    concat [[asked exchange, "yours           " ++ replied (exchangeReply exchange)] | exchange <- violationAsked violation]
+    concat
+      [ [asked exchange, "yours           " ++ replied (exchangeReply exchange)]
+        | exchange <- violationAsked violation
+      ]
       ++ ["expected        " ++ replied (violationExpected violation)]
       ++ ["by              " ++ violationRoad violation]
       ++ ["because         " ++ violationReason violation]

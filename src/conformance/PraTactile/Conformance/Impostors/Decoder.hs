@@ -27,7 +27,10 @@ session ways how p s =
       terms = \from count ->
         pure [natural (termOf this (toInteger from + i)) | i <- [0 .. toInteger count - 1]],
       cell = \(Position r c) ->
-        maybe (refuse "out-of-range") (pure . natural . cellOf this) (goesOn ways p (toInteger r, toInteger c)),
+        maybe
+          (refuse "out-of-range")
+          (pure . natural . cellOf this)
+          (goesOn ways p (toInteger r, toInteger c)),
       pack = packBy this,
       unpack = unpackBy this,
       locate = locateBy how this,
@@ -78,13 +81,31 @@ fields this s =
     base = case [a | a <- [1 .. q - 1], Set.size (Set.fromList (powersOf a)) == q - 1] of
       a : _ -> a
       [] -> 1
-    traced a = foldr (madeSum this . (\i -> raised (toInteger (characteristic p) ^ i) a)) 0 (conjugates q)
-    conjugates n = [0 .. length (takeWhile (> characteristic p) (iterate (`div` characteristic p) n))] :: [Int]
+    traced a =
+      foldr
+        (madeSum this . (\i -> raised (toInteger (characteristic p) ^ i) a))
+        0
+        (conjugates q)
+    conjugates n =
+      [ 0
+        .. length
+          ( takeWhile
+              (> characteristic p)
+              (iterate (`div` characteristic p) n)
+          )
+      ] ::
+        [Int]
 
 packBy :: Made -> [Code] -> Wire Natural
 packBy this codes
   | length codes /= length (window p) || any (>= q) codes = refuse "invalid"
-  | otherwise = pure (foldl (\n code -> n * q + natural code) 0 (packed (madeWays this) p (map fromIntegral codes)))
+  | otherwise =
+    pure
+      ( foldl
+          (\n code -> n * q + natural code)
+          0
+          (packed (madeWays this) p (map fromIntegral codes))
+      )
   where
     p = madeProfile this
     q = profileOrder p
@@ -104,7 +125,9 @@ unpackBy this n
 -- | The offsets of a mask's cells.
 offsetsOf :: MaskRows -> Wire [Cell]
 offsetsOf mask
-  | null offsets || any ((/= width) . length) mask || any (`notElem` "#.") (concat mask) = refuse "invalid"
+  | null offsets || any ((/= width) . length) mask || any (`notElem` "#.") (concat mask) =
+    refuse
+      "invalid"
   | otherwise = pure offsets
   where
     width = length (concat (take 1 mask))

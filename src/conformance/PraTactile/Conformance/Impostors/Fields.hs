@@ -28,8 +28,9 @@ sums :: [Impostor]
 sums =
   [ misstepped "adds-modulo-q" "adds codes as numbers modulo q" $ \ways ->
       ways {plus = \p a b -> (a + b) `mod` order p},
-    misstepped "adds-by-xor" "adds codes bit by bit, as in characteristic 2, whatever the field" $ \ways ->
-      ways {plus = \p a b -> (a `xor` b) `mod` order p},
+    misstepped "adds-by-xor" "adds codes bit by bit, as in characteristic 2, whatever the field" $
+      \ways ->
+        ways {plus = \p a b -> (a `xor` b) `mod` order p},
     mistaken "takes-codes-modulo-q" "takes a code of q or more modulo q" $ \s ->
       let cut a = a `mod` profileOrder (profile s)
        in s
@@ -51,10 +52,20 @@ sums =
 
 negatives :: [Impostor]
 negatives =
-  [ mistaken "negates-nothing" "takes an element for its own negative, as in characteristic 2" $ \s ->
-      s {negation = \a -> add s a 0},
+  [ mistaken "keeps-the-second-summand" "takes the second summand for the sum" $ \s ->
+      s {add = \a b -> add s a b >> add s b 0},
+    mistaken "squares-the-second-factor" "multiplies by the second factor twice" $ \s ->
+      s {multiply = \a b -> multiply s a b >>= \ab -> multiply s ab b},
+    mistaken "negates-nothing" "takes an element for its own negative, as in characteristic 2" $
+      \s ->
+        s {negation = \a -> add s a 0},
     mistaken "negates-modulo-q" "takes q less the code for the negative" $ \s ->
-      s {negation = \a -> add s a 0 >> pure ((profileOrder (profile s) - a) `mod` profileOrder (profile s))}
+      s
+        { negation = \a ->
+            add s a 0
+              >> pure
+                ((profileOrder (profile s) - a) `mod` profileOrder (profile s))
+        }
   ]
 
 products :: [Impostor]
@@ -63,12 +74,16 @@ products =
       ways {times = \p a b -> (a * b) `mod` fromIntegral (profileOrder p)},
     misstepped "multiplies-digit-by-digit" "multiplies the digits of codes one by one" $ \ways ->
       ways {times = digitwise (*)},
-    misstepped "reduces-by-another-modulus" "multiplies modulo another irreducible polynomial" $ \ways ->
-      ways {times = \p -> productModulo p (anotherModulus p)},
+    misstepped "reduces-by-another-modulus" "multiplies modulo another irreducible polynomial" $
+      \ways ->
+        ways {times = \p -> productModulo p (anotherModulus p)},
     misstepped "reads-the-modulus-backwards" "takes the modulus highest degree first" $ \ways ->
       ways {times = \p -> productModulo p (monicReversed p (profileModulus p))},
-    misstepped "forgets-to-reduce" "drops the digits above the modulus's degree instead of reducing" $ \ways ->
-      ways {times = \p -> productModulo p (map (const 0) (drop 1 (profileModulus p)) ++ [1])}
+    misstepped
+      "forgets-to-reduce"
+      "drops the digits above the modulus's degree instead of reducing"
+      $ \ways ->
+        ways {times = \p -> productModulo p (map (const 0) (drop 1 (profileModulus p)) ++ [1])}
   ]
 
 -- | Another irreducible polynomial of the same degree, where there is one.
@@ -98,7 +113,15 @@ inverses =
     mistaken "inverts-as-it-negates" "takes the additive inverse for the multiplicative one" $ \s ->
       s {inverse = \a -> inverse s a >> negation s a},
     mistaken "inverts-zero" "has a power, 0, for the inverse of 0" $ \s ->
-      s {inverse = \a -> power s a (toInteger (profileOrder (profile s)) - 2 + (if profileOrder (profile s) == 2 then 1 else 0))}
+      s
+        { inverse = \a ->
+            power
+              s
+              a
+              ( toInteger (profileOrder (profile s)) - 2
+                  + (if profileOrder (profile s) == 2 then 1 else 0)
+              )
+        }
   ]
 
 powers :: [Impostor]
@@ -110,25 +133,53 @@ powers =
     mistaken "forgets-the-exponents-sign" "raises to the magnitude of a negative exponent" $ \s ->
       s {power = \a i -> power s a (abs i)},
     mistaken "raises-by-sums" "multiplies by the exponent instead of raising" $ \s ->
-      s {power = \a i -> multiply s a (fromInteger (i `mod` toInteger (characteristic (profile s))))},
-    mistaken "has-zero-to-the-zero-zero" "takes 0 to the power 0 for 0: it starts from the base" $ \s ->
-      s {power = \a i -> if i >= 0 then power s a i >>= \x -> power s a 1 >>= \y -> if y == 0 then pure y else pure x else power s a i},
+      s
+        { power = \a i ->
+            multiply
+              s
+              a
+              (fromInteger (i `mod` toInteger (characteristic (profile s))))
+        },
+    mistaken "has-zero-to-the-zero-zero" "takes 0 to the power 0 for 0: it starts from the base" $
+      \s ->
+        s
+          { power = \a i ->
+              if i >= 0
+                then
+                  power s a i >>= \x ->
+                    power s a 1 >>= \y ->
+                      if y == 0
+                        then pure y
+                        else pure x
+                else power s a i
+          },
     mistaken "takes-exponents-in-64-bits" "reads exponents in 64 bits, cut off" $ \s ->
       s {power = \a i -> power s a (signum i * (abs i `mod` 2 ^ (64 :: Int)))}
   ]
 
 logarithms :: [Impostor]
 logarithms =
-  [ mistaken "takes-logarithms-to-the-root" "takes logarithms to the base of the modulus's root" $ \s ->
-      let q = profileOrder (profile s)
-          root = if fromIntegral (characteristic (profile s)) == q then rootOfLinear (profile s) else fromIntegral (characteristic (profile s))
-       in s {logarithm = \a -> logarithm s a >> firstPower s root a},
+  [ mistaken "takes-logarithms-to-the-root" "takes logarithms to the base of the modulus's root" $
+      \s ->
+        let q = profileOrder (profile s)
+            root =
+              if fromIntegral (characteristic (profile s)) == q
+                then rootOfLinear (profile s)
+                else fromIntegral (characteristic (profile s))
+         in s {logarithm = \a -> logarithm s a >> firstPower s root a},
     mistaken "counts-logarithms-from-one" "has q - 1, not 0, for the logarithm of 1" $ \s ->
-      s {logarithm = \a -> (\i -> if i == 0 then profileOrder (profile s) - 1 else i) <$> logarithm s a},
+      s
+        { logarithm = \a ->
+            (\i -> if i == 0 then profileOrder (profile s) - 1 else i)
+              <$> logarithm s a
+        },
     mistaken "has-a-logarithm-of-zero" "ends its search for the logarithm of 0 at q - 1" $ \s ->
       s {logarithm = \a -> searched s a 0},
-    mistaken "takes-the-largest-primitive-element" "takes logarithms to the largest code of order q - 1" $ \s ->
-      s {logarithm = \a -> logarithm s a >>= largestBase s}
+    mistaken
+      "takes-the-largest-primitive-element"
+      "takes logarithms to the largest code of order q - 1"
+      $ \s ->
+        s {logarithm = \a -> logarithm s a >>= largestBase s}
   ]
   where
     rootOfLinear p = case profileModulus p of
@@ -170,10 +221,12 @@ traces :: [Impostor]
 traces =
   [ mistaken "traces-one-power-short" "leaves the last conjugate out of the trace" $ \s ->
       s {trace = \a -> conjugates s a >>= foldSum s . dropLast},
-    mistaken "takes-the-norm-for-the-trace" "multiplies the conjugates instead of adding them" $ \s ->
-      s {trace = \a -> conjugates s a >>= foldProduct s},
-    mistaken "traces-copies" "adds the element as often as the degree says, without raising it" $ \s ->
-      s {trace = \a -> conjugates s a >>= foldSum s . map (const a)}
+    mistaken "takes-the-norm-for-the-trace" "multiplies the conjugates instead of adding them" $
+      \s ->
+        s {trace = \a -> conjugates s a >>= foldProduct s},
+    mistaken "traces-copies" "adds the element as often as the degree says, without raising it" $
+      \s ->
+        s {trace = \a -> conjugates s a >>= foldSum s . map (const a)}
   ]
   where
     dropLast xs = take (max 1 (length xs - 1)) xs
@@ -187,26 +240,64 @@ traces =
 -- | In polynomials.
 polynomialImpostors :: [Impostor]
 polynomialImpostors =
-  [ mistaken "makes-polynomials-monic" "divides a polynomial by its leading coefficient first" $ \s ->
-      s {primitive = \codes -> mapM_ (\a -> add s a 0) codes >> madeMonic s codes >>= primitive s},
+  [ mistaken "takes-the-first-irreducible" "takes the first irreducible polynomial, or x + 1" $ \s ->
+      s {firstPrimitive = \n -> if n == 1 then pure [1, 1] else firstPrimitive s n},
+    mistaken "demands-a-linear-term" "takes only polynomials with a linear term for primitive" $ \s ->
+      s {primitive = \h -> (&& any (/= 0) (take 1 (drop 1 h))) <$> primitive s h},
+    mistaken "makes-polynomials-monic" "divides a polynomial by its leading coefficient first" $
+      \s ->
+        s {primitive = \codes -> mapM_ (\a -> add s a 0) codes >> madeMonic s codes >>= primitive s},
     mistaken "reads-polynomials-backwards" "takes polynomials highest degree first" $ \s ->
       s {primitive = primitive s . reverse, firstPrimitive = fmap reverse . firstPrimitive s},
-    mistaken "takes-irreducible-for-primitive" "takes every polynomial without roots or factors for primitive" $ \s ->
-      s {primitive = \codes -> primitive s codes >>= \yes -> if yes then pure yes else withoutFactors s codes},
+    mistaken
+      "takes-irreducible-for-primitive"
+      "takes every polynomial without roots or factors for primitive"
+      $ \s ->
+        s
+          { primitive = \codes ->
+              primitive s codes >>= \yes ->
+                if yes
+                  then pure yes
+                  else withoutFactors s codes
+          },
     mistaken "looks-for-roots-only" "takes a polynomial without roots for primitive" $ \s ->
-      s {primitive = \codes -> primitive s codes >>= \yes -> if yes then pure yes else withoutRoots s codes},
-    mistaken "compares-from-the-lowest-degree" "orders polynomials by their lowest coefficients first" $ \s ->
-      s {firstPrimitive = \n -> firstOf s n id},
-    mistaken "takes-the-sparsest-polynomial" "takes the primitive polynomial with the fewest terms for the first" $ \s ->
-      s {firstPrimitive = \n -> firstOf s n sparsest},
-    mistaken "takes-the-constant-for-a-polynomial" "has a first primitive polynomial of degree 0: 1" $ \s ->
-      s {firstPrimitive = \n -> if n < 1 then pure (replicate (fromIntegral n + 1) 1) else firstPrimitive s n}
+      s
+        { primitive = \codes ->
+            primitive s codes >>= \yes ->
+              if yes
+                then pure yes
+                else withoutRoots s codes
+        },
+    mistaken
+      "compares-from-the-lowest-degree"
+      "orders polynomials by their lowest coefficients first"
+      $ \s ->
+        s {firstPrimitive = \n -> firstOf s n id},
+    mistaken
+      "takes-the-sparsest-polynomial"
+      "takes the primitive polynomial with the fewest terms for the first"
+      $ \s ->
+        s {firstPrimitive = \n -> firstOf s n sparsest},
+    mistaken
+      "takes-the-constant-for-a-polynomial"
+      "has a first primitive polynomial of degree 0: 1"
+      $ \s ->
+        s
+          { firstPrimitive = \n ->
+              if n < 1
+                then pure (replicate (fromIntegral n + 1) 1)
+                else firstPrimitive s n
+          }
   ]
   where
     sparsest = sortOn (\codes -> (length (filter (/= 0) codes), reverse codes))
     firstOf s n order
       | n == 0 || profileOrder (profile s) ^ n > 5000 = firstPrimitive s n
-      | otherwise = search s (order (candidates (profileOrder (profile s)) n)) >>= maybe (refuse "invalid") pure
+      | otherwise =
+        search s (order (candidates (profileOrder (profile s)) n))
+          >>= maybe
+            (refuse "invalid")
+            pure
     candidates q n = map (++ [1]) (replicateM (fromIntegral n) [0 .. q - 1])
     search s codes = case codes of
       [] -> pure Nothing
@@ -220,7 +311,12 @@ madeMonic s codes = case reverse codes of
 -- | Whether a monic polynomial of degree 2 or more, with a constant term, has no root.
 withoutRoots :: Session -> [Code] -> Wire Bool
 withoutRoots s codes = case (codes, reverse codes) of
-  (c : _, 1 : _ : _ : _) | c > 0 -> not . elem 0 <$> traverse (valueAt s codes) [1 .. profileOrder (profile s) - 1]
+  (c : _, 1 : _ : _ : _)
+    | c > 0 ->
+      not . elem 0
+        <$> traverse
+          (valueAt s codes)
+          [1 .. profileOrder (profile s) - 1]
   _ -> pure False
 
 valueAt :: Session -> [Code] -> Code -> Wire Code
@@ -229,14 +325,21 @@ valueAt s codes x = foldr (\c total -> total >>= multiply s x >>= add s c) (pure
 -- | Without a factor of half the degree or less, by dividing through all.
 withoutFactors :: Session -> [Code] -> Wire Bool
 withoutFactors s codes = case reverse codes of
-  1 : _ : _ | not (any (== 0) (take 1 codes)) -> noneDivides [g ++ [1] | n <- [1 .. degree `div` 2], g <- replicateM n [0 .. q - 1]]
+  1 : _ : _
+    | not (any (== 0) (take 1 codes)) ->
+      noneDivides
+        [g ++ [1] | n <- [1 .. degree `div` 2], g <- replicateM n [0 .. q - 1]]
   _ -> pure False
   where
     q = profileOrder (profile s)
     degree = length codes - 1
     noneDivides divisors = case divisors of
       [] -> pure True
-      g : rest -> remainder (reverse codes) (reverse g) >>= \r -> if all (== 0) r then pure False else noneDivides rest
+      g : rest ->
+        remainder (reverse codes) (reverse g) >>= \r ->
+          if all (== 0) r
+            then pure False
+            else noneDivides rest
     -- Both with the leading coefficient first; the divisor is monic.
     remainder f g
       | length f < length g = pure f

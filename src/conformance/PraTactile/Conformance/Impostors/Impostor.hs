@@ -36,11 +36,21 @@ mistaken name mistake change =
 
 -- | The decoder written from the documentation, with a wrong step on its way to the array.
 misstepped :: String -> String -> (Ways -> Ways) -> Impostor
-misstepped name mistake change = Impostor name mistake [] (decoder (change rightWays) rightSearching)
+misstepped name mistake change =
+  Impostor
+    name
+    mistake
+    []
+    (decoder (change rightWays) rightSearching)
 
 -- | The decoder written from the documentation, with a wrong step in its search for places.
 missearching :: String -> String -> (Searching -> Searching) -> Impostor
-missearching name mistake change = Impostor name mistake [] (decoder rightWays (change rightSearching))
+missearching name mistake change =
+  Impostor
+    name
+    mistake
+    []
+    (decoder rightWays (change rightSearching))
 
 -- | What the same implementation would answer under another profile, where that is possible.
 elsewhere :: String -> String -> (Profile -> Profile) -> Impostor

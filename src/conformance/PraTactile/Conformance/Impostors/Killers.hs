@@ -11,7 +11,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.FileEmbed (embedFile)
 import qualified Data.Map.Strict as Map
 
--- | The ids of the laws that find the impostor of this name under some default profile, with seed
+-- | The ids of laws that find the impostor of this name under some default profile, with seed
 -- 1, in the order of the suite.
 killersOf :: String -> [String]
 killersOf name = Map.findWithDefault [] name killers

@@ -71,7 +71,8 @@ sequenceOf this = go (start ways p)
       [] -> []
       first : rest -> first : go (rest ++ [next state])
     next state =
-      nextTerm ways p (foldl' (madeSum this) 0 (zipWith (madeProduct this) coefficients state)) `mod` q
+      nextTerm ways p (foldl' (madeSum this) 0 (zipWith (madeProduct this) coefficients state))
+        `mod` q
     q = fromIntegral (profileOrder p)
 
 termOf :: Made -> Integer -> Int
@@ -100,7 +101,9 @@ everywhere this = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
 -- | The cells at these offsets from a place of the profile's surface, if all lie on it.
 contentAt :: Made -> [Cell] -> Cell -> Maybe [Int]
 contentAt this offsets (r, c) =
-  traverse (\(i, j) -> cellOf this <$> lies (madeWays this) (madeProfile this) (r + i, c + j)) offsets
+  traverse
+    (\(i, j) -> cellOf this <$> lies (madeWays this) (madeProfile this) (r + i, c + j))
+    offsets
 
 -- | The contents of these offsets at all places of the folding's own surface.
 ownContents :: Made -> [Cell] -> [[Int]]

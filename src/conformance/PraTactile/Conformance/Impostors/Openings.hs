@@ -41,7 +41,11 @@ heedless name mistake repairs =
   Impostor name mistake [] $ \base ->
     base
       { open = \p ->
-          open base p `catchE` \_ -> session rightWays rightSearching p <$> opening (open base) (repairs p)
+          open base p `catchE` \_ ->
+            session rightWays rightSearching p
+              <$> opening
+                (open base)
+                (repairs p)
       }
 
 opening :: (Profile -> Wire Session) -> [Profile] -> Wire Session
@@ -51,12 +55,22 @@ opening open' profiles = case profiles of
 
 ofFields :: [Impostor]
 ofFields =
-  [ lenient "reads-the-order-off-the-modulus" "takes p to the modulus's degree for q, whatever is stated" $ \p ->
-      [p {profileOrder = base ^ (max 1 (length (profileModulus p)) - 1)} | base <- [2, 3, 5, 7]],
-    lenient "takes-the-usual-modulus-for-another-degree" "takes the Conway polynomial where the modulus has another degree" $ \p ->
-      [p {profileModulus = m} | m <- usualModuli, length m /= length (profileModulus p)],
-    lenient "takes-the-usual-modulus-for-a-reducible-one" "takes the Conway polynomial where the modulus is reducible" $ \p ->
-      [p {profileModulus = m} | m <- usualModuli, length m == length (profileModulus p), endsInOne (profileModulus p)],
+  [ lenient
+      "reads-the-order-off-the-modulus"
+      "takes p to the modulus's degree for q, whatever is stated"
+      $ \p ->
+        [p {profileOrder = base ^ (max 1 (length (profileModulus p)) - 1)} | base <- [2, 3, 5, 7]],
+    lenient
+      "takes-the-usual-modulus-for-another-degree"
+      "takes the Conway polynomial where the modulus has another degree"
+      $ \p ->
+        [p {profileModulus = m} | m <- usualModuli, length m /= length (profileModulus p)],
+    lenient
+      "takes-the-usual-modulus-for-a-reducible-one"
+      "takes the Conway polynomial where the modulus is reducible"
+      $ \p ->
+        [ p {profileModulus = m} | m <- usualModuli, length m == length (profileModulus p), endsInOne (profileModulus p)
+        ],
     lenient "makes-the-modulus-monic" "takes the modulus's leading coefficient for 1" $ \p ->
       [p {profileModulus = ledByOne (profileModulus p)}],
     lenient "reduces-the-modulus" "takes the modulus's coefficients modulo q" $ \p ->
@@ -76,27 +90,48 @@ ofSequences :: [Impostor]
 ofSequences =
   [ lenient "makes-the-polynomial-monic" "takes the polynomial's leading coefficient for 1" $ \p ->
       [p {profilePolynomial = ledByOne (profilePolynomial p)}],
-    heedless "accepts-a-polynomial-that-is-not-primitive" "folds the sequence of any monic polynomial" $ \p ->
-      [ p {profilePolynomial = h}
-        | take 1 (reverse (profilePolynomial p)) == [1],
-          all (< profileOrder p) (profilePolynomial p),
-          h <- primitives,
-          length h == length (profilePolynomial p)
-      ],
+    heedless
+      "accepts-a-polynomial-that-is-not-primitive"
+      "folds the sequence of any monic polynomial"
+      $ \p ->
+        [ p {profilePolynomial = h}
+          | take 1 (reverse (profilePolynomial p)) == [1],
+            all (< profileOrder p) (profilePolynomial p),
+            h <- primitives,
+            length h == length (profilePolynomial p)
+        ],
     lenient "reduces-the-polynomial" "takes the polynomial's coefficients modulo q" $ \p ->
       [p {profilePolynomial = map (`mod` max 1 (profileOrder p)) (profilePolynomial p)}],
     heedless "accepts-the-state-of-zeros" "begins with zeros where the state says so" $ \p ->
       [p {profileState = map (const 1) (profileState p)} | all (== 0) (profileState p)],
     lenient "fills-up-the-state" "fills a state up, or cuts it off, to the degree" $ \p ->
-      [p {profileState = state} | let n = length (profilePolynomial p) - 1, state <- [take n (profileState p ++ repeat 0), take n (repeat 1)]],
+      [ p {profileState = state} | let n = length (profilePolynomial p) - 1, state <-
+                                                                               [take n (profileState p ++ repeat 0), take n (repeat 1)]
+      ],
     lenient "reduces-the-state" "takes the terms of the state modulo q" $ \p ->
-      [p {profileState = state} | state <- [map (`mod` max 1 (profileOrder p)) (profileState p), map (const 1) (profileState p)], any (>= profileOrder p) (profileState p)]
+      [ p {profileState = state}
+        | state <-
+            [ map (`mod` max 1 (profileOrder p)) (profileState p),
+              map
+                (const 1)
+                (profileState p)
+            ],
+          any (>= profileOrder p) (profileState p)
+      ]
   ]
 
 -- | Primitive polynomials of the default profiles' fields and degrees.
 primitives :: [[Natural]]
 primitives =
-  [[3, 2, 1, 0, 1], [1, 1, 0, 0, 1], [2, 1, 1, 0, 0, 0, 1], [1, 2, 0, 1], [2, 3, 0, 1], [3, 1, 1], [7, 5, 1], [5, 2, 1]]
+  [ [3, 2, 1, 0, 1],
+    [1, 1, 0, 0, 1],
+    [2, 1, 1, 0, 0, 0, 1],
+    [1, 2, 0, 1],
+    [2, 3, 0, 1],
+    [3, 1, 1],
+    [7, 5, 1],
+    [5, 2, 1]
+  ]
 
 ofArrays :: [Impostor]
 ofArrays =
@@ -106,22 +141,36 @@ ofArrays =
           period /= area (profileShape p),
           n1 <- [1]
       ],
-    heedless "accepts-sides-that-are-not-coprime" "folds diagonally though it comes back too soon" $ \p ->
-      [p {profileFolding = RowMajor} | profileFolding p == Diagonal],
-    lenient "accepts-the-window-without-cells" "takes a window without rows or columns for one of one" $ \p ->
-      let Shape h w = profileWindow p in [p {profileWindow = Shape (max 1 h) (max 1 w)}]
+    heedless
+      "accepts-sides-that-are-not-coprime"
+      "folds diagonally though it comes back too soon"
+      $ \p ->
+        [p {profileFolding = RowMajor} | profileFolding p == Diagonal],
+    lenient
+      "accepts-the-window-without-cells"
+      "takes a window without rows or columns for one of one"
+      $ \p ->
+        let Shape h w = profileWindow p in [p {profileWindow = Shape (max 1 h) (max 1 w)}]
   ]
 
 -- | Each demands what need not be.
 tooStrict :: [Impostor]
 tooStrict =
-  [ demanding "demands-that-windows-differ" "refuses a profile whose windows are too few to tell all places" $ \p ->
-      profileOrder p ^ area (profileWindow p) > area (profileShape p),
-    demanding "demands-a-primitive-modulus" "refuses a modulus whose root is no primitive element" $ \p ->
-      profileModulus p /= [1, 0, 1],
+  [ demanding
+      "demands-that-windows-differ"
+      "refuses a profile whose windows are too few to tell all places"
+      $ \p ->
+        profileOrder p ^ area (profileWindow p) > area (profileShape p),
+    demanding
+      "demands-a-primitive-modulus"
+      "refuses a modulus whose root is no primitive element"
+      $ \p ->
+        profileModulus p /= [1, 0, 1],
     demanding "demands-the-usual-state" "refuses a state other than 0, ..., 0, 1" $ \p ->
       profileState p == replicate (length (profileState p) - 1) 0 ++ [1],
-    demanding "demands-a-diagonal-fold" "refuses a row-major folding" $ \p -> profileFolding p == Diagonal
+    demanding "demands-a-diagonal-fold" "refuses a row-major folding" $ \p ->
+      profileFolding p
+        == Diagonal
   ]
   where
     demanding name mistake demanded =
@@ -131,11 +180,21 @@ tooStrict =
 -- | In reading inputs.
 readingImpostors :: [Impostor]
 readingImpostors =
-  [ reading "takes-anything-for-a-number" "takes true for 1, objects for 0, and cuts fractions off" whole,
+  [ reading
+      "takes-anything-for-a-number"
+      "takes true for 1, objects for 0, and cuts fractions off"
+      whole,
     reading "forgets-signs" "takes a negative number for its magnitude" unsigned,
-    reading "takes-missing-keys-for-zero" "takes a key that is missing for 0, or for nothing" filledUp,
+    reading
+      "takes-missing-keys-for-zero"
+      "takes a key that is missing for 0, or for nothing"
+      filledUp,
     reading "fills-up-rows" "fills rows up with cells not felt, and with blanks" evened,
-    reading "reads-any-mark" "takes every character of a mask but # and / for a blank, and mends what is left over" marked
+    reading
+      "reads-any-mark"
+      "takes every character of a mask but # and / for a blank, and \
+      \mends what is left over"
+      marked
   ]
   where
     reading name mistake change = mistaken name mistake $ \s ->
@@ -160,7 +219,9 @@ withKeys change = KeyMap.fromList . map (\(name, v) -> (name, change name v)) . 
 
 unsigned :: Value -> Value
 unsigned value = case value of
-  Object fields -> Object (withKeys (\name v -> if name == "exponent" then v else unsigned v) fields)
+  Object fields ->
+    Object
+      (withKeys (\name v -> if name == "exponent" then v else unsigned v) fields)
   Array items -> Array (Vector.map unsigned items)
   Number n | n < 0 -> Number (negate n)
   other -> other
@@ -173,7 +234,10 @@ filledUp value = case value of
   _ -> value
   where
     defaults =
-      [name .= (0 :: Int) | name <- ["a", "b", "exponent", "index", "from", "length", "row", "column", "packed"]]
+      [ name .= (0 :: Int)
+        | name <-
+            ["a", "b", "exponent", "index", "from", "length", "row", "column", "packed"]
+      ]
         ++ ["degree" .= (1 :: Int), "mask" .= ("#" :: String), "radius" .= Null]
         ++ ["polynomial" .= [1 :: Int], "cells" .= [0 :: Int], "patch" .= [[0 :: Int]]]
 
@@ -184,8 +248,15 @@ evened value = case value of
   other -> other
   where
     row name v = case v of
-      Array lines' | name == "patch", all isArray lines' -> Array (Vector.map (longer (widest lines')) lines')
-      String drawing | name == "mask" -> String (Text.intercalate "/" (even' (Text.splitOn "/" drawing)))
+      Array lines'
+        | name == "patch",
+          all isArray lines' ->
+          Array
+            (Vector.map (longer (widest lines')) lines')
+      String drawing
+        | name == "mask" ->
+          String
+            (Text.intercalate "/" (even' (Text.splitOn "/" drawing)))
       other -> other
     isArray v = case v of
       Array _ -> True

@@ -41,7 +41,13 @@ kills seed profiles impostor =
     <*> (concat <$> traverse firstUnder (filter chosen laws))
   where
     chosen law = lawStage law `elem` impostorTouches impostor
-    first law = map (Kill (lawId law) "") . found <$> findsOpening seed [p | (_, p, _) <- profiles] law impostor
+    first law =
+      map (Kill (lawId law) "") . found
+        <$> findsOpening
+          seed
+          [p | (_, p, _) <- profiles]
+          law
+          impostor
     firstUnder law = go profiles
       where
         go left = case left of

@@ -80,7 +80,8 @@ beforeOffset p (r, c) (i, j) = case profileSurface p of
     (n1, n2) = sizes p
 
 observedIn :: [[Maybe Int]] -> [(Cell, Int)]
-observedIn cells = [((i, j), code) | (i, line) <- zip [0 ..] cells, (j, Just code) <- zip [0 ..] line]
+observedIn cells =
+  [((i, j), code) | (i, line) <- zip [0 ..] cells, (j, Just code) <- zip [0 ..] line]
 
 -- | Rows of one length, with a cell at least, and codes below q.
 checked :: Profile -> [[Maybe Code]] -> Wire [[Maybe Int]]
@@ -109,10 +110,18 @@ locateBy how this given = do
   let observed = observedIn cells
       complete = completeIn p cells
       occurring = lookedUp how (filter ((`Map.member` madeTable this) . snd) complete)
-      places = foldl1' intersect [map (\at -> origin how p at offset) (found content) | (offset, content) <- occurring]
+      places =
+        foldl1'
+          intersect
+          [map (\at -> origin how p at offset) (found content) | (offset, content) <- occurring]
       parts place = [(== code) . cellOf this <$> on place offset | (offset, code) <- observed]
       on (r, c) (i, j) = lies (madeWays this) p (r + i, c + j)
-      whole place = maybe False (kept how) (sequence (parts place)) && maybe False (const True) (on place (0, 0))
+      whole place =
+        maybe False (kept how) (sequence (parts place))
+          && maybe
+            False
+            (const True)
+            (on place (0, 0))
       partly place = kept how [agrees | Just agrees <- parts place]
   case () of
     _
@@ -167,13 +176,23 @@ posteriorBy how this given
   | null (concat given) || any ((/= width) . length) given = refuse "invalid"
   | any (any (not . proper)) (concat given) = refuse "invalid"
   | otherwise =
-    if null likelihoods then refuse "contradiction" else pure [(position place, x) | (place, x) <- told how likelihoods]
+    if null likelihoods
+      then refuse "contradiction"
+      else
+        pure
+          [(position place, x) | (place, x) <- told how likelihoods]
   where
     p = madeProfile this
     width = length (concat (take 1 given))
     proper chances =
-      length chances == fromIntegral (profileOrder p) && all (>= 0) chances && abs (sum chances - 1) <= 0.001
-    known = [((i, j), believed how chances) | (i, line) <- zip [0 ..] given, (j, Just chances) <- zip [0 ..] line]
+      length chances == fromIntegral (profileOrder p) && all (>= 0) chances
+        && abs
+          (sum chances - 1)
+        <= 0.001
+    known =
+      [ ((i, j), believed how chances) | (i, line) <- zip [0 ..] given, (j, Just chances) <-
+                                                                          zip [0 ..] line
+      ]
     (offsets, beliefs) = unzip known
     likelihoods =
       [ (place, x)

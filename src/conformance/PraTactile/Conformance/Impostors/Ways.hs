@@ -128,7 +128,13 @@ characteristic p = case [i | i <- [2 .. q], q `mod` i == 0] of
 digitwise :: (Int -> Int -> Int) -> Profile -> Int -> Int -> Int
 digitwise combine p a b
   | a == 0 && b == 0 = 0
-  | otherwise = combine (a `mod` base) (b `mod` base) `mod` base + base * digitwise combine p (a `div` base) (b `div` base)
+  | otherwise =
+    combine (a `mod` base) (b `mod` base) `mod` base + base
+      * digitwise
+        combine
+        p
+        (a `div` base)
+        (b `div` base)
   where
     base = characteristic p
 
@@ -145,7 +151,14 @@ productModulo p modulus a b = foldl' step 0 (reverse (digits b))
       let (leading, rest) = (x * base) `divMod` size
        in iterate (add lower) rest !! leading
     size = base ^ (length modulus - 1)
-    lower = sum [((base - fromIntegral c) `mod` base) * base ^ i | (i, c) <- zip [0 :: Int ..] (take (length modulus - 1) modulus)]
+    lower =
+      sum
+        [ ((base - fromIntegral c) `mod` base) * base ^ i
+          | (i, c) <-
+              zip
+                [0 :: Int ..]
+                (take (length modulus - 1) modulus)
+        ]
     digits x = if x == 0 then [] else x `mod` base : digits (x `div` base)
 
 -- | The code whose product with this one is 1; 0 if there is none.
@@ -159,7 +172,10 @@ statedTaps :: (Profile -> Reading) -> Profile -> [Int]
 statedTaps reading p = case reading p of
   Characteristic -> init' stated
   Reciprocal -> case stated of
-    c : _ -> map (multiply (inverseBy multiply (fromIntegral (profileOrder p)) c)) (init' (reverse stated))
+    c : _ ->
+      map
+        (multiply (inverseBy multiply (fromIntegral (profileOrder p)) c))
+        (init' (reverse stated))
     [] -> []
   where
     stated = map fromIntegral (profilePolynomial p)

@@ -27,9 +27,19 @@ import Test.QuickCheck hiding (listOf)
 arrayLaws :: [Law Known]
 arrayLaws =
   [ defined OnArray "cell-as-defined" OfCell "every cell of the array" folding $ \known ->
-      Every [SomeQuestion (Cell r c) | Position r c <- shapeCells (profileShape (knownProfile known))],
+      Every
+        [ SomeQuestion (Cell r c)
+          | Position r c <-
+              shapeCells
+                (profileShape (knownProfile known))
+        ],
     defined OnArray "cell-at-the-edges" OfCell beyond folding $ \known ->
-      Every [SomeQuestion (Cell r c) | (r, c) <- aroundTheEdges (profileShape (knownProfile known))],
+      Every
+        [ SomeQuestion (Cell r c)
+          | (r, c) <-
+              aroundTheEdges
+                (profileShape (knownProfile known))
+        ],
     defined OnArray "cell-far-beyond-the-edges" OfCell beyond folding $ \_ ->
       Some (fmap SomeQuestion (Cell <$> farAway <*> farAway)) smaller,
     law
@@ -74,7 +84,14 @@ folded :: Known -> Natural -> Trial ()
 folded known i = do
   wanted <- answer known (Term i)
   got <- answer known question
-  demand (Because "the folding, with the other answer of the same implementation" "the cell is that term") question wanted (wanted == got)
+  demand
+    ( Because
+        "the folding, with the other answer of the same implementation"
+        "the cell is that term"
+    )
+    question
+    wanted
+    (wanted == got)
   where
     p = knownProfile known
     Shape n1 n2 = profileShape p
@@ -92,7 +109,13 @@ windowLaws =
       "a window is packed as the base-q number of its cells"
       packing
       (contents (SomeQuestion . Pack)),
-    defined OnWindow "unpack-as-defined" OfUnpack "a number below q^cells is unpacked to the window" packing numbers,
+    defined
+      OnWindow
+      "unpack-as-defined"
+      OfUnpack
+      "a number below q^cells is unpacked to the window"
+      packing
+      numbers,
     defined
       OnWindow
       "unpack-refuses-what-packs-no-window"
@@ -101,7 +124,14 @@ windowLaws =
       packing
       ( \known ->
           let most = profileOrder (knownProfile known) ^ cellsOf known
-           in Every [SomeQuestion (Unpack n) | n <- [most, most + 1, 2 * most] ++ filter (>= most) bigNaturals]
+           in Every
+                [ SomeQuestion (Unpack n)
+                  | n <-
+                      [most, most + 1, 2 * most]
+                        ++ filter
+                          (>= most)
+                          bigNaturals
+                ]
       ),
     law
       OnWindow
@@ -110,7 +140,10 @@ windowLaws =
       "what is packed is unpacked again"
       packing
       ( \known ->
-          let lower codes = filter ((== cellsOf known) . fromIntegral . length) (smallerList smallerNatural codes)
+          let lower codes =
+                filter
+                  ((== cellsOf known) . fromIntegral . length)
+                  (smallerList smallerNatural codes)
            in Cases (listOf natural) (Some (genContent known) lower) (trial . unpacked known)
       ),
     invalid OnWindow "pack-refuses-what-is-invalid" OfPack $ \known ->
@@ -156,4 +189,8 @@ unpacked :: Known -> [Code] -> Trial ()
 unpacked known codes = do
   number <- answer known (Pack codes)
   got <- answer known (Unpack number)
-  demand (Because "the other answer of the same implementation" "it was packed so") (Unpack number) codes (codes == got)
+  demand
+    (Because "the other answer of the same implementation" "it was packed so")
+    (Unpack number)
+    codes
+    (codes == got)

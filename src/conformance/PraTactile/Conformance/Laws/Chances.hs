@@ -28,7 +28,13 @@ chanceLaws = systematicLaws ++ drawnLaws ++ [invalidLaw]
 
 bayes :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
 bayes what sentence =
-  defined OnChances what OfPosterior sentence "Bayes, cells being independent and positions equally likely beforehand; the protocol, posterior"
+  defined
+    OnChances
+    what
+    OfPosterior
+    sentence
+    "Bayes, cells being independent and positions equally likely beforehand; the \
+    \protocol, posterior"
 
 asked :: Chances -> SomeQuestion
 asked = SomeQuestion . Posterior
@@ -55,13 +61,17 @@ systematicLaws =
         ],
     bayes "nothing-known" "if nothing is known all positions are equally likely" $ \known ->
       Every (asked . certain <$> unobserved (knownProfile known)),
-    bayes "across-the-edges" "across the edges only positions at which all observed cells lie count" $
-      \known -> Every (asked . certain <$> take 24 (acrossEdges known)),
-    bayes "sums-are-divided-by" "numbers that add up to 1 within 0.001 are divided by their sum" $ \known ->
-      Every
-        [ asked [[Probably (map (* factor) (uneven (knownProfile known)))], [Unfelt]]
-          | factor <- [1.0005, 0.9995, 1.0009, 0.9991]
-        ]
+    bayes
+      "across-the-edges"
+      "across the edges only positions at which all observed cells lie \
+      \count"
+      $ \known -> Every (asked . certain <$> take 24 (acrossEdges known)),
+    bayes "sums-are-divided-by" "numbers that add up to 1 within 0.001 are divided by their sum" $
+      \known ->
+        Every
+          [ asked [[Probably (map (* factor) (uneven (knownProfile known)))], [Unfelt]]
+            | factor <- [1.0005, 0.9995, 1.0009, 0.9991]
+          ]
   ]
 
 sure :: Profile -> Code -> [Double]
@@ -80,20 +90,29 @@ drawnLaws :: [Law Known]
 drawnLaws =
   [ bayes
       "bayes"
-      "the probability of a position is the product of the probabilities of its symbols, divided by \
+      "the probability of a position is the product of the probabilities of its symbols, \
+      \divided by \
       \the sum over all positions"
       (\known -> Some (asked <$> genChances (knownProfile known)) smaller),
     bayes "contradictions" "what fits no position is refused: contradiction" $ \known ->
       Some (asked . certain <$> genDamaged known (Damage 10 30)) smaller,
     bayes "likely-patches" "a patch that was seen, each cell a little doubtful" $ \known ->
-      Some (genDamaged known (Damage 20 5) >>= fmap asked . traverse (traverse (doubtful (knownProfile known)))) smaller
+      Some
+        ( genDamaged known (Damage 20 5)
+            >>= fmap asked
+              . traverse
+                (traverse (doubtful (knownProfile known)))
+        )
+        smaller
   ]
 
 -- | In each cell, probabilities in 64ths, which doubles have exactly.
 genChances :: Profile -> Gen Chances
 genChances p = do
   Shape h w <- elements (shapesAround p)
-  replicateM (fromIntegral h) (replicateM (fromIntegral w) (frequency [(1, pure Unfelt), (4, chances)]))
+  replicateM
+    (fromIntegral h)
+    (replicateM (fromIntegral w) (frequency [(1, pure Unfelt), (4, chances)]))
   where
     chances = do
       cuts <- vectorOf (fromIntegral (profileOrder p) - 1) (chooseInteger (0, 64))
@@ -124,6 +143,10 @@ invalidLaw =
             ++ [uniform (q - 1) | q > 1]
      in [asked [[Probably chances]] | chances <- lists]
           ++ [asked [[Unfelt, Probably chances], [Certainly 0, Unfelt]] | chances <- lists]
-          ++ [asked [[Certainly code]] | code <- naturalsBelow 3 >>= \i -> [profileOrder p + i :: Natural]]
+          ++ [ asked [[Certainly code]]
+               | code <-
+                   naturalsBelow 3 >>= \i ->
+                     [profileOrder p + i :: Natural]
+             ]
           ++ [rawWith (Posterior [[Unfelt]]) "patch" (toJSON [[[toJSON True, toJSON (0 :: Int)]]])]
           ++ illFormedPatches (Posterior [[Certainly 1, Unfelt], [Certainly 0, Certainly 1]]) known

@@ -28,7 +28,9 @@ damageLaws :: [Law Known]
 damageLaws = correctionLaws ++ systematicLaws ++ drawnLaws ++ [invalidLaw]
 
 source :: String
-source = "MacWilliams and Sloane, The Theory of Error-Correcting Codes, chapter 1; the protocol, nearest"
+source =
+  "MacWilliams and Sloane, The Theory of Error-Correcting Codes, chapter 1; the \
+  \protocol, nearest"
 
 comparing :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
 comparing what sentence = defined OnDamage what OfNearest sentence source
@@ -73,10 +75,16 @@ correctionLaws =
       OnDamage
       "corrects-within-the-guaranteed-radius"
       [OfNearest]
-      "e wrong cells are corrected if 2 e < d, d being the least number in which two contents of the \
+      "e wrong cells are corrected if 2 e < d, d being the least number in which two contents \
+      \of the \
       \observed cells differ on the folding's own surface"
       source
-      (\known -> Cases seenForm (Some (genWithin known) lessDamaged) (trial . corrected known Nothing)),
+      ( \known ->
+          Cases
+            seenForm
+            (Some (genWithin known) lessDamaged)
+            (trial . corrected known Nothing)
+      ),
     law
       OnDamage
       "corrects-as-far-as-it-is-told"
@@ -92,14 +100,21 @@ correctionLaws =
 wrongCells :: Seen -> Natural
 wrongCells seen =
   fromIntegral
-    (length [() | (true, Just cell) <- zip (concat (seenTrue seen)) (concat (seenPatch seen)), true /= cell])
+    ( length
+        [ () | (true, Just cell) <- zip (concat (seenTrue seen)) (concat (seenPatch seen)), true /= cell
+        ]
+    )
 
 corrected :: Known -> Maybe Natural -> Seen -> Trial ()
 corrected known radius seen
   | profileSurface p `notElem` [Sheet, naturalSurface (profileFolding p)] = notMeant
   | 2 * wrongCells seen < observedDistance known (seenPatch seen) = do
     got <- answer known question
-    demand (Because "a theorem on codes" "fewer than half the distance are wrong") question (At (seenPlace seen)) (got == At (seenPlace seen))
+    demand
+      (Because "a theorem on codes" "fewer than half the distance are wrong")
+      question
+      (At (seenPlace seen))
+      (got == At (seenPlace seen))
   | otherwise = notMeant
   where
     p = knownProfile known
@@ -122,7 +137,13 @@ genWithin known = do
       cells = area shape
   missing <- if d == 0 then pure 0 else upTo (min (d - 1) (cells - 1))
   e <- if d == 0 then pure 0 else upTo ((d - 1 - missing) `div` 2)
-  fates <- shuffle (replicate (fromIntegral missing) Gone ++ replicate (fromIntegral e) Wrong ++ replicate (fromIntegral (cells - missing - e)) Kept)
+  fates <-
+    shuffle
+      ( replicate (fromIntegral missing) Gone ++ replicate (fromIntegral e) Wrong
+          ++ replicate
+            (fromIntegral (cells - missing - e))
+            Kept
+      )
   bys <- vectorOf (fromIntegral cells) (upTo (profileOrder p - 2))
   pure (Seen place true (damagedBy true (zip fates bys)))
   where
@@ -145,13 +166,14 @@ systematicLaws =
       Every (asked Nothing <$> smallPatches 300 (knownProfile known)),
     comparing "small-patches-within-a-radius" (asCompared ++ ", to radii of 0, 1 and 2") $ \known ->
       Every [asked (Just e) rows | rows <- smallPatches 130 (knownProfile known), e <- [0, 1, 2]],
-    comparing "zeros" "zeros, and with them as few other cells as are corrected: zero-window" $ \known ->
-      Every
-        [ asked radius rows
-          | zeros <- zeroPatches (knownProfile known),
-            radius <- [Nothing, Just 0, Just 1],
-            rows <- [zeros, onePlaced zeros]
-        ],
+    comparing "zeros" "zeros, and with them as few other cells as are corrected: zero-window" $
+      \known ->
+        Every
+          [ asked radius rows
+            | zeros <- zeroPatches (knownProfile known),
+              radius <- [Nothing, Just 0, Just 1],
+              rows <- [zeros, onePlaced zeros]
+          ],
     comparing "nothing-observed" "a patch of which nothing was observed is refused: too-few-cells" $
       \known ->
         Every
@@ -193,16 +215,18 @@ drawnLaws =
             asked (Just radius) <$> genDamaged known (Damage 15 wrong)
         )
         smaller,
-    comparing "large-radius" "a radius of as many cells as there are, or more, is one too" $ \known ->
-      Some
-        ( do
-            rows <- genDamaged known (Damage 10 20)
-            radius <- elements (fromIntegral (length (concat rows)) : bigNaturals)
-            pure (asked (Just radius) rows)
-        )
-        smaller,
-    comparing "few-cells" "cells too few to tell a position are answered with all that agree" $ \known ->
-      Some (asked Nothing <$> genDamaged known (Damage 75 0)) smaller
+    comparing "large-radius" "a radius of as many cells as there are, or more, is one too" $
+      \known ->
+        Some
+          ( do
+              rows <- genDamaged known (Damage 10 20)
+              radius <- elements (fromIntegral (length (concat rows)) : bigNaturals)
+              pure (asked (Just radius) rows)
+          )
+          smaller,
+    comparing "few-cells" "cells too few to tell a position are answered with all that agree" $
+      \known ->
+        Some (asked Nothing <$> genDamaged known (Damage 75 0)) smaller
   ]
 
 invalidLaw :: Law Known

@@ -23,7 +23,9 @@ import Test.QuickCheck (vectorOf)
 
 -- | The laws of GF(q).
 fieldLaws :: [Law Known]
-fieldLaws = operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws ++ invalidLaws
+fieldLaws =
+  operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws
+    ++ invalidLaws
 
 -- | Each operation on all codes.
 operationLaws :: [Law Known]
@@ -79,7 +81,9 @@ codesDomain :: Int -> Profile -> Domain [Code]
 codesDomain count p
   | profileOrder p <= 16 = Every (replicateM count (elementsOf p))
   | otherwise =
-    Some (vectorOf count (upTo (profileOrder p - 1))) (filter ((== count) . length) . smallerList smallerNatural)
+    Some
+      (vectorOf count (upTo (profileOrder p - 1)))
+      (filter ((== count) . length) . smallerList smallerNatural)
 
 powerLaws :: [Law Known]
 powerLaws =
@@ -124,8 +128,9 @@ equation ::
   (Known -> [Code] -> Trial ()) ->
   Law Known
 equation what needs count sentence held =
-  law OnField what needs sentence "the axioms of a field; Lidl and Niederreiter, chapter 1" $ \known ->
-    Cases (listOf natural) (codesDomain count (knownProfile known)) (trial . held known)
+  law OnField what needs sentence "the axioms of a field; Lidl and Niederreiter, chapter 1" $
+    \known ->
+      Cases (listOf natural) (codesDomain count (knownProfile known)) (trial . held known)
 
 add :: Known -> Code -> Code -> Trial Code
 add known a b = answer known (Add a b)
@@ -167,12 +172,13 @@ additionAxioms =
 
 multiplicationAxioms :: [Law Known]
 multiplicationAxioms =
-  [ equation "multiplication-associates" [OfMultiply] 3 "a (b c) = (a b) c" $ \known codes -> case codes of
-      [a, b, c] -> do
-        left <- multiply known b c >>= multiply known a
-        right <- multiply known a b >>= \ab -> multiply known ab c
-        same "a (b c) = (a b) c" left right
-      _ -> notMeant,
+  [ equation "multiplication-associates" [OfMultiply] 3 "a (b c) = (a b) c" $ \known codes ->
+      case codes of
+        [a, b, c] -> do
+          left <- multiply known b c >>= multiply known a
+          right <- multiply known a b >>= \ab -> multiply known ab c
+          same "a (b c) = (a b) c" left right
+        _ -> notMeant,
     equation "multiplication-commutes" [OfMultiply] 2 "a b = b a" $ \known codes -> case codes of
       [a, b] -> do
         left <- multiply known a b
@@ -182,19 +188,25 @@ multiplicationAxioms =
     equation "one-is-neutral" [OfMultiply] 1 "1 a = a" $ \known codes -> case codes of
       [a] -> multiply known 1 a >>= same "1 a = a" a
       _ -> notMeant,
-    equation "inverse-inverts-multiplication" [OfMultiply, OfInverse] 1 "a (1/a) = 1 for a other than 0" $
-      \known codes -> case codes of
+    equation
+      "inverse-inverts-multiplication"
+      [OfMultiply, OfInverse]
+      1
+      "a (1/a) = 1 for a other than 0"
+      $ \known codes -> case codes of
         [a] | a > 0 -> answer known (Inverse a) >>= multiply known a >>= same "a (1/a) = 1" 1
         _ -> notMeant,
-    equation "multiplication-distributes" [OfAdd, OfMultiply] 3 "a (b + c) = a b + a c" $ \known codes ->
-      case codes of
-        [a, b, c] -> do
-          left <- add known b c >>= multiply known a
-          ab <- multiply known a b
-          ac <- multiply known a c
-          right <- add known ab ac
-          same "a (b + c) = a b + a c" left right
-        _ -> notMeant
+    equation "multiplication-distributes" [OfAdd, OfMultiply] 3 "a (b + c) = a b + a c" $
+      \known
+       codes ->
+          case codes of
+            [a, b, c] -> do
+              left <- add known b c >>= multiply known a
+              ab <- multiply known a b
+              ac <- multiply known a c
+              right <- add known ab ac
+              same "a (b + c) = a b + a c" left right
+            _ -> notMeant
   ]
 
 -- | What characteristic, powers, logarithms and traces have to do with sums and products.
@@ -207,30 +219,36 @@ otherLaws =
           total <- foldM (add known) 0 (replicate p a)
           same "p times a is 0, p the characteristic" 0 total
         _ -> notMeant,
-    equation "power-is-repeated-multiplication" [OfPower, OfMultiply] 2 "a^(i+1) = a a^i" $ \known codes ->
-      case codes of
-        [a, i] -> do
-          before <- answer known (Power a (toInteger i))
-          product' <- multiply known a before
-          after <- answer known (Power a (toInteger i + 1))
-          same "a^(i+1) = a a^i" product' after
-        _ -> notMeant,
-    equation "logarithm-of-a-product" [OfLogarithm, OfMultiply] 2 "log (a b) = log a + log b modulo q - 1" $
-      \known codes -> case codes of
+    equation "power-is-repeated-multiplication" [OfPower, OfMultiply] 2 "a^(i+1) = a a^i" $
+      \known codes ->
+        case codes of
+          [a, i] -> do
+            before <- answer known (Power a (toInteger i))
+            product' <- multiply known a before
+            after <- answer known (Power a (toInteger i + 1))
+            same "a^(i+1) = a a^i" product' after
+          _ -> notMeant,
+    equation
+      "logarithm-of-a-product"
+      [OfLogarithm, OfMultiply]
+      2
+      "log (a b) = log a + log b modulo q - 1"
+      $ \known codes -> case codes of
         [a, b] | a > 0 && b > 0 -> do
           la <- answer known (Logarithm a)
           lb <- answer known (Logarithm b)
           lab <- multiply known a b >>= answer known . Logarithm
           same "log (a b) = log a + log b" (modulo known (la + lb)) lab
         _ -> notMeant,
-    equation "trace-is-additive" [OfTrace, OfAdd] 2 "Tr (a + b) = Tr a + Tr b" $ \known codes -> case codes of
-      [a, b] -> do
-        right <- add known a b >>= answer known . Trace
-        ta <- answer known (Trace a)
-        tb <- answer known (Trace b)
-        left <- add known ta tb
-        same "Tr (a + b) = Tr a + Tr b" right left
-      _ -> notMeant,
+    equation "trace-is-additive" [OfTrace, OfAdd] 2 "Tr (a + b) = Tr a + Tr b" $ \known codes ->
+      case codes of
+        [a, b] -> do
+          right <- add known a b >>= answer known . Trace
+          ta <- answer known (Trace a)
+          tb <- answer known (Trace b)
+          left <- add known ta tb
+          same "Tr (a + b) = Tr a + Tr b" right left
+        _ -> notMeant,
     equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $ \known codes -> case codes of
       [a] -> do
         ta <- answer known (Trace a)

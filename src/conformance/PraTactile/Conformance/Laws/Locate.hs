@@ -55,7 +55,8 @@ systematicLaws =
   ]
   where
     acrossSentence =
-      "a patch across the edges is located where the surface goes on, and refused as off-sheet where \
+      "a patch across the edges is located where the surface goes on, and refused as off-sheet \
+      \where \
       \it ends"
 
 drawnLaws :: [Law Known]
@@ -80,7 +81,10 @@ drawnLaws =
       Shape h w <- elements (shapesAround p)
       vectorOf
         (fromIntegral h)
-        (vectorOf (fromIntegral w) (frequency [(1, pure Nothing), (6, Just <$> upTo (profileOrder p - 1))]))
+        ( vectorOf
+            (fromIntegral w)
+            (frequency [(1, pure Nothing), (6, Just <$> upTo (profileOrder p - 1))])
+        )
 
 -- | Zeros, complete and with a cell missing.
 zeroPatches :: Profile -> [Patch]
@@ -134,8 +138,10 @@ inverseOfLooking =
     "what the implementation itself has as cells is located where they are, or there too"
     table
     ( \known ->
-        Cases position (Some (genPlace (knownProfile known) (profileWindow (knownProfile known))) nearer) $
-          \place -> trial (looked known place)
+        Cases
+          position
+          (Some (genPlace (knownProfile known) (profileWindow (knownProfile known))) nearer)
+          $ \place -> trial (looked known place)
     )
   where
     nearer (Position r c) =
@@ -173,6 +179,11 @@ illFormedPatches question known =
     patches =
       [toJSON ([] :: [Int]), toJSON [[] :: [Int]], toJSON [[], [] :: [Int]]]
         ++ [toJSON [[0, 1], [1 :: Int]], toJSON [[1], [0, 1 :: Int]], toJSON [[0, 1], [] :: [Int]]]
-        ++ [toJSON [[-1 :: Int]], toJSON [[Just True]], toJSON [[Just (1.5 :: Double)]], toJSON [[["0" :: String]]]]
+        ++ [ toJSON [[-1 :: Int]],
+             toJSON [[Just True]],
+             toJSON [[Just (1.5 :: Double)]],
+             toJSON
+               [[["0" :: String]]]
+           ]
         ++ [toJSON (replicate (fromIntegral h) (replicate (fromIntegral w) (toInteger q)))]
         ++ [toJSON [[0, toInteger q + 1]], toJSON [[Nothing, Just (toInteger q)]], Null]

@@ -48,7 +48,13 @@ opened possible reason p = judged <$> opening p
     judged came
       | came == wanted = Holds
       | otherwise =
-        Violated (Violation [Exchange Nothing (profileValue p) (replied came)] (replied wanted) road reason)
+        Violated
+          ( Violation
+              [Exchange Nothing (profileValue p) (replied came)]
+              (replied wanted)
+              road
+              reason
+          )
     wanted = if possible then Right () else Left (Refusal "impossible-profile")
     road = "the definition of an array"
     replied = either (RefusedFor . refusalReason) (const (Result (Bool True)))
@@ -61,7 +67,12 @@ ofTheField =
   [ Impossible "order-is-a-prime-power" "q is a power of a prime" $ \p ->
       [p {profileOrder = q} | q <- [0, 1, 6, 10, 12]],
     Impossible "modulus-has-the-degree" "the modulus of GF(p^m) has degree m" $ \p ->
-      [p {profileModulus = 1 : profileModulus p}, p {profileModulus = [1]}, p {profileModulus = []}],
+      [ p {profileModulus = 1 : profileModulus p},
+        p {profileModulus = [1]},
+        p
+          { profileModulus = []
+          }
+      ],
     Impossible "modulus-is-monic" "the modulus is monic" $ \p ->
       [p {profileModulus = init' (profileModulus p) ++ [0]} | not (null (profileModulus p))]
         ++ [p {profileModulus = init' (profileModulus p) ++ [2]} | odd (profileOrder p)],

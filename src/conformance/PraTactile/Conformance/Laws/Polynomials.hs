@@ -81,7 +81,10 @@ relationLaws =
       source
       ( \known ->
           let q = profileOrder (knownProfile known)
-           in Cases (listOf natural) (Every [[n] | n <- [1 .. 8], q ^ n <= 5000]) (isPrimitive known)
+           in Cases
+                (listOf natural)
+                (Every [[n] | n <- [1 .. 8], q ^ n <= 5000])
+                (isPrimitive known)
       ),
     law
       OnPolynomial
@@ -102,7 +105,14 @@ relationLaws =
     first' known n = do
       h <- answer known (FirstPrimitive n)
       yes <- answer known (Primitive h)
-      demand (Because "the other answer of the same implementation" "it was told as the first one") (Primitive h) True yes
+      demand
+        ( Because
+            "the other answer of the same implementation"
+            "it was told as the first one"
+        )
+        (Primitive h)
+        True
+        yes
 
 alike :: Known -> [Code] -> Ask Verdict
 alike known codes = case inverted of

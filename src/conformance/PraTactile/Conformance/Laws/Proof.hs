@@ -30,7 +30,8 @@ proofLaws =
     ]
   where
     proves =
-      "a mask is proved if all its windows on the profile's surface differ; the rank is that of the \
+      "a mask is proved if all its windows on the profile's surface differ; the rank is that of \
+      \the \
       \mask on the folding's own surface, or null where the profile's surface is neither that nor \
       \the sheet"
     differs =
@@ -57,7 +58,9 @@ ofMasks name operation asked sentence =
     affordable p mask = area (profileShape p) <= 1024 || length (concat mask) <= 4
 
 source :: String
-source = "the rank of alpha^e(i,j) over GF(q), e(i,j) being the index folded to (i,j); counting windows"
+source =
+  "the rank of alpha^e(i,j) over GF(q), e(i,j) being the index folded to (i,j); counting \
+  \windows"
 
 -- | Masks whose windows differ on the sheet alone, with blank rows and columns at the ends, as large
 -- as the array and larger.
@@ -88,7 +91,8 @@ relationLaws =
       OnProof
       "rank-counts-windows"
       [OfProve]
-      "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the degree \
+      "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the \
+      \degree \
       \n, and is proved then alone"
       source
       ( \known ->
@@ -133,7 +137,12 @@ counted known mask
           (Prove mask)
           (Proof (r == n) (Just r) (windows r))
           (proofHolds proof == (r == n) && proofWindows proof == windows r)
-      Nothing -> demand (Because "the protocol" "the rank is known on this surface") (Prove mask) proof False
+      Nothing ->
+        demand
+          (Because "the protocol" "the rank is known on this surface")
+          (Prove mask)
+          proof
+          False
   where
     p = knownProfile known
     n = degreeOf p
@@ -161,6 +170,20 @@ invalidLaws =
 illFormed :: Question a -> [SomeQuestion]
 illFormed question =
   [ rawWith question "mask" (String drawing)
-    | drawing <- ["", "/", "#/", "/#", "##/#", "#/##", "#x", "# #", "01", "#\n#", "##//##", ".", "../.."]
+    | drawing <-
+        [ "",
+          "/",
+          "#/",
+          "/#",
+          "##/#",
+          "#/##",
+          "#x",
+          "# #",
+          "01",
+          "#\n#",
+          "##//##",
+          ".",
+          "../.."
+        ]
   ]
     ++ malformed question

@@ -68,7 +68,9 @@ definitionLaws =
   ]
 
 recurrence :: String
-recurrence = "MacWilliams and Sloane (1976), section II; the profile's polynomial, reading and state"
+recurrence =
+  "MacWilliams and Sloane (1976), section II; the profile's polynomial, reading and \
+  \state"
 
 -- | Around the end of a period, around machine words, and anywhere.
 anyIndex :: Profile -> Gen Natural
@@ -85,7 +87,11 @@ recurrenceLaws =
       let p = knownProfile known
           question = Terms i (degreeOf p)
       got <- answer known question
-      demand (Because "the profile's state" "the sequence begins with it") question (profileState p) (got == profileState p),
+      demand
+        (Because "the profile's state" "the sequence begins with it")
+        question
+        (profileState p)
+        (got == profileState p),
     ofIndex
       "obeys-the-recurrence"
       "c0 s(i) + c1 s(i+1) + ... + cn s(i+n) = 0, with c read backwards for a reciprocal polynomial"
@@ -95,7 +101,10 @@ recurrenceLaws =
               question = Terms i (degreeOf p + 1)
           got <- answer known question
           demand
-            (Because "the profile's polynomial" "the sum of the terms, each times its coefficient, is 0")
+            ( Because
+                "the profile's polynomial"
+                "the sum of the terms, each times its coefficient, is 0"
+            )
             question
             (either (const []) id (expected known question))
             (combination known (coefficientsOf p) got == Right 0)
@@ -121,7 +130,12 @@ ofIndex what sentence indices held =
       (trial . held known)
 
 -- | A law of a whole period, of sequences of which one is short enough to be looked at.
-ofPeriod :: String -> String -> (Profile -> [Natural]) -> (Known -> Natural -> [Code] -> Bool) -> Law Known
+ofPeriod ::
+  String ->
+  String ->
+  (Profile -> [Natural]) ->
+  (Known -> Natural -> [Code] -> Bool) ->
+  Law Known
 ofPeriod what sentence distances held =
   law OnSequence what [OfTerms] sentence "MacWilliams and Sloane (1976), section II" $ \known ->
     Cases index (Every (distances (knownProfile known))) $ \d -> trial $ do
@@ -164,7 +178,9 @@ countingLaws =
       ( \known d terms ->
           let p = knownProfile known
               difference later now =
-                expected known (Negate now) >>= expected known . Add later >>= expected known . Trace
+                expected known (Negate now) >>= expected known . Add later
+                  >>= expected known
+                    . Trace
               characteristic = characteristicOf p
            in fmap counted (sequence (zipWith difference (shifted d terms) terms))
                 == Right (allButOne characteristic ((periodOf p + 1) `div` characteristic))
@@ -213,7 +229,11 @@ shiftLaws =
       any ((== sampled) . take (length terms)) (take (length terms) (tails (cycle terms)))
 
 shifted :: Natural -> [Code] -> [Code]
-shifted d terms = zipWith const (drop (fromIntegral d `mod` max 1 (length terms)) (cycle terms)) terms
+shifted d terms =
+  zipWith
+    const
+    (drop (fromIntegral d `mod` max 1 (length terms)) (cycle terms))
+    terms
 
 -- | Distances between terms, from 1 to less than a period; of periods of more than 100 terms some.
 shiftsOf :: Profile -> [Natural]

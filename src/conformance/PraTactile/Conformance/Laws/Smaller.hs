@@ -86,4 +86,6 @@ fewer xs = case xs of
 -- | With one of them smaller.
 each :: (a -> [a]) -> [a] -> [[a]]
 each less xs =
-  [before ++ x' : after | (before, x : after) <- map (`splitAt` xs) [0 .. length xs - 1], x' <- less x]
+  [ before ++ x' : after | (before, x : after) <- map (`splitAt` xs) [0 .. length xs - 1], x' <-
+                                                                                             less x
+  ]

@@ -25,7 +25,8 @@ why p question wanted = case wanted of
     OfInverse -> "the product of both is 1, reduced modulo " ++ modulus p
     OfPower -> "a product of as many factors, modulo " ++ modulus p ++ "; a^-i = (1/a)^i; 0^0 = 1"
     OfLogarithm ->
-      "the least exponent to the base that is the smallest code of order q - 1, modulo " ++ modulus p
+      "the least exponent to the base that is the smallest code of order q - 1, modulo "
+        ++ modulus p
     OfTrace ->
       "a + a^p + a^(p^2) + ..., with as many summands as the modulus " ++ modulus p
         ++ " has degree"
@@ -35,19 +36,25 @@ why p question wanted = case wanted of
 ofTheArray :: Profile -> Operation -> String
 ofTheArray p operation = case operation of
   OfPrimitive -> "monic, of degree n > 0, with x of order q^n - 1 modulo the polynomial"
-  OfFirstPrimitive -> "polynomials in the order that compares coefficients from the highest degree down"
+  OfFirstPrimitive ->
+    "polynomials in the order that compares coefficients from the highest \
+    \degree down"
   OfTerm -> sequenceOf p
   OfTerms -> sequenceOf p
   OfCell -> foldingOf p
   OfPack -> packingOf p
   OfUnpack -> packingOf p
-  OfLocate -> "the memory table of all complete windows on the " ++ surfaceOf p ++ "; " ++ foldingOf p
+  OfLocate ->
+    "the memory table of all complete windows on the " ++ surfaceOf p ++ "; "
+      ++ foldingOf p
   OfNearest -> "the observed cells, compared with those at every position of the " ++ surfaceOf p
   OfPosterior ->
     "Bayes: the product of the probabilities of the symbols at each position of the "
       ++ surfaceOf p
       ++ ", divided by their sum"
-  OfProve -> "all windows of the mask on the " ++ surfaceOf p ++ ", compared; the rank on the surface of the fold"
+  OfProve ->
+    "all windows of the mask on the " ++ surfaceOf p
+      ++ ", compared; the rank on the surface of the fold"
   OfDistance -> "the least number of cells in which two windows differ, on the surface of the fold"
   _ -> "by definition"
 

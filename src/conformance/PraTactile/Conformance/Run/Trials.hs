@@ -11,6 +11,9 @@ module PraTactile.Conformance.Run.Trials
   )
 where
 
+import Control.Concurrent (forkIO)
+import Control.Exception (SomeException, catch, evaluate)
+import Control.Monad (void)
 import Data.Aeson (Value (..), encode)
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.IntSet as IntSet
@@ -62,18 +65,35 @@ data State = State
 -- do after so many questions more.
 search :: Subject -> Int -> (Int -> IO ()) -> [Ask Verdict] -> IO Search
 search subject window tick trials =
-  go (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials))
+  go (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials)) []
   where
-    go before
-      | null (active state) = pure (found state)
+    -- What came last is judged while the next questions are asked, but for trials that have the
+    -- subject for themselves.
+    go before judging
+      | null (active state) && null judging = pure (found state)
+      | null (active state) || window == 1 && not (null judging) =
+        go (foldr settle before judging) []
       | otherwise = do
         replies <- asked subject (active state)
         tick (length replies)
-        -- Those after a fault are not needed any more; others wait for their turn.
-        let rest = drop (length replies) (active state)
-        go (foldr settle state {active = rest} (zipWith fed (active state) replies))
+        let fates = zipWith fed (active state) replies
+            -- Those after a fault are not needed any more; others wait for their turn.
+            rest = drop (length replies) (active state)
+        judgedBeside fates
+        go (foldr settle state {active = rest} judging) fates
       where
         state = refilled window before
+
+-- | Have these judged by another thread.
+judgedBeside :: [Either (Int, Trouble) Active] -> IO ()
+judgedBeside fates = void (forkIO (mapM_ judge fates `catch` ignored))
+  where
+    judge fate = case fate of
+      Right (Active _ _ (Done verdict)) -> void (evaluate verdict)
+      _ -> pure ()
+    -- Whoever uses the verdict meets it again.
+    ignored :: SomeException -> IO ()
+    ignored _ = pure ()
 
 found :: State -> Search
 found state =
