@@ -5,12 +5,12 @@ module Main (main) where
 import Control.Monad (forM, forM_, unless)
 import Data.List (nub, (\\))
 import GHC.Clock (getMonotonicTime)
+import PraTactile.Array (area)
 import PraTactile.Conformance.Definition (known)
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law (Law (lawId))
 import PraTactile.Conformance.Laws (laws, openingLaws)
-import PraTactile.Array (area)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Profile (Profile (profileShape))
 import System.Environment (getArgs)
@@ -41,17 +41,29 @@ main = do
     others <- forM [2 .. seeds :: Int] $ \seed -> survives seed profiles impostor found
     let escaped = length (filter id others) + (if null found then 1 else 0)
     printf "%s: %s\n" (impostorName impostor) (impostorMistake impostor)
-    printf "  found by %d laws in %.1f s; with %d of %d seeds\n" (length found) (end - start) (seeds - escaped) seeds
+    printf
+      "  found by %d laws in %.1f s; with %d of %d seeds\n"
+      (length found)
+      (end - start)
+      (seeds - escaped)
+      seeds
     forM_ found $ \kill ->
       printf "    %-45s %-26s %d cases\n" (killLaw kill) (killProfile kill) (killCases kill)
     pure (impostorName impostor, escaped, map killLaw found)
-  let idle = (map lawId openingLaws ++ map lawId laws) \\ nub (concat [found | (_, _, found) <- scores])
+  let idle =
+        (map lawId openingLaws ++ map lawId laws) \\ nub (concat [found | (_, _, found) <- scores])
       survivors = [name | (name, escaped, _) <- scores, escaped > 0]
-  printf "%d of %d impostors are found with each of %d seeds\n" (length scores - length survivors) (length scores) seeds
+  printf
+    "%d of %d impostors are found with each of %d seeds\n"
+    (length scores - length survivors)
+    (length scores)
+    seeds
   unless (null survivors) (putStrLn ("not found: " ++ unwords survivors))
   unless (null idle || not (null names)) (putStrLn ("laws that find none: " ++ unwords idle))
   unless (null survivors && (null idle || not (null names))) exitFailure
   where
     survives seed profiles impostor found = case found of
       [] -> pure True
-      kill : rest -> findsAt seed profiles impostor kill >>= maybe (survives seed profiles impostor rest) (const (pure False))
+      kill : rest ->
+        findsAt seed profiles impostor kill
+          >>= maybe (survives seed profiles impostor rest) (const (pure False))

@@ -138,13 +138,15 @@ roundTrips = do
 
 refusals :: Spec
 refusals = do
-  it "a number of a billion digits beside a certificate breaks its seal, and is not written out" $ do
-    certificate <- generate someCertificate
-    let text = encodeCertificate certificate
-        spoilt = Bytes.init text <> ",\"more\":1e999999999}"
-        sealed = fmap fileSealed . decodeCertificate
-    sealed text `shouldBe` Right True
-    timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
+  it
+    "a number of a billion digits beside a certificate breaks its seal, and is not written out"
+    $ do
+      certificate <- generate someCertificate
+      let text = encodeCertificate certificate
+          spoilt = Bytes.init text <> ",\"more\":1e999999999}"
+          sealed = fmap fileSealed . decodeCertificate
+      sealed text `shouldBe` Right True
+      timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
   it "a key that is missing of an answer, unless answers without it may be" $ do
     recognition <- generate someRecognition
     let text = encodeRecognition recognition

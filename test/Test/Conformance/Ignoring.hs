@@ -1,9 +1,9 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | Impostors made systematically: for every field of the profile and every operation one that takes
--- another value of the field in that operation alone; for every reason of every operation one that
--- gives another reason, and one that refuses what is to be answered.
+-- | Impostors made systematically: for every field of the profile and every operation one that
+-- takes another value of the field in that operation alone; for every reason of every operation one
+-- that gives another reason, and one that refuses what is to be answered.
 module Test.Conformance.Ignoring
   ( ignoringSpec,
     comparedProfiles,
@@ -76,11 +76,19 @@ fieldsOfProfiles =
     ("the state", ofPlaces, \p -> [p {profileState = s} | s <- states p, s /= profileState p]),
     ( "the folding",
       OfCell : placed,
-      \p -> [p {profileFolding = folding} | folding <- [Diagonal, RowMajor], folding /= profileFolding p]
+      \p ->
+        [ p {profileFolding = folding}
+          | folding <- [Diagonal, RowMajor],
+            folding /= profileFolding p
+        ]
     ),
     ( "the shape",
       OfCell : placed,
-      \p -> [p {profileShape = Shape w h, profileSurface = Torus} | let Shape h w = profileShape p, h /= w]
+      \p ->
+        [ p {profileShape = Shape w h, profileSurface = Torus}
+          | let Shape h w = profileShape p,
+            h /= w
+        ]
     ),
     ( "the window",
       [OfPack, OfUnpack, OfLocate],
@@ -102,7 +110,8 @@ fieldsOfProfiles =
     ofCells = ofPlaces
     packings = [MostSignificantFirst, LeastSignificantFirst]
     otherReading reading = if reading == Characteristic then Reciprocal else Characteristic
-    states p = [1 : replicate (length (profileState p) - 1) 0, replicate (length (profileState p)) 1]
+    states p =
+      [1 : replicate (length (profileState p) - 1) 0, replicate (length (profileState p)) 1]
     moduli p = case profileOrder p of
       8 -> filter (/= profileModulus p) [[1, 1, 0, 1], [1, 0, 1, 1]]
       9 -> filter (/= profileModulus p) [[2, 2, 1], [2, 1, 1], [1, 0, 1]]
@@ -150,7 +159,8 @@ exchanged operation s other = case operation of
 
 -- | Whether a law that needs the operation finds it.
 foundBy :: Operation -> (Implementation -> Implementation) -> IO Bool
-foundBy operation make = anyM (fmap (maybe False (const True)) . findsAt 1 comparedProfiles one) trials
+foundBy operation make =
+  anyM (fmap (maybe False (const True)) . findsAt 1 comparedProfiles one) trials
   where
     one = Impostor "made" "made" [] make
     trials =
@@ -166,7 +176,9 @@ foundBy operation make = anyM (fmap (maybe False (const True)) . findsAt 1 compa
 -- | The reasons that an operation refuses well-formed inputs for.
 reasonsOf :: [(Operation, [String])]
 reasonsOf =
-  [(operation, ["invalid"]) | operation <- [OfAdd, OfMultiply, OfNegate, OfTrace, OfPrimitive, OfFirstPrimitive, OfPack]]
+  [ (operation, ["invalid"])
+    | operation <- [OfAdd, OfMultiply, OfNegate, OfTrace, OfPrimitive, OfFirstPrimitive, OfPack]
+  ]
     ++ [ (OfInverse, ["invalid", "division-by-zero"]),
          (OfPower, ["invalid", "division-by-zero"]),
          (OfLogarithm, ["invalid", "out-of-range"]),

@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Arithmetic on many elements at once, a byte each: about 900 million products a second on one
 -- core, in fields of any order and whatever optimisation the caller is compiled with.
 module PraTactile.Field.Vector

@@ -10,6 +10,7 @@ module PraTactile.Conformance.Impostors
 where
 
 import Data.List (find)
+import PraTactile.Conformance.Implementation (Implementation)
 import PraTactile.Conformance.Impostors.Arrays
 import PraTactile.Conformance.Impostors.Decoder (decoder)
 import PraTactile.Conformance.Impostors.Fields
@@ -18,7 +19,6 @@ import PraTactile.Conformance.Impostors.Openings
 import PraTactile.Conformance.Impostors.Places
 import PraTactile.Conformance.Impostors.Searching (rightSearching)
 import PraTactile.Conformance.Impostors.Ways (rightWays)
-import PraTactile.Conformance.Implementation (Implementation)
 import PraTactile.Conformance.Law (Stage (..))
 
 -- | By the stages of a decoder.

@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | Laws for those who write tests in Haskell: all of them in one call that prints a report, or each
--- as a property of QuickCheck.
+-- | Laws for those who write tests in Haskell: all of them in one call that prints a report, or
+-- each as a property of QuickCheck.
 module PraTactile.Conformance.Properties
   ( runLaws,
     runLawsUnder,
@@ -34,9 +34,9 @@ import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 import Test.QuickCheck
 
--- | Try all laws of opening and of sessions under the default profiles, and print the report: names,
--- counts, and of each law that failed the smallest case, with your answer and the definition's. The
--- exit status is 0 if the implementation is certified, otherwise 1.
+-- | Try all laws of opening and of sessions under the default profiles, and print the report:
+-- names, counts, and of each law that failed the smallest case, with your answer and the
+-- definition's. The exit status is 0 if the implementation is certified, otherwise 1.
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 
@@ -51,8 +51,8 @@ runLawsUnder profiles implementation = case standardSuite profiles of
     putStr (reportText (const "runLaws") report)
     pure (if certified report then ExitSuccess else ExitFailure 1)
 
--- | All laws that an implementation offers what they need, under the default profiles, each with its
--- id and the profile's name.
+-- | All laws that an implementation offers what they need, under the default profiles, each with
+-- its id and the profile's name.
 lawProperties :: Implementation -> [(String, Property)]
 lawProperties implementation =
   [(lawId law, openingProperty (map snd defaultProfiles) law implementation) | law <- openingLaws]
@@ -69,7 +69,8 @@ lawProperties implementation =
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
         Right session -> casesProperty (askSession session) (lawCases law about)
 
--- | A law of sessions as a property of one. It fails for a session whose profile describes no array.
+-- | A law of sessions as a property of one. It fails for a session whose profile describes no
+-- array.
 lawProperty :: Law Known -> Session -> Property
 lawProperty law session = case known (profile session) of
   Left why ->

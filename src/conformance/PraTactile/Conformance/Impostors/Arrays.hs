@@ -99,7 +99,10 @@ indices =
       "tells the terms of a run up to the end of the period"
       $ \s ->
         let period = profileOrder (profile s) ^ (length (profilePolynomial (profile s)) - 1) - 1
-         in s {terms = \from count -> genericTake (period - from `mod` period) <$> terms s from count}
+         in s
+              { terms =
+                  \from count -> genericTake (period - from `mod` period) <$> terms s from count
+              }
   ]
   where
     cutTo bits s =
@@ -169,7 +172,11 @@ folds =
 
 -- | The index that leaves these remainders: modulus and remainder, twice; 0 if there is none.
 remainders :: (Integer, Integer) -> (Integer, Integer) -> Integer
-remainders (m1, r1) (m2, r2) = case [i | i <- [0 .. m1 * m2 - 1], i `mod` m1 == r1 `mod` m1, i `mod` m2 == r2 `mod` m2] of
+remainders (m1, r1) (m2, r2) = case [ i
+                                      | i <- [0 .. m1 * m2 - 1],
+                                        i `mod` m1 == r1 `mod` m1,
+                                        i `mod` m2 == r2 `mod` m2
+                                    ] of
   i : _ -> i
   [] -> 0
 
@@ -251,12 +258,12 @@ windowImpostors =
       "packs-the-first-cell-highest"
       "has the first cell as the most significant digit whatever the profile's packing"
       $ \ways ->
-        ways {packed = \_ -> id},
+        ways {packed = const id},
     misstepped
       "packs-the-first-cell-lowest"
       "has the first cell as the least significant digit whatever the profile's packing"
       $ \ways ->
-        ways {packed = \_ -> reverse},
+        ways {packed = const reverse},
     elsewhereIn "packs-to-the-base-ten" "packs cells as decimal digits" id $ \_ s ->
       s {pack = \codes -> pack s codes >> pure (decimal s codes)},
     mistaken "packs-column-by-column" "takes a window's cells column by column" $ \s ->

@@ -5,6 +5,7 @@ module PraTactile.Conformance.Impostors.Decoder
   )
 where
 
+import Data.List (elemIndex)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Surface (..), naturalSurface)
@@ -14,8 +15,8 @@ import PraTactile.Conformance.Impostors.Searching
 import PraTactile.Conformance.Impostors.Ways
 import PraTactile.Profile (Profile (..))
 
--- | An implementation that works by these ways; whether a profile is possible, and which polynomials
--- are primitive, it leaves to the one given.
+-- | An implementation that works by these ways; whether a profile is possible, and which
+-- polynomials are primitive, it leaves to the one given.
 decoder :: Ways -> Searching -> Implementation -> Implementation
 decoder ways how base = base {open = \p -> session ways how p <$> open base p}
 
@@ -59,8 +60,8 @@ fields this s =
           then inverted x >>= \y -> pure (natural (raised (-i) (fromIntegral y)))
           else pure (natural (raised i x)),
       logarithm = \a ->
-        code a >>= \x -> case lookup x (zip (powersOf base) [0 ..]) of
-          Just i -> pure i
+        code a >>= \x -> case elemIndex x (powersOf base) of
+          Just i -> pure (fromIntegral i)
           Nothing -> refuse "out-of-range",
       trace = fmap (natural . traced) . code
     }

@@ -6,7 +6,7 @@ module PraTactile.Conformance.Impostors.Fields
   )
 where
 
-import Control.Monad (replicateM)
+import Control.Monad (replicateM, zipWithM)
 import Data.Bits (xor)
 import Data.List (sortOn)
 import qualified Data.Set as Set
@@ -240,13 +240,21 @@ traces =
 -- | In polynomials.
 polynomialImpostors :: [Impostor]
 polynomialImpostors =
-  [ mistaken "takes-the-first-irreducible" "takes the first irreducible polynomial, or x + 1" $ \s ->
-      s {firstPrimitive = \n -> if n == 1 then pure [1, 1] else firstPrimitive s n},
-    mistaken "demands-a-linear-term" "takes only polynomials with a linear term for primitive" $ \s ->
-      s {primitive = \h -> (&& any (/= 0) (take 1 (drop 1 h))) <$> primitive s h},
+  [ mistaken
+      "takes-the-first-irreducible"
+      "takes the first irreducible polynomial, or x + 1"
+      $ \s ->
+        s {firstPrimitive = \n -> if n == 1 then pure [1, 1] else firstPrimitive s n},
+    mistaken
+      "demands-a-linear-term"
+      "takes only polynomials with a linear term for primitive"
+      $ \s ->
+        s {primitive = \h -> (&& any (/= 0) (take 1 (drop 1 h))) <$> primitive s h},
     mistaken "makes-polynomials-monic" "divides a polynomial by its leading coefficient first" $
       \s ->
-        s {primitive = \codes -> mapM_ (\a -> add s a 0) codes >> madeMonic s codes >>= primitive s},
+        s
+          { primitive = \codes -> mapM_ (\a -> add s a 0) codes >> madeMonic s codes >>= primitive s
+          },
     mistaken "reads-polynomials-backwards" "takes polynomials highest degree first" $ \s ->
       s {primitive = primitive s . reverse, firstPrimitive = fmap reverse . firstPrimitive s},
     mistaken
@@ -313,7 +321,7 @@ withoutRoots :: Session -> [Code] -> Wire Bool
 withoutRoots s codes = case (codes, reverse codes) of
   (c : _, 1 : _ : _ : _)
     | c > 0 ->
-      not . elem 0
+      notElem 0
         <$> traverse
           (valueAt s codes)
           [1 .. profileOrder (profile s) - 1]
@@ -326,7 +334,7 @@ valueAt s codes x = foldr (\c total -> total >>= multiply s x >>= add s c) (pure
 withoutFactors :: Session -> [Code] -> Wire Bool
 withoutFactors s codes = case reverse codes of
   1 : _ : _
-    | not (any (== 0) (take 1 codes)) ->
+    | notElem 0 (take 1 codes) ->
       noneDivides
         [g ++ [1] | n <- [1 .. degree `div` 2], g <- replicateM n [0 .. q - 1]]
   _ -> pure False
@@ -347,5 +355,5 @@ withoutFactors s codes = case reverse codes of
         [] -> pure []
         c : _ -> do
           taken <- traverse (multiply s c) g
-          lower <- sequence (zipWith (\a b -> negation s b >>= add s a) f (taken ++ repeat 0))
+          lower <- zipWithM (\a b -> negation s b >>= add s a) f (taken ++ repeat 0)
           remainder (drop 1 lower) g

@@ -8,7 +8,7 @@ module PraTactile.Conformance.Impostors.Openings
   )
 where
 
-import Control.Monad (when)
+import Control.Monad (unless)
 import Control.Monad.Trans.Except (catchE)
 import Data.Aeson (Value (..), object, toJSON, (.=))
 import Data.Aeson.Key (Key)
@@ -69,7 +69,11 @@ ofFields =
       "takes-the-usual-modulus-for-a-reducible-one"
       "takes the Conway polynomial where the modulus is reducible"
       $ \p ->
-        [ p {profileModulus = m} | m <- usualModuli, length m == length (profileModulus p), endsInOne (profileModulus p)
+        [ p {profileModulus = m}
+          | m <-
+              usualModuli,
+            length m == length (profileModulus p),
+            endsInOne (profileModulus p)
         ],
     lenient "makes-the-modulus-monic" "takes the modulus's leading coefficient for 1" $ \p ->
       [p {profileModulus = ledByOne (profileModulus p)}],
@@ -105,8 +109,9 @@ ofSequences =
     heedless "accepts-the-state-of-zeros" "begins with zeros where the state says so" $ \p ->
       [p {profileState = map (const 1) (profileState p)} | all (== 0) (profileState p)],
     lenient "fills-up-the-state" "fills a state up, or cuts it off, to the degree" $ \p ->
-      [ p {profileState = state} | let n = length (profilePolynomial p) - 1, state <-
-                                                                               [take n (profileState p ++ repeat 0), take n (repeat 1)]
+      [ p {profileState = state}
+        | let n = length (profilePolynomial p) - 1,
+          state <- [take n (profileState p ++ repeat 0), replicate n 1]
       ],
     lenient "reduces-the-state" "takes the terms of the state modulo q" $ \p ->
       [ p {profileState = state}
@@ -175,7 +180,7 @@ tooStrict =
   where
     demanding name mistake demanded =
       Impostor name mistake [] $ \base ->
-        base {open = \p -> when (not (demanded p)) (refuse "impossible-profile") >> open base p}
+        base {open = \p -> unless (demanded p) (refuse "impossible-profile") >> open base p}
 
 -- | In reading inputs.
 readingImpostors :: [Impostor]

@@ -152,8 +152,11 @@ locateImpostors =
                     (i, j)
                 else (max 0 (r - i), max 0 (c - j))
           },
-    missearching "drops-the-first-row" "takes the first row of a larger patch for a margin" $ \how ->
-      how {taken = withoutFirst},
+    missearching
+      "drops-the-first-row"
+      "takes the first row of a larger patch for a margin"
+      $ \how ->
+        how {taken = withoutFirst},
     mistaken
       "refuses-cells-not-felt"
       "refuses a patch of which a cell was not felt as one without a complete window"
@@ -162,7 +165,7 @@ locateImpostors =
           { locate = \cells ->
               locate
                 s
-                ( if any (any isJust) cells && any (any (== Nothing)) cells
+                ( if any (any isJust) cells && any (elem Nothing) cells
                     then
                       map
                         (map (const Nothing))
@@ -289,7 +292,7 @@ comparisons =
       $ \s ->
         s
           { nearest = \radius cells ->
-              if any (any (== Nothing)) cells && any (any isJust) cells
+              if any (elem Nothing) cells && any (any isJust) cells
                 then locate s cells
                 else nearest s radius cells
           },

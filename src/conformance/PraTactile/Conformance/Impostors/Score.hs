@@ -4,12 +4,14 @@
 module PraTactile.Conformance.Impostors.Score
   ( Kill (..),
     kills,
+    killBy,
     killsBy,
     findsAt,
   )
 where
 
 import Control.Monad.Trans.Except (runExceptT)
+import Data.Maybe (catMaybes)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (Known)
 import PraTactile.Conformance.Implementation
@@ -32,32 +34,25 @@ data Kill = Kill
   }
   deriving stock (Eq, Show)
 
--- | The laws of the impostor's stages that find it, with a seed, each under the first of the profiles
--- that shows it.
+-- | The laws of the impostor's stages that find it, with a seed, each under the first of the
+-- profiles that shows it.
 kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
-  (++)
-    <$> (concat <$> traverse first (filter chosen openingLaws))
-    <*> (concat <$> traverse firstUnder (filter chosen laws))
+  catMaybes <$> traverse (killBy seed profiles impostor) (chosen openingLaws ++ chosen laws)
   where
-    chosen law = lawStage law `elem` impostorTouches impostor
-    first law =
-      map (Kill (lawId law) "") . found
-        <$> findsOpening
-          seed
-          [p | (_, p, _) <- profiles]
-          law
-          impostor
-    firstUnder law = go profiles
-      where
-        go left = case left of
-          [] -> pure []
-          (name, p, about) : rest -> do
-            came <- findsUnder seed p about law impostor
-            case came of
-              Just n -> pure [Kill (lawId law) name n]
-              Nothing -> go rest
-    found = maybe [] pure
+    chosen :: [Law about] -> [String]
+    chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]
+
+-- | How the law of this id finds the impostor, under the first of the profiles that shows it.
+killBy :: Int -> [(String, Profile, Known)] -> Impostor -> String -> IO (Maybe Kill)
+killBy seed profiles impostor law = go (if any ((== law) . lawId) openingLaws then [""] else names)
+  where
+    names = [name | (name, _, _) <- profiles]
+    go left = case left of
+      [] -> pure Nothing
+      name : rest ->
+        findsAt seed profiles impostor (Kill law name 0)
+          >>= maybe (go rest) (pure . Just . Kill law name)
 
 -- | Of these laws, under these profiles, whether one finds the impostor; those named by the kills.
 killsBy :: Int -> [(String, Profile, Known)] -> Impostor -> [Kill] -> IO [Kill]
@@ -65,8 +60,8 @@ killsBy seed profiles impostor known' = concat <$> traverse again known'
   where
     again kill = maybe [] (\n -> [kill {killCases = n}]) <$> findsAt seed profiles impostor kill
 
--- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if it
--- does not, or if there are no such law and profile.
+-- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if
+-- it does not, or if there are no such law and profile.
 findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe Int)
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =

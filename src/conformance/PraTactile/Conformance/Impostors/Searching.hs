@@ -12,6 +12,7 @@ where
 
 import Data.List (foldl1', intersect, sort)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (catMaybes, fromMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Surface (..))
 import PraTactile.Conformance.Implementation
@@ -86,7 +87,7 @@ observedIn cells =
 -- | Rows of one length, with a cell at least, and codes below q.
 checked :: Profile -> [[Maybe Code]] -> Wire [[Maybe Int]]
 checked p cells
-  | null (concat cells) || any ((/= width) . length) cells = refuse "invalid"
+  | all null cells || any ((/= width) . length) cells = refuse "invalid"
   | any (any (>= profileOrder p)) (concat cells) = refuse "invalid"
   | otherwise = pure (map (map (fmap fromIntegral)) cells)
   where
@@ -122,7 +123,7 @@ locateBy how this given = do
             False
             (const True)
             (on place (0, 0))
-      partly place = kept how [agrees | Just agrees <- parts place]
+      partly place = kept how (catMaybes (parts place))
   case () of
     _
       | null observed -> refuse "too-few-cells"
@@ -141,7 +142,7 @@ nearestBy :: Searching -> Made -> Maybe Natural -> Patch -> Wire Place
 nearestBy how this stated given = do
   cells <- taken how <$> checked p given
   let (offsets, codes) = unzip (observedIn cells)
-      radius = maybe (guaranteed how (distanceOf this (measured how cells))) id stated
+      radius = fromMaybe (guaranteed how (distanceOf this (measured how cells))) stated
       counted =
         [ (fromIntegral (differing how codes there), place)
           | place <- everywhere this,
@@ -161,8 +162,8 @@ nearestBy how this stated given = do
   where
     p = madeProfile this
 
--- | The least number of cells in which two contents differ on the folding's own surface; those of an
--- array are a linear code, so that it is the least weight.
+-- | The least number of cells in which two contents differ on the folding's own surface; those of
+-- an array are a linear code, so that it is the least weight.
 distanceOf :: Made -> [Cell] -> Natural
 distanceOf this offsets = case map weight (ownContents this offsets) of
   [] -> 0

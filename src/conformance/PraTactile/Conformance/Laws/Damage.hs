@@ -101,7 +101,10 @@ wrongCells :: Seen -> Natural
 wrongCells seen =
   fromIntegral
     ( length
-        [ () | (true, Just cell) <- zip (concat (seenTrue seen)) (concat (seenPatch seen)), true /= cell
+        [ ()
+          | (true, Just cell) <-
+              zip (concat (seenTrue seen)) (concat (seenPatch seen)),
+            true /= cell
         ]
     )
 
@@ -126,8 +129,8 @@ observedDistance known rows = either (const 0) id (expected known (Distance (map
   where
     drawn = maybe '.' (const '#')
 
--- | Seen somewhere, with as many cells missing and wrong as the distance of the shape forgives; on a
--- surface that is neither the folding's own nor the sheet nothing is known to be forgiven.
+-- | Seen somewhere, with as many cells missing and wrong as the distance of the shape forgives; on
+-- a surface that is neither the folding's own nor the sheet nothing is known to be forgiven.
 genWithin :: Known -> Gen Seen
 genWithin known = do
   shape <- elements (shapesAround p)

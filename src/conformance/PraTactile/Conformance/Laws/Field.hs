@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The alphabet is the field that the profile says: every operation on all codes, and the axioms on
--- all triples (of fields of more than 16 elements, on drawn ones).
+-- | The alphabet is the field that the profile says: every operation on all codes, and the axioms
+-- on all triples (of fields of more than 16 elements, on drawn ones).
 module PraTactile.Conformance.Laws.Field
   ( fieldLaws,
   )
@@ -149,12 +149,14 @@ same sentence wanted got =
 
 additionAxioms :: [Law Known]
 additionAxioms =
-  [ equation "addition-associates" [OfAdd] 3 "a + (b + c) = (a + b) + c" $ \known codes -> case codes of
-      [a, b, c] -> do
-        left <- add known b c >>= add known a
-        right <- add known a b >>= \ab -> add known ab c
-        same "a + (b + c) = (a + b) + c" left right
-      _ -> notMeant,
+  [ equation "addition-associates" [OfAdd] 3 "a + (b + c) = (a + b) + c" $
+      \known
+       codes -> case codes of
+          [a, b, c] -> do
+            left <- add known b c >>= add known a
+            right <- add known a b >>= \ab -> add known ab c
+            same "a + (b + c) = (a + b) + c" left right
+          _ -> notMeant,
     equation "addition-commutes" [OfAdd] 2 "a + b = b + a" $ \known codes -> case codes of
       [a, b] -> do
         left <- add known a b
@@ -249,12 +251,14 @@ otherLaws =
           left <- add known ta tb
           same "Tr (a + b) = Tr a + Tr b" right left
         _ -> notMeant,
-    equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $ \known codes -> case codes of
-      [a] -> do
-        ta <- answer known (Trace a)
-        raised <- answer known (Power a (toInteger (characteristicOf (knownProfile known))))
-        answer known (Trace raised) >>= same "Tr (a^p) = Tr a" ta
-      _ -> notMeant
+    equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $
+      \known
+       codes -> case codes of
+          [a] -> do
+            ta <- answer known (Trace a)
+            raised <- answer known (Power a (toInteger (characteristicOf (knownProfile known))))
+            answer known (Trace raised) >>= same "Tr (a^p) = Tr a" ta
+          _ -> notMeant
   ]
   where
     modulo known n = n `mod` max 1 (profileOrder (knownProfile known) - 1)

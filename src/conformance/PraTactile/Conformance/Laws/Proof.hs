@@ -62,8 +62,8 @@ source =
   "the rank of alpha^e(i,j) over GF(q), e(i,j) being the index folded to (i,j); counting \
   \windows"
 
--- | Masks whose windows differ on the sheet alone, with blank rows and columns at the ends, as large
--- as the array and larger.
+-- | Masks whose windows differ on the sheet alone, with blank rows and columns at the ends, as
+-- large as the array and larger.
 specialMasks :: Profile -> [MaskRows]
 specialMasks p =
   [full (profileWindow p)]
