@@ -65,7 +65,8 @@ import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Hostile
 import qualified Test.House
-import Test.Hspec (Spec, describe, hspec)
+import Test.Hspec (Spec, describe)
+import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
@@ -101,7 +102,8 @@ main :: IO ()
 main = do
   -- Into a pipe or a file, too, each test is shown when it ends.
   hSetBuffering stdout LineBuffering
-  hspec specs
+  -- What waits for other processes waits beside others that do.
+  hspecWith defaultConfig {configConcurrentJobs = Just 3} specs
 
 specs :: Spec
 specs = do

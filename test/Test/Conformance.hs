@@ -43,7 +43,8 @@ failing profiles implementation = do
     `shouldBe` []
 
 -- | Each law of the suite with how it finds one of the impostors that it is listed for, and each
--- impostor with how one of its laws does. What all laws find of all impostors is for @make mutants@.
+-- impostor with how one of its laws does. What all laws find of all impostors is for
+-- @make mutants@.
 data Found = Found
   { foundByLaws :: [(String, Maybe Kill)],
     foundImpostors :: [(String, Maybe Kill)]

@@ -5,7 +5,8 @@
 module Test.Examples (spec) where
 
 import Data.Aeson (Value (..))
-import Data.List (isPrefixOf)
+import Data.Foldable (for_)
+import Data.List (isInfixOf, isPrefixOf)
 import System.Directory
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
@@ -50,6 +51,18 @@ spec = do
         (status, _, err) <- readProcessWithExitCode "sh" ["-c", build] ""
         (status, err) `shouldBe` (ExitSuccess, "")
         certified (words "--profile examples/adapter/paper.json --cases 20") [decoder]
+  describe "in Haskell, on the sublibrary" $ do
+    it "plain QuickCheck finds that the laws of the field hold" $
+      inFolder $ \folder -> do
+        built <- haskell ["-O0", "-outputdir", folder, "-o", folder </> "plain"] "Plain"
+        built `shouldBe` (ExitSuccess, "", "")
+        (status, out, err) <- readProcessWithExitCode (folder </> "plain") [] ""
+        (status, err) `shouldBe` (ExitSuccess, "")
+        filter (not . ("+++ OK" `isInfixOf`)) (lines out) `shouldBe` []
+        length (lines out) `shouldSatisfy` (> 100)
+    it "the call of all laws, and the items of hspec, are right to the compiler" $
+      for_ ["Report", "Spec"] $ \file ->
+        haskell ["-fno-code"] file `shouldReturn` (ExitSuccess, "", "")
   it "on galois: it is short" $ do
     text <- readFile "examples/galois/subject.py"
     length (lines text) `shouldSatisfy` (< 60)
@@ -58,6 +71,14 @@ spec = do
     adapter <- readFile "examples/adapter/adapter.py"
     takeWhile (/= "```") (drop 1 (dropWhile (/= "```python") page)) `shouldBe` lines adapter
   where
+    haskell options file =
+      readProcessWithExitCode
+        "tools/cabal.sh"
+        ( ["exec", "-v0", "--", "ghc", "-v0", "-Wall"]
+            ++ options
+            ++ ["examples" </> "haskell" </> file ++ ".hs"]
+        )
+        ""
     name = takeWhile (/= '@')
 
 -- | It is certified, under the default profiles if no others are given.

@@ -21,8 +21,6 @@ import PraTactile.Certificate
 import PraTactile.Explore
 import PraTactile.Files
 import PraTactile.Format
-import PraTactile.Object.Canonical (canonicalPlacement)
-import PraTactile.Object.Description (Point (..))
 import PraTactile.Object.Placement (Face (..), placementSolids)
 import PraTactile.Object.WingedEdge
 import PraTactile.Probe (taxelPitch)

@@ -115,9 +115,7 @@ relationLaws =
       )
   ]
   where
-    onMask question held = case reProve question of
-      Just mask -> held mask
-      Nothing -> notMeant
+    onMask question held = maybe notMeant held (reProve question)
 
 -- | The mask of a question about one.
 reProve :: SomeQuestion -> Maybe MaskRows

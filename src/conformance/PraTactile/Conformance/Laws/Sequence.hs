@@ -7,7 +7,7 @@ module PraTactile.Conformance.Laws.Sequence
   )
 where
 
-import Control.Monad (foldM)
+import Control.Monad (foldM, zipWithM)
 import Data.Aeson (Value (..))
 import Data.List (tails)
 import qualified Data.Map.Strict as Map
@@ -182,7 +182,7 @@ countingLaws =
                   >>= expected known
                     . Trace
               characteristic = characteristicOf p
-           in fmap counted (sequence (zipWith difference (shifted d terms) terms))
+           in fmap counted (zipWithM difference (shifted d terms) terms)
                 == Right (allButOne characteristic ((periodOf p + 1) `div` characteristic))
                 || d `mod` periodOf p
                 == 0
@@ -201,7 +201,7 @@ shiftLaws =
       "shifts-and-adds"
       "s(i) + s(i+d) = s(i+e) for all i and some e, or is 0 for all i"
       shiftsOf
-      ( \known d terms -> case sequence (zipWith (sum' known) terms (shifted d terms)) of
+      ( \known d terms -> case zipWithM (sum' known) terms (shifted d terms) of
           Right added -> all (== 0) added || added `isShiftOf` terms
           Left _ -> False
       ),
