@@ -132,11 +132,11 @@ spec = describe "store" $ do
         create (directory </> "none" </> "a.sqlite") profileText place
           `shouldReturn` Left (CannotWrite (directory </> "none" </> "a.sqlite") NoFolder)
         listDirectory directory `shouldReturn` []
-    it "a file that this process is writing is in use" $
+    it "a file that this process is writing is in use, and not replaced" $
       withCanonical $ \place path ->
         withBinaryFile path AppendMode $ \_ -> do
           opening path `shouldReturn` Left (CannotRead path InUse)
-          create path profileText place `shouldReturn` Left (CannotWrite path InUse)
+          create path profileText place `shouldReturn` Left (Occupied path NoStore)
     it "names that SQLite keeps for itself are plain names" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
