@@ -56,8 +56,7 @@ systematicLaws =
   where
     acrossSentence =
       "a patch across the edges is located where the surface goes on, and refused as off-sheet \
-      \where \
-      \it ends"
+      \where it ends"
 
 drawnLaws :: [Law Known]
 drawnLaws =

@@ -31,9 +31,8 @@ proofLaws =
   where
     proves =
       "a mask is proved if all its windows on the profile's surface differ; the rank is that of \
-      \the \
-      \mask on the folding's own surface, or null where the profile's surface is neither that nor \
-      \the sheet"
+      \the mask on the folding's own surface, or null where the profile's surface is neither that \
+      \nor the sheet"
     differs =
       "the distance of a mask is the least number of cells in which two of its windows on the \
       \folding's own surface differ"
@@ -92,8 +91,7 @@ relationLaws =
       "rank-counts-windows"
       [OfProve]
       "on the folding's own surface a mask of rank r has q^r windows, but q^n - 1 if r is the \
-      \degree \
-      \n, and is proved then alone"
+      \degree n, and is proved then alone"
       source
       ( \known ->
           Cases
