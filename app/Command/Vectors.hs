@@ -37,7 +37,7 @@ command =
     "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json; or \
     \make those in a folder again and compare."
     [ "pra-tactile vectors --output vectors --operation locate",
-      "pra-tactile vectors --check vectors"
+      "pra-tactile vectors --check data/vectors"
     ]
     (run <$> (making <|> Check <$> folder "check" "Check the vectors in this folder"))
   where
