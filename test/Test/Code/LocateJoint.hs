@@ -71,10 +71,10 @@ joiningSpec = do
                         ],
                   patchShape (jointPatch joined) === shape,
                   observedCells (jointPatch joined)
-                    === [(at, a) | (at, as) <- looks, [a] <- [nub as]],
-                  jointDisputed joined === [at | (at, as) <- looks, length (nub as) > 1],
+                    === [(cell, a) | (cell, as) <- looks, [a] <- [nub as]],
+                  jointDisputed joined === [cell | (cell, as) <- looks, length (nub as) > 1],
                   -- Each look is a cell of one of the patches, at its displacement from the first.
-                  [(at, a) | (at, as) <- looks, a <- sort as]
+                  [(cell, a) | (cell, as) <- looks, a <- sort as]
                     === sort
                       [ (Position (i `plus` (r - lowest fst)) (j `plus` (c - lowest snd)), a)
                         | ((r, c), p) <- given,
@@ -94,9 +94,9 @@ joiningSpec = do
         h <- fromInteger <$> chooseInteger (1, 3)
         w <- fromInteger <$> chooseInteger (1, 3)
         cells <- sublistOf [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]
-        seen <- traverse (\at -> (,) at <$> QuickCheck.elements "ab") cells
-        at <- (,) <$> choose (-3, 3) <*> choose (-3, 3)
-        pure (at, patchOf (Shape h w) seen)
+        seen <- traverse (\cell -> (,) cell <$> QuickCheck.elements "ab") cells
+        by <- (,) <$> choose (-3, 3) <*> choose (-3, 3)
+        pure (by, patchOf (Shape h w) seen)
 
 displacedSpec :: Spec
 displacedSpec = do

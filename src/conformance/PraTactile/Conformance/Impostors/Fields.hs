@@ -334,7 +334,7 @@ valueAt s codes x = foldr (\c total -> total >>= multiply s x >>= add s c) (pure
 withoutFactors :: Session -> [Code] -> Wire Bool
 withoutFactors s codes = case reverse codes of
   1 : _ : _
-    | notElem 0 (take 1 codes) ->
+    | 0 `notElem` take 1 codes ->
       noneDivides
         [g ++ [1] | n <- [1 .. degree `div` 2], g <- replicateM n [0 .. q - 1]]
   _ -> pure False

@@ -174,7 +174,7 @@ distanceOf this offsets = case map weight (ownContents this offsets) of
 -- | By the rule of Bayes.
 posteriorBy :: Searching -> Made -> [[Maybe [Double]]] -> Wire [(Position, Double)]
 posteriorBy how this given
-  | null (concat given) || any ((/= width) . length) given = refuse "invalid"
+  | all null given || any ((/= width) . length) given = refuse "invalid"
   | any (any (not . proper)) (concat given) = refuse "invalid"
   | otherwise =
     if null likelihoods
