@@ -4,15 +4,12 @@ module Main (main) where
 
 import Control.Monad (forM, forM_, unless)
 import Data.List (nub, (\\))
+import Data.Maybe (isNothing)
 import GHC.Clock (getMonotonicTime)
-import PraTactile.Array (area)
-import PraTactile.Conformance.Definition (known)
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law (Law (lawId))
 import PraTactile.Conformance.Laws (laws, openingLaws)
-import PraTactile.Conformance.Profiles (defaultProfiles)
-import PraTactile.Profile (Profile (profileShape))
 import System.Environment (getArgs)
 import System.Exit (exitFailure)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
@@ -27,18 +24,11 @@ main = do
         count : some -> (read count, some)
         [] -> (20, [])
       chosen = filter (\one -> null names || impostorName one `elem` names) impostors
-      -- What is found under some of the default profiles is found under all of them.
-      profiles =
-        [ (name, p, about)
-          | (name, p) <- defaultProfiles,
-            area (profileShape p) <= 1024,
-            Right about <- [known p]
-        ]
   scores <- forM chosen $ \impostor -> do
     start <- getMonotonicTime
-    found <- kills 1 profiles impostor
+    found <- kills 1 comparedProfiles impostor
     end <- getMonotonicTime
-    others <- forM [2 .. seeds :: Int] $ \seed -> survives seed profiles impostor found
+    others <- forM [2 .. seeds :: Int] $ \seed -> survives seed impostor found
     let escaped = length (filter id others) + (if null found then 1 else 0)
     printf "%s: %s\n" (impostorName impostor) (impostorMistake impostor)
     printf
@@ -62,8 +52,5 @@ main = do
   unless (null idle || not (null names)) (putStrLn ("laws that find none: " ++ unwords idle))
   unless (null survivors && (null idle || not (null names))) exitFailure
   where
-    survives seed profiles impostor found = case found of
-      [] -> pure True
-      kill : rest ->
-        findsAt seed profiles impostor kill
-          >>= maybe (survives seed profiles impostor rest) (const (pure False))
+    survives seed impostor =
+      fmap isNothing . firstJust . map (findsAt seed comparedProfiles impostor)

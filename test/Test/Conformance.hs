@@ -70,12 +70,6 @@ found = do
   where
     found' = killBy 1 comparedProfiles
 
--- | The first that gives something.
-firstJust :: [IO (Maybe a)] -> IO (Maybe a)
-firstJust actions = case actions of
-  [] -> pure Nothing
-  action : more -> action >>= maybe (firstJust more) (pure . Just)
-
 impostorSpec :: SpecWith Found
 impostorSpec = do
   it "are at least 60, each with a name and a mistake of its own" $ \_ -> do

@@ -4,6 +4,7 @@ module Test.Support
     right,
     whenRight,
     holds,
+    readAsDefined,
 
     -- * Lists
     below,
@@ -34,6 +35,22 @@ holds :: Testable p => Int -> p -> Expectation
 holds count p =
   quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r ->
     if isSuccess r then pure () else expectationFailure (output r)
+
+-- | A file is read as a slow reader defines it, or refused for one of the reasons that this one
+-- has; what is read is compared by this part of it.
+readAsDefined ::
+  (Show file, Eq e, Show e, Eq a, Show a) =>
+  (file -> Either [e] a) ->
+  (file -> Either e b) ->
+  (b -> a) ->
+  file ->
+  Property
+readAsDefined defined reader part file =
+  counterexample (show (file, defined file)) $
+    case (part <$> reader file, defined file) of
+      (Right answer, Right found) -> answer === found
+      (Left e, Left causes) -> counterexample (show e) (e `elem` causes)
+      (other, _) -> counterexample (show other) False
 
 -- | The numbers from 0 that are less.
 below :: (Enum n, Num n, Ord n) => n -> [n]

@@ -61,7 +61,7 @@ hunt choice suite home mutantsFile resultsFile state = do
   examples <- Names.fromList <$> examplesOf (suite (folder </> "scratch"))
   groups <- measured (suite (folder </> "scratch")) (folder </> "groups.jsonl")
   let holds r =
-        Map.lookup (resultName r) bySource == Just (resultSource r)
+        Map.lookup (resultName r) bySource == Just (siteSource (resultSite r))
           && (resultState r == state || any (`Names.member` examples) (noticedIn (resultOutcome r)))
   known <-
     Map.elems . Map.fromList . map (\r -> (resultName r, r)) . filter holds
@@ -133,13 +133,7 @@ try' suite state pace groups mutant = do
     _ ->
       Just
         Result
-          { resultModule = siteModule site,
-            resultMutant = mutantName mutant,
-            resultFile = siteFile site,
-            resultLine = siteLine site,
-            resultColumn = siteColumn site,
-            resultKind = siteKind site,
-            resultSource = siteSource site,
+          { resultMutant = mutant,
             resultState = state,
             resultOutcome = outcome,
             resultTook = realToFrac (diffUTCTime now begun)
@@ -212,24 +206,16 @@ table same results =
     ]
       ++ map row (Map.toList (Map.unionWith (<>) ran equal))
       ++ ["", "Not noticed:"]
-      ++ [ printf "%s:%d:%d: %s" (resultFile r) (resultLine r) (resultColumn r) (resultMutant r)
+      ++ [ printf "%s:%d:%d: %s" (siteFile site) (siteLine site) (siteColumn site) (resultName r)
              ++ unreached r
-           | r <- sortOn (\r -> (resultFile r, resultLine r)) results,
-             not (noticedBy (resultOutcome r))
+           | r <- sortOn (\r -> (siteFile (resultSite r), siteLine (resultSite r))) results,
+             not (noticedBy (resultOutcome r)),
+             let site = resultSite r
          ]
   where
-    ran =
-      Map.fromListWith
-        (<>)
-        [(key, ([r], [])) | r <- results, key <- keys (resultFile r) (resultModule r)]
-    equal =
-      Map.fromListWith
-        (<>)
-        [ (key, ([], [m]))
-          | m@(Mutant site _) <- same,
-            key <- keys (siteFile site) (siteModule site)
-        ]
-    keys file name = ["all", part file, part file ++ " " ++ name]
+    ran = Map.fromListWith (<>) [(key, ([r], [])) | r <- results, key <- keys (resultSite r)]
+    equal = Map.fromListWith (<>) [(key, ([], [m])) | m <- same, key <- keys (mutantSite m)]
+    keys site = ["all", part (siteFile site), part (siteFile site) ++ " " ++ siteModule site]
     part = takeWhile (/= '/') . drop 4
     unreached r = if resultOutcome r == Unreached then " (no test comes to it)" else ""
     row :: (String, ([Result], [Mutant])) -> String

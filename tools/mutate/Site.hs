@@ -10,6 +10,7 @@ module Site
     Outcome (..),
     Result (..),
     resultName,
+    resultSite,
   )
 where
 
@@ -52,19 +53,20 @@ data Mutant = Mutant
   }
 
 instance ToJSON Mutant where
-  toJSON (Mutant site variant) =
-    object
-      [ "site" .= siteNumber site,
-        "module" .= siteModule site,
-        "file" .= siteFile site,
-        "line" .= siteLine site,
-        "column" .= siteColumn site,
-        "kind" .= siteKind site,
-        "name" .= siteName site,
-        "variants" .= siteVariants site,
-        "source" .= siteSource site,
-        "variant" .= variant
-      ]
+  toJSON = Object . mutantKeys
+
+mutantKeys :: Mutant -> Object
+mutantKeys (Mutant site variant) =
+  "site" .= siteNumber site
+    <> "module" .= siteModule site
+    <> "file" .= siteFile site
+    <> "line" .= siteLine site
+    <> "column" .= siteColumn site
+    <> "kind" .= siteKind site
+    <> "name" .= siteName site
+    <> "variants" .= siteVariants site
+    <> "source" .= siteSource site
+    <> "variant" .= variant
 
 instance FromJSON Mutant where
   parseJSON value =
@@ -95,14 +97,8 @@ data Outcome
 
 -- | A mutant, and what became of it.
 data Result = Result
-  { resultModule :: String,
-    resultMutant :: String,
-    resultFile :: FilePath,
-    resultLine :: Int,
-    resultColumn :: Int,
-    resultKind :: String,
-    -- | The digests of the mutant's file, and of all files.
-    resultSource :: String,
+  { resultMutant :: Mutant,
+    -- | A digest of all files.
     resultState :: String,
     resultOutcome :: Outcome,
     -- | Seconds.
@@ -111,23 +107,20 @@ data Result = Result
 
 -- | The name of the mutant, by which a result is found again.
 resultName :: Result -> String
-resultName = resultMutant
+resultName = mutantName . resultMutant
+
+resultSite :: Result -> Site
+resultSite = mutantSite . resultMutant
 
 instance ToJSON Result where
   toJSON r =
-    object
-      [ "module" .= resultModule r,
-        "mutant" .= resultMutant r,
-        "file" .= resultFile r,
-        "line" .= resultLine r,
-        "column" .= resultColumn r,
-        "kind" .= resultKind r,
-        "source" .= resultSource r,
-        "state" .= resultState r,
-        "outcome" .= (name :: String),
-        "by" .= by,
-        "seconds" .= resultTook r
-      ]
+    Object $
+      mutantKeys (resultMutant r)
+        <> "mutant" .= resultName r
+        <> "state" .= resultState r
+        <> "outcome" .= (name :: String)
+        <> "by" .= by
+        <> "seconds" .= resultTook r
     where
       (name, by) = case resultOutcome r of
         Killed example -> ("killed", Just example)
@@ -136,7 +129,7 @@ instance ToJSON Result where
         Unreached -> ("unreached", Nothing)
 
 instance FromJSON Result where
-  parseJSON = withObject "result" $ \o -> do
+  parseJSON value = flip (withObject "result") value $ \o -> do
     name <- o .: "outcome"
     by <- o .: "by"
     outcome <- case (name :: String, by) of
@@ -145,14 +138,4 @@ instance FromJSON Result where
       ("survived", Nothing) -> pure Survived
       ("unreached", Nothing) -> pure Unreached
       _ -> fail "no such outcome"
-    Result
-      <$> o .: "module"
-      <*> o .: "mutant"
-      <*> o .: "file"
-      <*> o .: "line"
-      <*> o .: "column"
-      <*> o .: "kind"
-      <*> o .: "source"
-      <*> o .: "state"
-      <*> pure outcome
-      <*> o .: "seconds"
+    Result <$> parseJSON value <*> o .: "state" <*> pure outcome <*> o .: "seconds"

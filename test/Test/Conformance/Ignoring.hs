@@ -6,7 +6,6 @@
 -- that gives another reason, and one that refuses what is to be answered.
 module Test.Conformance.Ignoring
   ( ignoringSpec,
-    comparedProfiles,
   )
 where
 
@@ -15,7 +14,8 @@ import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.Except (catchE, runExceptT, throwE)
 import Data.Aeson (Value (Null))
 import Data.Foldable (for_)
-import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..), area)
+import Data.Maybe (isJust)
+import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
@@ -23,15 +23,6 @@ import PraTactile.Conformance.Question
 import PraTactile.Profile
 import PraTactile.Window (Packing (..))
 import Test.Hspec
-
--- | The default profiles of at most 1024 cells: what is found under them is found under all.
-comparedProfiles :: [(String, Profile, Known)]
-comparedProfiles =
-  [ (name, p, about)
-    | (name, p) <- defaultProfiles,
-      area (profileShape p) <= 1024,
-      Right about <- [known p]
-  ]
 
 ignoringSpec :: Spec
 ignoringSpec = do
@@ -159,8 +150,7 @@ exchanged operation s other = case operation of
 
 -- | Whether a law that needs the operation finds it.
 foundBy :: Operation -> (Implementation -> Implementation) -> IO Bool
-foundBy operation make =
-  anyM (fmap (maybe False (const True)) . findsAt 1 comparedProfiles one) trials
+foundBy operation make = isJust <$> firstJust (map (findsAt 1 comparedProfiles one) trials)
   where
     one = Impostor "made" "made" [] make
     trials =
@@ -169,9 +159,6 @@ foundBy operation make =
           operation `elem` lawNeeds law,
           (name, _, _) <- comparedProfiles
       ]
-    anyM holds xs = case xs of
-      [] -> pure False
-      x : rest -> holds x >>= \yes -> if yes then pure True else anyM holds rest
 
 -- | The reasons that an operation refuses well-formed inputs for.
 reasonsOf :: [(Operation, [String])]

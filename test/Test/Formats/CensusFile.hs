@@ -106,9 +106,9 @@ spec = do
               different e = length (nub (filter ((== e) . fst) numbered))
               alike = nub [one | one@(e, _) <- numbered, different e == 1]
            in conjoin
-                [ sort [rowText row | (_, row) <- Map.elems kept] === sort (map snd alike),
+                [ sort [rowText line | (_, line) <- Map.elems kept] === sort (map snd alike),
                   [drawn !! (line - 2) | (line, _) <- Map.elems kept]
-                    === [rowText row | (_, row) <- Map.elems kept],
+                    === [rowText line | (_, line) <- Map.elems kept],
                   left === length drawn - length alike
                 ]
   it "of a larger file, any byte changed at random is refused" $ do

@@ -18,18 +18,13 @@ import PraTactile.Probe.Manifest
 import Test.Hspec hiding (after, before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (once)
+import Test.Support
 
 spec :: Spec
 spec = do
   modifyMaxSuccess (const 2000) $
     it "a file is read as it is defined, or refused for something that is wrong with it" $
-      property $ \(Pieces pieces) ->
-        let file = B.concat pieces
-         in counterexample (show (file, defined file)) $
-              case (parseManifest file, defined file) of
-                (Right entries, Right found) -> entries === found
-                (Left e, Left causes) -> counterexample (show e) (e `elem` causes)
-                (other, _) -> counterexample (show other) False
+      property $ \(Pieces pieces) -> readAsDefined defined parseManifest id (B.concat pieces)
   it "a number of 400 characters is read, and one of 401 is not, in every column" $
     [ (column, digits, either Left (Right . length) (parseManifest file))
       | column <- [0 .. 3],

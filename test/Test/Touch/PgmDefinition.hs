@@ -21,6 +21,7 @@ import PraTactile.Image.Pgm
 import Test.Hspec hiding (after, before)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (once)
+import Test.Support
 
 spec :: Spec
 spec = describe "By the manual" byDefinition
@@ -203,13 +204,7 @@ byDefinition :: Spec
 byDefinition = do
   modifyMaxSuccess (const 3000) $
     it "a file is read as it is defined, or refused for something that is wrong with it" $
-      property $ \(Pieces pieces) ->
-        let file = B.concat pieces
-         in counterexample (show (file, defined file)) $
-              case (decodePgm file, defined file) of
-                (Right pgm, Right found) -> contents pgm === found
-                (Left e, Left causes) -> counterexample (show e) (e `elem` causes)
-                (other, _) -> counterexample (show other) False
+      property $ \(Pieces pieces) -> readAsDefined defined decodePgm contents (B.concat pieces)
   it "at maximum values near a change of size, samples up to it are read, and one more is not" $
     conjoin
       [ case decodePgm file of

@@ -40,7 +40,5 @@ allAlike s exchanges = case exchanges of
     came <- runExceptT (answerOf s (Raw operation input))
     if either (RefusedFor . refusalReason) Result came == wanted
       then allAlike s rest
-      else
-        pure
-          False
+      else pure False
   Exchange Nothing _ _ : rest -> allAlike s rest

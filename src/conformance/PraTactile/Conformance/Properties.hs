@@ -1,6 +1,3 @@
-{-# LANGUAGE GADTs #-}
-{-# LANGUAGE RankNTypes #-}
-
 -- | Laws for those who write tests in Haskell: all of them in one call that prints a report, or
 -- each as a property of QuickCheck.
 module PraTactile.Conformance.Properties
@@ -13,12 +10,8 @@ module PraTactile.Conformance.Properties
 where
 
 import Control.Monad.Trans.Except (runExceptT)
-import Data.Aeson (Value, encode)
-import qualified Data.ByteString.Lazy as Lazy
-import qualified Data.Text as Text
-import qualified Data.Text.Encoding as Text
-import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
@@ -26,8 +19,9 @@ import PraTactile.Conformance.Laws (laws, openingLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report (certified)
-import PraTactile.Conformance.Report.Words (reportText)
+import PraTactile.Conformance.Report.Words (cameText, reportText, valueText)
 import PraTactile.Conformance.Run (runSuite, standardSettings)
+import PraTactile.Conformance.Subject (cameOf)
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile)
@@ -67,7 +61,7 @@ lawProperties implementation =
       opened <- runExceptT (open implementation p)
       pure $ case opened of
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
-        Right session -> casesProperty (askSession session) (lawCases law about)
+        Right session -> casesProperty (sessionAnswers session) (lawCases law about)
 
 -- | A law of sessions as a property of one. It fails for a session whose profile describes no
 -- array.
@@ -77,45 +71,25 @@ lawProperty law session = case known (profile session) of
     counterexample
       ("the session's profile describes no array: " ++ refusalReason why)
       False
-  Right about -> casesProperty (askSession session) (lawCases law about)
+  Right about -> casesProperty (sessionAnswers session) (lawCases law about)
 
 -- | A law of opening as a property of an implementation, about these profiles.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
 openingProperty profiles law implementation =
-  casesProperty
-    (Asked (\p -> (() <$) <$> runExceptT (open implementation p)) nothing)
-    (lawCases law profiles)
-  where
-    nothing :: Question b -> IO (Either Refusal b)
-    nothing = const (pure (Left (Refusal "not-offered")))
+  casesProperty (openingAnswers implementation) (lawCases law profiles)
 
--- | How to put profiles in force, and questions.
-data Asked
-  = Asked (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
-
-askSession :: Session -> Asked
-askSession session =
-  Asked
-    (const (pure (Left (Refusal "not-offered"))))
-    (runExceptT . answerOf session)
-
-casesProperty :: Asked -> Cases -> Property
-casesProperty (Asked opens answers) (Cases form domain trial) = case domain of
-  Every cases -> once (idempotentIOProperty (firstViolated cases))
+casesProperty :: Answers -> Cases -> Property
+casesProperty answers (Cases form domain trial) = case domain of
+  Every cases ->
+    once . idempotentIOProperty $
+      maybe (property True) (judged . Violated . snd)
+        <$> firstViolated answers maxBound (map trial cases)
   Some draw smaller ->
     forAllShrinkShow
       draw
       smaller
-      (shown . writeValue form)
-      (idempotentIOProperty . fmap judged . verdict)
-  where
-    verdict = answerAll opens answers . trial
-    firstViolated cases = case cases of
-      [] -> pure (property True)
-      one : rest ->
-        verdict one >>= \came -> case came of
-          Violated _ -> pure (judged came)
-          _ -> firstViolated rest
+      (valueText . writeValue form)
+      (idempotentIOProperty . fmap judged . verdictBy answers . trial)
 
 -- | A case that the law says nothing of counts as one that holds.
 judged :: Verdict -> Property
@@ -137,15 +111,5 @@ inWords violation =
       ++ ["because         " ++ violationReason violation]
   where
     asked (Exchange operation input _) =
-      "asked           " ++ maybe "profile" operationName operation ++ " " ++ shown input
-    replied came = case came of
-      Result value -> shown value
-      RefusedFor name -> "refused: " ++ name
-
--- | As JSON, cut where it is long.
-shown :: Value -> String
-shown value
-  | length text > 300 = take 300 text ++ " ..."
-  | otherwise = text
-  where
-    text = Text.unpack (Text.decodeUtf8 (Lazy.toStrict (encode value)))
+      "asked           " ++ maybe "profile" operationName operation ++ " " ++ valueText input
+    replied = cameText . cameOf

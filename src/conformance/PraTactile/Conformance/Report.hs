@@ -3,6 +3,7 @@ module PraTactile.Conformance.Report
   ( -- * Reports
     Report (..),
     LawReport (..),
+    untried,
     Outcome (..),
     outcomeName,
     countOf,
@@ -15,6 +16,7 @@ module PraTactile.Conformance.Report
 
     -- * Failures
     Counterexample (..),
+    counterexample,
   )
 where
 
@@ -59,6 +61,24 @@ data LawReport = LawReport
     lawReportNote :: Maybe String
   }
   deriving stock (Show)
+
+-- | Of what was not tried: its id, its stage, what must hold, and where that is from.
+untried :: String -> Stage -> String -> String -> LawReport
+untried name stage sentence source =
+  LawReport
+    { lawReportId = name,
+      lawReportStage = stage,
+      lawReportNeeds = [],
+      lawReportSentence = sentence,
+      lawReportSource = source,
+      lawReportProfile = Nothing,
+      lawReportOutcome = Skipped,
+      lawReportCases = 0,
+      lawReportExhaustive = False,
+      lawReportCounterexample = Nothing,
+      lawReportLikely = Nothing,
+      lawReportNote = Nothing
+    }
 
 -- | What came of a law.
 data Outcome
@@ -130,3 +150,17 @@ data Counterexample = Counterexample
     counterToken :: Maybe String
   }
   deriving stock (Show)
+
+-- | One that nothing was made smaller for, and that cannot be replayed: what was asked, what should
+-- have come, by which road that is known, what came, and why another answer is expected.
+counterexample :: [Value] -> Maybe Came -> String -> Either Fault Came -> String -> Counterexample
+counterexample requests wanted road got reason =
+  Counterexample
+    { counterRequests = requests,
+      counterExpected = wanted,
+      counterRoad = road,
+      counterGot = got,
+      counterReason = reason,
+      counterShrinks = 0,
+      counterToken = Nothing
+    }

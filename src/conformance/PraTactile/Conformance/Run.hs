@@ -94,8 +94,7 @@ planOf settings subject =
   Plan
     { planSeed = settingSeed settings,
       planCases = settingCases settings,
-      planWindow = subjectBatch subject,
-      planTick = const (pure ())
+      planWindow = subjectBatch subject
     }
 
 -- | When all must be done, and whether the first failure ends it.

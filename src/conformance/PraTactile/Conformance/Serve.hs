@@ -22,8 +22,8 @@ import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Subject (Came (..))
-import PraTactile.Conformance.Wire.Line (readLine)
+import PraTactile.Conformance.Subject (Came (..), cameItem)
+import PraTactile.Conformance.Wire.Line (longestLine, readLine)
 import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
 import System.IO
@@ -159,15 +159,7 @@ repeated :: Object -> Series
 repeated keys = maybe mempty ("sequence" .=) (KeyMap.lookup "sequence" keys)
 
 cameKeys :: Came -> Series
-cameKeys came = case came of
-  CameResult value -> "result" .= value
-  CameRefused why -> "refused" .= why
-  CameSkipped why -> "skipped" .= why
-  CameErrored why -> errored why
+cameKeys = uncurry (.=) . cameItem
 
 errored :: String -> Series
 errored = ("errored" .=)
-
--- | How long a line may be: 1 MiB.
-longestLine :: Int
-longestLine = 1024 * 1024

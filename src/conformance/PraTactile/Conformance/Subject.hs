@@ -3,6 +3,8 @@
 module PraTactile.Conformance.Subject
   ( Subject (..),
     Came (..),
+    cameItem,
+    cameOf,
     Check (..),
     Checked (..),
     Fault (..),
@@ -12,7 +14,9 @@ module PraTactile.Conformance.Subject
   )
 where
 
-import Data.Aeson (Value)
+import Data.Aeson (Key, Value, toJSON)
+import qualified Data.Aeson.Key as Key
+import PraTactile.Conformance.Law (Reply (..))
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
@@ -58,6 +62,20 @@ data Came
   | CameSkipped String
   | CameErrored String
   deriving stock (Eq, Show)
+
+-- | As it stands in a reply: the one key that says what came, and its value.
+cameItem :: Came -> (Key, Value)
+cameItem came = case came of
+  CameResult value -> (Key.fromString "result", value)
+  CameRefused why -> (Key.fromString "refused", toJSON why)
+  CameSkipped why -> (Key.fromString "skipped", toJSON why)
+  CameErrored why -> (Key.fromString "errored", toJSON why)
+
+-- | A reply to a law's question, as what came.
+cameOf :: Reply -> Came
+cameOf reply = case reply of
+  Result value -> CameResult value
+  RefusedFor why -> CameRefused why
 
 -- | What a subject did instead of replying, and the particulars.
 data Fault = Fault

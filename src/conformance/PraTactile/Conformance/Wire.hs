@@ -15,7 +15,6 @@ module PraTactile.Conformance.Wire
     readAnswer,
 
     -- * Numbers
-    wholeValue,
     readWhole,
     readNatural,
   )
@@ -34,7 +33,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Line (mostDigits)
-import PraTactile.Format.Json (naturalValue, positionValue)
+import PraTactile.Format.Json (integerValue, naturalValue, positionValue)
 
 -- | The input of a question, as a request states it.
 questionInput :: Question a -> Value
@@ -43,7 +42,7 @@ questionInput question = case question of
   Multiply a b -> pair a b
   Negate a -> one a
   Inverse a -> one a
-  Power a i -> object ["a" .= naturalValue a, "exponent" .= wholeValue i]
+  Power a i -> object ["a" .= naturalValue a, "exponent" .= integerValue i]
   Logarithm a -> one a
   Trace a -> one a
   Primitive codes -> object ["polynomial" .= codesValue codes]
@@ -263,10 +262,3 @@ readWhole value = case value of
         Text.compareLength digits mostDigits /= GT =
         Just (read (Text.unpack digits))
       | otherwise = Nothing
-
--- | A number, or a decimal string where a double would round it.
-wholeValue :: Integer -> Value
-wholeValue i
-  | i >= 0 = naturalValue (fromInteger i)
-  | i >= -(2 ^ (53 :: Int) - 1) = toJSON i
-  | otherwise = toJSON (show i)

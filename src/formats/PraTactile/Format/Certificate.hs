@@ -10,19 +10,16 @@ module PraTactile.Format.Certificate
 where
 
 import Data.Aeson (Object, Value (..), encode, toJSON)
-import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString (ByteString)
-import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Foldable (toList)
-import Data.List (intersperse, sortOn)
 import Data.Scientific (floatingOrInteger)
 import PraTactile.Certificate
 import PraTactile.Format.Digest
 import PraTactile.Format.Error
 import PraTactile.Format.Json
+import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Json.Codec
 import PraTactile.Format.Profile
 
@@ -86,25 +83,14 @@ evidence = Codec written $ \value -> do
 sealOf :: Object -> String
 sealOf = digestOf . canonical . KeyMap.delete "seal"
 
--- | The one text of an object: keys sorted, no spaces.
+-- | The one text of an object. Numbers that are no integers, which no certificate has, are written
+-- as the JSON library writes them.
 canonical :: Object -> ByteString
-canonical = Lazy.toStrict . Builder.toLazyByteString . canonicalValue . Object
-
--- | Numbers that are no integers, which no certificate has, are written as the JSON library writes
--- them.
-canonicalValue :: Value -> Builder
-canonicalValue value = case value of
-  Object fields -> "{" <> commas (map pair (sorted fields)) <> "}"
-  Array values -> "[" <> commas (map canonicalValue (toList values)) <> "]"
-  Number n | Just i <- whole n -> Builder.integerDec i
-  other -> Builder.lazyByteString (encode other)
+canonical = Lazy.toStrict . Builder.toLazyByteString . canonicalWith number . Object
   where
-    pair (name, v) = quoted name <> ":" <> canonicalValue v
-    commas = mconcat . intersperse ","
-    sorted fields = sortOn fst [(Key.toText k, v) | (k, v) <- KeyMap.toList fields]
+    number n = maybe (Builder.lazyByteString (encode (Number n))) Builder.integerDec (whole n)
     whole n = if abs n < 1e18 then either fraction Just (floatingOrInteger n) else Nothing
     fraction = const Nothing :: Double -> Maybe Integer
-    quoted = Builder.lazyByteString . encode . String
 
 -- | A certificate as it was read.
 data CertificateFile = CertificateFile

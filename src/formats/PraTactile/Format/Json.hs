@@ -8,6 +8,7 @@ module PraTactile.Format.Json
 
     -- * Values
     naturalValue,
+    integerValue,
     positionValue,
     positionListValue,
     shapeValue,
@@ -36,8 +37,12 @@ encodeSchema name keys = Lazy.toStrict (encodeLine ("schema" .= ("pra-tactile/" 
 
 -- | A number, or a decimal string where a double would round it.
 naturalValue :: Natural -> Value
-naturalValue n
-  | n <= 2 ^ (53 :: Int) - 1 = toJSON (fromIntegral n :: Integer)
+naturalValue = integerValue . toInteger
+
+-- | Like 'naturalValue'.
+integerValue :: Integer -> Value
+integerValue n
+  | abs n < 2 ^ (53 :: Int) = toJSON n
   | otherwise = toJSON (show n)
 
 -- | A position as @{"row": r, "column": c}@.

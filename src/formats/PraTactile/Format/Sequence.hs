@@ -12,7 +12,7 @@ module PraTactile.Format.Sequence
   )
 where
 
-import Data.Aeson (Value, toJSON, (.=))
+import Data.Aeson ((.=))
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Proxy (Proxy)
@@ -85,12 +85,6 @@ encodeTerms profile from count codes =
       <> "from" .= integerValue from
       <> "length" .= naturalValue count
       <> "terms" .= codes
-
--- | Like 'naturalValue'.
-integerValue :: Integer -> Value
-integerValue n
-  | abs n < 2 ^ (53 :: Int) = toJSON n
-  | otherwise = toJSON (show n)
 
 -- | The shortest shift register that puts out some symbols.
 data SynthesisReport = SynthesisReport

@@ -1,28 +1,28 @@
-{-# LANGUAGE RankNTypes #-}
-
 -- | Which laws find an impostor, under which profile first, and in how many cases.
 module PraTactile.Conformance.Impostors.Score
   ( Kill (..),
     kills,
     killBy,
-    killsBy,
     findsAt,
+    comparedProfiles,
+    firstJust,
   )
 where
 
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Maybe (catMaybes)
-import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Definition (Known)
+import PraTactile.Array (area)
+import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, openingLaws)
 import PraTactile.Conformance.Library (library)
-import PraTactile.Conformance.Question
-import PraTactile.Profile (Profile)
-import Test.QuickCheck.Gen (unGen)
-import Test.QuickCheck.Random (mkQCGen)
+import PraTactile.Conformance.Profiles (defaultProfiles)
+import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
+import PraTactile.Conformance.Run.Work (Settings (..), standardSettings)
+import PraTactile.Profile (Profile (..))
 
 -- | That a law finds an impostor.
 data Kill = Kill
@@ -45,20 +45,13 @@ kills seed profiles impostor =
 
 -- | How the law of this id finds the impostor, under the first of the profiles that shows it.
 killBy :: Int -> [(String, Profile, Known)] -> Impostor -> String -> IO (Maybe Kill)
-killBy seed profiles impostor law = go (if any ((== law) . lawId) openingLaws then [""] else names)
+killBy seed profiles impostor law =
+  firstJust [fmap (Kill law name) <$> findsBy name | name <- names]
   where
-    names = [name | (name, _, _) <- profiles]
-    go left = case left of
-      [] -> pure Nothing
-      name : rest ->
-        findsAt seed profiles impostor (Kill law name 0)
-          >>= maybe (go rest) (pure . Just . Kill law name)
-
--- | Of these laws, under these profiles, whether one finds the impostor; those named by the kills.
-killsBy :: Int -> [(String, Profile, Known)] -> Impostor -> [Kill] -> IO [Kill]
-killsBy seed profiles impostor known' = concat <$> traverse again known'
-  where
-    again kill = maybe [] (\n -> [kill {killCases = n}]) <$> findsAt seed profiles impostor kill
+    findsBy name = findsAt seed profiles impostor (Kill law name 0)
+    names
+      | law `elem` map lawId openingLaws = [""]
+      | otherwise = [name | (name, _, _) <- profiles]
 
 -- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if
 -- it does not, or if there are no such law and profile.
@@ -73,38 +66,31 @@ findsAt seed profiles impostor kill
 
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
-  firstViolated
-    (Asked (\p -> (() <$) <$> runExceptT (open (impostorMake impostor library) p)) none)
-    (casesWith seed (lawCases law profiles))
+  finds seed law profiles (openingAnswers (impostorMake impostor library))
 
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
-findsUnder seed p about law impostor = do
-  opened <- runExceptT (open (impostorMake impostor library) p)
-  case opened of
-    Left _ -> pure Nothing
-    Right session ->
-      firstViolated
-        (Asked (const (pure (Left (Refusal "not-offered")))) (runExceptT . answerOf session))
-        (casesWith seed (lawCases law about))
+findsUnder seed p about law impostor =
+  runExceptT (open (impostorMake impostor library) p)
+    >>= either (const (pure Nothing)) (finds seed law about . sessionAnswers)
 
-none :: Question b -> IO (Either Refusal b)
-none = const (pure (Left (Refusal "not-offered")))
-
-data Asked
-  = Asked (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
-
--- | All cases, or a hundred drawn ones.
-casesWith :: Int -> Cases -> [Ask Verdict]
-casesWith seed (Cases _ domain trial) = map trial $ case domain of
-  Every cases -> cases
-  Some draw _ -> [unGen draw (mkQCGen (1000 * seed + i)) 30 | i <- [1 .. 100]]
-
-firstViolated :: Asked -> [Ask Verdict] -> IO (Maybe Int)
-firstViolated (Asked opens answers) = go 1
+-- | In how many cases, drawn as a run of the suite draws them, a law finds who answers so.
+finds :: Int -> Law about -> about -> Answers -> IO (Maybe Int)
+finds seed law about answers = fmap fst <$> firstViolated answers most trials
   where
-    go n trials = case trials of
-      [] -> pure Nothing
-      one : rest ->
-        answerAll opens answers one >>= \came -> case came of
-          Violated _ -> pure (Just n)
-          _ -> go (n + 1 :: Int) rest
+    (trials, most) = trialsOf plan (lawId law) (lawCases law about)
+    plan = Plan {planSeed = seed, planCases = settingCases standardSettings, planWindow = 1}
+
+-- | The default profiles of at most 1024 cells: what is found under them is found under all.
+comparedProfiles :: [(String, Profile, Known)]
+comparedProfiles =
+  [ (name, p, about)
+    | (name, p) <- defaultProfiles,
+      area (profileShape p) <= 1024,
+      Right about <- [known p]
+  ]
+
+-- | The first of these that gives something.
+firstJust :: Monad m => [m (Maybe a)] -> m (Maybe a)
+firstJust actions = case actions of
+  [] -> pure Nothing
+  action : more -> action >>= maybe (firstJust more) (pure . Just)

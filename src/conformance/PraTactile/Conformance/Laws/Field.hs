@@ -147,22 +147,31 @@ same sentence wanted got =
     wanted
     (wanted == got)
 
+-- | That an operation, by its name and the equation, is associative.
+associates ::
+  String -> Operation -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+associates name operation ask sentence =
+  equation (name ++ "-associates") [operation] 3 sentence $ \known codes -> case codes of
+    [a, b, c] -> do
+      left <- ask known b c >>= ask known a
+      right <- ask known a b >>= \ab -> ask known ab c
+      same sentence left right
+    _ -> notMeant
+
+-- | That it is commutative.
+commutes :: String -> Operation -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+commutes name operation ask sentence =
+  equation (name ++ "-commutes") [operation] 2 sentence $ \known codes -> case codes of
+    [a, b] -> do
+      left <- ask known a b
+      right <- ask known b a
+      same sentence left right
+    _ -> notMeant
+
 additionAxioms :: [Law Known]
 additionAxioms =
-  [ equation "addition-associates" [OfAdd] 3 "a + (b + c) = (a + b) + c" $
-      \known
-       codes -> case codes of
-          [a, b, c] -> do
-            left <- add known b c >>= add known a
-            right <- add known a b >>= \ab -> add known ab c
-            same "a + (b + c) = (a + b) + c" left right
-          _ -> notMeant,
-    equation "addition-commutes" [OfAdd] 2 "a + b = b + a" $ \known codes -> case codes of
-      [a, b] -> do
-        left <- add known a b
-        right <- add known b a
-        same "a + b = b + a" left right
-      _ -> notMeant,
+  [ associates "addition" OfAdd add "a + (b + c) = (a + b) + c",
+    commutes "addition" OfAdd add "a + b = b + a",
     equation "zero-is-neutral" [OfAdd] 1 "a + 0 = a" $ \known codes -> case codes of
       [a] -> add known a 0 >>= same "a + 0 = a" a
       _ -> notMeant,
@@ -174,19 +183,8 @@ additionAxioms =
 
 multiplicationAxioms :: [Law Known]
 multiplicationAxioms =
-  [ equation "multiplication-associates" [OfMultiply] 3 "a (b c) = (a b) c" $ \known codes ->
-      case codes of
-        [a, b, c] -> do
-          left <- multiply known b c >>= multiply known a
-          right <- multiply known a b >>= \ab -> multiply known ab c
-          same "a (b c) = (a b) c" left right
-        _ -> notMeant,
-    equation "multiplication-commutes" [OfMultiply] 2 "a b = b a" $ \known codes -> case codes of
-      [a, b] -> do
-        left <- multiply known a b
-        right <- multiply known b a
-        same "a b = b a" left right
-      _ -> notMeant,
+  [ associates "multiplication" OfMultiply multiply "a (b c) = (a b) c",
+    commutes "multiplication" OfMultiply multiply "a b = b a",
     equation "one-is-neutral" [OfMultiply] 1 "1 a = a" $ \known codes -> case codes of
       [a] -> multiply known 1 a >>= same "1 a = a" a
       _ -> notMeant,

@@ -17,6 +17,7 @@ import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Lines
 import PraTactile.Conformance.Process.Reply (excerpt)
 import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire.Line (longestLine)
 import System.Exit (ExitCode (..))
 
 -- | The next line, if it comes within so many seconds.

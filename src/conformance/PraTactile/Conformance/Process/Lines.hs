@@ -2,7 +2,6 @@
 module PraTactile.Conformance.Process.Lines
   ( Line (..),
     nextLine,
-    longestLine,
 
     -- * What nobody asked for
     Flood (..),
@@ -15,6 +14,7 @@ import qualified Data.ByteString.Char8 as Bytes
 import Data.IORef
 import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Wire.Line (longestLine)
 
 -- | What was read in place of a line, or the line.
 data Line
@@ -26,10 +26,6 @@ data Line
     Unfinished ByteString
   | -- | It is longer than 'longestLine'; this is how it begins.
     Oversized ByteString
-
--- | How long a line may be: 1 MiB.
-longestLine :: Int
-longestLine = 1024 * 1024
 
 -- | The next line, if it comes until a time on the monotonic clock.
 nextLine :: Child -> Double -> IO Line

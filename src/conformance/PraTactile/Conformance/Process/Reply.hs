@@ -5,6 +5,7 @@ module PraTactile.Conformance.Process.Reply
   ( -- * Requests
     startRequest,
     profileRequest,
+    profileRequestOf,
     runRequest,
     stopRequest,
     oneShotRequest,
@@ -26,7 +27,6 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
-import Data.Scientific (floatingOrInteger)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Text.Encoding.Error as Text
@@ -35,6 +35,7 @@ import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire (questionInput)
 import PraTactile.Conformance.Wire.Line (readLine)
 import PraTactile.Format.Error (JsonError (NoText, NotUtf8, RepeatedKey, TooDeep, TooLong))
+import PraTactile.Format.Json.Codec (integer, readValue)
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
 
@@ -44,7 +45,11 @@ startRequest = object ["command" .= text "start", "protocol" .= (1 :: Int)]
 
 -- | Put a profile in force.
 profileRequest :: Profile -> Value
-profileRequest profile = object ["command" .= text "profile", "profile" .= profileValue profile]
+profileRequest = profileRequestOf . profileValue
+
+-- | The same for a profile as JSON.
+profileRequestOf :: Value -> Value
+profileRequestOf profile = object ["command" .= text "profile", "profile" .= profile]
 
 -- | Ask a question, with its number.
 runRequest :: Int -> SomeQuestion -> Value
@@ -152,12 +157,8 @@ readObject line = case readLine line of
       _ -> "a line that is no JSON"
 
 numbered :: ByteString -> Value -> Either Fault Integer
-numbered line value = case value of
-  Number n
-    | abs n < 1e18,
-      Right i <- (floatingOrInteger n :: Either Double Integer) ->
-      Right i
-  _ -> notReply line "has a number that is none"
+numbered line =
+  either (const (notReply line "has a number that is none")) Right . readValue integer
 
 notReply :: ByteString -> String -> Either Fault a
 notReply line what = Left (Fault NotAReply ("a reply that " ++ what ++ ": " ++ excerpt line))

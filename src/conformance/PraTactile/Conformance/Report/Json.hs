@@ -3,7 +3,6 @@
 -- | Reports as JSON, of the schema @pra-tactile/conform/1@.
 module PraTactile.Conformance.Report.Json
   ( encodeReport,
-    cameValue,
   )
 where
 
@@ -69,11 +68,7 @@ counterexampleValue counter =
 
 -- | A reply as it stands in the protocol.
 cameValue :: Came -> Value
-cameValue came = case came of
-  CameResult value -> object ["result" .= value]
-  CameRefused why -> object ["refused" .= why]
-  CameSkipped why -> object ["skipped" .= why]
-  CameErrored why -> object ["errored" .= why]
+cameValue came = let (name, value) = cameItem came in object [name .= value]
 
 faultValue :: Fault -> Value
 faultValue fault =

@@ -5,6 +5,7 @@ module PraTactile.Conformance.Report.Words
     failureText,
     summaryLine,
     valueText,
+    cameText,
   )
 where
 

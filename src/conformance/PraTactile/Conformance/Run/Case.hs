@@ -6,6 +6,7 @@ module PraTactile.Conformance.Run.Case
     Failure (..),
     tryLaw,
     tryCase,
+    trialsOf,
   )
 where
 
@@ -13,6 +14,7 @@ import Data.Aeson (Value)
 import Data.Bits (xor)
 import Data.Char (ord)
 import Data.List (foldl')
+import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Run.Trials
 import PraTactile.Conformance.Subject
@@ -28,9 +30,7 @@ data Plan = Plan
     -- | How many cases are drawn of a law that does not exhaust its domain.
     planCases :: Int,
     -- | How many trials go on at once.
-    planWindow :: Int,
-    -- | What to do after so many questions more.
-    planTick :: Int -> IO ()
+    planWindow :: Int
   }
 
 -- | What came of a law.
@@ -65,7 +65,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
     failure <- traverse (uncurry (shrunk smaller 0)) came
     pure (Tried cases False failure)
   where
-    search' = search subject (planWindow plan) (planTick plan)
+    search' = search subject (planWindow plan)
     -- Draws of which the law says nothing are made good by others, up to ten for each case.
     drawing count draws
       | null now = pure (count, Nothing)
@@ -92,6 +92,13 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
         candidates = smaller a
         failed one = Failure why (writeValue form one) steps wrong
 
+-- | The trials of a law in the order in which they are made, and how many of them are judged at
+-- most: draws of which the law says nothing are made good by others.
+trialsOf :: Plan -> String -> Cases -> ([Ask Verdict], Int)
+trialsOf plan name (Cases _ domain trial) = case domain of
+  Every every -> (map trial every, maxBound)
+  Some gen _ -> (map trial (drawn plan name gen), planCases plan)
+
 -- | Whether each smaller case would cost as long again as this one.
 timedOut :: Trouble -> Bool
 timedOut trouble = case trouble of
@@ -111,7 +118,7 @@ tryCase :: Plan -> Subject -> Cases -> Value -> Either FormatError (IO Tried)
 tryCase plan subject (Cases form domain trial) value = tried <$> readValue form value
   where
     tried a = do
-      came <- search subject (planWindow plan) (planTick plan) [trial a]
+      came <- search subject (planWindow plan) [trial a]
       let failure (_, why) = Failure why value 0 (searchWrong came)
       pure (Tried (searchCases came) (exhausts domain) (failure <$> searchTrouble came))
     exhausts (Every _) = True

@@ -20,11 +20,10 @@ module PraTactile.Conformance.Run.One
   )
 where
 
-import Data.Aeson (Value (Bool), object, (.=))
-import qualified Data.Aeson.Key as Key
+import Data.Aeson (Value (Bool))
 import Data.IORef
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Process.Reply (profileRequest, runRequest)
+import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run.Case
@@ -74,12 +73,8 @@ inForce (Worker subject held) work act = case workProfile work of
         came <$ writeIORef held (Just (profile, came))
     case refused of
       Nothing -> act
-      Just counterexample ->
-        pure
-          (blank work)
-            { lawReportOutcome = Errored,
-              lawReportCounterexample = Just counterexample
-            }
+      Just shown ->
+        pure (blank work) {lawReportOutcome = Errored, lawReportCounterexample = Just shown}
 
 -- | What came, unless the profile is in force.
 notInForce :: Profile -> Either Fault Came -> Maybe Counterexample
@@ -87,15 +82,13 @@ notInForce profile came = case came of
   Right (CameResult (Bool True)) -> Nothing
   _ ->
     Just
-      Counterexample
-        { counterRequests = [profileRequest profile],
-          counterExpected = Just (CameResult (Bool True)),
-          counterRoad = "the definition",
-          counterGot = came,
-          counterReason = "the profile names an array, so that it can be put in force",
-          counterShrinks = 0,
-          counterToken = Nothing
-        }
+      ( counterexample
+          [profileRequest profile]
+          (Just (CameResult (Bool True)))
+          "the definition"
+          came
+          "the profile names an array, so that it can be put in force"
+      )
 
 -- | What came of the cases.
 reportOf :: Suite about -> Work -> Tried -> IO LawReport
@@ -134,46 +127,37 @@ outcomeOf trouble = case trouble of
   Broke {} -> Errored
 
 counterexampleOf :: Work -> Failure -> Counterexample
-counterexampleOf work failure = case failureTrouble failure of
-  Wrong violation ->
-    made
-      { counterRequests = requestsOf (violationAsked violation),
-        counterExpected = Just (cameOf (violationExpected violation)),
-        counterRoad = violationRoad violation,
-        counterGot = case reverse (violationAsked violation) of
-          Exchange _ _ reply : _ -> Right (cameOf reply)
-          [] -> Right (CameErrored "nothing was asked"),
-        counterReason = violationReason violation
-      }
-  Broke before what came ->
-    made
-      { counterRequests = requestsOf before ++ [requestOf (length before + 1) what],
-        counterExpected = case what of
-          AskedQuestion question -> cameOf <$> workAnswer work question
-          AskedProfile _ -> Nothing,
-        counterGot = came,
-        counterReason = reasonFor came
-      }
+counterexampleOf work failure =
+  made
+    { counterShrinks = failureShrinks failure,
+      counterToken =
+        Just (writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure)))
+    }
   where
-    made =
-      Counterexample
-        { counterRequests = [],
-          counterExpected = Nothing,
-          counterRoad = "the definition",
-          counterGot = Right (CameErrored ""),
-          counterReason = "",
-          counterShrinks = failureShrinks failure,
-          counterToken =
-            Just (writeToken (Token (workId work) (snd <$> workProfile work) (failureCase failure)))
-        }
+    made = case failureTrouble failure of
+      Wrong violation ->
+        counterexample
+          (requestsOf (violationAsked violation))
+          (Just (cameOf (violationExpected violation)))
+          (violationRoad violation)
+          ( case reverse (violationAsked violation) of
+              Exchange _ _ reply : _ -> Right (cameOf reply)
+              [] -> Right (CameErrored "nothing was asked")
+          )
+          (violationReason violation)
+      Broke before what came ->
+        counterexample
+          (requestsOf before ++ [requestOf (length before + 1) what])
+          (answerTo what)
+          "the definition"
+          came
+          (reasonFor came)
+    answerTo what = case what of
+      AskedQuestion question -> cameOf <$> workAnswer work question
+      AskedProfile _ -> Nothing
     requestOf i what = case what of
       AskedQuestion question -> runRequest i question
       AskedProfile profile -> profileRequest profile
-
-cameOf :: Reply -> Came
-cameOf reply = case reply of
-  Result value -> CameResult value
-  RefusedFor why -> CameRefused why
 
 -- | Why what came is no answer.
 reasonFor :: Either Fault Came -> String
@@ -185,34 +169,18 @@ reasonFor came = case came of
 
 -- | What was asked, as requests of the protocol.
 requestsOf :: [Exchange] -> [Value]
-requestsOf = zipWith request [1 :: Int ..]
+requestsOf = zipWith request [1 ..]
   where
     request i (Exchange operation input _) = case operation of
-      Just name ->
-        object
-          [ Key.fromString "command" .= "run",
-            Key.fromString "sequence" .= i,
-            Key.fromString "operation" .= operationName name,
-            Key.fromString "input" .= input
-          ]
-      Nothing -> object [Key.fromString "command" .= "profile", Key.fromString "profile" .= input]
+      Just name -> runRequest i (SomeQuestion (Raw name input))
+      Nothing -> profileRequestOf input
 
--- | A report that says nothing yet.
+-- | A report of a law that says nothing yet.
 blank :: Work -> LawReport
 blank work =
-  LawReport
-    { lawReportId = workId work,
-      lawReportStage = workStage work,
-      lawReportNeeds = workNeeds work,
-      lawReportSentence = workSentence work,
-      lawReportSource = workSource work,
-      lawReportProfile = fst <$> workProfile work,
-      lawReportOutcome = Skipped,
-      lawReportCases = 0,
-      lawReportExhaustive = False,
-      lawReportCounterexample = Nothing,
-      lawReportLikely = Nothing,
-      lawReportNote = Nothing
+  (untried (workId work) (workStage work) (workSentence work) (workSource work))
+    { lawReportNeeds = workNeeds work,
+      lawReportProfile = fst <$> workProfile work
     }
 
 -- | Not tried, for this reason.
@@ -229,16 +197,10 @@ outOfTime report =
     { lawReportOutcome = Errored,
       lawReportCounterexample =
         Just
-          Counterexample
-            { counterRequests = [],
-              counterExpected = Nothing,
-              counterRoad = "",
-              counterGot = Left (Fault TooSlow "the time for all of it was over"),
-              counterReason = "--limit is the time for all laws together",
-              counterShrinks = 0,
-              counterToken = Nothing
-            }
+          (counterexample [] Nothing "" (Left late) "--limit is the time for all laws together")
     }
+  where
+    late = Fault TooSlow "the time for all of it was over"
 
 -- | The result, unless it takes more than so many seconds.
 timeoutSeconds :: Double -> IO a -> IO (Maybe a)
@@ -247,19 +209,8 @@ timeoutSeconds seconds = timeout (max 1 (ceiling (min 1e9 seconds * 1e6)))
 -- | A check that was not made.
 checkReport :: Check -> LawReport
 checkReport check =
-  LawReport
-    { lawReportId = checkId check,
-      lawReportStage = OnProtocol,
-      lawReportNeeds = [],
-      lawReportSentence = checkSentence check,
-      lawReportSource = "the protocol",
-      lawReportProfile = Nothing,
-      lawReportOutcome = Skipped,
-      lawReportCases = 0,
-      lawReportExhaustive = True,
-      lawReportCounterexample = Nothing,
-      lawReportLikely = Nothing,
-      lawReportNote = Nothing
+  (untried (checkId check) OnProtocol (checkSentence check) "the protocol")
+    { lawReportExhaustive = True
     }
 
 -- | What came of a check.
@@ -274,16 +225,7 @@ checkedReport check checked = case checked of
       tried
         { lawReportOutcome = outcome,
           lawReportCounterexample =
-            Just
-              Counterexample
-                { counterRequests = requests,
-                  counterExpected = wanted,
-                  counterRoad = "the protocol",
-                  counterGot = came,
-                  counterReason = checkSentence check,
-                  counterShrinks = 0,
-                  counterToken = Nothing
-                }
+            Just (counterexample requests wanted "the protocol" came (checkSentence check))
         }
 
 checkTooSlow :: Check -> LawReport

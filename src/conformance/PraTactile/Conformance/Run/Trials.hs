@@ -61,10 +61,9 @@ data State = State
     waiting :: [Active]
   }
 
--- | Try these, at most so many at once, to the first one in order that is in trouble; given what to
--- do after so many questions more.
-search :: Subject -> Int -> (Int -> IO ()) -> [Ask Verdict] -> IO Search
-search subject window tick trials =
+-- | Try these, at most so many at once, to the first one in order that is in trouble.
+search :: Subject -> Int -> [Ask Verdict] -> IO Search
+search subject window trials =
   go (State IntSet.empty Nothing [] [] (zipWith (`Active` []) [0 ..] trials)) []
   where
     -- What came last is judged while the next questions are asked, but for trials that have the
@@ -75,7 +74,6 @@ search subject window tick trials =
         go (foldr settle before judging) []
       | otherwise = do
         replies <- asked subject (active state)
-        tick (length replies)
         let fates = zipWith fed (active state) replies
             -- Those after a fault are not needed any more; others wait for their turn.
             rest = drop (length replies) (active state)

@@ -6,36 +6,26 @@ module PraTactile.Conformance.Vectors.Canonical
   )
 where
 
-import Data.Aeson (Value (..), encode, toJSON)
+import Data.Aeson (Value (..), toJSON)
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.ByteString.Builder (Builder)
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Foldable (toList)
-import Data.List (intersperse, sortOn)
 import Data.Scientific (FPFormat (..), base10Exponent, coefficient, formatScientific)
 import PraTactile.Conformance.Question
 import PraTactile.Format.Digest (digestOf)
+import PraTactile.Format.Json.Canonical
 import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile)
 
 -- | A value in its canonical form. Whole numbers are written as such, others in decimal; 1.0, which
 -- is not 1 here, keeps its fraction.
 canonical :: Value -> Builder
-canonical value = case value of
-  Object fields ->
-    listed '{' '}' (map member (sortOn fst [(Key.toText k, v) | (k, v) <- KeyMap.toList fields]))
-  Array parts -> listed '[' ']' (map canonical (toList parts))
-  Number n
-    | base10Exponent n == 0 -> Builder.integerDec (coefficient n)
-    | otherwise -> Builder.string7 (formatScientific Fixed Nothing n)
-  _ -> Builder.lazyByteString (encode value)
-  where
-    member (name, part) =
-      Builder.lazyByteString (encode name) <> Builder.char7 ':' <> canonical part
-    listed open close parts =
-      Builder.char7 open <> mconcat (intersperse (Builder.char7 ',') parts) <> Builder.char7 close
+canonical = canonicalWith $ \n ->
+  if base10Exponent n == 0
+    then Builder.integerDec (coefficient n)
+    else Builder.string7 (formatScientific Fixed Nothing n)
 
 -- | 12 hexadecimal digits of the SHA-256 of an operation, a profile and an input: of the canonical
 -- form of an object with these three keys.

@@ -5,6 +5,7 @@
 module PraTactile.Conformance.Wire.Line
   ( readLine,
     mostDigits,
+    longestLine,
   )
 where
 
@@ -13,7 +14,7 @@ import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
 import PraTactile.Format.Error (JsonError)
-import PraTactile.Format.Json.Strict (readJsonWith)
+import PraTactile.Format.Json.Strict (closing, readJsonWith)
 
 -- | The value of a JSON text, in which a number that is written with a fraction or an exponent has
 -- a base-10 exponent other than 0: 2e0 becomes 20e-1. Refuses as
@@ -24,6 +25,10 @@ readLine = readJsonWith mostDigits . told
 -- | How many digits a number may have, as a JSON number or as a decimal string: 4096.
 mostDigits :: Int
 mostDigits = 4096
+
+-- | How many bytes a line may have: 1 MiB.
+longestLine :: Int
+longestLine = 1024 * 1024
 
 -- | The text with another 0 behind the fraction of each number whose exponent makes it whole by as
 -- many places as its fraction has: 20e-1 is not 2.
@@ -41,21 +46,13 @@ pieces :: ByteString -> [ByteString]
 pieces text = case Bytes.uncons others of
   Nothing -> [plain]
   Just ('"', rest) ->
-    let end = closing 0 rest
+    let end = closing rest + 1
      in plain : "\"" : Bytes.take end rest : pieces (Bytes.drop end rest)
   _ ->
     let (number, after) = Bytes.span (\c -> isDigit c || c `Bytes.elem` ".eE+-") others
      in plain : marked number : pieces after
   where
     (plain, others) = Bytes.break (\c -> c == '"' || isDigit c) text
-
--- | How many bytes there are to the end of a string, its quotation mark included.
-closing :: Int -> ByteString -> Int
-closing past text = case Bytes.findIndex (`Bytes.elem` "\"\\") text of
-  Nothing -> past + Bytes.length text
-  Just i
-    | Bytes.index text i == '"' -> past + i + 1
-    | otherwise -> closing (past + min (i + 2) (Bytes.length text)) (Bytes.drop (i + 2) text)
 
 -- | A number with an exponent that its fraction does not undo; others as they are.
 marked :: ByteString -> ByteString

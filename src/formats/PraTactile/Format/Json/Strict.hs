@@ -10,8 +10,9 @@ module PraTactile.Format.Json.Strict
     deepest,
     longestNumber,
 
-    -- * Keys
+    -- * Keys and strings
     repeatedKey,
+    closing,
   )
 where
 

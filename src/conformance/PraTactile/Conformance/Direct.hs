@@ -1,0 +1,51 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | An implementation in this process, asked without the forms of the protocol.
+module PraTactile.Conformance.Direct
+  ( Answers,
+    sessionAnswers,
+    openingAnswers,
+    verdictBy,
+    firstViolated,
+  )
+where
+
+import Control.Monad.Trans.Except (runExceptT)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Profile (Profile)
+
+-- | Who puts profiles in force, and who answers questions.
+data Answers
+  = Answers (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
+
+-- | A session answers questions, under its profile alone.
+sessionAnswers :: Session -> Answers
+sessionAnswers session = Answers (const notOffered) (runExceptT . answerOf session)
+
+-- | An implementation is asked for nothing but to put profiles in force.
+openingAnswers :: Implementation -> Answers
+openingAnswers implementation =
+  Answers (\p -> (() <$) <$> runExceptT (open implementation p)) (const notOffered)
+
+notOffered :: IO (Either Refusal a)
+notOffered = pure (Left (Refusal "not-offered"))
+
+-- | What comes of a trial.
+verdictBy :: Answers -> Ask a -> IO a
+verdictBy (Answers opens answers) = answerAll opens answers
+
+-- | The first of these trials that is violated, by its number from 1; so many are judged at most.
+firstViolated :: Answers -> Int -> [Ask Verdict] -> IO (Maybe (Int, Violation))
+firstViolated answers = go 1
+  where
+    go n left trials = case trials of
+      one : rest | left > 0 -> do
+        came <- verdictBy answers one
+        case came of
+          Violated violation -> pure (Just (n :: Int, violation))
+          Holds -> go (n + 1) (left - 1) rest
+          NotMeant -> go (n + 1) left rest
+      _ -> pure Nothing
