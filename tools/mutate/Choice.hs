@@ -7,10 +7,12 @@ module Choice
   )
 where
 
-import Data.List (isPrefixOf, sortOn)
+import Data.Bits (xor)
+import Data.Char (ord)
+import Data.List (foldl', isPrefixOf, sortOn)
 import qualified Data.Map.Strict as Map
 import Site
-import System.Random (mkStdGen, randoms)
+import System.Random (mkStdGen, random)
 import Text.Read (readMaybe)
 
 -- | What is hunted, and how.
@@ -45,14 +47,16 @@ chooseFrom = go (Choice 600 1 [] (1, 1) 2)
       _ -> Nothing
 
 -- | Mutants of these sites in an order drawn from the seed, of each module three at least where it
--- has as many; those come first.
+-- has as many; those come first. The order is that of numbers drawn from the mutants' names, so that
+-- other sources have the same sample but for what is new in them or gone.
 sample :: Choice -> [Site] -> [Mutant]
 sample choice sites = take (max (choiceCount choice) (length first)) (first ++ others)
   where
     possible = filter (among . siteModule) sites
     among name = null (choiceOnly choice) || any (`isPrefixOf` name) (choiceOnly choice)
-    numbers = randoms (mkStdGen (choiceSeed choice)) :: [Int]
-    shuffled = map snd (sortOn fst (zip numbers (concatMap mutantsOf possible)))
+    shuffled = map snd (sortOn fst [(drawn one, one) | one <- concatMap mutantsOf possible])
+    drawn one = (fst (random (mkStdGen (digest (mutantName one)))) :: Int, mutantName one)
+    digest = foldl' (\hash c -> (hash * 16777619) `xor` ord c) (choiceSeed choice)
     (first, others) = go (Map.empty :: Map.Map String Int) shuffled
     go seen mutants = case mutants of
       [] -> ([], [])
