@@ -96,6 +96,7 @@ diskSpec = do
       createDirectory (folder </> "a.pgm")
       problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
       problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+  it "the limit is 256 MiB" $ largestInput `shouldBe` 268435456
   it "an image beyond the limit is not read" $
     inFolder $ \folder -> do
       Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
