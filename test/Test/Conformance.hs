@@ -2,8 +2,10 @@
 -- documentation; they find every impostor, and each of them finds one.
 module Test.Conformance (spec) where
 
+import Data.Aeson (encode)
 import Data.Foldable (for_)
 import Data.List (find, nub, sort, (\\))
+import qualified Data.Set as Set
 import Data.Traversable (for)
 import PraTactile.Array (area)
 import PraTactile.Conformance
@@ -11,9 +13,11 @@ import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.InProcess (inProcess)
+import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile (..))
 import Test.Conformance.Ignoring
 import Test.Hspec
@@ -28,9 +32,23 @@ spec = do
   it "laws have ids of their own" $ do
     let ids = map lawId openingLaws ++ map lawId laws
     ids \\ nub ids `shouldBe` []
+  it "where a law exhausts its domain, no question is asked twice under the paper's profile" $ do
+    Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
+    let repeats (Cases form domain _) = case domain of
+          Every cases -> length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
+          Some _ _ -> False
+    [lawId law | law <- laws, repeats (lawCases law about)] `shouldBe` byTwoRoads
   describe "impostors" (beforeAll found impostorSpec)
   ignoringSpec
   where
+    -- Laws that come to the same question in two ways.
+    byTwoRoads =
+      [ "locate/across-the-edges",
+        "damage/zeros",
+        "damage/across-the-edges",
+        "damage/nearest-refuses-what-is-invalid",
+        "chances/doubtful-cells"
+      ]
     small = filter ((<= 1024) . area . profileShape . snd) defaultProfiles
 
 -- | The laws that do not hold, which must be none.
