@@ -134,13 +134,20 @@ choiceSpec = describe "laws that fail" $ do
     inFolder $ \folder -> do
       let file = folder </> "report.xml"
       _ <- adder ["--junit", file] ["garbage"]
-      counts <- readProcess "python3" ["-c", countErrors, file] ""
-      counts `shouldBe` "4 1\n"
+      counts <- readProcess "python3" ["-c", countCases, file] ""
+      counts `shouldBe` "[4, 0, 1, 0]\n"
+      _ <- adder ["--junit", file, "--skip", "field/addition-as-defined"] ["none"]
+      counts' <- readProcess "python3" ["-c", countCases, file] ""
+      counts' `shouldBe` "[4, 0, 0, 1]\n"
   where
-    countErrors =
+    -- What the root and the suites state is what there is in them.
+    countCases =
       "import sys, xml.etree.ElementTree as x\n\
       \t = x.parse(sys.argv[1]).getroot()\n\
-      \print(len(t.findall('.//testcase')), len(t.findall('.//error')))"
+      \def found(e): return [len(e.findall('.//' + k)) for k in ('testcase', 'failure', 'error', 'skipped')]\n\
+      \def told(e): return [int(e.get(k)) for k in ('tests', 'failures', 'errors', 'skipped')]\n\
+      \assert all(found(e) == told(e) for e in [t] + t.findall('testsuite'))\n\
+      \print(found(t))"
 
 replaySpec :: Spec
 replaySpec = describe "a token" $ do
