@@ -97,6 +97,14 @@ impostorSpec = do
   it "are all found" $ \these -> [name | (name, Nothing) <- foundImpostors these] `shouldBe` []
   it "leave no law that finds none" $ \these ->
     [law | (law, Nothing) <- foundByLaws these] `shouldBe` []
+  -- Each is wrong in its own way alone. The smallest profile, for all laws are tried.
+  it "are found by no law but those that are listed for them" $ \_ -> do
+    let smallest = [under | under@(name, _, _) <- comparedProfiles, name == "gf2-3x5"]
+    length smallest `shouldBe` 1
+    others <- for impostors $ \one -> do
+      these <- map killLaw <$> kills 1 smallest one
+      pure (impostorName one, these \\ killersOf (impostorName one))
+    [(name, law) | (name, found') <- others, law <- found'] `shouldBe` []
   for_ reported $ \(what, name, law) ->
     it (what ++ ": found by " ++ law) $ \_ -> do
       one <- maybe (fail "no such impostor") pure (find ((== name) . impostorName) impostors)
