@@ -65,6 +65,7 @@ import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Hostile
 import qualified Test.House
+import qualified Test.Limits
 import Test.Hspec (Spec, describe)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
 import qualified Test.Object.Placement
@@ -176,6 +177,7 @@ specs = do
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Sources" Test.Source.spec
+  describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec

@@ -148,8 +148,6 @@ largeSpec = describe "on 2^60 cells" $ do
     found <- right (listed 1000 0.001 algebra vague)
     decide 0.001 found `shouldBe` Refused BelowThreshold
     posteriorWords found `shouldBe` 1000
-    -- Some tenths of a second.
-    standardListing `shouldBe` 65536
     nothing <- right (patch [[Nothing, Nothing]]) >>= right . listed 1000 0.001 algebra
     decide 0.001 nothing `shouldBe` AmbiguousMany (4 ^ (30 :: Int) - 1) (Just 30)
   where
