@@ -2,7 +2,7 @@
 -- documentation; they find every impostor, and each of them finds one.
 module Test.Conformance (spec) where
 
-import Data.Aeson (encode)
+import Data.Aeson (encode, toJSON)
 import Data.Foldable (for_)
 import Data.List (find, nub, sort, (\\))
 import qualified Data.Set as Set
@@ -15,6 +15,7 @@ import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Conformance.Report
+import PraTactile.Conformance.Report.Words (valueText)
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
@@ -38,9 +39,17 @@ spec = do
           Every cases -> length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
           Some _ _ -> False
     [lawId law | law <- laws, repeats (lawCases law about)] `shouldBe` byTwoRoads
+  it "of a value of more than 200 characters the first 160 and the last 30 are shown" $
+    for_ ([0 .. 20] ++ [190 .. 260] ++ [1000]) $ \count -> do
+      let written = '"' : take count (cycle ['a' .. 'z']) ++ "\""
+          long = length written
+          ending = reverse (take 30 (reverse written)) ++ " (" ++ show long ++ " characters)"
+      valueText (toJSON (drop 1 (init' written)))
+        `shouldBe` if long <= 200 then written else take 160 written ++ " ... " ++ ending
   describe "impostors" (beforeAll found impostorSpec)
   ignoringSpec
   where
+    init' text = take (length text - 1) text
     -- Laws that come to the same question in two ways.
     byTwoRoads =
       [ "locate/across-the-edges",
