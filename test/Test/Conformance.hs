@@ -2,12 +2,14 @@
 -- documentation; they find every impostor, and each of them finds one.
 module Test.Conformance (spec) where
 
+import Control.Monad.Trans.Except (runExceptT)
 import Data.Aeson (encode, toJSON)
+import Data.Either (isRight)
 import Data.Foldable (for_)
 import Data.List (find, nub, sort, (\\))
 import qualified Data.Set as Set
 import Data.Traversable (for)
-import PraTactile.Array (area)
+import PraTactile.Array (Shape (..), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
@@ -19,7 +21,7 @@ import PraTactile.Conformance.Report.Words (valueText)
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
-import PraTactile.Profile (Profile (..))
+import PraTactile.Profile (Profile (..), chooseProfile)
 import Test.Conformance.Ignoring
 import Test.Hspec
 
@@ -106,6 +108,22 @@ impostorSpec = do
   it "are all found" $ \these -> [name | (name, Nothing) <- foundImpostors these] `shouldBe` []
   it "leave no law that finds none" $ \these ->
     [law | (law, Nothing) <- foundByLaws these] `shouldBe` []
+  it "one computes with the usual modulus where the modulus is reducible" $ \_ ->
+    for_ (find ((== "takes-the-usual-modulus-for-a-reducible-one") . impostorName) impostors) $ \one ->
+      for_ [(4, [2, 1, 1]), (8, [3, 1, 1]), (9, [3, 1, 1])] $ \(q, h) -> do
+        let cells = Shape 1 (q ^ (2 :: Int) - 1)
+        p <- either (fail . show) pure (chooseProfile q Nothing h cells (Just (Shape 1 2)) Nothing)
+        -- The modulus x^m is reducible.
+        let impossible =
+              p {profileModulus = map (const 0) (drop 1 (profileModulus p)) ++ [1]}
+            products implementation profile' = runExceptT $ do
+              session <- open implementation profile'
+              sequence [multiply session a b | a <- [0 .. q - 1], b <- [0 .. q - 1]]
+        usual <- products library p
+        isRight usual `shouldBe` True
+        refused <- products library impossible
+        isRight refused `shouldBe` False
+        products (impostorMake one library) impossible `shouldReturn` usual
   -- Each is wrong in its own way alone. The smallest profile, for all laws are tried.
   it "are found by no law but those that are listed for them" $ \_ -> do
     let smallest = [under | under@(name, _, _) <- comparedProfiles, name == "gf2-3x5"]
