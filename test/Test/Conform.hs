@@ -54,6 +54,7 @@ instead =
     ("closed-output", "closed-pipe"),
     ("closed-input", "closed-pipe"),
     ("last-word", "output-after-stop"),
+    ("killed-at-the-end", "crashed"),
     ("stays", "does-not-stop")
   ]
 
@@ -64,8 +65,8 @@ faultSpec = describe "in a session" $ do
     (status, err) `shouldBe` (1, "")
     faults out `shouldContain` [name]
     reported "certified" out `shouldBe` Just (Bool False)
-  it "what is right is certified, whatever it writes to its standard error" $
-    for_ ["none", "flood"] $ \fault -> do
+  it "what is right is certified, whatever it writes to its standard error, and its status" $
+    for_ ["none", "flood", "status-3"] $ \fault -> do
       (status, out, _) <- adder ["--json"] [fault]
       (status, faults out, reported "certified" out) `shouldBe` (0, [], Just (Bool True))
       reported "failed" out `shouldBe` Just (Number 0)
