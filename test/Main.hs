@@ -65,9 +65,9 @@ import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Hostile
 import qualified Test.House
-import qualified Test.Limits
 import Test.Hspec (Spec, describe)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
+import qualified Test.Limits
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture

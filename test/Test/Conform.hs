@@ -145,7 +145,8 @@ choiceSpec = describe "laws that fail" $ do
     countCases =
       "import sys, xml.etree.ElementTree as x\n\
       \t = x.parse(sys.argv[1]).getroot()\n\
-      \def found(e): return [len(e.findall('.//' + k)) for k in ('testcase', 'failure', 'error', 'skipped')]\n\
+      \kinds = ('testcase', 'failure', 'error', 'skipped')\n\
+      \def found(e): return [len(e.findall('.//' + k)) for k in kinds]\n\
       \def told(e): return [int(e.get(k)) for k in ('tests', 'failures', 'errors', 'skipped')]\n\
       \assert all(found(e) == told(e) for e in [t] + t.findall('testsuite'))\n\
       \print(found(t))"

@@ -38,7 +38,8 @@ spec = do
   it "where a law exhausts its domain, no question is asked twice under the paper's profile" $ do
     Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
     let repeats (Cases form domain _) = case domain of
-          Every cases -> length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
+          Every cases ->
+            length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
           Some _ _ -> False
     [lawId law | law <- laws, repeats (lawCases law about)] `shouldBe` byTwoRoads
   it "of a value of more than 200 characters the first 160 and the last 30 are shown" $
@@ -108,8 +109,9 @@ impostorSpec = do
   it "are all found" $ \these -> [name | (name, Nothing) <- foundImpostors these] `shouldBe` []
   it "leave no law that finds none" $ \these ->
     [law | (law, Nothing) <- foundByLaws these] `shouldBe` []
-  it "one computes with the usual modulus where the modulus is reducible" $ \_ ->
-    for_ (find ((== "takes-the-usual-modulus-for-a-reducible-one") . impostorName) impostors) $ \one ->
+  it "one computes with the usual modulus where the modulus is reducible" $ \_ -> do
+    let name = "takes-the-usual-modulus-for-a-reducible-one"
+    for_ (find ((== name) . impostorName) impostors) $ \one ->
       for_ [(4, [2, 1, 1]), (8, [3, 1, 1]), (9, [3, 1, 1])] $ \(q, h) -> do
         let cells = Shape 1 (q ^ (2 :: Int) - 1)
         p <- either (fail . show) pure (chooseProfile q Nothing h cells (Just (Shape 1 2)) Nothing)

@@ -35,7 +35,7 @@ spec = describe "create" $ do
         illegalOperationErrorType,
         userErrorType
       ]
-      `shouldBe` [NotPermitted, NoRoom, InUse, NoFolder, SystemRefuses, SystemRefuses, SystemRefuses]
+      `shouldBe` [NotPermitted, NoRoom, InUse, NoFolder] ++ replicate 3 SystemRefuses
   it "writes under a new name, and over a store, of an older version too" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"

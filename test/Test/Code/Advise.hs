@@ -118,7 +118,7 @@ spec = do
                         window <- right (rectangle w)
                         (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
   it "instead of one array, as few as there are of parts of both sides, found by trying all parts" $
-    forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273), (2, 3, 87381)] $
+    forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273)] $
       \(q, high, wide) -> do
         advice <- asked q high wide Nothing
         let several =

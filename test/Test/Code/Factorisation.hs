@@ -5,7 +5,6 @@ import Control.Monad (forM_)
 import Data.List (tails)
 import Numeric.Natural (Natural)
 import PraTactile.Factorisation
-import PraTactile.Factorisation.Divisor (curveDivisors)
 import PraTactile.Factorisation.Prime (pocklington)
 import Test.Hspec
 import Test.QuickCheck
@@ -34,11 +33,6 @@ spec = do
           pocklington n
       ]
         `shouldBe` []
-  it "a curve's two stages give divisors, and the second one finds some that the first does not" $
-    forM_ [(1000000007, 2305843009213693951), (4294967291, 18446744073709551557)] $ \(a, b) -> do
-      let stages = pairUp (take 60 (curveDivisors (a * b)))
-      stages `shouldSatisfy` all (\(x, y) -> x `elem` [1, a, b, a * b] && y `elem` [1, a, b, a * b])
-      [y | (1, y) <- stages, y `elem` [a, b]] `shouldSatisfy` (not . null)
   describe "factorise" $ do
     it "agrees with trial division up to 5000" $
       [n | n <- [1 .. 5000], factorise n /= Right (factorsByTrial n)] `shouldBe` []
@@ -139,12 +133,6 @@ cubeRootPrimes =
 -- | 2^20.
 f :: Natural
 f = 1048576
-
--- | The first two elements, the next two, and so on.
-pairUp :: [a] -> [(a, a)]
-pairUp list = case list of
-  a : b : more -> (a, b) : pairUp more
-  _ -> []
 
 -- | The pairs of a list, each with its elements in their order.
 pairs :: [a] -> [(a, a)]

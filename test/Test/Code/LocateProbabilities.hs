@@ -239,8 +239,9 @@ listingDecides count array m = do
                 (best, _) : _
                   | fromRational doubt <= tolerated -> Unique best []
                   | otherwise -> Refused BelowThreshold
-           in not (rounded || tied) ==>
-                whenRight (listPatch 100000 tolerated algebra possible p) $ \found ->
+           in not (rounded || tied)
+                ==> whenRight (listPatch 100000 tolerated algebra possible p)
+                $ \found ->
                   counterexample (show found) (decide tolerated found === decided)
 
 -- | The beliefs of what was read of a window somewhere, sharp or vague, with cells that mislead,

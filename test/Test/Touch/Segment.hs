@@ -185,8 +185,9 @@ rejected = do
     ]
       `shouldBe` replicate 7 ([], [WrongSize])
   it "up to three bright pixels are nothing, four are of no symbol's size" $
-    [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), constant w h 1)])))
-      | (w, h) <- [(1, 1), (1, 2), (3, 1), (1, 3), (2, 2), (4, 1)]
+    [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), few)])))
+      | (w, h) <- [(1, 1), (1, 2), (3, 1), (1, 3), (2, 2), (4, 1)],
+        let few = constant w h 1
     ]
       `shouldBe` map ((,) [(17.5, 25.5)]) ([[], [], [], []] ++ [[WrongSize], [WrongSize]])
   where

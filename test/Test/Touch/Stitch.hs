@@ -320,7 +320,8 @@ refusals = do
     stitched [at 1e308 0 0, at (-1e308) 0 0] `shouldSatisfy` tooLarge
   it "too many frames" $
     forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
-      (count, either Just (const Nothing) (placeOnly (replicate count good))) `shouldBe` (count, refused)
+      (count, either Just (const Nothing) (placeOnly (replicate count good)))
+        `shouldBe` (count, refused)
   it "settings that make no sense" $
     [ settings
       | settings <-
