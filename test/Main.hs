@@ -67,6 +67,7 @@ import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
+import qualified Test.Limits
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
@@ -176,6 +177,7 @@ specs = do
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Sources" Test.Source.spec
+  describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec

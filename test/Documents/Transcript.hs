@@ -31,7 +31,8 @@ documents =
     "docs/locating.md",
     "docs/conformance.md",
     "docs/evaluation.md",
-    "docs/benchmarks.md"
+    "docs/benchmarks.md",
+    "docs/mutation.md"
   ]
 
 -- | A part of a document.

@@ -54,6 +54,7 @@ instead =
     ("closed-output", "closed-pipe"),
     ("closed-input", "closed-pipe"),
     ("last-word", "output-after-stop"),
+    ("killed-at-the-end", "crashed"),
     ("stays", "does-not-stop")
   ]
 
@@ -64,8 +65,8 @@ faultSpec = describe "in a session" $ do
     (status, err) `shouldBe` (1, "")
     faults out `shouldContain` [name]
     reported "certified" out `shouldBe` Just (Bool False)
-  it "what is right is certified, whatever it writes to its standard error" $
-    for_ ["none", "flood"] $ \fault -> do
+  it "what is right is certified, whatever it writes to its standard error, and its status" $
+    for_ ["none", "flood", "status-3"] $ \fault -> do
       (status, out, _) <- adder ["--json"] [fault]
       (status, faults out, reported "certified" out) `shouldBe` (0, [], Just (Bool True))
       reported "failed" out `shouldBe` Just (Number 0)
@@ -134,13 +135,21 @@ choiceSpec = describe "laws that fail" $ do
     inFolder $ \folder -> do
       let file = folder </> "report.xml"
       _ <- adder ["--junit", file] ["garbage"]
-      counts <- readProcess "python3" ["-c", countErrors, file] ""
-      counts `shouldBe` "4 1\n"
+      counts <- readProcess "python3" ["-c", countCases, file] ""
+      counts `shouldBe` "[4, 0, 1, 0]\n"
+      _ <- adder ["--junit", file, "--skip", "field/addition-as-defined"] ["none"]
+      counts' <- readProcess "python3" ["-c", countCases, file] ""
+      counts' `shouldBe` "[4, 0, 0, 1]\n"
   where
-    countErrors =
+    -- What the root and the suites state is what there is in them.
+    countCases =
       "import sys, xml.etree.ElementTree as x\n\
       \t = x.parse(sys.argv[1]).getroot()\n\
-      \print(len(t.findall('.//testcase')), len(t.findall('.//error')))"
+      \kinds = ('testcase', 'failure', 'error', 'skipped')\n\
+      \def found(e): return [len(e.findall('.//' + k)) for k in kinds]\n\
+      \def told(e): return [int(e.get(k)) for k in ('tests', 'failures', 'errors', 'skipped')]\n\
+      \assert all(found(e) == told(e) for e in [t] + t.findall('testsuite'))\n\
+      \print(found(t))"
 
 replaySpec :: Spec
 replaySpec = describe "a token" $ do

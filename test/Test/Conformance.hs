@@ -2,19 +2,26 @@
 -- documentation; they find every impostor, and each of them finds one.
 module Test.Conformance (spec) where
 
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Aeson (encode, toJSON)
+import Data.Either (isRight)
 import Data.Foldable (for_)
 import Data.List (find, nub, sort, (\\))
+import qualified Data.Set as Set
 import Data.Traversable (for)
-import PraTactile.Array (area)
+import PraTactile.Array (Shape (..), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.InProcess (inProcess)
+import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Conformance.Report
+import PraTactile.Conformance.Report.Words (valueText)
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
-import PraTactile.Profile (Profile (..))
+import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Profile (Profile (..), chooseProfile)
 import Test.Conformance.Ignoring
 import Test.Hspec
 
@@ -28,9 +35,32 @@ spec = do
   it "laws have ids of their own" $ do
     let ids = map lawId openingLaws ++ map lawId laws
     ids \\ nub ids `shouldBe` []
+  it "where a law exhausts its domain, no question is asked twice under the paper's profile" $ do
+    Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
+    let repeats (Cases form domain _) = case domain of
+          Every cases ->
+            length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
+          Some _ _ -> False
+    [lawId law | law <- laws, repeats (lawCases law about)] `shouldBe` byTwoRoads
+  it "of a value of more than 200 characters the first 160 and the last 30 are shown" $
+    for_ ([0 .. 20] ++ [190 .. 260] ++ [1000]) $ \count -> do
+      let written = '"' : take count (cycle ['a' .. 'z']) ++ "\""
+          long = length written
+          ending = reverse (take 30 (reverse written)) ++ " (" ++ show long ++ " characters)"
+      valueText (toJSON (drop 1 (init' written)))
+        `shouldBe` if long <= 200 then written else take 160 written ++ " ... " ++ ending
   describe "impostors" (beforeAll found impostorSpec)
   ignoringSpec
   where
+    init' text = take (length text - 1) text
+    -- Laws that come to the same question in two ways.
+    byTwoRoads =
+      [ "locate/across-the-edges",
+        "damage/zeros",
+        "damage/across-the-edges",
+        "damage/nearest-refuses-what-is-invalid",
+        "chances/doubtful-cells"
+      ]
     small = filter ((<= 1024) . area . profileShape . snd) defaultProfiles
 
 -- | The laws that do not hold, which must be none.
@@ -79,6 +109,31 @@ impostorSpec = do
   it "are all found" $ \these -> [name | (name, Nothing) <- foundImpostors these] `shouldBe` []
   it "leave no law that finds none" $ \these ->
     [law | (law, Nothing) <- foundByLaws these] `shouldBe` []
+  it "one computes with the usual modulus where the modulus is reducible" $ \_ -> do
+    let name = "takes-the-usual-modulus-for-a-reducible-one"
+    for_ (find ((== name) . impostorName) impostors) $ \one ->
+      for_ [(4, [2, 1, 1]), (8, [3, 1, 1]), (9, [3, 1, 1])] $ \(q, h) -> do
+        let cells = Shape 1 (q ^ (2 :: Int) - 1)
+        p <- either (fail . show) pure (chooseProfile q Nothing h cells (Just (Shape 1 2)) Nothing)
+        -- The modulus x^m is reducible.
+        let impossible =
+              p {profileModulus = map (const 0) (drop 1 (profileModulus p)) ++ [1]}
+            products implementation profile' = runExceptT $ do
+              session <- open implementation profile'
+              sequence [multiply session a b | a <- [0 .. q - 1], b <- [0 .. q - 1]]
+        usual <- products library p
+        isRight usual `shouldBe` True
+        refused <- products library impossible
+        isRight refused `shouldBe` False
+        products (impostorMake one library) impossible `shouldReturn` usual
+  -- Each is wrong in its own way alone. The smallest profile, for all laws are tried.
+  it "are found by no law but those that are listed for them" $ \_ -> do
+    let smallest = [under | under@(name, _, _) <- comparedProfiles, name == "gf2-3x5"]
+    length smallest `shouldBe` 1
+    others <- for impostors $ \one -> do
+      these <- map killLaw <$> kills 1 smallest one
+      pure (impostorName one, these \\ killersOf (impostorName one))
+    [(name, law) | (name, found') <- others, law <- found'] `shouldBe` []
   for_ reported $ \(what, name, law) ->
     it (what ++ ": found by " ++ law) $ \_ -> do
       one <- maybe (fail "no such impostor") pure (find ((== name) . impostorName) impostors)

@@ -2,7 +2,7 @@
 module Test.Rates (spec) where
 
 import Control.Monad (forM_, void)
-import Data.List (nub, sort, unfoldr)
+import Data.List (foldl', nub, sort, unfoldr)
 import Data.Maybe (isJust)
 import PraTactile.Array
 import PraTactile.Field
@@ -19,6 +19,8 @@ import System.Random (mkStdGen)
 import Test.Code.Generators
 import Test.Hspec
 import Test.Paper
+import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
@@ -160,6 +162,30 @@ spec = do
           Rates a b c = softRatesAtMost 1 tally
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
       (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it "trials are counted, in parts or at once, and the rates are the shares of them" $
+    property $
+      forAll (listOf (listOf genResult)) $ \parts ->
+        let results = concat parts
+            tally = foldl' count noTrials results
+            trials' = length results
+            hard answer = length [() | TrialResult found _ _ <- results, found == answer]
+            likely = length [() | TrialResult _ True _ <- results]
+            share n = fromIntegral n / fromIntegral (max 1 trials') :: Double
+            near (Rates a b c) (x, y, z) =
+              maximum [abs (a - x), abs (b - y), abs (c - z)] < 1e-12
+         in conjoin
+              [ tally === merge (map (foldl' count noTrials) parts),
+                (tallyTrials tally, tallyRight tally, tallyWrong tally)
+                  === (trials', hard Correct, hard Mistaken),
+                property $
+                  near
+                    (hardRates tally)
+                    (share (hard Correct), share (hard Mistaken), share (hard NoAnswer)),
+                -- All doubts are tolerated, so that every trial is answered.
+                property (near (softRates 1 tally) (share likely, share (trials' - likely), 0)),
+                calibratedAnswers (calibration 1 tally) === trials',
+                calibratedWrong (calibration 1 tally) === trials' - likely
+              ]
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
     codebook <- paperCodebook Torus
     setup <- right (trialSetup codebook (Shape 3 3))
@@ -195,3 +221,11 @@ spec = do
 
 bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
 bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array
+
+-- | What decoding may make of a trial. Doubts are such as add up without rounding.
+genResult :: Gen TrialResult
+genResult =
+  TrialResult
+    <$> QuickCheck.elements [minBound ..]
+    <*> arbitrary
+    <*> ((/ 1024) . fromIntegral <$> choose (0, 1024 :: Int))

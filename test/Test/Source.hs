@@ -1,6 +1,7 @@
 -- | From bytes to frames and recognition, and the reading of folders.
 module Test.Source (spec) where
 
+import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import Data.List (isPrefixOf)
@@ -96,6 +97,14 @@ diskSpec = do
       createDirectory (folder </> "a.pgm")
       problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
       problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+  it "a file is read if it is no longer than the limit" $
+    inFolder $ \folder ->
+      forM_ [0 .. 5] $ \size -> forM_ [0 .. 5] $ \limit -> do
+        let bytes = Bytes.replicate size 80
+            file = folder </> "some"
+        Bytes.writeFile file bytes
+        readUpTo limit file
+          `shouldReturn` if size <= limit then Right bytes else Left (TooLarge file limit)
   it "an image beyond the limit is not read" $
     inFolder $ \folder -> do
       Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])

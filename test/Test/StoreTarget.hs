@@ -13,8 +13,10 @@ import qualified Database.Sqlite as Sqlite
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement)
 import PraTactile.Store
+import PraTactile.Store.Guard (failureOf)
 import System.Directory (createDirectory, createFileLink, listDirectory, pathIsSymbolicLink)
 import System.FilePath ((</>))
+import System.IO.Error
 import System.Posix.Files
 import System.Posix.User (getEffectiveUserID)
 import Test.Hspec
@@ -22,6 +24,18 @@ import Test.Support
 
 spec :: Spec
 spec = describe "create" $ do
+  it "says of the system's objections what they mean" $
+    map
+      (\kind -> failureOf (mkIOError kind "openFile" Nothing (Just "some")))
+      [ permissionErrorType,
+        fullErrorType,
+        alreadyInUseErrorType,
+        doesNotExistErrorType,
+        eofErrorType,
+        illegalOperationErrorType,
+        userErrorType
+      ]
+      `shouldBe` [NotPermitted, NoRoom, InUse, NoFolder] ++ replicate 3 SystemRefuses
   it "writes under a new name, and over a store, of an older version too" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"

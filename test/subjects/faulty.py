@@ -102,3 +102,7 @@ if FAULT == "stays":
     time.sleep(1000)
 elif FAULT == "last-word":
     write("goodbye\n")
+elif FAULT == "killed-at-the-end":
+    os.kill(os.getpid(), 9)
+elif FAULT == "status-3":
+    sys.exit(3)

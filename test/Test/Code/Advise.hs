@@ -117,6 +117,26 @@ spec = do
                         array <- right (fold (foldingOf layout) size h (canonicalState h))
                         window <- right (rectangle w)
                         (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
+  it "instead of one array, as few as there are of parts of both sides, found by trying all parts" $
+    forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273)] $
+      \(q, high, wide) -> do
+        advice <- asked q high wide Nothing
+        let several =
+              [ (n, n1, n2, [(g, optionShape o) | o@Option {optionLayout = Joint g} <- instead])
+                | SidesShareDivisor n n1 n2 _ instead <- adviceObstacles advice
+              ]
+        several `shouldSatisfy` (not . null)
+        forM_ several $ \(n, n1, n2, found) -> do
+          let possible =
+                [ (n1 * n2 `div` (a * b), Shape a b)
+                  | a <- [2 .. n1],
+                    n1 `mod` a == 0,
+                    b <- partsOf n2,
+                    gcd a b == 1,
+                    all (\d -> (q ^ d - 1) `mod` (a * b) /= 0) [1 .. n - 1]
+                ]
+          map fst found `shouldBe` take 1 (sort (map fst possible))
+          found `shouldSatisfy` all (`elem` possible)
   it "refuses an alphabet that is none, a window without cells, and more than it can judge" $ do
     advise (Request 6 1 1 Nothing) `shouldSatisfy` either isField (const False)
     advise (Request 4 1 1 (Just (Shape 0 2))) `shouldBe` Left AdviceWindowEmpty
@@ -126,6 +146,7 @@ spec = do
     isField e = case e of
       AdviceField _ -> True
       _ -> False
+    partsOf side = [d | d <- [2 .. side], side `mod` d == 0]
     foldingOf layout = case layout of
       Single folding -> folding
       Joint _ -> Diagonal

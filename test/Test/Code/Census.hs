@@ -87,6 +87,16 @@ spec = do
     censusSize scope {scopeDegree = 0} `shouldBe` Left (CensusPolynomial PolynomialConstant)
     (() <$ census (const True) scope {scopeWindows = [Shape 0 2]})
       `shouldBe` Left (CensusWindow WindowEmpty)
+  it "all divisors of q^n - 1 are gone through if they are 2^16 or fewer, and none if more" $ do
+    -- The numbers of divisors were counted from what GNU factor says of 173^18 - 1 and 2^120 - 1.
+    most <- right (standardScope 173 18)
+    let shapes folding =
+          length <$> scopePlaces most {scopeFoldings = [folding], scopeWindows = [Shape 1 1]}
+    shapes RowMajor `shouldBe` Right (2 ^ (16 :: Int))
+    -- One of two coprime sides has a prime or the other one, and there are 14.
+    shapes Diagonal `shouldBe` Right (2 ^ (14 :: Int))
+    more <- right (standardScope 2 120)
+    scopePlaces more `shouldBe` Left (CensusTooManyShapes 73728 65536)
   it "its scope in words differs where the scope does" $ do
     scope <- right (standardScope 4 4)
     let others =

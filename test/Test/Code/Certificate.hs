@@ -1,6 +1,7 @@
 -- | Certificates and their check.
 module Test.Code.Certificate (spec) where
 
+import Control.Exception (evaluate)
 import Control.Monad (forM_)
 import qualified Data.ByteString as Bytes
 import Data.Either (isLeft)
@@ -15,6 +16,7 @@ import PraTactile.Field.Named
 import PraTactile.Polynomial
 import PraTactile.Profile
 import PraTactile.Window
+import System.Timeout (timeout)
 import Test.Code.Generators
 import Test.Hspec
 import Test.Paper
@@ -133,6 +135,13 @@ spec = do
             isShownPrime [] proof {shownBy = [w {witnessBase = 1} | w <- shownBy proof]}
               `shouldBe` False
             isShownPrime [] proof {shownPrime = shownPrime proof + 2} `shouldBe` False
+  it "the factor 1 shows nothing, to whatever power, and takes no time" $
+    forM_ [1, 2, 10 ^ (30 :: Int)] $ \e -> do
+      let with (PrimeProof prime witnesses) = PrimeProof prime (PrimeWitness 1 e 1 : witnesses)
+          shown = PrimeProof 7 [PrimeWitness 2 1 3, PrimeWitness 3 1 3]
+      isShownPrime [] shown `shouldBe` True
+      said <- timeout 5000000 (evaluate (isShownPrime [] (with shown)))
+      said `shouldBe` Just False
   describe "a certificate that is changed is found bad, with the reason" $ do
     it "every field of one by rank" $ do
       c <- made RankMethod canonicalProfile (rectangle (Shape 2 2))

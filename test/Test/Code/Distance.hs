@@ -70,6 +70,13 @@ spec = do
             holds 100 $
               forAll genMask $ \m ->
                 fmap distance (minimumDistance array m) === Right (lightestWindow array m)
+    it "of degree 1 all cells of two windows differ: it is their number" $
+      forM_ (filter ((> 2) . fst) everyField) $ \(q, SomeField (k :: Proxy k)) -> do
+        h <- firstOver k 1
+        array <- right (folded RowMajor (Shape 1 (fromIntegral q - 1)) h)
+        forM_ [1 .. min 9 (fromIntegral q - 1)] $ \cells -> do
+          m <- right (rectangle (Shape 1 cells))
+          (q, cells, distance <$> minimumDistance array m) `shouldBe` (q, cells, Right cells)
     it "is refused, within bounds that hold, when the search would be too long" $ do
       array <- paperArray
       forM_ [Shape 3 3, Shape 4 4, Shape 5 5] $ \size -> do

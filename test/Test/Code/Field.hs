@@ -5,10 +5,12 @@ import Control.Monad (forM_)
 import Data.Either (isLeft, isRight)
 import Data.List (find, foldl')
 import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Field
 import qualified PraTactile.Field.Definition as Definition
 import PraTactile.Field.Named
+import PraTactile.Field.Vector
 import Test.Code.Generators
 import Test.Hspec
 import Test.QuickCheck hiding (elements)
@@ -25,6 +27,16 @@ spec = do
         [(2, [1, 0, 0, 1, 1]), (3, [1, 0, 1]), (5, [2, 0, 1]), (2, [1, 1, 0, 1, 1, 0, 0, 0, 1])]
         $ \(p, f) ->
           withField p f (\k -> (fieldModulus k, differences k)) `shouldBe` Right (f, [])
+  it "vectors are added, subtracted, multiplied and scaled element by element, to the shorter end" $
+    forM_ [2, 3, 4, 9, 16, 256] $ \q -> overField q $ \(_ :: Proxy k) -> do
+      let some n = take n (cycle (drop (n `mod` q) elements)) :: [GF k]
+          packed = Primitive.fromList
+          both f g = \a b -> (Primitive.toList (f (packed a) (packed b)), zipWith g a b)
+      forM_ [(some i, some j) | i <- [0, 1, 5, 300], j <- [0, 1, 7, 299]] $ \(a, b) -> do
+        let ways = [both addVectors (+), both subtractVectors (-), both multiplyVectors (*)]
+        forM_ [way a b | way <- ways] $ \(fast, plain) -> fast `shouldBe` plain
+        forM_ (take 4 elements) $ \c ->
+          Primitive.toList (scaleVector c (Primitive.fromList a)) `shouldBe` map (c *) a
   describe "default moduli" $ do
     it "there is one for each prime power up to 256 and no other order" $
       [q | q <- [0 .. 256], isRight (conwayModulus q)] `shouldBe` primePowers

@@ -3,7 +3,9 @@
 module Test.Code.LocateProbabilities (spec) where
 
 import Control.Monad (forM_)
-import Data.Maybe (catMaybes, fromMaybe)
+import Data.List (sortOn)
+import Data.Maybe (catMaybes, fromMaybe, listToMaybe)
+import Data.Ord (Down (..))
 import Data.Proxy (Proxy (..))
 import PraTactile.Array
 import PraTactile.Field
@@ -48,6 +50,8 @@ spec = do
            in whenRight (listed 100000 tolerated algebra p) $ \found ->
                 counterexample (show found) $
                   not close ==> decide tolerated found === decide tolerated exact
+  it "such a list decides as Bayes' theorem does, in one symmetry or several" $
+    onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingDecides 300)
   largeSpec
   where
     settings =
@@ -143,7 +147,7 @@ largeSpec = describe "on 2^60 cells" $ do
         >>= right . patch . replicate 8 . replicate 8 . Just
     found <- right (listed 1000 0.001 algebra vague)
     decide 0.001 found `shouldBe` Refused BelowThreshold
-    posteriorWords found `shouldSatisfy` (<= 1000)
+    posteriorWords found `shouldBe` 1000
     nothing <- right (patch [[Nothing, Nothing]]) >>= right . listed 1000 0.001 algebra
     decide 0.001 nothing `shouldBe` AmbiguousMany (4 ^ (30 :: Int) - 1) (Just 30)
   where
@@ -209,11 +213,49 @@ listingIsRight count surface array m = do
                           _ -> property True
                       ]
 
+-- | The decision from a list without limit, against Bayes' theorem on rational numbers. Cases in
+-- which rounding decides are left out: that there is a doubt at all is no such case.
+listingDecides :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
+listingDecides count array m = do
+  algebra <- right (prepareAlgebra Torus array m)
+  holds count $
+    forAll
+      ( (,,)
+          <$> genChancesIn (Shape 2 3) array
+          <*> QuickCheck.elements [[identity], [identity, turned 2], rotations, symmetries]
+          <*> QuickCheck.elements [0, 0, 0.001, 0.1, 0.3]
+      )
+      $ \(chances, possible, tolerated) ->
+        any (any (/= Nothing)) chances ==> softly chances $ \p ->
+          let exact =
+                sortOn
+                  (Down . snd)
+                  (posteriorByDefinition Torus array possible (patchShape p) (observedCells p))
+              doubt = maybe 1 ((1 -) . snd) (listToMaybe exact)
+              tied = or [1 - b / a < 1e-9 | [(_, a), (_, b)] <- [take 2 exact]]
+              rounded = doubt /= 0 && abs (fromRational doubt - tolerated) < 1e-6
+              decided = case exact of
+                [] -> Refused Contradiction
+                (best, _) : _
+                  | fromRational doubt <= tolerated -> Unique best []
+                  | otherwise -> Refused BelowThreshold
+           in not (rounded || tied)
+                ==> whenRight (listPatch 100000 tolerated algebra possible p)
+                $ \found ->
+                  counterexample (show found) (decide tolerated found === decided)
+
 -- | The beliefs of what was read of a window somewhere, sharp or vague, with cells that mislead,
 -- that exclude symbols, or that were not read.
 genChancesOver :: KnownField k => PseudorandomArray k -> Gen [[Maybe [Double]]]
 genChancesOver array = do
   shape <- Shape <$> upTo 1 3 <*> upTo 1 3
+  genChancesIn shape array
+  where
+    upTo low high = fromInteger <$> choose (low, high)
+
+-- | The same in this shape.
+genChancesIn :: KnownField k => Shape -> PseudorandomArray k -> Gen [[Maybe [Double]]]
+genChancesIn shape array = do
   place <- Position <$> upTo 0 30 <*> upTo 0 30
   sharp <- QuickCheck.elements [0.5, 2, 5, 20]
   mapM (mapM (maybe (pure Nothing) (cell sharp))) (look array shape place)

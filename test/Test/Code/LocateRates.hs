@@ -5,6 +5,7 @@ import Control.Monad (forM_)
 import Data.Bits (popCount, shiftL, (.&.), (.|.))
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -101,6 +102,8 @@ spec = do
           `shouldBe` Just (counted :: Map.Map (Int, Int, Bool) (Int, Map.Map Int Int))
   it "punctured codes: too many cells or words are refused" $ do
     punctured (mostErasedCells + 1) [1] `shouldBe` Nothing
+    -- 2^25 sets of 2^8 words each are 2^33; they are not gone through here.
+    isJust (punctured 25 (map (2 *) [1 .. 256])) `shouldBe` True
     punctured mostErasedCells (map (2 *) [1 .. 257]) `shouldBe` Nothing
     punctured 3 [] `shouldBe` Nothing
   where

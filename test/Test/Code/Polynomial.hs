@@ -165,6 +165,13 @@ ringSpec _ = do
       let (g, u, v) =
             bezout a b
        in u * a + v * b === g .&&. g === greatestCommonDivisor a b
+  it "and u and v are of least degree: u = 0 or below that of b / g, v = 0 or below that of a / g" $
+    forAll2 $ \a b ->
+      a /= 0 && b /= 0
+        ==> let (g, u, v) = bezout a b
+                count p = length (coefficients p)
+                below p q = p == 0 || count p <= max 1 (count q - count g)
+             in counterexample (show (g, u, v)) (below u b && below v a)
   it "the value at c is the remainder by x - c" $
     forAll2 $ \a _ ->
       forAll genElement $ \c ->

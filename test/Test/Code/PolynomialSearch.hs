@@ -49,6 +49,14 @@ spec = do
                        )
     it "for degree 1, x comes first" $
       monicByTerms 1 `shouldBe` [polynomial [c, 1] | c <- elements :: [GF GF9]]
+    it "randomMonics passes over what would favour small codes: 2^32 - 1 over GF(3)" $
+      -- The seed was found by taking SplitMix64 back from an output with that upper half; the next
+      -- upper halves are 1703949545, 804010876, 385077386, 3775114207, 3119737611 and 2590479931.
+      take 1 (randomMonics 6204490082765445028 6)
+        `shouldBe` [ polynomial
+                       [either (const 0) id (fromCode c) | c <- [2, 1, 2, 1, 0, 1, 1]] ::
+                       Polynomial GF3
+                   ]
     it "randomMonics draws by SplitMix64: the published outputs, upper halves modulo q" $ do
       -- Outputs of Vigna's reference implementation in C.
       let published =

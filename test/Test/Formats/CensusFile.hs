@@ -93,6 +93,13 @@ spec = do
     forM_ [0 .. Bytes.length file - 1] $ \end -> do
       (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
       (end, first show (continue wanted (Bytes.take end file))) `shouldSatisfy` (isRight . snd)
+  it "what is no beginning of the next row is refused, by its line" $ do
+    let wanted = wantedOf 2 4
+    forM_ [minBound ..] $ \form -> do
+      let whole = Bytes.lines (fileOf form wanted)
+      forM_ [0 .. length whole - 1] $ \k ->
+        continue wanted (Bytes.unlines (take (1 + k) whole) <> Bytes.pack "?")
+          `shouldBe` Left (NotContinued (k + 2))
   it "of any rows those are kept that all rows of their entry are like, each once" $ do
     let some wanted = take 4 (drop 1 (Bytes.lines (fileOf Unchecked wanted)))
         header = headerOf Unchecked

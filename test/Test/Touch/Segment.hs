@@ -184,9 +184,12 @@ rejected = do
       | (w, h) <- [(4, 4), (8, 8), (12, 12), (8, 16), (12, 8), (8, 10), (6, 12)]
     ]
       `shouldBe` replicate 7 ([], [WrongSize])
-  it "a few bright pixels are nothing" $
-    causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), constant 1 2 1)])))
-      `shouldBe` ([(17.5, 25.5)], [])
+  it "up to three bright pixels are nothing, four are of no symbol's size" $
+    [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), few)])))
+      | (w, h) <- [(1, 1), (1, 2), (3, 1), (1, 3), (2, 2), (4, 1)],
+        let few = constant w h 1
+    ]
+      `shouldBe` map ((,) [(17.5, 25.5)]) ([[], [], [], []] ++ [[WrongSize], [WrongSize]])
   where
     nothingBut cause s =
       counterexample

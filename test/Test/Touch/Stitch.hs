@@ -1,6 +1,7 @@
 -- | Stitching, on scenes whose truth is known.
 module Test.Touch.Stitch (spec) where
 
+import Control.Monad (forM_)
 import qualified Data.ByteString as B
 import Data.Either (isLeft)
 import Data.List (genericLength)
@@ -318,7 +319,9 @@ refusals = do
     stitched [good, at 1e9 1e9 0] `shouldSatisfy` tooLarge
     stitched [at 1e308 0 0, at (-1e308) 0 0] `shouldSatisfy` tooLarge
   it "too many frames" $
-    stitched (replicate (maxFrames + 1) good) `shouldBe` Left (TooManyFrames (maxFrames + 1))
+    forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
+      (count, either Just (const Nothing) (placeOnly (replicate count good)))
+        `shouldBe` (count, refused)
   it "settings that make no sense" $
     [ settings
       | settings <-

@@ -125,7 +125,8 @@ greatestCommonDivisor a b = case quotientRemainder a b of
   Just (_, r) -> greatestCommonDivisor b r
   Nothing -> constant (normalising a) * a
 
--- | @bezout a b@ is (g, u, v) with g the 'greatestCommonDivisor' of a and b, and u a + v b = g.
+-- | @bezout a b@ is (g, u, v) with g the 'greatestCommonDivisor' of a and b, and u a + v b = g. Of
+-- all such u and v, where neither a nor b is zero, they have the least degrees.
 bezout :: KnownField k => Polynomial k -> Polynomial k -> (Polynomial k, Polynomial k, Polynomial k)
 bezout a b = case quotientRemainder a b of
   -- From u b + v r = g and r = a - quotient b.

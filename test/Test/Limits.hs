@@ -1,0 +1,58 @@
+-- | What is refused beyond which size: the numbers that are stated, in figures. They are promises,
+-- for what was accepted once must be accepted later.
+module Test.Limits (spec) where
+
+import qualified PraTactile.Census as Census
+import qualified PraTactile.Classify.Estimate as Estimate
+import qualified PraTactile.DiscreteLog as DiscreteLog
+import qualified PraTactile.Factorisation as Factorisation
+import qualified PraTactile.Files as Files
+import qualified PraTactile.Grid as Grid
+import qualified PraTactile.Image.Pgm as Pgm
+import qualified PraTactile.LinearCode.Punctured as Punctured
+import qualified PraTactile.Locate.Decoder.Algebra as Algebra
+import qualified PraTactile.Locate.Decoder.List as List
+import qualified PraTactile.Locate.Decoder.MemoryTable as MemoryTable
+import qualified PraTactile.Locate.Definition as Definition
+import qualified PraTactile.Locate.Joint as Joint
+import qualified PraTactile.Locate.Separation as Separation
+import qualified PraTactile.Rates.Formulas as Formulas
+import qualified PraTactile.Rates.Setup as Setup
+import qualified PraTactile.Segment as Segment
+import qualified PraTactile.Stitch as Stitch
+import qualified PraTactile.Window.Distance as Distance
+import qualified PraTactile.Window.Enumeration as Enumeration
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "of windows and arrays" $
+    [ Grid.largestGrid,
+      Enumeration.largestSpan,
+      Enumeration.largestSort,
+      Enumeration.largestMap,
+      Distance.largestSearch,
+      Census.largestShapes
+    ]
+      `shouldBe` [268435456, 1073741824, 67108864, 1048576, 16777216, 65536]
+  it "of integers" $ do
+    [DiscreteLog.mostBabySteps, DiscreteLog.largestFeasiblePrime]
+      `shouldBe` [262144, 1099511627776]
+    length (show Factorisation.largestPower) `shouldBe` 309
+    [Factorisation.largestPower `mod` m | m <- [7, 11, 13]] `shouldBe` [2, 5, 3]
+  it "of decoders" $ do
+    [MemoryTable.largestTable, Definition.largestSearchedArray, Separation.largestOrientedSearch]
+      `shouldBe` [67108864, 1048576, 262144]
+    Joint.mostPatches `shouldBe` 100
+    Algebra.largestListing `shouldBe` 1024
+    List.standardListing `shouldBe` 65536
+  it "of rates" $ do
+    Punctured.mostErasedCells `shouldBe` 25
+    Punctured.mostErasedWork `shouldBe` 8589934592
+    Formulas.mostCells `shouldBe` 1000
+    Setup.largestSetup `shouldBe` 33554432
+  it "of images, composites and files" $ do
+    [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Files.largestInput]
+      `shouldBe` [16777216, 4194304, 10000, 268435456]
+    Segment.leastSeen `shouldBe` 16
+    Estimate.leastDoubt `shouldBe` 1e-7
