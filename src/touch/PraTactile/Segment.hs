@@ -36,14 +36,13 @@ import PraTactile.Image
     rasterHeight,
     rasterValues,
     rasterWidth,
-    zipRaster,
   )
-import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
+import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, threshold)
 import PraTactile.Shape (symbolHeight, symbolWidth)
-import PraTactile.Stitch.Composite (Composite (..))
+import PraTactile.Stitch.Composite (Composite (..), weighted)
 import PraTactile.Symmetry
 
 -- | One symbol found in a composite.
@@ -97,7 +96,7 @@ segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList dif
         embossed = Map.keysSet (Map.filter (>= threshold found) touched)
         whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
         (rejects, symbols) =
-          partitionEithers (mapMaybe (judged (blended composite) found scene) whole)
+          partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
      in Segmentation symbols rejects (levelBackground found) (contrast found)
   where
     touched = touchedPixels composite
@@ -127,14 +126,6 @@ touchedPixels (Composite image coverage _ _) =
         m >= leastCoverage,
         Just v <- [index image x y]
     ]
-
--- | The composite as a weighted image, to be interpolated.
-blended :: Composite -> Reference
-blended (Composite image coverage _ _) =
-  either
-    (const (referenceOf image))
-    id
-    (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
 
 -- | The segmentation of a composite along an axis: of symbols that are turned so, or by 180 degrees
 -- more. It is also given for the composite turned upright, in the pixels of that. Centres and boxes
@@ -173,7 +164,7 @@ data Part = Part
 partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
 partAt composite found = look
   where
-    image = blended composite
+    image = weighted composite
     look (x, y)
       | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
         Just (Part pixels seen)
