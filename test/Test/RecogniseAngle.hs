@@ -34,12 +34,13 @@ spec = do
     layout <- shown canonicalPlacement
     net <- shown shippedNetwork
     alphabetOfAll <- shown paperAlphabet
-    shown $ withProfile canonicalProfile $ \array mask ->
-      case recogniser Torus array mask layout alphabetOfAll net of
-        Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-        Right reader -> do
-          describe "a face at any angle" (angleSpec array reader alphabetOfAll)
-          describe "what is none of the array's" (foreignSpec array reader alphabetOfAll)
+    shown $
+      withProfile canonicalProfile $ \array mask ->
+        case recogniser Torus array mask layout alphabetOfAll net of
+          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+          Right reader -> do
+            describe "a face at any angle" (angleSpec array reader alphabetOfAll)
+            describe "what is none of the array's" (foreignSpec array reader alphabetOfAll)
   where
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
