@@ -24,6 +24,7 @@ module Drawing
     Drawing,
     extentOf,
     shifted,
+    turnedAbout,
     beside,
     above,
     flowing,
@@ -166,6 +167,25 @@ shifted (dx, dy) = map move
       Words anchor font at words' -> Words anchor font (point at) words'
     point (x, y) = (x + dx, y + dy)
     rectangle (Extent l t r b) = Extent (l + dx) (t + dy) (r + dx) (b + dy)
+
+-- | A drawing turned about a point, by degrees clockwise: what is written stays level, and images
+-- stay as they are.
+turnedAbout :: (Double, Double) -> Double -> Drawing -> Drawing
+turnedAbout (x0, y0) degrees drawing
+  | degrees == 0 = drawing
+  | otherwise = concatMap turn drawing
+  where
+    (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))
+    point (x, y) = (x0 + c * (x - x0) - s * (y - y0), y0 + s * (x - x0) + c * (y - y0))
+    corners (Extent l t r b) = map point [(l, t), (r, t), (r, b), (l, b)]
+    turn (Mark name form) =
+      Mark name <$> case form of
+        Rectangle paint e -> [Outline paint (corners e)]
+        Patches paint es -> [Outline paint (corners e) | e <- es]
+        Outline paint points -> [Outline paint (map point points)]
+        Line paint points -> [Line paint (map point points)]
+        Grey image e -> [Grey image e]
+        Words anchor font at words' -> [Words anchor font (point at) words']
 
 -- | The second drawing moved to the right of the first, this far away, their tops level.
 beside :: Double -> Drawing -> Drawing -> Drawing

@@ -20,7 +20,7 @@ import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
-import PraTactile.Recognise.Summary (upperLeftVertex)
+import PraTactile.Recognise.Summary (lieText, upperLeftVertex)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
 import Recognised
@@ -95,7 +95,7 @@ notes nameOf recognition = case recognisedAnswer recognition of
         Position r c = windowPosition window
      in ( "window " ++ windowText nameOf window ++ " at row " ++ show r ++ ", column " ++ show c
             ++ " of the array; the composite is "
-            ++ orientationText (foundOrientation found)
+            ++ lieText recognition (foundOrientation found)
             ++ concat [" on the face" | OnFace _ <- [windowWhereabouts window]]
         ) :
           [ "its centre is "

@@ -61,7 +61,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
         symbolLines
           ++ windowLine window :
         ["centre    " ++ centreText on | OnFace on <- [windowWhereabouts window]]
-          ++ ["composite " ++ orientationText (foundOrientation found) ++ " on the face"]
+          ++ ["composite " ++ lieText recognition (foundOrientation found) ++ " on the face"]
           ++ ["also      " ++ drop 10 (windowLine other) | other <- drop 1 (foundWindows found)]
   where
     symbols = recognisedSymbols recognition

@@ -74,6 +74,7 @@ import qualified Test.Picture
 import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
+import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
 import qualified Test.RecogniseGrid
 import qualified Test.Schemas
@@ -168,6 +169,7 @@ specs = do
   describe "Symmetry" Test.Symmetry.spec
   describe "Rates" Test.Rates.spec
   describe "Recognition" Test.Recognise.spec
+  describe "Recognition at any angle" Test.RecogniseAngle.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
   describe "Truths" Test.Truth.spec

@@ -132,12 +132,22 @@ toleranceOptions =
     <*> radiusOption
       "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
       \ones guarantee to be corrected)"
+    <*> defaulting
+      (foreignShare standardTolerance)
+      decimalReader
+      "foreign"
+      "P"
+      "The probability beforehand that what was touched is not of this array, though its symbols \
+      \are of the same shapes; the doubt weighs it"
 
 -- | What is wrong with a choice of these.
 toleranceComplaint :: Tolerance -> Maybe String
 toleranceComplaint tolerated
-  | toleratedDoubt tolerated >= 0 && toleratedDoubt tolerated < 1 = Nothing
-  | otherwise = Just "--doubt is a probability below 1"
+  | not (isShare (toleratedDoubt tolerated)) = Just "--doubt is a probability below 1"
+  | not (isShare (foreignShare tolerated)) = Just "--foreign is a probability below 1"
+  | otherwise = Nothing
+  where
+    isShare p = p >= 0 && p < 1
 
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options

@@ -22,6 +22,7 @@ import Picture.Style
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Recognise
+import PraTactile.Recognise.Summary (shownTilt)
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
@@ -95,24 +96,28 @@ compositePanel alphabet nameOf composite recognition =
       cornerMark (0, 0) (unit * 2.5, 0) (0, unit * 2.5) :
       concatMap (symbolMarks Part) (here recognisedParts)
         ++ concatMap (symbolMarks Whole) (here recognisedSymbols)
-        ++ concat [windowMarks unit found | Right (Found found) <- [recognisedAnswer recognition]]
+        ++ concat [windowMarks unit tilt found | Right (Found found) <- [recognisedAnswer recognition]]
     here part = [s | s <- part recognition, readSource s == 0]
     symbolMarks felt symbol =
-      symbolMark alphabet nameOf unit felt (readingOf recognition felt symbol) symbol
+      symbolMark alphabet nameOf unit tilt felt (readingOf recognition felt symbol) symbol
+    tilt = shownTilt recognition
 
 -- | A pixel as picture units. Pixel centres lie at integers; a pixel covers one taxel round its
 -- centre.
 centred :: Double -> (Double, Double) -> (Double, Double)
 centred unit (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
 
-symbolMark :: Alphabet -> (Int -> String) -> Double -> Felt -> Reading -> ReadSymbol -> Drawing
-symbolMark alphabet nameOf unit felt reading symbol =
-  concat [shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown]
-    ++ Mark "symbol" (Rectangle (readingPaint reading) box) :
-    [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
-      | felt == Whole
-    ]
+-- | A symbol, the composite's symbols being turned by so many degrees beside quarter turns.
+symbolMark ::
+  Alphabet -> (Int -> String) -> Double -> Double -> Felt -> Reading -> ReadSymbol -> Drawing
+symbolMark alphabet nameOf unit tilt felt reading symbol =
+  turnedAbout at tilt (shapesShown ++ [Mark "symbol" (Rectangle (readingPaint reading) box)])
+    ++ [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
+         | felt == Whole
+       ]
   where
+    shapesShown =
+      concat [shapeMark "shape" surface alphabet unit orientation c at | (orientation, c) <- shown]
     colour = readingColour reading
     surface = filled colour (if felt == Part then 0.2 else 0.4)
     font = Font (2 * unit) Bold colour
@@ -125,10 +130,13 @@ symbolMark alphabet nameOf unit felt reading symbol =
     box = around (unit * fromIntegral w, unit * fromIntegral h) at
 
 -- | The window that gives the answer, and its centre.
-windowMarks :: Double -> Finding -> Drawing
-windowMarks unit found =
-  Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at)) :
-  placeMarks at
+windowMarks :: Double -> Double -> Finding -> Drawing
+windowMarks unit tilt found =
+  turnedAbout
+    at
+    tilt
+    [Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at))]
+    ++ placeMarks at
   where
     at = centred unit (windowSeenAt (foundWindow found))
     (w, h) = answeringCells found

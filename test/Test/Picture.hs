@@ -146,7 +146,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
               page =
                 pageOf
                   (compositeOf (constant w h 0.2))
-                  (Recognition (numbered symbols) (numbered others) Nothing (Left SymbolsUnclear))
+                  (Recognition (numbered symbols) (numbered others) Nothing 0 (Left SymbolsUnclear))
            in length (named "symbol" (pageComposite page)) === length symbols + length others
                 .&&. apart page
   modifyMaxSuccess (const 20) $
@@ -269,7 +269,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
           `shouldBe` heightValues heights
         length (named "vertex" drawn) `shouldBe` 4
   it "no answer, no face: the reason is told" $ do
-    let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing (Left NoSymbols))
+    let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing 0 (Left NoSymbols))
     pageFace page `shouldBe` []
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)

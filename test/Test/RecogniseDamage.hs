@@ -109,14 +109,14 @@ damageSpec alphabetOfAll layout net array mask = do
         answer `shouldSatisfy` either (const True) (const False)
     it "a radius beyond the guaranteed one answers more, at the caller's risk" $ do
       let damaged = changing 0 (otherBy 1) (cells 2 3 (Position 7 9))
-          lax = Tolerance 0.9 (UpTo 1)
+          lax = Tolerance 0.9 (UpTo 1) 0
       answer <- recognisedAnswer <$> recognisedWith lax [compositeOf (drawing damaged)]
       answer `shouldSatisfy` either (const False) (const True)
     it "no doubt tolerated, no answer" $ do
       answer <-
         recognisedAnswer
           <$> recognisedWith
-            (Tolerance 0 Guaranteed)
+            (Tolerance 0 Guaranteed 0)
             [compositeOf (drawing (cells 2 2 (Position 6 5)))]
       either Just (const Nothing) answer `shouldBe` Just (NotLocated BelowThreshold)
     it "all zeros are refused: zero-window" $ do

@@ -15,7 +15,7 @@ import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
-import PraTactile.Recognise (Evidence (..))
+import PraTactile.Recognise (Doubts (..), Evidence (..))
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Relief
@@ -135,9 +135,9 @@ saidSpec = do
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldBe` Left SymbolsUnclear
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
-    let said answer evidence = summary (Recognition [] [] evidence answer)
+    let said answer evidence = summary (Recognition [] [] evidence 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        doubtful = Just (Evidence 0.25 4 [] [] 3 1 Nothing)
+        doubtful = Just (Evidence (Doubts 0.2 0.05) 4 [] [] 3 1 Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]

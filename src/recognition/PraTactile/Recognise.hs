@@ -17,6 +17,7 @@ module PraTactile.Recognise
     Recognition (..),
     recognise,
     recogniseWith,
+    recognisedAngle,
 
     -- * Symbols
     ReadSymbol (..),
@@ -30,6 +31,8 @@ module PraTactile.Recognise
     Finding (..),
     SymbolPlace (..),
     Evidence (..),
+    Doubts (..),
+    evidenceDoubt,
     Refusal (..),
     refusals,
     refusalName,
@@ -47,7 +50,8 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segment (Segmentation (..))
+import PraTactile.Segment (Segmentation (..), SymbolImage (..))
+import PraTactile.Segment.Tilt (setUpright, tilt)
 import PraTactile.Stitch (Composite)
 import PraTactile.Symmetry
 
@@ -60,6 +64,9 @@ data Recognition = Recognition
     recognisedParts :: [ReadSymbol],
     -- | for the likeliest position, where there is one
     recognisedEvidence :: Maybe Evidence,
+    -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
+    -- quarter turns: the orientations of symbols and answer come on top of it
+    recognisedTilt :: Double,
     recognisedAnswer :: Either Refusal Answer
   }
   deriving stock (Eq, Show)
@@ -113,14 +120,90 @@ recognise :: KnownField k => Recogniser k -> Composite -> Either NetworkError Re
 recognise reader composite = recogniseWith standardTolerance reader [composite]
 
 -- | Recognise what composites of one face show together, whose origins tell how they lie to each
--- other, to less than a quarter of the symbols' pitch.
+-- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle: where
+-- its symbols are not nearly upright by their 'tilt', they are read both as they are and from the
+-- composites set upright, and what leaves less doubt about the symbols holds. All places are in the
+-- given composites' pixels.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseWith tolerance reader composites = do
+recogniseWith tolerance reader composites = case tilt composites of
+  Just angle
+    | abs angle > leastTilt -> do
+      asGiven <- recogniseUpright tolerance reader composites
+      let (upright, places) = unzip (map (setUpright angle) composites)
+      turnedBack <- recogniseUpright tolerance reader upright
+      pure $
+        if certainty turnedBack > certainty asGiven
+          then relocated angle places turnedBack
+          else asGiven
+  _ -> recogniseUpright tolerance reader composites
+
+-- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as those
+-- that are not turned at all, and the estimate of the angle is less certain than that.
+leastTilt :: Double
+leastTilt = 3
+
+-- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
+-- cut out.
+certainty :: Recognition -> Double
+certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
+
+-- | What was recognised in composites that were set upright by an angle, as of the composites as they
+-- were given, by where the places of the one are on the other.
+relocated :: Double -> [(Double, Double) -> (Double, Double)] -> Recognition -> Recognition
+relocated angle places recognition =
+  recognition
+    { recognisedSymbols = map symbol (recognisedSymbols recognition),
+      recognisedParts = map symbol (recognisedParts recognition),
+      recognisedTilt = angle + recognisedTilt recognition,
+      recognisedAnswer = answer <$> recognisedAnswer recognition
+    }
+  where
+    onFirst = place 0
+    place source = case drop source places of
+      back : _ -> back
+      [] -> id
+    symbol s =
+      s
+        { readAt = onFirst (readAt s),
+          readImage =
+            (readImage s)
+              { symbolCentre = place (readSource s) (symbolCentre (readImage s)),
+                symbolAxis = symbolAxis (readImage s) + angle
+              }
+        }
+    answer found = case found of
+      Several _ _ -> found
+      Found there ->
+        Found
+          there
+            { foundWindow = window (foundWindow there),
+              foundWindows = map window (foundWindows there)
+            }
+    window w = w {windowSeenAt = onFirst (windowSeenAt w)}
+
+-- | By how many degrees, clockwise and in [0, 360), the face is turned as the composites show it,
+-- given the orientation that was found.
+recognisedAngle :: Recognition -> Symmetry -> Double
+recognisedAngle recognition orientation
+  | angle < 0 = angle + 360
+  | angle >= 360 = angle - 360
+  | otherwise = angle
+  where
+    angle = degreesClockwise orientation + recognisedTilt recognition
+
+-- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
+recogniseUpright ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  [Composite] ->
+  Either NetworkError Recognition
+recogniseUpright tolerance reader composites = do
   upright <- readSymbols symbolReader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -144,7 +227,7 @@ recogniseWith tolerance reader composites = do
 
 -- | Symbols without an answer, and why.
 unanswered :: [ReadSymbol] -> Refusal -> Recognition
-unanswered symbols = Recognition symbols [] Nothing . Left
+unanswered symbols = Recognition symbols [] Nothing 0 . Left
 
 -- | The answer from the symbols of one axis, and from what the network knows of the other.
 answered :: KnownField k => Tolerance -> Recogniser k -> [View] -> [ReadSymbol] -> Recognition
@@ -160,7 +243,12 @@ answered tolerance reader views dissenters
       let (whole, parts) = withParts (recogniserReader reader) views next grid
           location =
             locateGrid reader tolerance dissenters whole
-       in Recognition everything parts (locationEvidence location) (answerAt reader location)
+       in Recognition
+            everything
+            parts
+            (locationEvidence location)
+            (gridTilt grid)
+            (answerAt reader location)
 
 -- | The answer where a grid is located.
 answerAt :: KnownField k => Recogniser k -> GridLocation -> Either Refusal Answer

@@ -36,14 +36,13 @@ import PraTactile.Image
     rasterHeight,
     rasterValues,
     rasterWidth,
-    zipRaster,
   )
-import PraTactile.Image.Correlate (Reference, reference, referenceAt, referenceOf)
+import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
-import PraTactile.Segment.Level (Levels (..), contrast, levels, threshold)
+import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, threshold)
 import PraTactile.Shape (symbolHeight, symbolWidth)
-import PraTactile.Stitch.Composite (Composite (..))
+import PraTactile.Stitch.Composite (Composite (..), weighted)
 import PraTactile.Symmetry
 
 -- | One symbol found in a composite.
@@ -88,25 +87,63 @@ data Segmentation = Segmentation
 
 -- | The symbols of a composite. A blank composite has none. The levels are taken from the whole
 -- composite; what rises above their middle is cut into components, and each component whose box
--- fits a symbol's becomes one.
+-- fits a symbol's becomes one. A noisy composite is smoothed for that; the symbols' images are not.
 segment :: Composite -> Segmentation
-segment composite = case levels (V.fromList (Map.elems touched)) (V.fromList differences) of
-  Nothing -> Segmentation [] [] 0 0
-  Just found ->
-    let scene = Scene (`Map.lookup` touched) (threshold found)
-        embossed = Map.keysSet (Map.filter (>= threshold found) touched)
-        whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
-        (rejects, symbols) =
-          partitionEithers (mapMaybe (judged (blended composite) found scene) whole)
-     in Segmentation symbols rejects (levelBackground found) (contrast found)
+segment composite = case levels noise (V.fromList (Map.elems touched)) of
+  Nothing | noise > 0 -> maybe nothing (cut smooth) (levels smoothNoise (V.fromList (Map.elems smooth)))
+  Just found
+    | contrast found < leastClear * noise ->
+      cut smooth (fromMaybe found (levels smoothNoise (V.fromList (Map.elems smooth))))
+    | otherwise -> cut touched found
+  Nothing -> nothing
   where
+    nothing = Segmentation [] [] 0 0
     touched = touchedPixels composite
-    differences =
-      [ a - 2 * b + c
-        | ((x, y), b) <- Map.toList touched,
-          Just a <- [Map.lookup (x - 1, y) touched],
-          Just c <- [Map.lookup (x + 1, y) touched]
+    noise = noiseIn touched
+    smooth = smoothed touched
+    smoothNoise = noise * smoothing
+    cut pixels found =
+      let scene = Scene (`Map.lookup` pixels) (threshold found)
+          embossed = Map.keysSet (Map.filter (>= threshold found) pixels)
+          whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
+          (rejects, symbols) =
+            partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
+       in Segmentation symbols rejects (levelBackground found) (contrast found)
+
+-- | The standard deviation of the pixels' noise: the larger of what changes along the rows and along
+-- the columns show, for a row may have noise in common, or a column.
+noiseIn :: Map Pixel Double -> Double
+noiseIn pixels = max (noiseFrom (differences (1, 0))) (noiseFrom (differences (0, 1)))
+  where
+    differences (i, j) =
+      V.fromList
+        [ a - 2 * b + c
+          | ((x, y), b) <- Map.toList pixels,
+            Just a <- [Map.lookup (x - i, y - j) pixels],
+            Just c <- [Map.lookup (x + i, y + j) pixels]
+        ]
+
+-- | Each pixel as the mean of the touched ones around it, those beside it with half its weight and
+-- those across with a quarter.
+smoothed :: Map Pixel Double -> Map Pixel Double
+smoothed pixels = Map.mapWithKey (\(x, y) _ -> around x y) pixels
+  where
+    around x y = sum [k * v | (k, v) <- near x y] / sum (map fst (near x y))
+    near x y =
+      [ (weight i * weight j, v)
+        | j <- [-1, 0, 1],
+          i <- [-1, 0, 1],
+          Just v <- [Map.lookup (x + i, y + j) pixels]
       ]
+    weight i = if i == 0 then 2 else 1 :: Double
+
+-- | What is left of white noise by 'smoothed': the root of the sum of its squared weights.
+smoothing :: Double
+smoothing = 6 / 16
+
+-- | A contrast of fewer standard deviations of the noise is not clear enough for single pixels.
+leastClear :: Double
+leastClear = 6
 
 -- | The composite as it is seen turned or mirrored; its origin is left as it was.
 onComposite :: Symmetry -> Composite -> Composite
@@ -127,14 +164,6 @@ touchedPixels (Composite image coverage _ _) =
         m >= leastCoverage,
         Just v <- [index image x y]
     ]
-
--- | The composite as a weighted image, to be interpolated.
-blended :: Composite -> Reference
-blended (Composite image coverage _ _) =
-  either
-    (const (referenceOf image))
-    id
-    (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
 
 -- | The segmentation of a composite along an axis: of symbols that are turned so, or by 180 degrees
 -- more. It is also given for the composite turned upright, in the pixels of that. Centres and boxes
@@ -173,7 +202,7 @@ data Part = Part
 partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
 partAt composite found = look
   where
-    image = blended composite
+    image = weighted composite
     look (x, y)
       | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
         Just (Part pixels seen)

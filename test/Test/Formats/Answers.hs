@@ -72,6 +72,8 @@ someRecognition =
     <*> maybeOf somePoint
     <*> maybeOf someTurns
     <*> maybeOf someReal
+    <*> maybeOf someReal
+    <*> maybeOf (Doubts <$> someReal <*> someReal)
     <*> maybeOf someChance
     <*> maybeOf someInt
     <*> maybeOf someInt
@@ -88,6 +90,7 @@ someRecognition =
       Sighting
         <$> someInt
         <*> somePoint
+        <*> someReal
         <*> ((,,) <$> someInt <*> someTurns <*> someReal)
         <*> maybeOf somePosition
         <*> maybeOf someInt

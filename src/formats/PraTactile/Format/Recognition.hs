@@ -46,7 +46,11 @@ data RecognitionReport = RecognitionReport
     reportRobot :: Maybe (Double, Double),
     -- | quarter turns clockwise
     reportOrientation :: Maybe Int,
+    -- | degrees clockwise, in [0, 360)
+    reportAngle :: Maybe Double,
     reportDoubt :: Maybe Double,
+    -- | the doubt's parts
+    reportDoubts :: Maybe Doubts,
     reportChance :: Maybe Chance,
     reportAgreeing :: Maybe Int,
     reportWrong :: Maybe Int,
@@ -70,6 +74,8 @@ data Sighting = Sighting
   { -- | the composite, counted from 0, and the pixel
     sightedIn :: Int,
     sightedAt :: (Double, Double),
+    -- | the direction of its x axis, degrees clockwise from the composite's, up to half turns
+    sightedAxis :: Double,
     -- | code, quarter turns and doubt
     sightedLikeliest :: (Int, Int, Double),
     sightedPosition :: Maybe Position,
@@ -116,7 +122,9 @@ reportKeys =
            <*> withKeys reportWhereabouts whereaboutsKeys
            <*> key "robot_mm" (nullable (pairOf real)) reportRobot
            <*> key "orientation_deg" (nullable quarterTurn) reportOrientation
+           <*> key "angle_deg" (nullable real) reportAngle
            <*> key "doubt" (nullable real) reportDoubt
+           <*> key "doubts" (nullable (object doubtsKeys)) reportDoubts
            <*> withKeys reportChance chanceKeys
            <*> key "agreeing" (nullable int) reportAgreeing
            <*> key "wrong" (nullable int) reportWrong
@@ -127,6 +135,12 @@ reportKeys =
            <*> key "parts" (listOf (symbol (key "seen" real id))) reportParts
            <*> key "windows" (listOf (object windowKeys)) reportWindows
        )
+
+doubtsKeys :: Keys Doubts Doubts
+doubtsKeys =
+  Doubts
+    <$> key "position" real doubtOfPosition
+    <*> key "foreign" real doubtOfOrigin
 
 symbol :: Keys more more -> Codec (SymbolReport more)
 symbol keys =
@@ -148,6 +162,7 @@ sightingKeys =
   Sighting
     <$> key "source" int sightedIn
     <*> withKeys sightedAt pointKeys
+    <*> key "axis_deg" real sightedAxis
     <*> key "likeliest" (object likeliestKeys) sightedLikeliest
     <*> key "position" (nullable position) sightedPosition
     <*> key "expected" (nullable int) sightedExpected
@@ -198,7 +213,9 @@ recognitionReport context recognition =
       reportWhereabouts = whereaboutsReport (windowWhereabouts <$> window),
       reportRobot = contextRobot context . windowSeenAt <$> window,
       reportOrientation = quarterTurns <$> orientation,
+      reportAngle = recognisedAngle recognition <$> orientation,
       reportDoubt = evidenceDoubt <$> evidence,
+      reportDoubts = evidenceDoubts <$> evidence,
       reportChance = evidence >>= evidenceChance,
       reportAgreeing = evidenceAgreeing <$> evidence,
       reportWrong = length . evidenceWrong <$> evidence,
@@ -225,6 +242,7 @@ sighting recognition seen =
   Sighting
     { sightedIn = readSource seen,
       sightedAt = symbolCentre (readImage seen),
+      sightedAxis = symbolAxis (readImage seen),
       sightedLikeliest = (likeliest, quarterTurns orientation, readDoubt seen),
       sightedPosition = symbolCell <$> place,
       sightedExpected = symbolExpected <$> place,

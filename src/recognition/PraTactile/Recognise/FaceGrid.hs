@@ -3,6 +3,7 @@
 module PraTactile.Recognise.FaceGrid
   ( FaceGrid (..),
     faceGrid,
+    gridTilt,
     Cells,
     fromZero,
     seenOnFace,
@@ -54,6 +55,27 @@ faceGrid found = do
   where
     known g = length (filter (isJust . readClass) (groupSymbols g))
     once = Map.map pure
+
+-- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have it:
+-- the rotation that brings their cells closest to their centres, by least squares. 0 where they do
+-- not say, for there are fewer than two.
+gridTilt :: FaceGrid -> Double
+gridTilt grid
+  | length placed < 2 = 0
+  | otherwise = atan2 (total turning) (total along) * 180 / pi
+  where
+    placed =
+      [ (onOffset (axisOf s) (columnPitch * fromIntegral j, rowPitch * fromIntegral i), readAt s)
+        | ((i, j), here) <- Map.toList (gridCells grid),
+          s <- here
+      ]
+    axisOf s = if exchangesAxes (fst (readLikeliest s)) then turned 1 else identity
+    (cellX, cellY) = centroid (map fst placed)
+    (seenX, seenY) = centroid (map snd placed)
+    total part =
+      sum [part (x - cellX, y - cellY) (x' - seenX, y' - seenY) | ((x, y), (x', y')) <- placed]
+    along (x, y) (x', y') = x * x' + y * y'
+    turning (x, y) (x', y') = x * y' - y * x'
 
 movedBy :: Cell -> Map Cell a -> Map Cell a
 movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))

@@ -15,6 +15,8 @@ module PraTactile.Recognise.GridLocation
 
     -- * What it rests on
     Evidence (..),
+    Doubts (..),
+    evidenceDoubt,
     cellFrom,
   )
 where
@@ -25,6 +27,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
 import Data.Proxy (Proxy (..))
 import qualified Data.Set as Set
+import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -45,19 +48,32 @@ data Tolerance = Tolerance
   { -- | the probability of a wrong answer, below 1
     toleratedDoubt :: Double,
     -- | how many certain symbols may be wrong
-    toleratedErrors :: Radius
+    toleratedErrors :: Radius,
+    -- | the probability beforehand that what was touched is nothing of the array's: symbols of the
+    -- same shapes, each as likely as any other in every cell; below 1
+    foreignShare :: Double
   }
   deriving stock (Eq, Show)
 
 -- | A hundredth, and as many wrong symbols as the certain ones' minimum distance lets be corrected
--- for certain.
+-- for certain; of 200 things that are touched, one is foreign. So a window of four symbols beyond
+-- doubt, which nearly every arrangement of four symbols is, is still an answer.
 standardTolerance :: Tolerance
-standardTolerance = Tolerance 0.01 Guaranteed
+standardTolerance = Tolerance 0.01 Guaranteed 0.005
+
+-- | What would make a position wrong, each with its probability; they exclude each other.
+data Doubts = Doubts
+  { -- | the symbols are the array's, but orientation or position are others
+    doubtOfPosition :: Double,
+    -- | it is nothing of the array's
+    doubtOfOrigin :: Double
+  }
+  deriving stock (Eq, Show)
 
 -- | What a position rests on.
 data Evidence = Evidence
-  { -- | the probability, by the symbols' own, that orientation or position are others
-    evidenceDoubt :: Double,
+  { -- | how probable it is, by the symbols' own probabilities, that it is wrong
+    evidenceDoubts :: Doubts,
     -- | how many certain symbols are what the array has in their place
     evidenceAgreeing :: Int,
     -- | the numbers of those that are not, or that lie another way up, or off the grid
@@ -73,6 +89,12 @@ data Evidence = Evidence
     evidenceChance :: Maybe Chance
   }
   deriving stock (Eq, Show)
+
+-- | The probability that the position is wrong.
+evidenceDoubt :: Evidence -> Double
+evidenceDoubt evidence = doubtOfPosition doubts + doubtOfOrigin doubts
+  where
+    doubts = evidenceDoubts evidence
 
 -- | Where a grid is.
 data GridLocation = GridLocation
@@ -121,7 +143,7 @@ locateGrid reader tolerance dissenters grid =
     found = do
       seen <- beliefs
       posterior <- ask (Probabilities <$> seen) >>= answerPosterior
-      evidenceFrom codebook witnesses orientationDoubt seen posterior
+      evidenceFrom codebook witnesses (foreignShare tolerance) orientationDoubt seen posterior
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
@@ -141,23 +163,25 @@ locateGrid reader tolerance dissenters grid =
             else contradicted findings witnesses (counted (evidenceWrong evidence))
       _ -> unclear findings witnesses
 
--- | The likeliest position, and what it rests on, given the doubt about the orientation and the
--- probabilities of the observed cells. 'Nothing' where no position is possible.
+-- | The likeliest position, and what it rests on, given the share of foreign things, the doubt about
+-- the orientation and the probabilities of the observed cells. 'Nothing' where no position is
+-- possible.
 evidenceFrom ::
   KnownField k =>
   Codebook k ->
   Witnesses ->
   Double ->
+  Double ->
   Patch (Belief k) ->
   Posterior Candidate ->
   Maybe (Position, Evidence)
-evidenceFrom codebook witnesses orientationDoubt seen posterior = do
+evidenceFrom codebook witnesses share orientationDoubt seen posterior = do
   place <- candidatePosition <$> posteriorBest posterior
   let (agreeing, wrong) = standing codebook witnesses place
   pure
     ( place,
       Evidence
-        { evidenceDoubt = orientationDoubt + doubt - orientationDoubt * doubt,
+        { evidenceDoubts = doubtsOf (foreignChance codebook share seen place doubt),
           evidenceAgreeing = length agreeing,
           evidenceWrong = map readNumber wrong,
           evidenceInconsistent = mostlyIn wrong agreeing,
@@ -168,6 +192,38 @@ evidenceFrom codebook witnesses orientationDoubt seen posterior = do
     )
   where
     doubt = posteriorDoubt posterior
+    other = orientationDoubt + doubt - orientationDoubt * doubt
+    doubtsOf alien = Doubts (other * (1 - alien)) alien
+
+-- | The probability that the observed cells are foreign, given the share of foreign things, the
+-- likeliest position, and the probability that among all positions it is another one. Bayes'
+-- theorem: of what is foreign every content is equally likely; of what is the array's, every
+-- position, and there each symbol has its probability, but for one in a hundred, which is not what
+-- it seems ('misleading'): damaged, soiled, or wrongly embossed.
+foreignChance ::
+  KnownField k => Codebook k -> Double -> Patch (Belief k) -> Position -> Double -> Double
+foreignChance codebook share seen place doubt
+  | share <= 0 = 0
+  | otherwise = 1 / (1 + exp (ours - theirs))
+  where
+    array = codebookArray codebook
+    size = arrayShape array
+    q = fromIntegral (fieldOrder array) :: Double
+    cells = observedCells seen
+    theirs = log share - fromIntegral (length cells) * log q
+    ours =
+      log (1 - share) + sum (map expected cells)
+        - log (max 1e-300 (1 - doubt))
+        - log (fromIntegral (rows size) * fromIntegral (columns size))
+    expected (offset, b) = log ((1 - misleading) * chanceOf offset b + misleading / q)
+    chanceOf offset b = case displaced (codebookSurface codebook) size place offset of
+      Just there -> probabilities b Primitive.! toCode (cellAt array there)
+      Nothing -> 0
+
+-- | The share of symbols that are not what they seem, where the array's are compared with foreign
+-- ones.
+misleading :: Double
+misleading = 0.01
 
 -- | The symbols that are certain, for an orientation of the face.
 data Witnesses = Witnesses

@@ -7,6 +7,8 @@ module PraTactile.Recognise.Summary
     centreText,
     upperLeftVertex,
     orientationText,
+    lieText,
+    shownTilt,
     positionsText,
     doubtText,
   )
@@ -28,7 +30,7 @@ summary recognition = case recognisedAnswer recognition of
   Left refusal -> ("refused: " ++ refusalName refusal) : doubted
   Right (Several orientation positions) ->
     [ "ambiguous: " ++ show (length positions) ++ " positions fit: " ++ positionsText positions,
-      orientationText orientation ++ " in the composite"
+      lieText recognition orientation ++ " in the composite"
     ]
       ++ doubted
   Right (Found found) ->
@@ -36,7 +38,7 @@ summary recognition = case recognisedAnswer recognition of
         Position r c = windowPosition window
      in whereText (windowWhereabouts window) :
         [centreText place | OnFace place <- [windowWhereabouts window]]
-          ++ [ orientationText (foundOrientation found) ++ " in the composite",
+          ++ [ lieText recognition (foundOrientation found) ++ " in the composite",
                "row " ++ show r ++ ", column " ++ show c ++ " of the array"
              ]
           ++ doubted
@@ -76,6 +78,19 @@ orientationText symmetry = case (mirrored symmetry, degreesClockwise symmetry ::
   (True, 0) -> "mirrored"
   (flipped, degrees) ->
     (if flipped then "mirrored and " else "") ++ "turned by " ++ show degrees ++ " degrees"
+
+-- | How a face that was recognised in this orientation lies: by its angle, if that is not nearly a
+-- quarter turn.
+lieText :: Recognition -> Symmetry -> String
+lieText recognition orientation
+  | shownTilt recognition == 0 = orientationText orientation
+  | otherwise = printf "turned by %.1f degrees" (recognisedAngle recognition orientation)
+
+-- | The tilt of what was recognised, where it is more than it may be in error by: three degrees.
+shownTilt :: Recognition -> Double
+shownTilt recognition
+  | abs (recognisedTilt recognition) > 3 = recognisedTilt recognition
+  | otherwise = 0
 
 -- | Positions as the command line takes them: @6,5 7,0@.
 positionsText :: [Position] -> String

@@ -3,6 +3,7 @@
 module PraTactile.Segment.Level
   ( Levels (..),
     levels,
+    noiseFrom,
     threshold,
     contrast,
   )
@@ -27,18 +28,16 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given also the second differences @a - 2 b + c@ of
--- neighbours a, b, c among them. The intensities are split in two by Otsu's threshold (IEEE Trans.
--- Syst. Man Cybern. 9, 1979), which makes the variance between the two parts largest; the levels
--- are the parts' medians.
+-- | The levels of a set of intensities, given the standard deviation of their noise. The intensities
+-- are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which makes the
+-- variance between the two parts largest; the levels are the parts' medians.
 --
--- 'Nothing' when that shows no embossing: less than 0.1 of full scale between the two, or less than
--- four times the noise, which is taken from the median second difference (0.6745 sqrt 6 standard
--- deviations for normal noise). Noise alone splits into parts that differ by less.
-levels :: Vector Double -> Vector Double -> Maybe Levels
-levels intensities differences
-  | V.null intensities || high <= low || contrast found < 0.1 || contrast found < 4 * noise =
-    Nothing
+-- 'Nothing' when that shows no embossing: less than four times the noise between the two, which is
+-- more than the parts differ by into which noise alone is split (1.35 standard deviations of normal
+-- noise), or less than two steps of an 8-bit image.
+levels :: Double -> Vector Double -> Maybe Levels
+levels noise intensities
+  | V.null intensities || high <= low || contrast found < max (2 / 255) (4 * noise) = Nothing
   | otherwise = Just found
   where
     low = V.minimum intensities
@@ -50,10 +49,16 @@ levels intensities differences
         (valueAt (median (V.take split counts)))
         (valueAt (fromIntegral split + median (V.drop split counts)))
     valueAt bin = low + (high - low) * bin / fromIntegral bins
-    noise
-      | V.null differences = 0
-      | otherwise =
-        steepest * median (histogram 0 steepest sizes) / fromIntegral bins / (0.6745 * sqrt 6)
+
+-- | The standard deviation of the noise of an image, given the second differences @a - 2 b + c@ of
+-- neighbours a, b, c in it, in which relief has little part: their median size is 0.6745 sqrt 6
+-- standard deviations where the noise is normal and white. 0 for none.
+noiseFrom :: Vector Double -> Double
+noiseFrom differences
+  | V.null differences = 0
+  | otherwise =
+    steepest * median (histogram 0 steepest sizes) / fromIntegral bins / (0.6745 * sqrt 6)
+  where
     sizes = V.map abs differences
     steepest = V.maximum sizes
 

@@ -4,10 +4,13 @@ module PraTactile.Stitch.Composite
   ( Composite (..),
     compositeOf,
     compositePosition,
+    compositePixel,
+    weighted,
   )
 where
 
-import PraTactile.Image (Raster, constant, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster, constant, rasterHeight, rasterWidth, zipRaster)
+import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Probe (taxelPitch)
 
 -- | An image larger than the sensor, on a grid of one taxel's pitch whose axes are the robot's.
@@ -35,3 +38,17 @@ compositePosition :: Composite -> (Double, Double) -> (Double, Double)
 compositePosition composite (x, y) = (ox + taxelPitch * x, oy + taxelPitch * y)
   where
     (ox, oy) = compositeOrigin composite
+
+-- | Where a place in the robot's coordinates, x and y in millimetres, is on the composite, in pixels.
+compositePixel :: Composite -> (Double, Double) -> (Double, Double)
+compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
+  where
+    (ox, oy) = compositeOrigin composite
+
+-- | The composite as a weighted image, to be interpolated.
+weighted :: Composite -> Reference
+weighted (Composite image coverage _ _) =
+  either
+    (const (referenceOf image))
+    id
+    (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
