@@ -14,6 +14,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
+import FramesChoice
 import Message
 import Options
 import Output (writeWhole)
@@ -35,6 +36,7 @@ import Visible
 data Options = Options
   { surface :: Maybe Surface,
     assembly :: Assembly,
+    frames :: FramesChoice,
     network :: Maybe FilePath,
     database :: Maybe FilePath,
     picture :: Maybe FilePath,
@@ -72,6 +74,7 @@ optionsParser =
   Options
     <$> surfaceOption
     <*> assemblyOptions
+    <*> framesOptions
     <*> networkOption
     <*> optionalFile
       "database"
@@ -153,7 +156,8 @@ run choice options
     when
       (several && picture options /= Nothing)
       (unusable "--picture draws one composite; give one source")
-    composites <- loadSources (assemble (assembly options)) found
+    prepare <- preparation (frames options)
+    composites <- loadSources prepare (assemble (assembly options)) found
     case sharing options of
       OneFace -> placed (places options) (zip found composites) >>= decoder (map sourcePath found)
       EachItsOwn -> do

@@ -49,8 +49,17 @@ regionKeys =
     <$> key "region_mm" (pairOf real) regionCorner
     <*> key "region_taxels" (pairOf side) regionSides
     <*> key "orientation_deg" quarterTurn (quarterTurns . regionSymmetry)
+    <*> optionalKey "angle_deg" angle freeAngle
   where
-    region (x, y) (wide, high) = Region (x / taxelPitch) (y / taxelPitch) wide high . turned
+    region (x, y) (wide, high) quarters degrees =
+      Region (x / taxelPitch) (y / taxelPitch) wide high (turned quarters) $
+        maybe 0 (beyond (90 * fromIntegral quarters)) degrees
+    -- The angle is that of the whole turn, from 0 to 360.
+    freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)
+    beyond quarter degrees = degrees - quarter - (if degrees - quarter > 180 then 360 else 0)
+    angle = Codec id $ \value -> do
+      degrees <- readValue real value
+      if degrees >= 0 && degrees < 360 then Right degrees else refuse NotAngle
     regionSides given = (regionWidth given, regionHeight given)
     side = Codec id $ \value -> do
       n <- readValue natural value
