@@ -25,12 +25,12 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
 import ExitStatus
 import Files (readBytes)
+import FormatFile (readManifestFile)
 import Message
 import PraTactile.Files
+import PraTactile.Format (encodeManifest)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
-import FormatFile (readManifestFile)
-import PraTactile.Format (encodeManifest)
 import PraTactile.Probe (Frame (..), Layout (..), sensorSide, standardLayout)
 import PraTactile.Probe.Manifest (Entry (..), Manifest (..), listing, parseManifest)
 import PraTactile.Source

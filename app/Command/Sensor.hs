@@ -4,7 +4,7 @@ module Command.Sensor
   )
 where
 
-import Data.List (find)
+import Data.List (dropWhileEnd, find)
 import ExitStatus
 import Options
 import PraTactile.Format (encodeSensor)
@@ -42,10 +42,12 @@ run name form = do
   printAs form (concatMap (line sensor) constants) (encodeSensor preset sensor)
   pure Answered
   where
+    number v = case break (== '.') (printf "%.6f" v :: String) of
+      (digits, decimals) -> digits ++ dropWhileEnd (== '.') (dropWhileEnd (== '0') decimals)
     line sensor constant =
       printf
         "%-21s %-10s %-5s %s\n"
         (constantName constant)
-        (printf "%.6g" (constantValue constant sensor) :: String)
+        (number (constantValue constant sensor))
         (constantUnit constant)
         (constantSource constant)

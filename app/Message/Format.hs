@@ -75,5 +75,5 @@ misfitMessage misfit = case misfit of
   NotPositive what -> what ++ " must be above 0"
   NoFrame -> "it names no frame"
   ConstantOutOfRange name range -> rangeText name range
-  NotAngle -> "a number from 0 up to 360 is needed"
+  NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

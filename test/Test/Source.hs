@@ -63,6 +63,7 @@ bytesSpec = do
       Frame pose
         <$> number
         <*> pure (generate 16 16 (\x y -> fromIntegral (values !! (16 * y + x)) / 255))
+        <*> pure taxelPitch
     number = choose (-1e3, 1e3)
 
 manifest :: [FilePath] -> Bytes.ByteString

@@ -30,8 +30,8 @@ import Data.Either (isRight)
 import Data.List (foldl', unfoldr)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
-import PraTactile.Explore
 import PraTactile.Array (Shape (..))
+import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
 import PraTactile.Probe (Frame)

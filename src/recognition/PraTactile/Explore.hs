@@ -82,12 +82,12 @@ regionMotion region
   | regionAngle region /= 0 = askew region
   | otherwise =
     Motion
-    { motionRotation = degreesClockwise (invert (regionSymmetry region)),
-      motionX =
-        taxelPitch * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
-      motionY =
-        taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
-    }
+      { motionRotation = degreesClockwise (invert (regionSymmetry region)),
+        motionX =
+          taxelPitch * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
+        motionY =
+          taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
+      }
   where
     turns = quarterTurns (regionSymmetry region)
     (wide, high) = regionExtent region
@@ -155,8 +155,10 @@ drawnRegion turns (width, height) face generator
     overhang along across
       | angle == 0 = 0
       | otherwise =
-        (cos radians * fromIntegral along + abs (sin radians) * fromIntegral across
-           - fromIntegral along) / 2
+        ( cos radians * fromIntegral along + abs (sin radians) * fromIntegral across
+            - fromIntegral along
+        )
+          / 2
     radians = angle * pi / 180
     offset share space beyond
       | beyond == 0 = share * space

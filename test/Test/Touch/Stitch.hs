@@ -83,7 +83,7 @@ single =
               [ either
                   (\e -> counterexample (show e) False)
                   (check image (x - edge, y - edge))
-                  (assemble [Frame (Pose x y 0) 1 image])
+                  (assemble [Frame (Pose x y 0) 1 image taxelPitch])
                 | assemble <- [placeOnly, stitch standardRegistration]
               ]
   where
@@ -299,7 +299,7 @@ noisy =
 refusals :: Spec
 refusals = do
   it "no frame" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
-  it "a frame that is not 16 x 16, naming it" $
+  it "a frame that is not of the size of the first, naming it" $
     stitched [good, good {frameImage = constant 16 15 0}] `shouldBe` Left (FrameSize 1 16 15)
   it "a rotation that is no multiple of 90 degrees, naming the frame" $
     stitched [good, good, at 0 0 45] `shouldBe` Left (FrameRotation 2 45)
@@ -334,7 +334,7 @@ refusals = do
   where
     stitched = stitch standardRegistration
     good = at 0 0 0
-    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5)
+    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch
     tooLarge (Left (AreaTooLarge _ _)) = True
     tooLarge _ = False
 

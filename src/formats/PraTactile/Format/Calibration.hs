@@ -8,11 +8,11 @@ module PraTactile.Format.Calibration
 where
 
 import Data.ByteString (ByteString)
+import qualified Data.Vector.Storable as Vector
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image (Raster, fromRows, rasterHeight, rasterValues, rasterWidth, toRows)
 import PraTactile.Probe.Calibration
-import qualified Data.Vector.Storable as Vector
 
 -- | A calibration on one line, without its end.
 encodeCalibration :: Calibration -> ByteString

@@ -80,7 +80,7 @@ data Misfit
     NoFrame
   | -- | A constant of a sensor, of this name, that is not a number from the one to the other.
     ConstantOutOfRange String (Double, Double)
-  | -- | Degrees that are not from 0 up to 360.
+  | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.
     NotAngle
   | -- | More taxels than this along the side of a region.
     RegionTooLarge Natural

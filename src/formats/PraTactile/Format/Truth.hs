@@ -11,6 +11,7 @@ module PraTactile.Format.Truth
 where
 
 import Data.Aeson ((.=))
+import Data.Aeson.Types (JSONPathElement (Key))
 import Data.ByteString (ByteString)
 import Data.Either (isRight)
 import PraTactile.Explore
@@ -29,10 +30,14 @@ encodeTruth :: Truth -> ByteString
 encodeTruth = writeLine truthKeys
 
 -- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
--- nearest double. Refuses another schema, keys that are missing or have other values, and regions
--- of more than 100000 taxels a side.
+-- nearest double. Refuses another schema, keys that are missing or have other values, regions of
+-- more than 100000 taxels a side, and an angle to which the orientation is not the nearest.
 decodeTruth :: ByteString -> Either FormatError Truth
-decodeTruth = decodeWith truthKeys
+decodeTruth bytes = do
+  truth <- decodeWith truthKeys bytes
+  if abs (regionAngle (truthRegion truth)) > 45 + 1e-6
+    then Left (Misfit [Key "angle_deg"] NotAngle)
+    else Right truth
 
 truthKeys :: Keys Truth Truth
 truthKeys =

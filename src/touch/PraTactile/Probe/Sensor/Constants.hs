@@ -240,7 +240,7 @@ grid =
   [ whole "columns" paper (4, 256) sensorColumns (\v s -> s {sensorColumns = v}),
     whole "rows" paper (4, 256) sensorRows (\v s -> s {sensorRows = v}),
     real "taxel_pitch" "mm" paper (0.05, 50) sensorTaxel (\v s -> s {sensorTaxel = v}),
-    real "tab_diameter" "mm" "assumption: 0.7 of the pitch; 0: a square as wide as the taxel" (0, 50) sensorTab $
+    real "tab_diameter" "mm" "assumption; 0: a square as wide as the taxel" (0, 50) sensorTab $
       \v s -> s {sensorTab = v}
   ]
   where
