@@ -32,8 +32,8 @@ framesOptions =
           decimalReader
           "taxel"
           "MM"
-          "The distance between the sensor's neighbouring taxels (default: as manifest.json says, or \
-          \1.5875)"
+          "The distance between the sensor's neighbouring taxels (default: as manifest.json says, \
+          \or 1.5875)"
       )
     <*> optionalFile
       "calibration"

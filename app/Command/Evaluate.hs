@@ -71,8 +71,8 @@ command =
               decimalReader
               "foreign"
               "SHARE"
-              "The share of presses on what is none of ours: our shapes in an arrangement by chance, \
-              \of which every answer is wrong (default: 0)"
+              "The share of presses on what is none of ours: our shapes in an arrangement by \
+              \chance, of which every answer is wrong (default: 0)"
           )
         <*> toleranceOptions
         <*> networkOption
@@ -153,7 +153,10 @@ measure profile options how reader faces = do
   printAs
     (form options)
     ( unlines
-        [headingText options simulated, tallyText "stitching" stitched, tallyText "no-stitching" unstitched]
+        [ headingText options simulated,
+          tallyText "stitching" stitched,
+          tallyText "no-stitching" unstitched
+        ]
     )
     (encodeEvaluation (report profile options simulated stitched unstitched))
   pure Answered

@@ -105,8 +105,8 @@ optionsParser =
           intReader
           "specimen"
           "N"
-          "Seed of what differs from one sensor to the next, gains and dead taxels (default: that of \
-          \--seed)"
+          "Seed of what differs from one sensor to the next, gains and dead taxels (default: \
+          \that of --seed)"
       )
     <*> option
       place
@@ -136,7 +136,10 @@ workOption =
           <> completeWith ["cube", "parallelepiped"]
           <> help "The object: cube or parallelepiped"
       )
-    <|> Dark <$> calibrating "dark" "Write so many frames of the sensor that touches nothing instead"
+    <|> Dark
+      <$> calibrating
+        "dark"
+        "Write so many frames of the sensor that touches nothing instead"
     <|> Flat
       <$> calibrating
         "flat"

@@ -159,7 +159,8 @@ refusals = do
       (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
         `shouldBe` (key, True)
   it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
-    truth <- (\truth -> truth {truthRegion = (truthRegion truth) {regionAngle = 0}}) <$> generate someTruth
+    askew <- generate someTruth
+    let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}}
     profile <- generate someProfile
     certificate <- generate someCertificate
     everyKey (encodeProfile profile) decodeProfile

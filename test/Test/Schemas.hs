@@ -162,9 +162,17 @@ touching =
     ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
     ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --turn 5"),
-    ("truth", "pra probe --object cube --seed 7 --turn 5 --output f5 --truth t5.json > log; cat t5.json"),
-    ("sensor", "pra sensor --json; pra sensor --preset real --json > r.json; pra sensor --preset r.json --json"),
-    ("manifest", "pra probe --dark 2 --sensor hard --frame 8x6 --seed 1 --output dark > log; cat dark/manifest.json"),
+    ( "truth",
+      "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
+    ),
+    ( "sensor",
+      "pra sensor --json; pra sensor --preset real --json > r.json; "
+        ++ "pra sensor --preset r.json --json"
+    ),
+    ( "manifest",
+      "pra probe --dark 2 --sensor hard --frame 8x6 --seed 1 --output dark > log; "
+        ++ "cat dark/manifest.json"
+    ),
     ( "calibration",
       "pra probe --flat 2 --sensor hard --frame 8x6 --seed 1 --output flat > log; "
         ++ "pra calibrate --dark dark --flat flat --output k.json > log; cat k.json"

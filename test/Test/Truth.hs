@@ -74,7 +74,9 @@ spec = do
           radians = regionTurn region * pi / 180
        in near
             (x, y)
-            (taxelPitch * regionRight region + half wide, taxelPitch * regionDown region + half high)
+            ( taxelPitch * regionRight region + half wide,
+              taxelPitch * regionDown region + half high
+            )
             .&&. near (u - x, v - y) (10 * cos radians, -10 * sin radians)
   prop "a turn by an angle near to none is nearly none" $
     forAllShrink someTruth simpler $ \truth point ->

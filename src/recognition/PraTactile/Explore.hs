@@ -30,8 +30,8 @@ import PraTactile.Random (uniform)
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 
--- | A rectangle of a face that the probe covers. Where it lies askew, 'regionRight' and 'regionDown'
--- are of the region turned back about its centre by 'regionAngle'.
+-- | A rectangle of a face that the probe covers. Where it lies askew, 'regionRight' and
+-- 'regionDown' are of the region turned back about its centre by 'regionAngle'.
 data Region = Region
   { -- | from the face's upper left vertex to the region's upper left corner, taxels to the right
     regionRight :: !Double,
@@ -71,7 +71,8 @@ regionTurn region = if turn < 0 then turn + 360 else turn
 -- >>> nearestQuarter 350
 -- (Symmetry {mirrored = False, quarterTurns = 0},-10.0)
 nearestQuarter :: Double -> (Symmetry, Double)
-nearestQuarter degrees = (turned (fromInteger (quarters `mod` 4)), degrees - 90 * fromInteger quarters)
+nearestQuarter degrees =
+  (turned (fromInteger (quarters `mod` 4)), degrees - 90 * fromInteger quarters)
   where
     quarters = floor (degrees / 90 + 0.5) :: Integer
 
@@ -84,7 +85,8 @@ regionMotion region
     Motion
       { motionRotation = degreesClockwise (invert (regionSymmetry region)),
         motionX =
-          taxelPitch * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
+          taxelPitch
+            * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
         motionY =
           taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
       }
@@ -122,8 +124,8 @@ randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> Mayb
 randomRegion = drawnRegion . AmongTurns
 
 -- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face that may lie so; @Nothing@ if the face, so turned, is smaller than the
--- region. A region that lies askew may reach over the face's edge with its corners, though not
+-- real-valued place on a face that may lie so; @Nothing@ if the face, so turned, is smaller than
+-- the region. A region that lies askew may reach over the face's edge with its corners, though not
 -- further than the face needs to hold it: along a side where the smallest upright rectangle around
 -- it is longer than the face's, it lies in the middle.
 drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)

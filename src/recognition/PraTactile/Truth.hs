@@ -55,8 +55,8 @@ data Difference
 
 -- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is
 -- wrong. It must name the quarter turn nearest to the true rotation, or where two are nearly as
--- near, to 5 degrees, either: the one that was measured. Windows lie a whole cell apart at least, so that less than half a cell is the error of the
--- measurement.
+-- near, to 5 degrees, either: the one that was measured. Windows lie a whole cell apart at least,
+-- so that less than half a cell is the error of the measurement.
 compared :: Pitch -> Truth -> Claim -> Either Difference Double
 compared pitch truth claim
   | claimFace claim /= truthFace truth = Left OtherFace

@@ -175,5 +175,6 @@ planScanOf layout spacing (left, top) (width, height)
     step = fromIntegral spacing :: Double
     presses size side = 2 + fromIntegral (floor ((size - side) / step) :: Integer)
     offsets size side =
-      takeWhile (< size - side - 1e-9) (map ((step *) . fromIntegral) [0 :: Int ..]) ++ [size - side]
+      takeWhile (< size - side - 1e-9) (map ((step *) . fromIntegral) [0 :: Int ..])
+        ++ [size - side]
     centre edge side offset = edge + taxel * (offset + side / 2)

@@ -39,7 +39,8 @@ spec = do
         `shouldBe` (Just (Number 0.25), Just (Number 0.5), Just "real")
       writeFile (folder </> "real.json") constants
       (0, again, "") <- pra ["sensor", "--preset", folder </> "real.json", "--json"]
-      (key ["constants"] again, key ["preset"] again) `shouldBe` (key ["constants"] constants, Just Null)
+      (key ["constants"] again, key ["preset"] again)
+        `shouldBe` (key ["constants"] constants, Just Null)
   it "a face is read by a sensor of half the pitch, and by one of twice" $
     for_ ["--frame 32x32 --taxel 0.79375", "--frame 8x8 --taxel 3.175"] $ \options ->
       inFolder $ \folder -> do
@@ -61,7 +62,8 @@ spec = do
           "pra probe --object cube --seed 7 --turn 93 --noise 0.02 --output f --truth t.json > log \
           \&& pra decode --json f > a.json && pra compare a.json t.json; cat t.json >&2"
       (status, "they agree" `isInfixOf` out) `shouldBe` (0, True)
-      (key ["orientation_deg"] err, key ["angle_deg"] err) `shouldBe` (Just (Number 90), Just (Number 93))
+      (key ["orientation_deg"] err, key ["angle_deg"] err)
+        `shouldBe` (Just (Number 90), Just (Number 93))
   it "the axes that a manifest states are followed: y up, and exchanged" $
     inFolder $ \folder -> do
       (status, out, err) <-
@@ -88,7 +90,8 @@ spec = do
             ++ "pra probe --object cube"
             ++ sensor
             ++ "--output f --truth t.json > log; "
-            ++ "pra decode --json f --calibration c.json > a.json; pra compare a.json t.json --json; "
+            ++ "pra decode --json f --calibration c.json > a.json; "
+            ++ "pra compare a.json t.json --json; "
             ++ "cat c.json >&2"
       (status, key ["agree"] out) `shouldBe` (0, Just (Bool True))
       case (key ["dead"] err, key ["gain"] err) of
@@ -135,7 +138,8 @@ bad = do
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
   it "manifests in JSON that are none" $
     inFolder $ \folder -> do
-      (0, _, _) <- scripted folder "pra probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output f"
+      (0, _, _) <-
+        scripted folder "pra probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output f"
       for_
         [ ("s/\"taxel_mm\":3.175/\"taxel_mm\":0/", "taxel_mm"),
           ("s/\"taxel_mm\":3.175/\"taxel_mm\":NaN/", "JSON"),
@@ -146,7 +150,8 @@ bad = do
         ]
         $ \(change, about) -> do
           outcome <-
-            scripted folder ("rm -rf g; cp -r f g; sed -i '" ++ change ++ "' g/manifest.json; pra decode g")
+            scripted folder $
+              "rm -rf g; cp -r f g; sed -i '" ++ change ++ "' g/manifest.json; pra decode g"
           outcome `refuses` about
   it "another sensor's calibration, and frames that calibrate nothing" $
     inFolder $ \folder -> do

@@ -64,7 +64,8 @@ tabs = do
 rigid :: Spec
 rigid = do
   it "10 N on 38 tabs of 0.19 N/mm press 1.4 mm" $
-    forceBalance 0.19 10 (replicate 38 (1, 0)) `shouldSatisfy` maybe False ((< 0.02) . abs . subtract 1.4)
+    forceBalance 0.19 10 (replicate 38 (1, 0))
+      `shouldSatisfy` maybe False ((< 0.02) . abs . subtract 1.4)
   it "with nothing under it there is no balance" $
     (forceBalance 0.19 10 [], forceBalance 0.19 10 [(0, 1)]) `shouldBe` (Nothing, Nothing)
   prop "the tabs bear the force: the sum of k s max 0 (z + h) is F" $
@@ -83,7 +84,8 @@ rigid = do
   prop "what the elements read adds up to the force" $
     forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
       let relief = HeightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
-          seen = forwardImage linear {sensorForce = force, sensorFullForce = 100} relief (Pose x y 30)
+          sensor = linear {sensorForce = force, sensorFullForce = 100}
+          seen = forwardImage sensor relief (Pose x y 30)
        in near 1e-6 (100 * V.sum (rasterValues seen)) force
   it "beyond the face's edge nothing is felt, though a plane would be" $ do
     let plane = HeightMap 1 (constant 50 50 0)
@@ -114,7 +116,7 @@ readings = do
       near 1e-12 (conductance k 0.01 0.93 (2 * f)) (2 ** k * conductance k 0.01 0.93 f)
         .&&. near 1e-12 (conductance k 0.01 0.93 0.93) 1
         .&&. conductance k (1.01 * f) 0.93 f === 0
-  prop "crosstalk of one element: s / w to its row, s / h to its column, 1 - 2 s and both to itself" $
+  prop "crosstalk of one: s / w to its row, s / h to its column, 1 - 2 s and both to itself" $
     forAll (choose (0.005, 0.02)) $ \s ->
       let seen = crosstalk s (generate 8 5 (\x y -> if (x, y) == (2, 3) then 1 else 0))
        in conjoin
@@ -130,18 +132,28 @@ readings = do
           code = converted bits zeroed v * top
        in counterexample (show code) $
             abs (code - fromIntegral (round code :: Int)) < 1e-9
-              && (if round (v * top) < zeroed then code == 0 else abs (code - v * top) <= 0.5 + 1e-9)
+              && ( if round (v * top) < zeroed
+                     then code == 0
+                     else abs (code - v * top) <= 0.5 + 1e-9
+                 )
               && converted 0 zeroed v == v
   prop "drift: a decade of time later everything is so much more" $
     forAll ((,) <$> choose (0, 0.05) <*> choose (1, 100)) $ \(d, n) ->
       near 1e-12 (drifted d (10 * n) 0.4 - drifted d n 0.4) (0.4 * d)
-  prop "noise: its deviation rises linearly, and rows and columns share their parts of the variance" $
+  prop "noise: its deviation rises linearly; rows and columns share parts of the variance" $
     forAll ((,) <$> choose (0, 0.5) <*> choose (0, 0.5)) $ \(r, c) ->
-      let sensor = idealSensor {sensorNoise = 0.01, sensorNoiseSlope = 0.2, sensorRowNoise = r, sensorColumnNoise = c}
+      let sensor =
+            idealSensor
+              { sensorNoise = 0.01,
+                sensorNoiseSlope = 0.2,
+                sensorRowNoise = r,
+                sensorColumnNoise = c
+              }
           image = generate 4 3 (\x _ -> 0.25 * fromIntegral x)
           one n = V.replicate n 1
           none n = V.replicate n 0
-          moved own rows columns x y = at (noisy sensor (Deviates own rows columns) image) x y - at image x y
+          moved own rows columns x y =
+            at (noisy sensor (Deviates own rows columns) image) x y - at image x y
           sd x = 0.01 + 0.2 * 0.25 * x
        in conjoin
             [ near 1e-12 (moved (one 12) (none 3) (none 4) 2 1) (sqrt (1 - r - c) * sd 2),
@@ -149,7 +161,13 @@ readings = do
               near 1e-12 (moved (none 12) (none 3) (one 4) 0 2) (sqrt c * sd 0)
             ]
   it "gains: mean 1 and the stated deviation; as many are dead as stated, and read 0" $ do
-    let sensor = idealSensor {sensorColumns = 200, sensorRows = 200, sensorGainSpread = 0.06, sensorDead = 0.01}
+    let sensor =
+          idealSensor
+            { sensorColumns = 200,
+              sensorRows = 200,
+              sensorGainSpread = 0.06,
+              sensorDead = 0.01
+            }
         (specimen, _) = drawSpecimen sensor (mkStdGen 3)
         gains = V.toList (rasterValues (specimenGains specimen))
         living = filter (> 0) gains
@@ -161,8 +179,14 @@ readings = do
     abs (sqrt variance - 0.06) `shouldSatisfy` (< 5 * 0.06 / sqrt (2 * n))
     abs (dead - 400) `shouldSatisfy` (< 5 * sqrt (400 * 0.99))
     case flatFrames sensor specimen 1 (mkStdGen 1) of
-      [frame] -> rasterValues (frameImage frame) `shouldBe` V.map (min 1 . (0.5 *)) (rasterValues (specimenGains specimen))
+      [frame] ->
+        rasterValues (frameImage frame)
+          `shouldBe` V.map (min 1 . (0.5 *)) (rasterValues (specimenGains specimen))
       _ -> expectationFailure "not one frame"
+
+-- | The images of presses in turn.
+scanned :: Sensor -> HeightMap -> [Pose] -> [Raster]
+scanned sensor relief poses = map frameImage (fst (scan sensor relief stay poses (mkStdGen 2)))
 
 oneByOne :: Spec
 oneByOne = do
@@ -172,14 +196,14 @@ oneByOne = do
     let sensor = idealSensor {sensorHysteresis = 0.1}
         face = HeightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
-        images = map frameImage (fst (scan sensor face stay [here, Pose 500 500 0, here] (mkStdGen 1)))
+        images = scanned sensor face [here, Pose 500 500 0, here]
     [at image 7 7 | image <- images] `shouldSatisfy` \seen -> case seen of
       [a, b, c] -> maximum [abs (a - 0.6), abs (b - 0.06), abs (c - 0.606)] < 1e-9
       _ -> False
   it "force: readings go with it, with the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorForceSpread = 0.15}
         plane = HeightMap 5 (constant 20 20 0)
-        images = map frameImage (fst (scan sensor plane stay (replicate 400 (Pose 50 50 0)) (mkStdGen 2)))
+        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
         forces = [10 * V.sum (rasterValues image) | image <- images]
         average = sum forces / 400
         deviation = sqrt (sum [(f - average) * (f - average) | f <- forces] / 400)
@@ -188,7 +212,7 @@ oneByOne = do
   it "tilt: the edges differ by the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorTiltSpread = 0.02}
         plane = HeightMap 5 (constant 20 20 0)
-        images = map frameImage (fst (scan sensor plane stay (replicate 400 (Pose 50 50 0)) (mkStdGen 2)))
+        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
         -- From the outer columns' centres to the middle is 15 / 16 of half the sensor.
         tilts = [(at image 15 8 - at image 0 8) * 10 / 0.19 / 2 * 16 / 15 | image <- images]
         deviation = sqrt (sum (map (^ (2 :: Int)) tilts) / 400)
@@ -196,7 +220,7 @@ oneByOne = do
   it "rotation error: it has the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorRotationError = 3, sensorFullScale = 100}
         ramp = HeightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
-        images = map frameImage (fst (scan sensor ramp stay (replicate 200 (Pose 50 50 0)) (mkStdGen 6)))
+        images = scanned sensor ramp (replicate 200 (Pose 50 50 0))
         angle image =
           atan2
             (sum [at image x 0 - at image x 15 | x <- [0 .. 15]])
@@ -206,7 +230,7 @@ oneByOne = do
         deviation = sqrt (sum [angle image ** 2 | image <- images] / 200)
     abs (deviation - 3) `shouldSatisfy` (< 5 * 3 / sqrt 400)
   it "the same seed gives the same frames of every preset" $
-    [ fst (scan sensor relief stay poses (mkStdGen 5)) == fst (scan sensor relief stay poses (mkStdGen 5))
+    [ scanned sensor relief poses == scanned sensor relief poses
       | preset <- [minBound ..],
         let sensor = presetSensor preset
     ]
@@ -231,7 +255,10 @@ presets = do
         Right changed <- [replaced (constantName c) value (presetSensor Real)],
         d <- constants,
         constantValue d changed
-          /= (if constantName c == constantName d then value else constantValue d (presetSensor Real))
+          /= ( if constantName c == constantName d
+                 then value
+                 else constantValue d (presetSensor Real)
+             )
     ]
       `shouldBe` []
   it "out of its range, or unknown, it is refused" $ do

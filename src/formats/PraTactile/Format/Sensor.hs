@@ -16,7 +16,8 @@ import PraTactile.Probe.Sensor.Constants
 
 -- | A sensor on one line, without its end, with the name of its preset, if it is one.
 encodeSensor :: Maybe Preset -> Sensor -> ByteString
-encodeSensor preset sensor = writeLine keys (preset, map (\c -> (c, constantValue c sensor)) constants)
+encodeSensor preset sensor =
+  writeLine keys (preset, map (\c -> (c, constantValue c sensor)) constants)
   where
     keys = whole <* sourced
     whole =

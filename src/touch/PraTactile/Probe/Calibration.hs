@@ -1,5 +1,5 @@
--- | Calibration as a user does it: frames where nothing is touched and frames where every element is
--- pressed alike tell each element's offset and gain, and which are dead.
+-- | Calibration as a user does it: frames where nothing is touched and frames where every element
+-- is pressed alike tell each element's offset and gain, and which are dead.
 module PraTactile.Probe.Calibration
   ( Calibration (..),
     calibrate,
@@ -51,9 +51,9 @@ data CalibrationError
     AllSaturated
   deriving stock (Eq, Show)
 
--- | The calibration from dark and flat frames' images. Its noise is that of the means. An element is
--- dead if it rises by less than a quarter of the median element's rise, if it reads more than half
--- of full scale in the dark, or full scale in the flat frames, where nothing tells its gain.
+-- | The calibration from dark and flat frames' images. Its noise is that of the means. An element
+-- is dead if it rises by less than a quarter of the median element's rise, if it reads more than
+-- half of full scale in the dark, or full scale in the flat frames, where nothing tells its gain.
 calibrate :: [Raster] -> [Raster] -> Either CalibrationError Calibration
 calibrate [] _ = Left NoDarkFrame
 calibrate _ [] = Left NoFlatFrame
@@ -62,7 +62,8 @@ calibrate darks@(one : _) flats
   | not (all (V.all finite . rasterValues) (darks ++ flats)) = Left ReadingNotFinite
   | V.all (>= saturation) flat = Left AllSaturated
   | middle < 0.02 = Left AllDead
-  | otherwise = Right (Calibration (part (\_ -> (dark `at'`))) (part gain) [p | p <- places, isDead p])
+  | otherwise =
+    Right (Calibration (part (\_ k -> dark `at'` k)) (part gain) (filter isDead places))
   where
     size@(w, h) = sizeOf one
     (dark, flat) = (meanOf darks, meanOf flats)

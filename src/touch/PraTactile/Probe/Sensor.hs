@@ -2,9 +2,9 @@
 --
 -- Each tab of the elastic overlay expands without stress, so an element's output is proportional to
 -- the height it meets; by default it is modelled as the mean height under the element's square
--- aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1. With
--- the constants of "PraTactile.Probe.Sensor.Constants" it is what a force sensing array gives: a
--- rigid press ("PraTactile.Probe.Sensor.Press") and its reading
+-- aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
+-- With the constants of "PraTactile.Probe.Sensor.Constants" it is what a force sensing array gives:
+-- a rigid press ("PraTactile.Probe.Sensor.Press") and its reading
 -- ("PraTactile.Probe.Sensor.Response").
 module PraTactile.Probe.Sensor
   ( -- * What is touched

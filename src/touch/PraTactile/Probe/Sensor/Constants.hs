@@ -258,8 +258,11 @@ robot =
     real "rotation_error" "deg" "assumption: standard deviation" (0, 180) sensorRotationError $
       \v s -> s {sensorRotationError = v},
     real "force" "N" "assumption" (0.001, 100000) sensorForce (\v s -> s {sensorForce = v}),
-    share "force_spread" "assumption: standard deviation as a share of the force" sensorForceSpread $
-      \v s -> s {sensorForceSpread = v},
+    share
+      "force_spread"
+      "assumption: standard deviation as a share of the force"
+      sensorForceSpread
+      $ \v s -> s {sensorForceSpread = v},
     share
       "tilt_spread"
       "assumption: standard deviation of each tilt at the sensor's edge, share of 1.5875 mm"
@@ -286,7 +289,8 @@ mechanics =
     real
       "overlay_depth"
       "mm"
-      "assumption, 1 to 2: point spread t^3 (r^2 + t^2)^(-5/2) of an elastic half space (Boussinesq)"
+      "assumption, 1 to 2: point spread t^3 (r^2 + t^2)^(-5/2) of an elastic half space \
+      \(Boussinesq)"
       (0, 50)
       sensorDepth
       (\v s -> s {sensorDepth = v}),
@@ -338,8 +342,12 @@ electrics =
       \v s -> s {sensorDead = v},
     whole "adc_bits" "assumption, 8 to 12; 0: readings are real numbers" (0, 16) sensorBits $
       \v s -> s {sensorBits = v},
-    whole "adc_zeroed" "assumption: so many of the lowest codes are read as 0" (0, 65535) sensorZeroed $
-      \v s -> s {sensorZeroed = v}
+    whole
+      "adc_zeroed"
+      "assumption: so many of the lowest codes are read as 0"
+      (0, 65535)
+      sensorZeroed
+      $ \v s -> s {sensorZeroed = v}
   ]
 
 noises :: [Constant]

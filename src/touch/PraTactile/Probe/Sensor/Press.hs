@@ -56,7 +56,11 @@ footing (Layout columns rows taxel) diameter (HeightMap cell heights) (Pose x y 
       [] -> (0, 0)
       _ -> (touched / count, sum hits / touched)
       where
-        hits = [h | (u, v) <- points, Just h <- [at (movePoint motion (place columns i + u, place rows j + v))]]
+        hits =
+          [ h
+            | (u, v) <- points,
+              Just h <- [at (movePoint motion (place columns i + u, place rows j + v))]
+          ]
         touched = fromIntegral (length hits)
     motion = Motion r x y
     place n k = taxel * (fromIntegral (k :: Int) - (fromIntegral n - 1) / 2)

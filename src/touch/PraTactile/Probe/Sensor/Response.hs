@@ -36,8 +36,8 @@ conductance k breakForce full force
   | k == 1 = force / full
   | otherwise = (force / full) ** k
 
--- | A reading as a converter of so many bits gives it: the nearest of its codes, 0 if that is one of
--- so many lowest codes, as a share of the greatest; 0 bits change nothing. Clipped to 0..1.
+-- | A reading as a converter of so many bits gives it: the nearest of its codes, 0 if that is one
+-- of so many lowest codes, as a share of the greatest; 0 bits change nothing. Clipped to 0..1.
 converted :: Int -> Int -> Double -> Double
 converted bits zeroed v
   | bits <= 0 = clipped
@@ -86,7 +86,10 @@ noiseDeviation sensor v = sensorNoise sensor + sensorNoiseSlope sensor * max 0 (
 -- 'sensorColumnNoise' are common to a row and to a column.
 noisy :: Sensor -> Deviates -> Raster -> Raster
 noisy sensor (Deviates own ofRow ofColumn) image =
-  generate w (rasterHeight image) (\x y -> let v = at x y in v + noiseDeviation sensor v * deviate x y)
+  generate
+    w
+    (rasterHeight image)
+    (\x y -> let v = at x y in v + noiseDeviation sensor v * deviate x y)
   where
     w = rasterWidth image
     at x y = fromMaybe 0 (index image x y)
