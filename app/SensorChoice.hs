@@ -14,6 +14,7 @@ where
 
 import Control.Monad (foldM)
 import Data.List (find, intercalate)
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import FormatFile (readSensorFile)
 import Message (rangeText)
@@ -127,7 +128,7 @@ chosenSensor choice
 
 -- | The distance of neighbouring presses of a sensor, in its taxels.
 chosenSpacing :: SensorChoice -> Sensor -> Int
-chosenSpacing choice sensor = maybe (defaultSpacing sensor) id (spacing choice)
+chosenSpacing choice sensor = fromMaybe (defaultSpacing sensor) (spacing choice)
 
 -- | The sensor of a preset's name, or else in a file.
 readSensor :: String -> IO Sensor

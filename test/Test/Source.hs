@@ -12,6 +12,7 @@ import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Object.Placement (Face (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (faceText, vertexText)
+import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Manifest (ManifestError (..))
 import PraTactile.Recognise (ReadWindow (..))
 import PraTactile.Source

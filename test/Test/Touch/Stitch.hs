@@ -50,6 +50,7 @@ pressed sensor relief placed =
               (mkStdGen seed)
           )
       )
+      taxelPitch
     | (seed, (pose, (ex, ey))) <- zip [1 ..] placed
   ]
 
@@ -256,7 +257,10 @@ unseen = do
   it "blank frames stay where they are" $
     fmap
       compositeDisplacements
-      (stitch standardRegistration [Frame pose 10 (constant 16 16 0) | pose <- region 32 40])
+      ( stitch
+          standardRegistration
+          [Frame pose 10 (constant 16 16 0) taxelPitch | pose <- region 32 40]
+      )
       `shouldBe` Right (replicate 12 (0, 0))
   it "frames of noise alone are moved by less than the position errors are large" $
     conjoin
@@ -391,8 +395,8 @@ real = do
         other -> Left (show other)
     trueStepX image = if rasterWidth image == 33 then 6 else 2
     trueStepY image = if rasterWidth image == 33 then 5 else 8
-    frameAt (x, y) =
-      Frame (Pose (taxelPitch * fromIntegral (x :: Int)) (taxelPitch * fromIntegral (y :: Int)) 0) 1
+    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch
+    along k = taxelPitch * fromIntegral (k :: Int)
     withFrames names cases = do
       images <- traverse load names
       let results =
