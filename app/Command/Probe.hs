@@ -137,16 +137,16 @@ workOption =
           <> help "The object: cube or parallelepiped"
       )
     <|> Dark
-      <$> calibrating
+      <$> frameCount
         "dark"
         "Write so many frames of the sensor that touches nothing instead"
     <|> Flat
-      <$> calibrating
+      <$> frameCount
         "flat"
         "Write so many frames of the sensor with all taxels pressed alike, to half of full scale, \
         \instead"
   where
-    calibrating name = valued intReader name "N"
+    frameCount name = valued intReader name "N"
 
 -- | How the face lies turned.
 turnsOption :: Parser Turns

@@ -173,6 +173,10 @@ touching =
       "pra probe --dark 2 --sensor hard --frame 8x6 --seed 1 --output dark > log; "
         ++ "cat dark/manifest.json"
     ),
+    ( "manifest",
+      "sed 's/,\"axes\":\"x,y\"//; s/\"frame\":.8,6.,//' dark/manifest.json > m.json; "
+        ++ "cp m.json dark/manifest.json; pra stitch dark --output d.pgm > log; cat m.json"
+    ),
     ( "calibration",
       "pra probe --flat 2 --sensor hard --frame 8x6 --seed 1 --output flat > log; "
         ++ "pra calibrate --dark dark --flat flat --output k.json > log; cat k.json"

@@ -56,7 +56,7 @@ tabs = do
           under = footing standardLayout 1.1 ramp (Pose 20 20 r)
           place k = taxelPitch * (fromIntegral k - 7.5)
           (x, y) = movePoint (Motion r 20 20) (place i, place j)
-       in near 0.04 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)
+       in near 0.08 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)
   where
     ramp =
       HeightMap 0.1 (generate 400 400 (\u v -> 0.02 * fromIntegral u + 0.04 * fromIntegral v))

@@ -8,10 +8,9 @@ module PraTactile.Format.Calibration
 where
 
 import Data.ByteString (ByteString)
-import qualified Data.Vector.Storable as Vector
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
-import PraTactile.Image (Raster, fromRows, rasterHeight, rasterValues, rasterWidth, toRows)
+import PraTactile.Image (Raster, fromRows, rasterHeight, rasterWidth, toRows)
 import PraTactile.Probe.Calibration
 
 -- | A calibration on one line, without its end.
@@ -27,7 +26,7 @@ decodeCalibration bytes = do
   let size r = (rasterWidth r, rasterHeight r)
       inside (y, x) = y >= 0 && x >= 0 && y < rasterHeight offset && x < rasterWidth offset
   if size offset == size gain
-    && Vector.all (> 0) (rasterValues gain)
+    && all (all (> 0)) (toRows gain)
     && all inside dead
     then Right given
     else refuse NotCalibration
