@@ -78,7 +78,7 @@ command =
       "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json",
       "pra-tactile probe --object cube --seed 7 --sensor real --frame 32x32 --taxel 0.79375 \
       \--output frames",
-      "pra-tactile probe --flat 16 --sensor real --seed 7 --output flat"
+      "pra-tactile probe --flat 16 --sensor real --seed 7 --output frames"
     ]
     (run <$> arrayChoice <*> optionsParser)
 
