@@ -9,6 +9,7 @@ where
 
 import qualified Command.Advise
 import qualified Command.Array
+import qualified Command.Calibrate
 import qualified Command.Census
 import qualified Command.Certificate
 import qualified Command.Check
@@ -25,6 +26,7 @@ import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
 import qualified Command.Rates
+import qualified Command.Sensor
 import qualified Command.Sequence
 import qualified Command.Serve
 import qualified Command.Shapes
@@ -143,7 +145,9 @@ commands =
               Command.Stitch.command,
               Command.Decode.command,
               Command.Compare.command,
-              Command.Evaluate.command
+              Command.Evaluate.command,
+              Command.Sensor.command,
+              Command.Calibrate.command
             ]
       )
     <|> subparser

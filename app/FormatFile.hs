@@ -5,6 +5,9 @@ module FormatFile
     readCertificate,
     readTruth,
     readClaim,
+    readSensorFile,
+    readCalibration,
+    readManifestFile,
   )
 where
 
@@ -13,6 +16,9 @@ import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, profileMessage)
 import PraTactile.Format
+import PraTactile.Probe.Calibration (Calibration)
+import PraTactile.Probe.Manifest (Manifest)
+import PraTactile.Probe.Sensor (Sensor)
 import PraTactile.Profile
 import PraTactile.Truth (Claim, Truth)
 
@@ -38,6 +44,23 @@ readCertificate = readAs (readBytesUpTo (4 * mebibyte)) decodeCertificate wanted
 -- | The truth in a file.
 readTruth :: FilePath -> IO Truth
 readTruth = readAs readBytes decodeTruth "the truth as 'pra-tactile probe --truth' writes it"
+
+-- | The sensor in a file.
+readSensorFile :: FilePath -> IO Sensor
+readSensorFile =
+  readAs (readBytesUpTo mebibyte) decodeSensor "a sensor as 'pra-tactile sensor --json' prints it"
+
+-- | The calibration in a file.
+readCalibration :: FilePath -> IO Calibration
+readCalibration =
+  readAs
+    (readBytesUpTo (8 * mebibyte))
+    decodeCalibration
+    "a calibration as 'pra-tactile calibrate' writes it"
+
+-- | The manifest in a file of its JSON form.
+readManifestFile :: FilePath -> IO Manifest
+readManifestFile = readAs readBytes decodeManifest "a manifest of frames"
 
 -- | The claim in a file with an answer of @decode --json@; 'Nothing' where it names no place on a
 -- face.

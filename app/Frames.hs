@@ -1,3 +1,5 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | Frames and composites on disk: a folder with a manifest and PGM files, or a PGM file that is a
 -- whole composite.
 module Frames
@@ -7,9 +9,12 @@ module Frames
     sources,
     loadSource,
     loadSources,
+    loadFrames,
+    Preparation,
 
     -- * Folders of frames
     frameFiles,
+    listedFrameFiles,
   )
 where
 
@@ -20,12 +25,14 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
 import ExitStatus
 import Files (readBytes)
+import FormatFile (readManifestFile)
 import Message
 import PraTactile.Files
+import PraTactile.Format (encodeManifest)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Probe (Frame, sensorSide)
-import PraTactile.Probe.Manifest (Entry (..), parseManifest)
+import PraTactile.Probe (Frame (..), Layout (..), sensorSide, standardLayout)
+import PraTactile.Probe.Manifest (Entry (..), Manifest (..), listing, parseManifest)
 import PraTactile.Source
 import PraTactile.Stitch
 import System.Directory (doesDirectoryExist, doesFileExist)
@@ -64,18 +71,16 @@ sources paths = do
       let folder = takeDirectory path
       isFolder <- doesDirectoryExist path
       isFile <- doesFileExist path
-      hasManifest <- doesFileExist (folder </> manifestName)
+      hasManifest <- isListed folder
       case () of
         _
           | path == "-" -> pure (Just (CompositeFile path))
           | isFolder -> pure (Just (FrameFolder path))
           | not isFile -> unusable ("there is no file or folder " ++ path)
           | hasManifest -> do
-            manifest <-
-              folderManifest <$> (readChosen (const False) folder >>= orUnusable filesMessage)
-            entries <- orUnusable (sourceMessage folder . ManifestRefused) (parseManifest manifest)
+            manifest <- readManifest folder
             pure
-              ( if takeFileName path `elem` map entryFile entries
+              ( if takeFileName path `elem` map entryFile (manifestEntries manifest)
                   then Nothing
                   else Just (CompositeFile path)
               )
@@ -84,25 +89,30 @@ sources paths = do
 -- | The composites of sources, stitched from their frames by the function where they are not
 -- composites already. Says so where images of a frame's size are taken for composites, because they
 -- stand in no manifest.
-loadSources :: ([Frame] -> Either StitchError Composite) -> [Source] -> IO [Composite]
-loadSources assemble given = do
-  composites <- traverse (loadSource assemble) given
+loadSources ::
+  Preparation -> ([Frame] -> Either StitchError Composite) -> [Source] -> IO [Composite]
+loadSources prepare assemble given = do
+  composites <- traverse (loadSource prepare assemble) given
   let lone =
         [ file
           | (CompositeFile file, composite) <- zip given composites,
             frameSized (compositeImage composite)
         ]
   forM_ (nub (map takeDirectory lone)) $ \folder -> do
-    hasManifest <- doesFileExist (folder </> manifestName)
+    hasManifest <- isListed folder
     let presence = if hasManifest then WithManifest else WithoutManifest
     warn (loneFramesMessage folder presence (length (filter ((== folder) . takeDirectory) lone)))
   pure composites
   where
     frameSized image = rasterWidth image == sensorSide && rasterHeight image == sensorSide
 
+-- | What is done to frames before they are assembled, or a message why it cannot be.
+type Preparation = [Frame] -> Either String [Frame]
+
 -- | The composite of one source.
-loadSource :: ([Frame] -> Either StitchError Composite) -> Source -> IO Composite
-loadSource assemble source = case source of
+loadSource ::
+  Preparation -> ([Frame] -> Either StitchError Composite) -> Source -> IO Composite
+loadSource prepare assemble source = case source of
   FrameFolder folder -> assembled folder (const True)
   Chosen folder names -> assembled folder (`elem` names)
   CompositeFile "-" ->
@@ -111,12 +121,63 @@ loadSource assemble source = case source of
     readImage file >>= orUnusable filesMessage >>= orUnusable (fileMessage file) . imageComposite
   where
     assembled folder wanted = do
-      content <- readChosen wanted folder >>= orUnusable filesMessage
-      frames <- orUnusable (sourceMessage folder) (chosenFrames wanted content)
+      frames <- wantedFrames wanted folder >>= orUnusable ((folder ++ ": ") ++) . prepare
       orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assemble frames)
+
+-- | All frames of a folder.
+loadFrames :: FilePath -> IO [Frame]
+loadFrames = wantedFrames (const True)
+
+-- | The frames of a folder whose files' names are wanted.
+wantedFrames :: (FilePath -> Bool) -> FilePath -> IO [Frame]
+wantedFrames wanted folder = do
+  inJson <- doesFileExist (folder </> jsonManifestName)
+  if not inJson
+    then do
+      content <- readChosen wanted folder >>= orUnusable filesMessage
+      orUnusable (sourceMessage folder) (chosenFrames wanted content)
+    else do
+      manifest <- readManifest folder
+      images <-
+        readImages wanted folder (imagesNamed (manifestEntries manifest))
+          >>= orUnusable filesMessage
+      orUnusable
+        (sourceMessageOf (folder </> jsonManifestName) folder)
+        (manifestFrames wanted manifest images)
+
+-- | A folder's manifest: the JSON form where there is one, else the CSV form.
+readManifest :: FilePath -> IO Manifest
+readManifest folder = do
+  inJson <- doesFileExist (folder </> jsonManifestName)
+  if inJson
+    then readManifestFile (folder </> jsonManifestName)
+    else do
+      manifest <- folderManifest <$> (readChosen (const False) folder >>= orUnusable filesMessage)
+      listing <$> orUnusable (sourceMessage folder . ManifestRefused) (parseManifest manifest)
+
+-- | Whether a folder has a manifest of either form.
+isListed :: FilePath -> IO Bool
+isListed folder =
+  (||) <$> doesFileExist (folder </> manifestName) <*> doesFileExist (folder </> jsonManifestName)
 
 -- | The files of a folder of frames, 8-bit binary PGM, with its manifest.
 frameFiles :: [Frame] -> Either ImageError [(FilePath, ByteString)]
 frameFiles =
   fmap (\folder -> (manifestName, folderManifest folder) : Map.toList (folderImages folder))
     . framesFolder
+
+-- | The same of frames of a sensor of this layout whose readings have so many bits, 0 for real
+-- numbers: as 'frameFiles' where it is the standard sensor, else with a manifest in its JSON form,
+-- and images with as many grey values as the readings have.
+listedFrameFiles :: Layout -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
+listedFrameFiles layout bits frames
+  | layout == standardLayout && bits <= 8 = frameFiles frames
+  | otherwise = do
+    (entries, images) <- frameImages (if bits <= 8 then 255 else 2 ^ bits - 1) frames
+    pure ((jsonManifestName, encodeManifest (said entries) <> "\n") : Map.toList images)
+  where
+    said entries =
+      (listing entries)
+        { manifestTaxel = layoutTaxel layout,
+          manifestFrame = Just (layoutColumns layout, layoutRows layout)
+        }

@@ -25,9 +25,6 @@ module Options
     -- * Simulation
     seedOption,
     sizeOption,
-    SensorChoice (..),
-    sensorOptions,
-    chosenSensor,
 
     -- * Printing
     AnswerForm (..),
@@ -47,7 +44,6 @@ import PraTactile.Array (Folding, Surface)
 import PraTactile.Explore (standardRegionSize)
 import PraTactile.Format.Name
 import PraTactile.Locate (Radius (..))
-import PraTactile.Probe.Sensor (Sensor (..), standardSensor)
 import Readers
 
 -- | A command: its name, what it does in a sentence, examples of its use, and its options.
@@ -135,35 +131,6 @@ sizeOption =
         <> value standardRegionSize
         <> help "The region in taxels (default 40x52)"
     )
-
--- | How good the simulated sensor is.
-data SensorChoice = SensorChoice
-  { -- | standard deviation, taxels
-    positionSigma :: Double,
-    -- | standard deviation, of full scale
-    noiseSd :: Double
-  }
-
--- | @--position-error@ and @--noise@.
-sensorOptions :: Parser SensorChoice
-sensorOptions =
-  SensorChoice
-    <$> defaulting
-      (sensorPositionError standardSensor)
-      decimalReader
-      "position-error"
-      "SIGMA"
-      "Standard deviation of each frame's position, taxels, on both axes"
-    <*> defaulting
-      (sensorNoise standardSensor)
-      decimalReader
-      "noise"
-      "SD"
-      "Standard deviation of the noise, as a share of full scale"
-
-chosenSensor :: SensorChoice -> Sensor
-chosenSensor choice =
-  standardSensor {sensorPositionError = positionSigma choice, sensorNoise = noiseSd choice}
 
 -- | How an answer is printed.
 data AnswerForm = AsText | AsJson

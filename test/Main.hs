@@ -49,6 +49,7 @@ import qualified Test.CommandLine.Patches
 import qualified Test.CommandLine.Picture
 import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
+import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conform
 import qualified Test.Conform.Run
@@ -84,6 +85,7 @@ import qualified Test.StoreTarget
 import qualified Test.Symmetry
 import qualified Test.Tools
 import qualified Test.Touch.Blend
+import qualified Test.Touch.Calibration
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
@@ -94,6 +96,7 @@ import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
 import qualified Test.Touch.Sensor
+import qualified Test.Touch.SensorConstants
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
@@ -153,6 +156,8 @@ specs = do
     describe "Probing" Test.Touch.Probe.spec
     describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
     describe "The sensor" Test.Touch.Sensor.spec
+    describe "The sensor's constants" Test.Touch.SensorConstants.spec
+    describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" Test.Touch.Stitch.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
@@ -197,6 +202,7 @@ specs = do
   describe "The command line: large patches" Test.CommandLine.Patches.spec
   describe "The command line: long work" Test.CommandLine.LongWork.spec
   describe "The command line: fields and polynomials" Test.CommandLine.Fields.spec
+  describe "The command line: sensors" Test.CommandLine.Sensor.spec
   describe "The command line: sequences and foldings" Test.CommandLine.Sequences.spec
   describe "The command line: rates" Test.CommandLine.Rates.spec
   describe "The command line: proofs and certificates" Test.CommandLine.Proof.spec

@@ -14,6 +14,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Frames
+import FramesChoice
 import Message
 import Options
 import Output (writeWhole)
@@ -35,6 +36,7 @@ import Visible
 data Options = Options
   { surface :: Maybe Surface,
     assembly :: Assembly,
+    frames :: FramesChoice,
     network :: Maybe FilePath,
     database :: Maybe FilePath,
     picture :: Maybe FilePath,
@@ -72,6 +74,7 @@ optionsParser =
   Options
     <$> surfaceOption
     <*> assemblyOptions
+    <*> framesOptions
     <*> networkOption
     <*> optionalFile
       "database"
@@ -83,7 +86,7 @@ optionsParser =
       "FILE.svg"
       "Draw what was felt with the symbols over it, and where on the face that is (one source \
       \only); - is the standard output, in place of the answer"
-    <*> toleranceOptions
+    <*> ((\foreignTo tolerated -> tolerated {foreignPrior = foreignTo}) <$> foreignOption <*> toleranceOptions)
     <*> flag
       EachItsOwn
       OneFace
@@ -119,7 +122,7 @@ placeOption =
         else readerError "a place is two finite numbers, as in 76.2,0"
     finite v = not (isNaN v || isInfinite (v :: Double))
 
--- | How much doubt and how many wrong symbols an answer may have.
+-- | How much doubt and how many wrong symbols an answer may have; foreign things as by default.
 toleranceOptions :: Parser Tolerance
 toleranceOptions =
   Tolerance
@@ -132,19 +135,24 @@ toleranceOptions =
     <*> radiusOption
       "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
       \ones guarantee to be corrected)"
-    <*> defaulting
-      (foreignShare standardTolerance)
-      decimalReader
-      "foreign"
-      "P"
-      "The probability beforehand that what was touched is not of this array, though its symbols \
-      \are of the same shapes; the doubt weighs it"
+    <*> pure (foreignPrior standardTolerance)
+
+-- | @--foreign@: the prior of it.
+foreignOption :: Parser Double
+foreignOption =
+  defaulting
+    (foreignPrior standardTolerance)
+    decimalReader
+    "foreign"
+    "P"
+    "The probability beforehand that what was touched is not of this array, though its symbols are \
+    \of the same shapes; the doubt weighs it"
 
 -- | What is wrong with a choice of these.
 toleranceComplaint :: Tolerance -> Maybe String
 toleranceComplaint tolerated
   | not (isShare (toleratedDoubt tolerated)) = Just "--doubt is a probability below 1"
-  | not (isShare (foreignShare tolerated)) = Just "--foreign is a probability below 1"
+  | not (isShare (foreignPrior tolerated)) = Just "--foreign is a probability below 1"
   | otherwise = Nothing
   where
     isShare p = p >= 0 && p < 1
@@ -163,7 +171,8 @@ run choice options
     when
       (several && picture options /= Nothing)
       (unusable "--picture draws one composite; give one source")
-    composites <- loadSources (assemble (assembly options)) found
+    prepare <- preparation (frames options)
+    composites <- loadSources prepare (assemble (assembly options)) found
     case sharing options of
       OneFace -> placed (places options) (zip found composites) >>= decoder (map sourcePath found)
       EachItsOwn -> do

@@ -11,7 +11,7 @@ import Control.Monad (foldM, unless)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes)
+import Data.Maybe (catMaybes, fromMaybe)
 import Data.Traversable (for)
 import ExitStatus
 import Message
@@ -19,24 +19,28 @@ import Options
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
-import PraTactile.Format (EvaluationReport (..), encodeEvaluation)
+import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
 import PraTactile.Object.Placement
-import PraTactile.Probe (planScan)
-import PraTactile.Probe.Sensor (HeightMap)
+import PraTactile.Probe (planScanOf)
+import PraTactile.Probe.Sensor (HeightMap, Sensor (..), sensorLayout)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
-import PraTactile.Symmetry (Symmetry, rotations)
+import PraTactile.Shape (shapes)
+import PraTactile.Symmetry (rotations)
 import Progress
+import SensorChoice
 import Setup
 import Text.Printf (printf)
+import Visible (visibleName)
 
 data Options = Options
   { presses :: Int,
     seed :: Int,
     size :: (Int, Int),
     sensor :: SensorChoice,
-    turns :: [Symmetry],
+    turns :: Turns,
+    foreignPresses :: Maybe Double,
     tolerance :: Tolerance,
     network :: Maybe FilePath,
     form :: AnswerForm
@@ -49,7 +53,9 @@ command =
     "Simulate presses at random places on the faces in turn, and count how many are decoded \
     \right, wrong or refused, with stitching and without."
     [ "pra-tactile evaluate --presses 100 --seed 1",
-      "pra-tactile evaluate --presses 100 --seed 1 --noise 0.3 --doubt 0.0001"
+      "pra-tactile evaluate --presses 100 --seed 1 --noise 0.3 --doubt 0.0001",
+      "pra-tactile evaluate --presses 100 --seed 1 --sensor real",
+      "pra-tactile evaluate --presses 100 --seed 1 --foreign 0.5"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -59,24 +65,39 @@ command =
         <*> seedOption (value 1 <> showDefault)
         <*> sizeOption
         <*> sensorOptions
-        <*> flag
-          halfTurns
-          rotations
-          ( long "quarter-turns"
-              <> help
-                "The faces lie in any of four ways (default: upright or turned by 180 degrees)"
+        <*> turnsOption
+        <*> optional
+          ( valued
+              decimalReader
+              "foreign"
+              "SHARE"
+              "The share of presses on what is none of ours: our shapes in an arrangement by \
+              \chance, of which every answer is wrong (default: 0)"
           )
         <*> toleranceOptions
         <*> networkOption
         <*> jsonSwitch "Print the counts as JSON"
 
+-- | How the faces lie.
+turnsOption :: Parser Turns
+turnsOption =
+  flag'
+    (AmongTurns rotations)
+    ( long "quarter-turns"
+        <> help "The faces lie in any of four ways (default: upright or turned by 180 degrees)"
+    )
+    <|> flag' AnyAngle (long "any-angle" <> help "The faces lie turned by any angle")
+    <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by so many degrees")
+    <|> pure (AmongTurns halfTurns)
+
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | presses options < 1 = unusable "--presses is a number from 1 up"
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
-  | not (positionSigma (sensor options) >= 0 && noiseSd (sensor options) >= 0) =
-    unusable "--position-error and --noise are numbers from 0 up"
+  | not (all (\share -> share >= 0 && share <= 1) (foreignPresses options)) =
+    unusable "--foreign is a share from 0 to 1"
   | otherwise = do
+    simulated <- chosenSensor (sensor options)
     profile <- chosenProfile choice
     layout <- placementFor profile
     alphabet <- shippedAlphabet
@@ -89,9 +110,24 @@ run choice options
           faces <-
             first reliefMessage . for (laidFaces layout) $ \face ->
               (,) face <$> relief array layout alphabet face
-          pure (measure profile options reader faces)
+          pure (measure profile options (how layout alphabet simulated) reader faces)
     measured <- orUnusable profileMessage (withProfile profile prepared)
     either unusable id measured
+  where
+    how layout alphabet simulated =
+      Exploration
+        { explorationSensor = simulated,
+          explorationSpacing = chosenSpacing (sensor options) simulated,
+          explorationTurns = turns options,
+          explorationSize = size options,
+          explorationForeign = others layout alphabet <$> foreignPresses options
+        }
+    others layout alphabet share =
+      Foreign
+        { foreignShare = share,
+          foreignClasses = length (shapes alphabet),
+          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face
+        }
 
 -- | Run the trials on all cores, saying how far it is where a person looks on, and print the two
 -- counts. Trials are made as they are needed and let go once counted, so that any number takes the
@@ -100,24 +136,32 @@ measure ::
   KnownField k =>
   Profile ->
   Options ->
+  Exploration ->
   Recogniser k ->
   [(LaidFace, HeightMap)] ->
   IO ExitStatus
-measure profile options reader faces = do
-  _ <- orUnusable probeMessage (planScan frameSpacing (0, 0) (size options))
+measure profile options how reader faces = do
+  _ <-
+    orUnusable
+      probeMessage
+      (planScanOf (sensorLayout simulated) (explorationSpacing how) (0, 0) (size options))
   unless
     (fitting (turns options) (size options) (map fst faces) (seed options) (presses options))
     (unusable tooLarge)
   (stitched, unstitched) <- withProgress (toInteger (presses options)) 0 $ \tell ->
-    foldM (count tell) (noResults, noResults) (zip [1 ..] (results options reader faces))
+    foldM (count tell) (noResults, noResults) (zip [1 ..] (results options how reader faces))
   printAs
     (form options)
     ( unlines
-        [headingText options, tallyText "stitching" stitched, tallyText "no-stitching" unstitched]
+        [ headingText options simulated,
+          tallyText "stitching" stitched,
+          tallyText "no-stitching" unstitched
+        ]
     )
-    (encodeEvaluation (report profile options stitched unstitched))
+    (encodeEvaluation (report profile options simulated stitched unstitched))
   pure Answered
   where
+    simulated = explorationSensor how
     count :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
     count tell (stitched, unstitched) (i, outcome) =
       let stitched' = counting stitched (withStitching outcome)
@@ -129,39 +173,79 @@ measure profile options reader faces = do
         (fst (size options))
         (snd (size options))
 
-report :: Profile -> Options -> Tally -> Tally -> EvaluationReport
-report profile options stitched unstitched =
+report :: Profile -> Options -> Sensor -> Tally -> Tally -> EvaluationReport
+report profile options simulated stitched unstitched =
   EvaluationReport
     { evaluationProfile = profile,
       evaluationPresses = presses options,
       evaluationSeed = seed options,
-      evaluationPositionError = positionSigma (sensor options),
-      evaluationNoise = noiseSd (sensor options),
+      evaluationPositionError = sensorPositionError simulated,
+      evaluationNoise = sensorNoise simulated,
+      evaluationConditions =
+        EvaluationConditions
+          { conditionSensor = sensorNamed (sensor options),
+            conditionRotationError = rotationSigma (sensor options),
+            conditionTurns = turns options,
+            conditionForeign = foreignPresses options
+          },
       evaluationStitched = stitched,
       evaluationUnstitched = unstitched
     }
 
 -- | What comes of each press, made on all cores as it is needed.
-results :: KnownField k => Options -> Recogniser k -> [(LaidFace, HeightMap)] -> [TrialResult]
-results options reader faces =
+results ::
+  KnownField k =>
+  Options ->
+  Exploration ->
+  Recogniser k ->
+  [(LaidFace, HeightMap)] ->
+  [TrialResult]
+results options how reader faces =
   withStrategy (parBuffer 32 rseq) (map decoded (take (presses options) (catMaybes started)))
   where
-    decoded = runTrial (tolerance options) reader (registrationFor sigma sd)
-    SensorChoice sigma sd = sensor options
-    started =
-      trials (chosenSensor (sensor options)) (turns options) (size options) faces (seed options)
+    decoded =
+      runTrial
+        weighing
+        reader
+        (registrationFor (sensorPositionError simulated) (assumedNoise simulated))
+    -- Decoders are told what share of the presses is foreign, where any is.
+    weighing =
+      (tolerance options)
+        { foreignPrior = fromMaybe (foreignPrior (tolerance options)) (foreignPresses options)
+        }
+    simulated = explorationSensor how
+    started = trialsOf how faces (seed options)
 
-headingText :: Options -> String
-headingText options =
+-- | The noise that registration is told of: that of a reading at full scale, and what frames differ
+-- by because their elements do.
+assumedNoise :: Sensor -> Double
+assumedNoise simulated
+  | slope <= 0 && spread <= 0 = noise
+  | otherwise = sqrt ((noise + slope) ** 2 + (spread / 2) ** 2)
+  where
+    noise = sensorNoise simulated
+    slope = sensorNoiseSlope simulated
+    spread = sensorGainSpread simulated
+
+headingText :: Options -> Sensor -> String
+headingText options simulated =
   printf
     "%d presses, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \
-    \of full scale"
+    \of full scale%s"
     (presses options)
     (seed options)
     (fst (size options))
     (snd (size options))
-    (positionSigma (sensor options))
-    (noiseSd (sensor options))
+    (sensorPositionError simulated)
+    (sensorNoise simulated)
+    (concatMap (", " ++) (named ++ turned ++ others))
+  where
+    named = ["sensor " ++ visibleName name | Just name <- [sensorNamed (sensor options)]]
+    turned = case turns options of
+      AnyAngle -> ["at any angle"]
+      TurnedBy degrees -> [printf "turned by %g degrees" degrees]
+      AmongTurns _ -> []
+    others = [printf "share of foreign presses %g" share | Just share <- [foreignPresses options]]
 
 tallyText :: String -> Tally -> String
 tallyText name counted =

@@ -12,6 +12,7 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import ExitStatus
 import Frames
+import FramesChoice
 import Message
 import Options
 import Output
@@ -29,6 +30,7 @@ command =
     \cross-correlation."
     ["pra-tactile stitch frames --output composite.pgm"]
     ( run <$> assemblyOptions
+        <*> framesOptions
         <*> strArgument (metavar "FOLDER" <> action "directory")
         <*> fileOption "output" "FILE" "The composite, .pgm or .png"
     )
@@ -70,13 +72,14 @@ registrationFor sigma noise =
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
 assemble = maybe placeOnly stitch
 
-run :: Assembly -> FilePath -> FilePath -> IO ExitStatus
-run way folder output = do
+run :: Assembly -> FramesChoice -> FilePath -> FilePath -> IO ExitStatus
+run way choice folder output = do
   encoder <- case map toLower (takeExtension output) of
     ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
     ".png" -> pure (Right . rasterPng)
     _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
-  composite <- loadSource (assemble way) (FrameFolder folder)
+  prepare <- preparation choice
+  composite <- loadSource prepare (assemble way) (FrameFolder folder)
   writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
   sayWritten
     output

@@ -3,6 +3,7 @@ module Message.Files
   ( ManifestPresence (..),
     filesMessage,
     sourceMessage,
+    sourceMessageOf,
     fileMessage,
     loneFramesMessage,
   )
@@ -43,14 +44,20 @@ filesMessage e = case e of
 
 -- | Of a folder of frames.
 sourceMessage :: FilePath -> SourceError -> String
-sourceMessage folder e = case e of
+sourceMessage folder = sourceMessageOf (folder </> manifestName) folder
+
+-- | The same where the manifest is this file.
+sourceMessageOf :: FilePath -> FilePath -> SourceError -> String
+sourceMessageOf manifest folder e = case e of
   ManifestRefused why -> manifest ++ ": " ++ manifestMessage why
   ImageElsewhere name ->
     manifest ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
   ImageAbsent name -> manifest ++ ": the frame " ++ show name ++ " is not there"
+  ImageSize name (w, h) (w', h') ->
+    (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
   where
-    manifest = folder </> manifestName
+    by w h = show w ++ " x " ++ show h
 
 -- | Of an image.
 fileMessage :: FilePath -> ImageError -> String

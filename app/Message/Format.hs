@@ -2,6 +2,7 @@
 module Message.Format
   ( formatMessage,
     jsonMessage,
+    rangeText,
   )
 where
 
@@ -41,6 +42,12 @@ placeText place = case place of
     step (Key key) = '.' : visible (Key.toString key)
     step (Index i) = "[" ++ show i ++ "]"
 
+-- | What a constant may be.
+rangeText :: String -> (Double, Double) -> String
+rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ number most
+  where
+    number v = if v == fromIntegral (round v :: Int) then show (round v :: Int) else show v
+
 misfitMessage :: Misfit -> String
 misfitMessage misfit = case misfit of
   MissingKey key -> "the key " ++ quoted (Text.unpack key) ++ " is missing"
@@ -62,4 +69,11 @@ misfitMessage misfit = case misfit of
   UnknownEvidence name ->
     "the evidence's road is " ++ quoted name ++ ", not rank or enumeration"
   NotQuarterTurn -> "one of 0, 90, 180 and 270 is needed"
+  NotCalibration ->
+    "offset and gain need rows of one length and number, gains above 0, and the dead elements must \
+    \be among them"
+  NotPositive what -> what ++ " must be above 0"
+  NoFrame -> "it names no frame"
+  ConstantOutOfRange name range -> rangeText name range
+  NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

@@ -4,6 +4,7 @@ module Message.Touch
     manifestMessage,
     probeMessage,
     stitchMessage,
+    calibrationMessage,
     shapeMessage,
     networkMessage,
   )
@@ -17,9 +18,11 @@ import PraTactile.Classify.Network (NetworkError (..))
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
 import PraTactile.Probe (ProbeError (..))
+import PraTactile.Probe.Calibration (CalibrationError (..))
 import PraTactile.Probe.Manifest (ManifestError (..), manifestHeader)
 import PraTactile.Shape (ShapeError (..))
 import PraTactile.Stitch (StitchError (..))
+import Text.Printf (printf)
 
 imageMessage :: ImageError -> String
 imageMessage e = case e of
@@ -85,6 +88,9 @@ probeMessage e = case e of
   SpacingTooSmall n -> "presses " ++ show n ++ " taxels apart never cover a region"
   RegionTooSmall w h ->
     "a region of " ++ show w ++ " x " ++ show h ++ " taxels is smaller than the sensor, 16 x 16"
+  RegionBelowSensor w h across down ->
+    "a region of " ++ show w ++ " x " ++ show h ++ " taxels is smaller than the sensor, "
+      ++ printf "%.4g x %.4g" across down
   RegionTooLarge w h ->
     "a region of " ++ show w ++ " x " ++ show h ++ " taxels takes too many presses"
 
@@ -99,7 +105,7 @@ stitchMessage e = case e of
       ++ show w
       ++ " x "
       ++ show h
-      ++ " taxels; the sensor has 16 x 16"
+      ++ " taxels; frames are of one size, from 4 x 4 to 256 x 256"
   FrameRotation i degrees ->
     "frame "
       ++ show (i + 1)
@@ -117,6 +123,18 @@ stitchMessage e = case e of
       ++ " x "
       ++ show (ceiling h :: Integer)
       ++ " taxels; check the manifest's positions (millimetres)"
+
+calibrationMessage :: CalibrationError -> String
+calibrationMessage e = case e of
+  NoDarkFrame -> "there are no dark frames"
+  NoFlatFrame -> "there are no flat frames"
+  SensorsDiffer one other ->
+    "the calibration is of a sensor of " ++ by one ++ " taxels, and a frame has " ++ by other
+  ReadingNotFinite -> "a frame has a value that is not a finite number"
+  AllDead -> "no taxel reads more in the flat frames than in the dark ones: all are dead"
+  AllSaturated -> "all taxels read full scale in the flat frames, so that their gains are not known"
+  where
+    by (w, h) = show w ++ " x " ++ show h
 
 shapeMessage :: ShapeError -> String
 shapeMessage e = case e of

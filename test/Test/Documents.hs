@@ -145,6 +145,8 @@ furnish folder line = forM_ files $ \(name, command) -> do
           "pra-tactile probe --object cube --seed 7 --truth truth.json --output pressed"
         ),
         ("answer.json", "pra-tactile decode --json pressed > answer.json"),
+        ("dark", "pra-tactile probe --dark 4 --sensor hard --seed 7 --output dark"),
+        ("flat", "pra-tactile probe --flat 4 --sensor hard --seed 7 --output flat"),
         ("left.pgm", half "left" "0,19.05"),
         ("right.pgm", half "right" "76.2,19.05")
       ]

@@ -74,6 +74,9 @@ roundTrips = do
             [ truthFace read' === truthFace truth,
               truthOrigin read' === truthOrigin truth,
               whole (truthRegion read') === whole (truthRegion truth),
+              counterexample
+                (show read')
+                (abs (regionAngle (truthRegion read') - regionAngle (truthRegion truth)) < 1e-9),
               counterexample (show read') (cornerOf read' `near` cornerOf truth)
             ]
   it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
@@ -156,7 +159,8 @@ refusals = do
       (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
         `shouldBe` (key, True)
   it "a key that is missing, or null, of a profile, a certificate and a truth" $ do
-    truth <- generate someTruth
+    askew <- generate someTruth
+    let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}}
     profile <- generate someProfile
     certificate <- generate someCertificate
     everyKey (encodeProfile profile) decodeProfile
@@ -298,6 +302,7 @@ someTruth =
             <*> choose (1, 99)
             <*> choose (1, 99)
             <*> elements rotations
+            <*> oneof [pure 0, choose (-44, 44)]
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
   where

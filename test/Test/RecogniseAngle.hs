@@ -183,11 +183,11 @@ foreignSpec array reader alphabetOfAll = do
     fmap doubtOfOrigin (doubtsOf 0 (ours 2 2 (Position 3 3))) `shouldBe` Just 0
   it "four clear symbols alone are an answer by default, and not where a half is foreign" $ do
     answered standardTolerance (ours 2 2 (Position 6 5)) `shouldBe` True
-    answered standardTolerance {foreignShare = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
-    answered standardTolerance {foreignShare = 0.5} (ours 3 4 (Position 6 5)) `shouldBe` True
+    answered standardTolerance {foreignPrior = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
+    answered standardTolerance {foreignPrior = 0.5} (ours 3 4 (Position 6 5)) `shouldBe` True
   it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $ do
     let drawn = unGen (vectorOf 200 (vectorOf 2 (vectorOf 3 (choose (0, 3))))) (mkQCGen 5) 30
-        tolerant = standardTolerance {foreignShare = 0.5, toleratedDoubt = 0.999}
+        tolerant = standardTolerance {foreignPrior = 0.5, toleratedDoubt = 0.999}
         located = mapMaybe (doubtIn tolerant) drawn
         true = mapMaybe (doubtIn tolerant . ours 2 3) (take 200 everywhere)
         wrong = fromIntegral (length located)
@@ -205,7 +205,7 @@ foreignSpec array reader alphabetOfAll = do
       either (const Nothing) Just (recogniseWith tolerance reader [compositeOf (drawing classes)])
     doubtsOf share classes =
       evidenceDoubts
-        <$> (seen standardTolerance {foreignShare = share} classes >>= recognisedEvidence)
+        <$> (seen standardTolerance {foreignPrior = share} classes >>= recognisedEvidence)
     answered tolerance = maybe False isFound . seen tolerance
     isFound recognition = case recognisedAnswer recognition of
       Right (Found _) -> True

@@ -87,7 +87,7 @@ roomSpec = do
       forAll (choose (1, 5) >>= (`vectorOf` elements (laidFaces layout))) $ \faces ->
         forAll ((,) <$> elements [30, 64, 65, 80, 81] <*> elements [30, 60, 64, 80]) $ \size ->
           forAll ((,) <$> choose (0, 8) <*> choose (1, 999)) $ \(count, seed) ->
-            fitting rotations size faces seed count
+            fitting (AmongTurns rotations) size faces seed count
               === all
                 isJust
                 (take count (trials idealSensor rotations size [(f, flat) | f <- faces] seed))

@@ -160,6 +160,27 @@ touching =
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
     ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
     ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
+    ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
+    ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --turn 5"),
+    ( "truth",
+      "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"
+    ),
+    ( "sensor",
+      "pra sensor --json; pra sensor --preset real --json > r.json; "
+        ++ "pra sensor --preset r.json --json"
+    ),
+    ( "manifest",
+      "pra probe --dark 2 --sensor hard --frame 8x6 --seed 1 --output dark > log; "
+        ++ "cat dark/manifest.json"
+    ),
+    ( "manifest",
+      "sed 's/,\"axes\":\"x,y\"//; s/\"frame\":.8,6.,//' dark/manifest.json > m.json; "
+        ++ "cp m.json dark/manifest.json; pra stitch dark --output d.pgm > log; cat m.json"
+    ),
+    ( "calibration",
+      "pra probe --flat 2 --sensor hard --frame 8x6 --seed 1 --output flat > log; "
+        ++ "pra calibrate --dark dark --flat flat --output k.json > log; cat k.json"
+    ),
     ("objects", "pra objects --json; pra objects --json --at 6,5; pra objects --json --at 14,16")
   ]
   where

@@ -13,6 +13,7 @@ import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Object.Placement (Face (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (faceText, vertexText)
+import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Manifest (ManifestError (..))
 import PraTactile.Recognise (ReadWindow (..))
 import PraTactile.Source
@@ -64,6 +65,7 @@ bytesSpec = do
       Frame pose
         <$> number
         <*> pure (generate 16 16 (\x y -> fromIntegral (values !! (16 * y + x)) / 255))
+        <*> pure taxelPitch
     number = choose (-1e3, 1e3)
 
 manifest :: [FilePath] -> Bytes.ByteString

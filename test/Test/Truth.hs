@@ -62,10 +62,56 @@ spec = do
             compared canonicalPitch truth right {claimSymmetry = turned 1 <> claimSymmetry right}
           )
             === (Left OtherFace, Left OtherWayUp)
+  prop "at any angle the centre stays the centre, and directions are turned back by the angle" $
+    forAll askewTruth $ \truth ->
+      let region = truthRegion truth
+          (ox, oy) = truthOrigin truth
+          half n = taxelPitch * fromIntegral n / 2
+          centre = (ox + half (regionWidth region), oy + half (regionHeight region))
+          (wide, high) = regionExtent region
+          (x, y) = truePlace truth centre
+          (u, v) = truePlace truth (fst centre + 10, snd centre)
+          radians = regionTurn region * pi / 180
+       in near
+            (x, y)
+            ( taxelPitch * regionRight region + half wide,
+              taxelPitch * regionDown region + half high
+            )
+            .&&. near (u - x, v - y) (10 * cos radians, -10 * sin radians)
+  prop "a turn by an angle near to none is nearly none" $
+    forAllShrink someTruth simpler $ \truth point ->
+      let (x, y) = point :: (Double, Double)
+          region = truthRegion truth
+          (u, v) = truePlace truth point
+          (u', v') = truePlace truth {truthRegion = region {regionAngle = 1e-9}} point
+       in abs x < 1e4 && abs y < 1e4 ==> near (u, v) (u', v')
+  prop "at any angle the nearest quarter turn is the right one, and near the border both are" $
+    forAll askewTruth $ \truth ->
+      let said symmetry =
+            compared canonicalPitch truth $
+              Claim (truthFace truth) symmetry (truePlace truth (1, 2)) (1, 2)
+          region = truthRegion truth
+          right = [symmetry | symmetry <- rotations, said symmetry /= Left OtherWayUp]
+       in counterexample (show right) $
+            regionSymmetry region `elem` right
+              && length right == (if abs (regionAngle region) < 40 then 1 else 2)
+  prop "an angle is its nearest quarter turn and the rest" $
+    forAll (choose (-1000, 1000)) $ \degrees ->
+      let (symmetry, rest) = nearestQuarter degrees
+          off = degreesClockwise symmetry + rest - degrees
+       in counterexample (show (symmetry, rest)) $
+            abs rest <= 45 && abs (off - 360 * fromIntegral (round (off / 360) :: Int)) < 1e-9
   where
     tiny = 1e-6 :: Double
     near (x, y) (u, v) =
       counterexample (show ((x, y), (u, v))) (abs (x - u) < tiny && abs (y - v) < tiny)
+
+-- | The same at any angle.
+askewTruth :: Gen Truth
+askewTruth = do
+  truth <- someTruth
+  (symmetry, angle) <- nearestQuarter <$> choose (0, 360)
+  pure truth {truthRegion = (truthRegion truth) {regionSymmetry = symmetry, regionAngle = angle}}
 
 someTruth :: Gen Truth
 someTruth =
@@ -76,6 +122,7 @@ someTruth =
             <*> choose (16, 50)
             <*> choose (16, 50)
             <*> elements rotations
+            <*> pure 0
         )
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
 

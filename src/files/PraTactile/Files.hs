@@ -4,6 +4,7 @@ module PraTactile.Files
   ( -- * Reading
     readFolder,
     readChosen,
+    readImages,
     readImage,
     readUpTo,
     largestInput,
@@ -18,6 +19,7 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import GHC.IO.Exception (IOException (..))
 import PraTactile.Source (Folder (..), manifestName, namedImages)
@@ -71,9 +73,13 @@ readChosen wanted folder = do
       | isSomething -> pure (Left (IsFile folder))
       | otherwise -> pure (Left (NoSuchFolder folder))
   where
-    named manifest =
-      fmap (Folder manifest . Map.fromList)
-        <$> images largestInput (filter wanted (namedImages manifest))
+    named manifest = fmap (Folder manifest) <$> readImages wanted folder (namedImages manifest)
+
+-- | Those images of a folder, by their names, whose names are wanted.
+readImages ::
+  (FilePath -> Bool) -> FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
+readImages wanted folder = fmap (fmap Map.fromList) . images largestInput . filter wanted
+  where
     images _ [] = pure (Right [])
     images room (name : names) = do
       read' <- readUpTo room (folder </> name)

@@ -52,11 +52,20 @@ module PraTactile.Format
     decodeTruth,
     encodeComparison,
 
+    -- * Sensors and their frames
+    encodeSensor,
+    decodeSensor,
+    encodeCalibration,
+    decodeCalibration,
+    encodeManifest,
+    decodeManifest,
+
     -- * Rates and objects
     encodeRates,
     RatesReport (..),
     encodeEvaluation,
     EvaluationReport (..),
+    EvaluationConditions (..),
     encodeObjects,
     encodeWhereabouts,
 
@@ -83,14 +92,17 @@ where
 import PraTactile.Format.Advice
 import PraTactile.Format.Answer
 import PraTactile.Format.Answer.Report
+import PraTactile.Format.Calibration
 import PraTactile.Format.Census
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Certificate
 import PraTactile.Format.Error
+import PraTactile.Format.Manifest
 import PraTactile.Format.Object
 import PraTactile.Format.Profile
 import PraTactile.Format.Proof
 import PraTactile.Format.Rates
 import PraTactile.Format.Recognition
+import PraTactile.Format.Sensor
 import PraTactile.Format.Sequence
 import PraTactile.Format.Truth

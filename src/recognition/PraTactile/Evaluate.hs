@@ -6,6 +6,11 @@ module PraTactile.Evaluate
     Trial (..),
     trial,
     trials,
+    Exploration (..),
+    exploration,
+    Foreign (..),
+    trialOf,
+    trialsOf,
     fitting,
 
     -- * Its results
@@ -25,11 +30,13 @@ import Data.Either (isRight)
 import Data.List (foldl', unfoldr)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
+import PraTactile.Array (Shape (..))
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
 import PraTactile.Probe (Frame)
-import PraTactile.Probe.Sensor (HeightMap, Sensor)
+import PraTactile.Probe.Sensor (HeightMap, Sensor, drawSpecimen)
+import PraTactile.Random (uniform)
 import PraTactile.Recognise
 import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
 import PraTactile.Symmetry (Symmetry)
@@ -40,32 +47,98 @@ import System.Random (StdGen, mkStdGen, split)
 data Trial = Trial
   { trialFace :: LaidFace,
     trialRegion :: Region,
-    trialFrames :: [Frame]
+    trialFrames :: [Frame],
+    -- | whether what was pressed is none of ours, so that any answer is wrong
+    trialForeign :: Bool
   }
+
+-- | How trials are made.
+data Exploration = Exploration
+  { explorationSensor :: Sensor,
+    -- | the distance of neighbouring presses, in the sensor's taxels
+    explorationSpacing :: Int,
+    explorationTurns :: Turns,
+    -- | width and height of the region, taxels
+    explorationSize :: (Int, Int),
+    explorationForeign :: Maybe Foreign
+  }
+
+-- | Presses on what is none of ours: our shapes in an arrangement by chance.
+data Foreign = Foreign
+  { -- | the share of such presses
+    foreignShare :: Double,
+    -- | of how many classes the symbols are
+    foreignClasses :: Int,
+    -- | the relief of a face with these classes, if there is one
+    foreignRelief :: LaidFace -> [[Int]] -> Maybe HeightMap
+  }
+
+-- | Regions of this size with this sensor at its usual spacing, on faces that lie so; none foreign.
+exploration :: Sensor -> Turns -> (Int, Int) -> Exploration
+exploration sensor turns size = Exploration sensor (defaultSpacing sensor) turns size Nothing
 
 -- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of
 -- the given rotations; @Nothing@ if it does not fit.
 trial :: Sensor -> [Symmetry] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trial sensor possible size (face, heights) generator = do
-  (region, generator1) <- randomRegion possible size face generator
-  (frames, _) <- either (const Nothing) Just (explore sensor heights region generator1)
-  pure (Trial face region frames)
+trial sensor = (trialOf .) . exploration sensor . AmongTurns
+
+-- | One trial made so. Of a foreign one the face is that whose size and symbols' number it has.
+trialOf :: Exploration -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
+trialOf how (face, heights) generator = do
+  (region, generator1) <-
+    drawnRegion (explorationTurns how) (explorationSize how) face generator
+  (foreign', pressed, generator2) <- case explorationForeign how of
+    Nothing -> Just (False, heights, generator1)
+    Just others -> ground others (face, heights) generator1
+  let (specimen, generator3) = drawSpecimen (explorationSensor how) generator2
+  (frames, _) <-
+    either (const Nothing) Just $
+      exploreWith
+        (explorationSensor how)
+        (explorationSpacing how)
+        specimen
+        pressed
+        region
+        generator3
+  pure (Trial face region frames foreign')
+
+-- | What is pressed: the face, or by chance a foreign one, with symbols independent and uniform.
+ground :: Foreign -> (LaidFace, HeightMap) -> StdGen -> Maybe (Bool, HeightMap, StdGen)
+ground others (face, heights) generator
+  | share >= foreignShare others = Just (False, heights, generator1)
+  | otherwise = do
+    drawn <- foreignRelief others face classes
+    pure (True, drawn, generator2)
+  where
+    (share, generator1) = uniform generator
+    (own, generator2) = split generator1
+    Shape high wide = laidGrid face
+    classes = rowsOf (fromIntegral high) (map symbol (unfoldr (Just . uniform) own))
+    symbol u = min (foreignClasses others - 1) (floor (u * fromIntegral (foreignClasses others)))
+    rowsOf :: Int -> [Int] -> [[Int]]
+    rowsOf 0 _ = []
+    rowsOf n symbols =
+      let (line, rest) = splitAt (fromIntegral wide) symbols in line : rowsOf (n - 1) rest
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
 -- one can be run alone.
 trials :: Sensor -> [Symmetry] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trials sensor possible size faces seed =
-  zipWith (trial sensor possible size) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+trials sensor possible size = trialsOf (exploration sensor (AmongTurns possible) size)
+
+-- | The same made so.
+trialsOf :: Exploration -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trialsOf how faces seed =
+  zipWith (trialOf how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
 -- | Whether this many 'trials' all find room on their faces; costs next to nothing beside running
 -- them.
-fitting :: [Symmetry] -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
+fitting :: Turns -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
 fitting possible size faces seed count = go count (cycle faces) (mkStdGen seed)
   where
     go n (face : others) generator
       | n > 0 =
         let (own, next) = split generator
-         in isJust (randomRegion possible size face own) && go (n - 1) others next
+         in isJust (drawnRegion possible size face own) && go (n - 1) others next
     go _ _ _ = True
 
 -- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
@@ -102,7 +175,7 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
     Left refusal -> NoAnswer (refusalName refusal)
     Right (Several _ _) -> NoAnswer "ambiguous"
     Right (Found found)
-      | isTrue (foundOrientation found) (foundWindow found) -> Correct doubt
+      | not (trialForeign t) && isTrue (foundOrientation found) (foundWindow found) -> Correct doubt
       | otherwise -> Mistaken doubt
       where
         doubt = maybe 0 evidenceDoubt (recognisedEvidence recognition)

@@ -6,25 +6,32 @@ module PraTactile.Explore
     Region (..),
     regionExtent,
     regionCorner,
+    regionTurn,
     regionMotion,
+    nearestQuarter,
+    Turns (..),
+    drawnRegion,
     randomRegion,
     standardRegionSize,
     halfTurns,
 
     -- * Pressing
     explore,
+    exploreWith,
     frameSpacing,
+    defaultSpacing,
   )
 where
 
 import PraTactile.Object.Placement (LaidFace (..), Spot (..))
-import PraTactile.Probe (Frame, Motion (..), ProbeError, planScan, taxelPitch)
-import PraTactile.Probe.Sensor (HeightMap, Sensor, scan)
+import PraTactile.Probe (Frame, Motion (..), ProbeError, movePoint, planScanOf, taxelPitch)
+import PraTactile.Probe.Sensor
 import PraTactile.Random (uniform)
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 
--- | A rectangle of a face that the probe covers.
+-- | A rectangle of a face that the probe covers. Where it lies askew, 'regionRight' and
+-- 'regionDown' are of the region turned back about its centre by 'regionAngle'.
 data Region = Region
   { -- | from the face's upper left vertex to the region's upper left corner, taxels to the right
     regionRight :: !Double,
@@ -34,8 +41,10 @@ data Region = Region
     regionWidth :: !Int,
     -- | likewise
     regionHeight :: !Int,
-    -- | the rotation of the face in the robot's frame
-    regionSymmetry :: !Symmetry
+    -- | the rotation of the face in the robot's frame, to the nearest quarter turn
+    regionSymmetry :: !Symmetry,
+    -- | by how many degrees clockwise the face is turned further than that
+    regionAngle :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -50,32 +59,86 @@ regionExtent region
 regionCorner :: Region -> (Double, Double)
 regionCorner region = (taxelPitch * regionRight region, taxelPitch * regionDown region)
 
+-- | The whole rotation of the face in the robot's frame, degrees clockwise in [0, 360).
+regionTurn :: Region -> Double
+regionTurn region = if turn < 0 then turn + 360 else turn
+  where
+    turn = degreesClockwise (regionSymmetry region) + regionAngle region
+
+-- | An angle in degrees clockwise as the nearest quarter turn and the degrees beyond it, which are
+-- from -45 to 45.
+--
+-- >>> nearestQuarter 350
+-- (Symmetry {mirrored = False, quarterTurns = 0},-10.0)
+nearestQuarter :: Double -> (Symmetry, Double)
+nearestQuarter degrees =
+  (turned (fromInteger (quarters `mod` 4)), degrees - 90 * fromInteger quarters)
+  where
+    quarters = floor (degrees / 90 + 0.5) :: Integer
+
 -- | From the robot's frame, whose origin is the region's upper left corner as the robot sees it, to
 -- the face's, whose origin is the face's upper left vertex; millimetres.
 regionMotion :: Region -> Motion
-regionMotion region =
-  Motion
-    { motionRotation = degreesClockwise (invert (regionSymmetry region)),
-      motionX =
-        taxelPitch * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
-      motionY =
-        taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
-    }
+regionMotion region
+  | regionAngle region /= 0 = askew region
+  | otherwise =
+    Motion
+      { motionRotation = degreesClockwise (invert (regionSymmetry region)),
+        motionX =
+          taxelPitch
+            * (regionRight region + fromIntegral (if turns `elem` [2, 3] then wide else 0)),
+        motionY =
+          taxelPitch * (regionDown region + fromIntegral (if turns `elem` [1, 2] then high else 0))
+      }
   where
     turns = quarterTurns (regionSymmetry region)
     (wide, high) = regionExtent region
+
+-- | The motion of a region that lies askew: its centre to its centre.
+askew :: Region -> Motion
+askew region = turn {motionX = faceX - x, motionY = faceY - y}
+  where
+    turn = Motion (negate (regionTurn region)) 0 0
+    (x, y) = movePoint turn (half (regionWidth region), half (regionHeight region))
+    (wide, high) = regionExtent region
+    (faceX, faceY) =
+      (taxelPitch * regionRight region + half wide, taxelPitch * regionDown region + half high)
+    half n = taxelPitch * fromIntegral n / 2
 
 -- | 40 wide, 52 tall, in taxels: enough to hold a whole 2-by-2 window at every phase of the grid.
 standardRegionSize :: (Int, Int)
 standardRegionSize = (40, 52)
 
--- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
--- real-valued place on a face, seen in one of these rotations, all equally likely; @Nothing@ if the
--- face, so turned, is smaller than the region.
+-- | How a face may lie in the robot's frame.
+data Turns
+  = -- | in one of these rotations, all equally likely
+    AmongTurns [Symmetry]
+  | -- | turned by this many degrees clockwise
+    TurnedBy !Double
+  | -- | turned by any angle, all equally likely
+    AnyAngle
+  deriving stock (Eq, Show)
+
+-- | 'drawnRegion' in one of these rotations.
 randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
-randomRegion possible (width, height) face generator
+randomRegion = drawnRegion . AmongTurns
+
+-- | A region of this size (width and height in taxels, as the robot sees it) at a uniform,
+-- real-valued place on a face that may lie so; @Nothing@ if the face, so turned, is smaller than
+-- the region. A region that lies askew may reach over the face's edge with its corners, though not
+-- further than the face needs to hold it: along a side where the smallest upright rectangle around
+-- it is longer than the face's, it lies in the middle.
+drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> Maybe (Region, g)
+drawnRegion turns (width, height) face generator
   | roomRight < 0 || roomDown < 0 = Nothing
-  | otherwise = Just (region {regionRight = u * roomRight, regionDown = v * roomDown}, generator3)
+  | otherwise =
+    Just
+      ( region
+          { regionRight = offset u roomRight (overhang wide high),
+            regionDown = offset v roomDown (overhang high wide)
+          },
+        generator4
+      )
   where
     region =
       Region
@@ -83,17 +146,39 @@ randomRegion possible (width, height) face generator
           regionDown = 0,
           regionWidth = width,
           regionHeight = height,
-          regionSymmetry = drawn
+          regionSymmetry = symmetry,
+          regionAngle = angle
         }
-    roomRight = room (spotRight (laidExtent face)) (fst (regionExtent region))
-    roomDown = room (spotDown (laidExtent face)) (snd (regionExtent region))
+    (wide, high) = regionExtent region
+    roomRight = room (spotRight (laidExtent face)) wide
+    roomDown = room (spotDown (laidExtent face)) high
     room millimetres size = fromRational millimetres / taxelPitch - fromIntegral size :: Double
-    drawn = case drop (floor (w * fromIntegral (length possible))) possible of
-      symmetry : _ -> symmetry
+    -- What the rectangle around it has more than the region itself, on either side.
+    overhang along across
+      | angle == 0 = 0
+      | otherwise =
+        ( cos radians * fromIntegral along + abs (sin radians) * fromIntegral across
+            - fromIntegral along
+        )
+          / 2
+    radians = angle * pi / 180
+    offset share space beyond
+      | beyond == 0 = share * space
+      | space - 2 * beyond <= 0 = space / 2
+      | otherwise = beyond + share * (space - 2 * beyond)
+    (symmetry, angle) = case turns of
+      AmongTurns possible -> (drawnOf possible, 0)
+      TurnedBy degrees -> nearestQuarter degrees
+      AnyAngle -> nearestQuarter (360 * z)
+    drawnOf possible = case drop (floor (w * fromIntegral (length possible))) possible of
+      one : _ -> one
       [] -> identity
     (u, generator1) = uniform generator
     (v, generator2) = uniform generator1
     (w, generator3) = uniform generator2
+    (z, generator4) = case turns of
+      AnyAngle -> uniform generator3
+      _ -> (0, generator3)
 
 -- | A face that lies upright or turned by 180 degrees.
 halfTurns :: [Symmetry]
@@ -103,9 +188,29 @@ halfTurns = [turned 2, identity]
 frameSpacing :: Int
 frameSpacing = 8
 
--- | The frames of a region, row by row: nominal poses in the robot's frame, images taken at the
--- true ones.
+-- | The distance of a sensor's neighbouring presses, in its own taxels: half of its shorter side.
+defaultSpacing :: Sensor -> Int
+defaultSpacing sensor = max 1 (min (sensorColumns sensor) (sensorRows sensor) `div` 2)
+
+-- | The frames of a region, row by row, of a specimen by chance at 'defaultSpacing': nominal poses
+-- in the robot's frame, images taken at the true ones.
 explore :: RandomGen g => Sensor -> HeightMap -> Region -> g -> Either ProbeError ([Frame], g)
-explore sensor heights region generator = do
-  poses <- planScan frameSpacing (0, 0) (regionWidth region, regionHeight region)
-  pure (scan sensor heights (regionMotion region) poses generator)
+explore sensor heights region generator =
+  exploreWith sensor (defaultSpacing sensor) specimen heights region generator'
+  where
+    (specimen, generator') = drawSpecimen sensor generator
+
+-- | The same of this specimen, with presses so many of the sensor's taxels apart.
+exploreWith ::
+  RandomGen g =>
+  Sensor ->
+  Int ->
+  Specimen ->
+  HeightMap ->
+  Region ->
+  g ->
+  Either ProbeError ([Frame], g)
+exploreWith sensor spacing specimen heights region generator = do
+  poses <-
+    planScanOf (sensorLayout sensor) spacing (0, 0) (regionWidth region, regionHeight region)
+  pure (scanWith sensor specimen heights (regionMotion region) poses generator)

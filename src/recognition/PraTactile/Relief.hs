@@ -3,6 +3,7 @@
 module PraTactile.Relief
   ( -- * The relief of a face
     relief,
+    reliefOf,
 
     -- * The symbols of a face
     faceClasses,
@@ -54,7 +55,11 @@ relief ::
   Alphabet ->
   LaidFace ->
   Either ReliefError HeightMap
-relief array layout alphabet face = do
+relief array layout alphabet face = reliefOf layout alphabet face (faceClasses array face)
+
+-- | The same of any classes, row by row as seen from outside.
+reliefOf :: Placement -> Alphabet -> LaidFace -> [[Int]] -> Either ReliefError HeightMap
+reliefOf layout alphabet face classes = do
   width <- taxels (spotRight (laidExtent face))
   height <- taxels (spotDown (laidExtent face))
   left <- taxels (spotRight (laidMargin face))
@@ -62,7 +67,7 @@ relief array layout alphabet face = do
   across <- taxels (pitchRight (placementPitch layout))
   down <- taxels (pitchDown (placementPitch layout))
   if across < symbolWidth || down < symbolHeight then Left (CellTooSmall across down) else pure ()
-  bitmaps <- traverse (traverse (first NoShape . shapeOf alphabet)) (faceClasses array face)
+  bitmaps <- traverse (traverse (first NoShape . shapeOf alphabet)) classes
   let laid =
         Map.fromList
           [ ((i, j), bitmap)

@@ -4,10 +4,14 @@ module PraTactile.Source
   ( -- * Folders of frames
     Folder (..),
     manifestName,
+    jsonManifestName,
+    imagesNamed,
     namedImages,
     folderFrames,
     chosenFrames,
+    manifestFrames,
     framesFolder,
+    frameImages,
 
     -- * Whole images
     imageComposite,
@@ -22,7 +26,8 @@ import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
-import PraTactile.Image (Raster)
+import Data.Word (Word16)
+import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
 import PraTactile.Probe (Frame (..))
@@ -48,6 +53,9 @@ data SourceError
     ImageElsewhere FilePath
   | -- | The manifest names this file, and it is not among the folder's images.
     ImageAbsent FilePath
+  | -- | The file of this name has the first size, width and height, and the manifest says the
+    -- second.
+    ImageSize FilePath (Int, Int) (Int, Int)
   | -- | The file of this name is no frame.
     ImageRefused FilePath ImageError
   deriving stock (Eq, Show)
@@ -56,11 +64,18 @@ data SourceError
 manifestName :: FilePath
 manifestName = "manifest.csv"
 
+-- | The name of a manifest in its JSON form.
+jsonManifestName :: FilePath
+jsonManifestName = "manifest.json"
+
 -- | The files that a manifest names, as far as they lie in its folder, each once: those to be read.
 -- None if it cannot be read; 'folderFrames' then tells why.
 namedImages :: ByteString -> [FilePath]
-namedImages =
-  Set.toAscList . Set.fromList . filter inside . either (const []) (map entryFile) . parseManifest
+namedImages = either (const []) imagesNamed . parseManifest
+
+-- | The same of its entries.
+imagesNamed :: [Entry] -> [FilePath]
+imagesNamed = Set.toAscList . Set.fromList . filter inside . map entryFile
 
 -- | Whether a name stays within the folder that it is relative to.
 inside :: FilePath -> Bool
@@ -75,21 +90,42 @@ folderFrames = chosenFrames (const True)
 chosenFrames :: (FilePath -> Bool) -> Folder -> Either SourceError [Frame]
 chosenFrames wanted folder = do
   entries <- first ManifestRefused (parseManifest (folderManifest folder))
-  traverse frame (filter (wanted . entryFile) entries)
+  manifestFrames wanted (listing entries) (folderImages folder)
+
+-- | The frames of a manifest whose file names are wanted, along its axes, from its images by their
+-- names.
+manifestFrames ::
+  (FilePath -> Bool) -> Manifest -> Map FilePath ByteString -> Either SourceError [Frame]
+manifestFrames wanted manifest images =
+  traverse frame (filter (wanted . entryFile) (manifestEntries manifest))
   where
-    frame entry = Frame (entryPose entry) (entryForce entry) <$> image (entryFile entry)
+    frame entry = do
+      felt <- image (entryFile entry)
+      let size = (rasterWidth felt, rasterHeight felt)
+      case manifestFrame manifest of
+        Just said | said /= size -> Left (ImageSize (entryFile entry) size said)
+        _ -> Right ()
+      let pose = alongAxes (manifestAxes manifest) (entryPose entry)
+      pure (Frame pose (entryForce entry) felt (manifestTaxel manifest))
     image name
       | not (inside name) = Left (ImageElsewhere name)
       | otherwise = do
-        bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name (folderImages folder))
+        bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name images)
         first (ImageRefused name) (intensities bytes)
 
 -- | The folder of these frames, each an 8-bit binary PGM. Refuses what has no such image
 -- ('pgmFromIntensity').
 framesFolder :: [Frame] -> Either ImageError Folder
 framesFolder frames = do
-  images <- traverse (fmap (encodePgm Binary) . pgmFromIntensity 255 . frameImage) frames
-  pure (Folder (renderManifest entries) (Map.fromList (zip names images)))
+  (entries, images) <- frameImages 255 frames
+  pure (Folder (renderManifest entries) images)
+
+-- | The entries of these frames in a manifest, and their images as binary PGM files of this maximum
+-- value, by their names.
+frameImages :: Word16 -> [Frame] -> Either ImageError ([Entry], Map FilePath ByteString)
+frameImages top frames = do
+  images <- traverse (fmap (encodePgm Binary) . pgmFromIntensity top . frameImage) frames
+  pure (entries, Map.fromList (zip names images))
   where
     names = [printf "frame_%03d.pgm" i | i <- [0 .. length frames - 1]]
     entries = [Entry name (framePose f) (frameForce f) | (name, f) <- zip names frames]

@@ -13,7 +13,7 @@ where
 import PraTactile.Explore
 import PraTactile.Object.Placement
 import PraTactile.Probe (movePoint)
-import PraTactile.Symmetry (Symmetry)
+import PraTactile.Symmetry (Symmetry, degreesClockwise)
 
 -- | Where an exploration was.
 data Truth = Truth
@@ -54,12 +54,13 @@ data Difference
   deriving stock (Eq, Show)
 
 -- | How many millimetres the answer is from the truth, given the symbols' pitch; or in what it is
--- wrong. Windows lie a whole cell apart at least, so that less than half a cell is the error of the
--- measurement.
+-- wrong. It must name the quarter turn nearest to the true rotation, or where two are nearly as
+-- near, to 5 degrees, either: the one that was measured. Windows lie a whole cell apart at least,
+-- so that less than half a cell is the error of the measurement.
 compared :: Pitch -> Truth -> Claim -> Either Difference Double
 compared pitch truth claim
   | claimFace claim /= truthFace truth = Left OtherFace
-  | claimSymmetry claim /= regionSymmetry (truthRegion truth) = Left OtherWayUp
+  | apart > 45 + atTheBorder = Left OtherWayUp
   | abs dx < half pitchRight && abs dy < half pitchDown = Right distance
   | otherwise = Left (Elsewhere distance)
   where
@@ -68,3 +69,7 @@ compared pitch truth claim
     (dx, dy) = (x - trueX, y - trueY)
     distance = sqrt (dx * dx + dy * dy)
     half side = fromRational (side pitch) / 2
+    -- By how many degrees the quarter turn claimed differs from the true rotation.
+    apart = min turn (360 - turn)
+    turn = abs (degreesClockwise (claimSymmetry claim) - regionTurn (truthRegion truth))
+    atTheBorder = 5

@@ -22,6 +22,9 @@ module PraTactile.Probe
 
     -- * Planning a scan
     planScan,
+    Layout (..),
+    standardLayout,
+    planScanOf,
     ProbeError (..),
   )
 where
@@ -39,12 +42,13 @@ data Pose = Pose
   deriving stock (Eq, Ord, Show)
 
 -- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its
--- own frame of coordinates), the force in newtons, and the tactile image, 'sensorSide' taxels
--- square.
+-- own frame of coordinates), the force in newtons, the tactile image, of any size, and the distance
+-- of its neighbouring taxels in millimetres.
 data Frame = Frame
   { framePose :: !Pose,
     frameForce :: !Double,
-    frameImage :: !Raster
+    frameImage :: !Raster,
+    frameTaxel :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -113,28 +117,64 @@ data ProbeError
     SpacingTooSmall !Int
   | -- | The region (width, height, taxels) is narrower or lower than the sensor.
     RegionTooSmall !Int !Int
+  | -- | The same of another sensor, whose width and height follow, in taxels of 'taxelPitch'.
+    RegionBelowSensor !Int !Int !Double !Double
   | -- | The region (width, height, taxels) would take more than 'maxPresses' presses.
     RegionTooLarge !Int !Int
   deriving stock (Eq, Show)
 
 -- | The most presses a plan may hold.
-maxPresses :: Integer
+maxPresses :: Double
 maxPresses = 100000
 
--- | The poses, rotation 0, of presses that cover a region exactly: that many taxels apart in both
--- directions, row by row from the upper left, the last row and column flush with the region's edge.
--- Spacing in taxels; the region's upper left corner in millimetres, its width and height in taxels.
+-- | The grid of a sensor's elements: how many columns and rows, and the distance of neighbours in
+-- millimetres.
+data Layout = Layout
+  { layoutColumns :: !Int,
+    layoutRows :: !Int,
+    layoutTaxel :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 'sensorSide' elements along each side, 'taxelPitch' apart.
+standardLayout :: Layout
+standardLayout = Layout sensorSide sensorSide taxelPitch
+
+-- | 'planScanOf' the standard sensor.
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24
 planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
-planScan spacing (left, top) (width, height)
+planScan = planScanOf standardLayout
+
+-- | The poses, rotation 0, of presses of a sensor that cover a region exactly: that many of the
+-- sensor's own taxels apart in both directions, row by row from the upper left, the last row and
+-- column flush with the region's edge. The region's upper left corner in millimetres, its width and
+-- height in taxels of 'taxelPitch', whatever the sensor's are.
+planScanOf :: Layout -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScanOf layout spacing (left, top) (width, height)
   | spacing < 1 = Left (SpacingTooSmall spacing)
-  | width < sensorSide || height < sensorSide = Left (RegionTooSmall width height)
-  | presses width * presses height > maxPresses = Left (RegionTooLarge width height)
+  | wide < across || high < down = Left tooSmall
+  | presses wide across * presses high down > maxPresses = Left (RegionTooLarge width height)
   | otherwise =
-    Right [Pose (centre left x) (centre top y) 0 | y <- offsets height, x <- offsets width]
+    Right
+      [ Pose (centre left across x) (centre top down y) 0
+        | y <- offsets high down,
+          x <- offsets wide across
+      ]
   where
-    presses size = 2 + toInteger (size - sensorSide) `div` toInteger spacing
-    offsets size = takeWhile (< size - sensorSide) [0, spacing ..] ++ [size - sensorSide]
-    centre edge offset = edge + taxelPitch * (fromIntegral offset + fromIntegral sensorSide / 2)
+    Layout columns rows taxel = layout
+    (across, down) = (fromIntegral columns, fromIntegral rows) :: (Double, Double)
+    -- Taxels of 'taxelPitch' as the sensor's own.
+    (wide, high) = (own width, own height)
+    own n = fromIntegral n * ratio
+    ratio = taxelPitch / taxel
+    tooSmall
+      | layout == standardLayout = RegionTooSmall width height
+      | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
+    step = fromIntegral spacing :: Double
+    presses size side = 2 + fromIntegral (floor ((size - side) / step) :: Integer)
+    offsets size side =
+      takeWhile (< size - side - 1e-9) (map ((step *) . fromIntegral) [0 :: Int ..])
+        ++ [size - side]
+    centre edge side offset = edge + taxel * (offset + side / 2)

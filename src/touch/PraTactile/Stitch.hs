@@ -30,7 +30,8 @@ import PraTactile.Image
     rasterWidth,
     zipRaster,
   )
-import PraTactile.Probe (Frame (..), Pose (..), sensorSide, taxelPitch)
+import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Probe.Resample (atCanonicalPitch)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
 import PraTactile.Stitch.Register (register)
@@ -43,11 +44,13 @@ data StitchError
     NoFrames
   | -- | There are more frames than 'maxFrames': how many.
     TooManyFrames !Int
-  | -- | A frame is not 16 x 16: which, its width and its height.
+  | -- | A frame is not of the first one's size, or not of 4 x 4 to 256 x 256 taxels: which, its
+    -- width and its height.
     FrameSize !Int !Int !Int
   | -- | A frame's rotation is not a multiple of 90 degrees: which, and its rotation.
     FrameRotation !Int !Double
-  | -- | A frame's pose or one of its values is infinite or not a number.
+  | -- | A frame's pose, its taxels' pitch or one of its values is infinite or not a number, or the
+    -- pitch is not positive.
     FrameNotFinite !Int
   | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
     -- pixels; its width and height, taxels.
@@ -83,11 +86,11 @@ compose displace frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
     maybe (Left NoFrames) Right (nonEmpty frames)
-      >>= traverse (uncurry upright) . NonEmpty.zip (0 :| [1 ..])
+      >>= (\all'@(one :| _) -> traverse (uncurry (upright one)) (NonEmpty.zip (0 :| [1 ..]) all'))
   let left = minimum (fmap (fst . fst) placed)
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
-  checkArea (fmap fst nominal)
+  checkArea nominal
   let displacements = displace (NonEmpty.toList nominal)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
   pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
@@ -107,12 +110,13 @@ inTaxels t
 blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
 blended (left, top) images = Composite image weights origin
   where
-    (x0, x1) = reach fst
-    (y0, y1) = reach snd
-    reach :: (Place -> Double) -> (Int, Int)
-    reach coordinate = (floor (minimum along), ceiling (maximum along) + sensorSide)
-      where
-        along = fmap (coordinate . fst) images
+    (x0, x1) = reach fst rasterWidth
+    (y0, y1) = reach snd rasterHeight
+    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
+    reach coordinate side =
+      ( floor (minimum (fmap (coordinate . fst) images)),
+        maximum (fmap (\(place, im) -> ceiling (coordinate place) + side im) images)
+      )
     origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
@@ -124,24 +128,32 @@ blended (left, top) images = Composite image weights origin
 leastWeight :: Double
 leastWeight = 0.001
 
-checkArea :: NonEmpty Place -> Either StitchError ()
-checkArea places
+checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
+checkArea images
   | width * height > fromIntegral maxCompositePixels = Left (AreaTooLarge width height)
   | otherwise = Right ()
   where
-    width = maximum (fmap fst places) + fromIntegral sensorSide
-    height = maximum (fmap snd places) + fromIntegral sensorSide
+    width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
+    height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
 -- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's
--- own rotation is undone, and the image so turned.
-upright :: Int -> Frame -> Either StitchError (Place, Raster)
-upright i (Frame (Pose x y r) _ image)
-  | width /= sensorSide || height /= sensorSide = Left (FrameSize i width height)
-  | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
+-- own rotation is undone, and the image so turned, at the canonical pitch; of a frame with its
+-- number, which must be of the first one's size.
+upright :: Frame -> Int -> Frame -> Either StitchError (Place, Raster)
+upright one i given
+  | sizeOf given /= sizeOf one || not (all possible [fst (sizeOf given), snd (sizeOf given)]) =
+    Left (uncurry (FrameSize i) (sizeOf given))
+  | not (all finite [x, y, r]) || not (V.all finite (rasterValues (frameImage given))) =
+    Left (FrameNotFinite i)
+  | not (finite (frameTaxel given) && frameTaxel given > 0) = Left (FrameNotFinite i)
   | otherwise = case turnedByDegrees r of
-    Just symmetry -> Right ((x - half, y - half), onRaster symmetry image)
+    Just symmetry ->
+      let image = onRaster symmetry (frameImage (atCanonicalPitch given))
+       in Right ((x - half (rasterWidth image), y - half (rasterHeight image)), image)
     Nothing -> Left (FrameRotation i r)
   where
-    (width, height) = (rasterWidth image, rasterHeight image)
-    half = taxelPitch * fromIntegral (sensorSide - 1) / 2
+    Pose x y r = framePose given
+    sizeOf frame = (rasterWidth (frameImage frame), rasterHeight (frameImage frame))
+    possible side = side >= 4 && side <= 256
+    half side = taxelPitch * fromIntegral (side - 1) / 2
     finite v = not (isNaN v || isInfinite v)

@@ -70,7 +70,8 @@ countSpec = do
             let faces = laidFaces layout
                 flat = HeightMap 1 (constant 0 0 0)
                 made = take 24 (trials standardSensor turns size [(face, flat) | face <- faces] 5)
-            (turns, size, fitting turns size faces 5 24) `shouldBe` (turns, size, all isJust made)
+            (turns, size, fitting (AmongTurns turns) size faces 5 24)
+              `shouldBe` (turns, size, all isJust made)
   where
     reasons = ["mirrored", "no-symbols"]
     outcome =

@@ -216,8 +216,9 @@ judgedTruth bytes = case decodeTruth bytes of
     same a b =
       (truthFace a, truthOrigin a, whole a) == (truthFace b, truthOrigin b, whole b)
         && and (zipWith close (corner a) (corner b))
+        && abs (regionAngle (truthRegion a) - regionAngle (truthRegion b)) < 1e-9
     whole truth =
-      let Region _ _ wide high turns = truthRegion truth
+      let Region _ _ wide high turns _ = truthRegion truth
        in (wide, high, turns)
     corner truth = let (x, y) = regionCorner (truthRegion truth) in [x, y]
     close x y = x == y || abs (x - y) <= 1e-12 * abs x

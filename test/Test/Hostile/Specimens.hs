@@ -131,7 +131,9 @@ profiles =
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]
 truths =
-  [encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1)) (-3.25, 1e2))]
+  [ encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1) angle) (-3.25, 1e2))
+    | angle <- [0, -12.5]
+  ]
   where
     face = Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4")
 

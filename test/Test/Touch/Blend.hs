@@ -69,7 +69,8 @@ growing =
                 at x = Pose (taxelPitch * fromIntegral (x :: Int)) 0 0
                 apart = 16 - overlap
                 frames =
-                  Frame (at apart) 1 faint : replicate k (Frame (at 0) 1 strong)
+                  Frame (at apart) 1 faint taxelPitch :
+                  replicate k (Frame (at 0) 1 strong taxelPitch)
              in case compositeDisplacements <$> stitch settings frames of
                   Right ((x, y) : others@((x', y') : _)) ->
                     counterexample (show others) (all (== (x', y')) others)

@@ -51,6 +51,7 @@ pressed sensor relief placed =
               (mkStdGen seed)
           )
       )
+      taxelPitch
     | (seed, (pose, (ex, ey))) <- zip [1 ..] placed
   ]
 
@@ -84,7 +85,7 @@ single =
               [ either
                   (\e -> counterexample (show e) False)
                   (check image (x - edge, y - edge))
-                  (assemble [Frame (Pose x y 0) 1 image])
+                  (assemble [Frame (Pose x y 0) 1 image taxelPitch])
                 | assemble <- [placeOnly, stitch standardRegistration]
               ]
   where
@@ -257,7 +258,10 @@ unseen = do
   it "blank frames stay where they are" $
     fmap
       compositeDisplacements
-      (stitch standardRegistration [Frame pose 10 (constant 16 16 0) | pose <- region 32 40])
+      ( stitch
+          standardRegistration
+          [Frame pose 10 (constant 16 16 0) taxelPitch | pose <- region 32 40]
+      )
       `shouldBe` Right (replicate 12 (0, 0))
   it "frames of noise alone are moved by less than the position errors are large" $
     conjoin
@@ -300,7 +304,7 @@ noisy =
 refusals :: Spec
 refusals = do
   it "no frame" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
-  it "a frame that is not 16 x 16, naming it" $
+  it "a frame that is not of the size of the first, naming it" $
     stitched [good, good {frameImage = constant 16 15 0}] `shouldBe` Left (FrameSize 1 16 15)
   it "a rotation that is no multiple of 90 degrees, naming the frame" $
     stitched [good, good, at 0 0 45] `shouldBe` Left (FrameRotation 2 45)
@@ -337,7 +341,7 @@ refusals = do
   where
     stitched = stitch standardRegistration
     good = at 0 0 0
-    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5)
+    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch
     tooLarge (Left (AreaTooLarge _ _)) = True
     tooLarge _ = False
 
@@ -394,8 +398,8 @@ real = do
         other -> Left (show other)
     trueStepX image = if rasterWidth image == 33 then 6 else 2
     trueStepY image = if rasterWidth image == 33 then 5 else 8
-    frameAt (x, y) =
-      Frame (Pose (taxelPitch * fromIntegral (x :: Int)) (taxelPitch * fromIntegral (y :: Int)) 0) 1
+    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch
+    along k = taxelPitch * fromIntegral (k :: Int)
     withFrames names cases = do
       images <- traverse load names
       let results =

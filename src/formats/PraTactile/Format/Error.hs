@@ -72,6 +72,16 @@ data Misfit
     UnknownEvidence String
   | -- | Degrees other than 0, 90, 180 and 270.
     NotQuarterTurn
+  | -- | No calibration: rows of one length, gains above 0, dead elements among the others.
+    NotCalibration
+  | -- | What this names is not above 0.
+    NotPositive String
+  | -- | A manifest without frames.
+    NoFrame
+  | -- | A constant of a sensor, of this name, that is not a number from the one to the other.
+    ConstantOutOfRange String (Double, Double)
+  | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.
+    NotAngle
   | -- | More taxels than this along the side of a region.
     RegionTooLarge Natural
   deriving stock (Eq, Show)

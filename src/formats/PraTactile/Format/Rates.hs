@@ -16,6 +16,7 @@ module PraTactile.Format.Rates
 
     -- * Simulated presses
     EvaluationReport (..),
+    EvaluationConditions (..),
     encodeEvaluation,
   )
 where
@@ -27,6 +28,7 @@ import qualified Data.Map.Strict as Map
 import Data.String (fromString)
 import PraTactile.Array (Shape)
 import PraTactile.Evaluate (Tally (..))
+import PraTactile.Explore (Turns (..))
 import PraTactile.Format.Json
 import PraTactile.Format.Name
 import PraTactile.Format.Profile
@@ -168,8 +170,21 @@ data EvaluationReport = EvaluationReport
     evaluationPositionError :: Double,
     -- | standard deviation, of full scale
     evaluationNoise :: Double,
+    -- | what was chosen beyond that, where it was
+    evaluationConditions :: EvaluationConditions,
     evaluationStitched :: Tally,
     evaluationUnstitched :: Tally
+  }
+
+-- | How presses were made beyond the usual.
+data EvaluationConditions = EvaluationConditions
+  { -- | the preset or the file
+    conditionSensor :: Maybe String,
+    -- | standard deviation, degrees
+    conditionRotationError :: Maybe Double,
+    conditionTurns :: Turns,
+    -- | the share of foreign presses
+    conditionForeign :: Maybe Double
   }
 
 -- | The counts on one line, without its end.
@@ -181,8 +196,15 @@ encodeEvaluation report =
       <> "seed" .= evaluationSeed report
       <> "position_error_taxels" .= evaluationPositionError report
       <> "noise" .= evaluationNoise report
+      <> foldMap ("sensor" .=) (conditionSensor chosen)
+      <> foldMap ("rotation_error_deg" .=) (conditionRotationError chosen)
+      <> foldMap ("any_angle" .=) (if conditionTurns chosen == AnyAngle then Just True else Nothing)
+      <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
+      <> foldMap ("foreign" .=) (conditionForeign chosen)
       <> "stitching" .= tallyValue (evaluationStitched report)
       <> "no_stitching" .= tallyValue (evaluationUnstitched report)
+  where
+    chosen = evaluationConditions report
 
 tallyValue :: Tally -> Value
 tallyValue counted =

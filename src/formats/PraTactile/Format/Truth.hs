@@ -11,6 +11,7 @@ module PraTactile.Format.Truth
 where
 
 import Data.Aeson ((.=))
+import Data.Aeson.Types (JSONPathElement (Key))
 import Data.ByteString (ByteString)
 import Data.Either (isRight)
 import PraTactile.Explore
@@ -29,10 +30,14 @@ encodeTruth :: Truth -> ByteString
 encodeTruth = writeLine truthKeys
 
 -- | The truth in a JSON text that 'encodeTruth' made; lengths in millimetres are read to the
--- nearest double. Refuses another schema, keys that are missing or have other values, and regions
--- of more than 100000 taxels a side.
+-- nearest double. Refuses another schema, keys that are missing or have other values, regions of
+-- more than 100000 taxels a side, and an angle to which the orientation is not the nearest.
 decodeTruth :: ByteString -> Either FormatError Truth
-decodeTruth = decodeWith truthKeys
+decodeTruth bytes = do
+  truth <- decodeWith truthKeys bytes
+  if abs (regionAngle (truthRegion truth)) > 45 + 1e-6
+    then Left (Misfit [Key "angle_deg"] NotAngle)
+    else Right truth
 
 truthKeys :: Keys Truth Truth
 truthKeys =
@@ -49,8 +54,17 @@ regionKeys =
     <$> key "region_mm" (pairOf real) regionCorner
     <*> key "region_taxels" (pairOf side) regionSides
     <*> key "orientation_deg" quarterTurn (quarterTurns . regionSymmetry)
+    <*> optionalKey "angle_deg" angle freeAngle
   where
-    region (x, y) (wide, high) = Region (x / taxelPitch) (y / taxelPitch) wide high . turned
+    region (x, y) (wide, high) quarters degrees =
+      Region (x / taxelPitch) (y / taxelPitch) wide high (turned quarters) $
+        maybe 0 (beyond (90 * fromIntegral quarters)) degrees
+    -- The angle is that of the whole turn, from 0 to 360.
+    freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)
+    beyond quarter degrees = degrees - quarter - (if degrees - quarter > 180 then 360 else 0)
+    angle = Codec id $ \value -> do
+      degrees <- readValue real value
+      if degrees >= 0 && degrees < 360 then Right degrees else refuse NotAngle
     regionSides given = (regionWidth given, regionHeight given)
     side = Codec id $ \value -> do
       n <- readValue natural value

@@ -51,7 +51,7 @@ data Tolerance = Tolerance
     toleratedErrors :: Radius,
     -- | the probability beforehand that what was touched is nothing of the array's: symbols of the
     -- same shapes, each as likely as any other in every cell; below 1
-    foreignShare :: Double
+    foreignPrior :: Double
   }
   deriving stock (Eq, Show)
 
@@ -143,7 +143,7 @@ locateGrid reader tolerance dissenters grid =
     found = do
       seen <- beliefs
       posterior <- ask (Probabilities <$> seen) >>= answerPosterior
-      evidenceFrom codebook witnesses (foreignShare tolerance) orientationDoubt seen posterior
+      evidenceFrom codebook witnesses (foreignPrior tolerance) orientationDoubt seen posterior
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)

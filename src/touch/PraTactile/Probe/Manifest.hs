@@ -1,10 +1,21 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The manifest of a folder of frames: a CSV file, one line a frame, with the header
--- @file,x_mm,y_mm,rotation_deg,force_n@.
+-- | The manifest of a folder of frames: what it says, and its CSV form, one line a frame, with the
+-- header @file,x_mm,y_mm,rotation_deg,force_n@. "PraTactile.Format.Manifest" has its JSON form.
 module PraTactile.Probe.Manifest
   ( -- * Manifests
+    Manifest (..),
+    listing,
     Entry (..),
+
+    -- * Axes
+    Axes,
+    straight,
+    axesNamed,
+    axesName,
+    alongAxes,
+
+    -- * As CSV
     parseManifest,
     renderManifest,
     manifestHeader,
@@ -36,7 +47,7 @@ import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Text.Encoding (decodeUtf8')
 import qualified Data.Vector as V
-import PraTactile.Probe (Pose (..))
+import PraTactile.Probe (Pose (..), taxelPitch)
 
 -- | One line: the frame's PGM file, relative to the manifest's folder; the pose and the force of
 -- the press.
@@ -46,6 +57,64 @@ data Entry = Entry
     entryForce :: !Double
   }
   deriving stock (Eq, Show)
+
+-- | A manifest: the distance of neighbouring taxels in millimetres, the frames' width and height if
+-- it says them, what its two coordinates are, and a line a frame.
+data Manifest = Manifest
+  { manifestTaxel :: !Double,
+    manifestFrame :: !(Maybe (Int, Int)),
+    manifestAxes :: !Axes,
+    manifestEntries :: ![Entry]
+  }
+  deriving stock (Eq, Show)
+
+-- | What a manifest of these entries says that says nothing else: taxels of 'taxelPitch', frames of
+-- any size, straight axes.
+listing :: [Entry] -> Manifest
+listing = Manifest taxelPitch Nothing straight
+
+-- | What the two coordinates of a manifest are: each x to the right or y down, or its negative.
+-- Rotations are clockwise as seen from outside the face, whatever the axes are.
+data Axes = Axes
+  { -- | whether the first is y and the second x
+    axesSwapped :: !Bool,
+    firstNegated :: !Bool,
+    secondNegated :: !Bool
+  }
+  deriving stock (Eq, Ord, Show)
+
+-- | First x, then y.
+straight :: Axes
+straight = Axes False False False
+
+-- | All axes by their names: @x,y@, @x,-y@, @y,x@ and so on.
+axesNamed :: [(String, Axes)]
+axesNamed =
+  [ (axesName axes, axes)
+    | swapped <- [False, True],
+      a <- [False, True],
+      b <- [False, True],
+      let axes = Axes swapped a b
+  ]
+
+-- | The name of axes.
+axesName :: Axes -> String
+axesName (Axes swapped a b) = sign a ++ one ++ "," ++ sign b ++ other
+  where
+    (one, other) = if swapped then ("y", "x") else ("x", "y")
+    sign negated = if negated then "-" else ""
+
+-- | A pose whose two coordinates are along these axes, to the right and down.
+--
+-- >>> alongAxes <$> lookup "x,-y" axesNamed <*> pure (Pose 1 2 0)
+-- Just (Pose {poseX = 1.0, poseY = -2.0, poseRotation = 0.0})
+alongAxes :: Axes -> Pose -> Pose
+alongAxes (Axes swapped a b) (Pose first second r)
+  | swapped = Pose v u r
+  | otherwise = Pose u v r
+  where
+    u = if a then negate first else first
+    v = if b then negate second else second
 
 -- | Why a manifest is refused. Lines count from 1, the header's.
 data ManifestError

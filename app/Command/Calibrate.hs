@@ -1,0 +1,53 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | @pra-tactile calibrate@: dark and flat frames to a sensor's calibration.
+module Command.Calibrate
+  ( command,
+  )
+where
+
+import qualified Data.ByteString.Lazy as Lazy
+import ExitStatus
+import Frames (loadFrames)
+import Message
+import Options
+import Output (sayWritten, writeWhole)
+import PraTactile.Format (encodeCalibration)
+import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Probe (Frame (..))
+import PraTactile.Probe.Calibration
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "calibrate"
+    "Find each taxel's offset and gain, and which are dead, from frames where nothing is touched \
+    \and frames where all taxels are pressed alike."
+    [ "pra-tactile probe --dark 16 --sensor hard --seed 7 --output dark",
+      "pra-tactile probe --flat 16 --sensor hard --seed 7 --output flat",
+      "pra-tactile calibrate --dark dark --flat flat --output calibration.json"
+    ]
+    ( run
+        <$> folder "dark" "The folder of frames where nothing is touched"
+        <*> folder "flat" "The folder of frames where all taxels are pressed alike"
+        <*> fileOption "output" "FILE" "The calibration, which stitch and decode take"
+    )
+  where
+    folder name text =
+      strOption (long name <> metavar "FOLDER" <> action "directory" <> help text)
+
+run :: FilePath -> FilePath -> FilePath -> IO ExitStatus
+run dark flat output = do
+  darks <- loadFrames dark
+  flats <- loadFrames flat
+  calibration <-
+    orUnusable calibrationMessage (calibrate (map frameImage darks) (map frameImage flats))
+  writeWhole output (Lazy.fromStrict (encodeCalibration calibration <> "\n"))
+  let offset = calibrationOffset calibration
+  sayWritten
+    output
+    ( ": " ++ show (rasterWidth offset) ++ " x " ++ show (rasterHeight offset) ++ " taxels, "
+        ++ show (length (calibrationDead calibration))
+        ++ " of them dead"
+    )
+  pure Answered

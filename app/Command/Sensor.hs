@@ -1,0 +1,53 @@
+-- | @pra-tactile sensor@: every constant of the simulated sensor, with its source.
+module Command.Sensor
+  ( command,
+  )
+where
+
+import Data.List (dropWhileEnd, find)
+import ExitStatus
+import Options
+import PraTactile.Format (encodeSensor)
+import PraTactile.Probe.Sensor.Constants
+import SensorChoice (readSensor)
+import Text.Printf (printf)
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "sensor"
+    "Print every constant of the simulated sensor and of the robot that carries it, with its unit \
+    \and where it comes from."
+    [ "pra-tactile sensor",
+      "pra-tactile sensor --preset hard",
+      "pra-tactile sensor --preset real --json > mine.json && pra-tactile probe --object cube \
+      \--seed 7 --sensor mine.json --output frames"
+    ]
+    ( run
+        <$> strOption
+          ( long "preset"
+              <> metavar "NAME"
+              <> completeWith (map presetName [minBound ..])
+              <> value (presetName Paper)
+              <> showDefaultWith id
+              <> help "ideal, paper, real or hard, or a file as --json prints it"
+          )
+        <*> jsonSwitch "Print the constants as JSON, which --sensor takes"
+    )
+
+run :: String -> AnswerForm -> IO ExitStatus
+run name form = do
+  sensor <- readSensor name
+  let preset = find ((== name) . presetName) [minBound ..]
+  printAs form (concatMap (line sensor) constants) (encodeSensor preset sensor)
+  pure Answered
+  where
+    number v = case break (== '.') (printf "%.6f" v :: String) of
+      (digits, decimals) -> digits ++ dropWhileEnd (== '.') (dropWhileEnd (== '0') decimals)
+    line sensor constant =
+      printf
+        "%-21s %-10s %-5s %s\n"
+        (constantName constant)
+        (number (constantValue constant sensor))
+        (constantUnit constant)
+        (constantSource constant)

@@ -1,0 +1,158 @@
+-- | Which sensor is simulated: a preset or a file, with constants replaced by options of their own.
+module SensorChoice
+  ( SensorChoice (..),
+    sensorOptions,
+    chosenSensor,
+    chosenSpacing,
+    readSensor,
+
+    -- * How faces lie
+    angleOption,
+    angleReader,
+  )
+where
+
+import Control.Monad (foldM)
+import Data.List (find, intercalate)
+import Data.Maybe (fromMaybe)
+import ExitStatus
+import FormatFile (readSensorFile)
+import Message (rangeText)
+import Options
+import PraTactile.Explore (defaultSpacing)
+import PraTactile.Probe.Sensor
+import PraTactile.Probe.Sensor.Constants
+import System.Directory (doesPathExist)
+import Visible
+
+-- | What was said about the sensor.
+data SensorChoice = SensorChoice
+  { -- | a preset's name, or a file's
+    sensorNamed :: Maybe String,
+    -- | standard deviation, taxels
+    positionSigma :: Maybe Double,
+    -- | standard deviation, of full scale
+    noiseSd :: Maybe Double,
+    -- | standard deviation, degrees
+    rotationSigma :: Maybe Double,
+    -- | columns and rows
+    frameSize :: Maybe (Int, Int),
+    -- | mm
+    taxelSize :: Maybe Double,
+    -- | between presses, in the sensor's taxels
+    spacing :: Maybe Int
+  }
+
+-- | @--sensor@ and what replaces its constants.
+sensorOptions :: Parser SensorChoice
+sensorOptions =
+  SensorChoice
+    <$> optional
+      ( strOption
+          ( long "sensor"
+              <> metavar "PRESET|FILE"
+              <> completeWith (map presetName [minBound ..])
+              <> action "file"
+              <> help
+                "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it \
+                \(default: paper); the options below replace its constants"
+          )
+      )
+    <*> number
+      "position-error"
+      "SIGMA"
+      "Standard deviation of each frame's position, taxels of 1.5875 mm, on both axes (paper: 1)"
+    <*> number
+      "noise"
+      "SD"
+      "Standard deviation of the noise, as a share of full scale (paper: 0.1)"
+    <*> number
+      "rotation-error"
+      "SD"
+      "Standard deviation of each frame's rotation, degrees (paper: 0)"
+    <*> optional
+      ( valued
+          (pairReader 'x' "32x32")
+          "frame"
+          "WIDTHxHEIGHT"
+          "The sensor's elements, 4x4 to 256x256 (paper: 16x16)"
+      )
+    <*> number
+      "taxel"
+      "MM"
+      "The distance between neighbouring elements; their tabs grow with it (paper: 1.5875)"
+    <*> optional
+      ( valued
+          intReader
+          "spacing"
+          "TAXELS"
+          "The distance of neighbouring presses, the sensor's taxels (default: half its shorter \
+          \side)"
+      )
+  where
+    number name meta = optional . valued decimalReader name meta
+
+-- | The sensor chosen; leaves with status 2 where it is none.
+chosenSensor :: SensorChoice -> IO Sensor
+chosenSensor choice
+  | not (inRange 0 999.999999 (positionSigma choice)) =
+    unusable "--position-error is a number of taxels from 0 up"
+  | not (inRange 0 999.999999 (noiseSd choice)) =
+    unusable "--noise is a share of full scale from 0 up"
+  | not (inRange 0 180 (rotationSigma choice)) =
+    unusable "--rotation-error is a number of degrees from 0 to 180"
+  | not (inRange 0.05 50 (taxelSize choice)) =
+    unusable "--taxel is a number of millimetres from 0.05 to 50"
+  | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
+    unusable "--frame is from 4x4 to 256x256"
+  | any (< 1) (spacing choice) = unusable "--spacing is a number of taxels from 1 up"
+  | otherwise = do
+    base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
+    let taxelled = maybe id withTaxel (taxelSize choice) base
+    foldM
+      put
+      taxelled
+      ( [("position_error", v) | Just v <- [positionSigma choice]]
+          ++ [("noise", v) | Just v <- [noiseSd choice]]
+          ++ [("rotation_error", v) | Just v <- [rotationSigma choice]]
+          ++ concat
+            [ [("columns", fromIntegral w), ("rows", fromIntegral h)]
+              | Just (w, h) <- [frameSize choice]
+            ]
+      )
+  where
+    inRange least most = all (\v -> v >= least && v <= most)
+    side n = n >= 4 && n <= (256 :: Int)
+    put sensor (name, v) = either (unusable . refusal name) pure (replaced name v sensor)
+    refusal name = maybe name (rangeText name . constantRange)
+
+-- | The distance of neighbouring presses of a sensor, in its taxels.
+chosenSpacing :: SensorChoice -> Sensor -> Int
+chosenSpacing choice sensor = fromMaybe (defaultSpacing sensor) (spacing choice)
+
+-- | The sensor of a preset's name, or else in a file.
+readSensor :: String -> IO Sensor
+readSensor name = case find ((== name) . presetName) [minBound ..] of
+  Just preset -> pure (presetSensor preset)
+  Nothing -> do
+    there <- doesPathExist name
+    if there || name == "-"
+      then readSensorFile name
+      else
+        unusable
+          ( quoted name ++ " is no sensor: write "
+              ++ intercalate ", " (map presetName [minBound ..])
+              ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
+          )
+
+-- | @--turn DEGREES@, with its help.
+angleOption :: String -> Parser Double
+angleOption = valued angleReader "turn" "DEGREES"
+
+-- | An angle in degrees.
+angleReader :: ReadM Double
+angleReader = do
+  degrees <- decimalReader
+  if abs degrees <= 1e6
+    then pure degrees
+    else readerError "a turn is a number of degrees up to a million"

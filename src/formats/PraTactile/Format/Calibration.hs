@@ -1,0 +1,47 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of a sensor's calibration.
+module PraTactile.Format.Calibration
+  ( encodeCalibration,
+    decodeCalibration,
+  )
+where
+
+import Data.ByteString (ByteString)
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Codec
+import PraTactile.Image (Raster, fromRows, rasterHeight, rasterWidth, toRows)
+import PraTactile.Probe.Calibration
+
+-- | A calibration on one line, without its end.
+encodeCalibration :: Calibration -> ByteString
+encodeCalibration = writeLine calibrationKeys
+
+-- | The calibration in a JSON text that 'encodeCalibration' made. Refuses another schema, rows of
+-- different length, gains that are not positive, a gain for other elements than have an offset, and
+-- dead elements that are none.
+decodeCalibration :: ByteString -> Either FormatError Calibration
+decodeCalibration bytes = do
+  given@(Calibration offset gain dead) <- decodeWith calibrationKeys bytes
+  let size r = (rasterWidth r, rasterHeight r)
+      inside (y, x) = y >= 0 && x >= 0 && y < rasterHeight offset && x < rasterWidth offset
+  if size offset == size gain
+    && all (all (> 0)) (toRows gain)
+    && all inside dead
+    then Right given
+    else refuse NotCalibration
+
+calibrationKeys :: Keys Calibration Calibration
+calibrationKeys =
+  schemaKey "pra-tactile/calibration/1"
+    *> ( Calibration
+           <$> key "offset" rows calibrationOffset
+           <*> key "gain" rows calibrationGain
+           <*> key "dead" (listOf (pairOf int)) calibrationDead
+       )
+
+-- | A raster as the list of its rows.
+rows :: Codec Raster
+rows = case listOf (listOf real) of
+  Codec write decoder -> Codec (write . toRows) $ \value ->
+    decoder value >>= either (const (refuse NotCalibration)) Right . fromRows

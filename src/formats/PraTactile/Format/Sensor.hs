@@ -1,0 +1,70 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of a simulated sensor: every constant with its unit and its source.
+module PraTactile.Format.Sensor
+  ( encodeSensor,
+    decodeSensor,
+  )
+where
+
+import Control.Monad (foldM)
+import Data.ByteString (ByteString)
+import Data.Maybe (fromMaybe)
+import PraTactile.Format.Error
+import PraTactile.Format.Json.Codec
+import PraTactile.Probe.Sensor.Constants
+
+-- | A sensor on one line, without its end, with the name of its preset, if it is one.
+encodeSensor :: Maybe Preset -> Sensor -> ByteString
+encodeSensor preset sensor =
+  writeLine keys (preset, map (\c -> (c, constantValue c sensor)) constants)
+  where
+    keys = whole <* sourced
+    whole =
+      schemaKey sensorSchema
+        *> key "preset" (nullable presetCodec) fst
+    sourced = key "constants" (listOf constantCodec) snd
+
+sensorSchema :: String
+sensorSchema = "pra-tactile/sensor/1"
+
+presetCodec :: Codec Preset
+presetCodec = named presetName
+
+-- | A constant with its value; read by its name alone.
+constantCodec :: Codec (Constant, Double)
+constantCodec = case object keys of
+  Codec write _ -> Codec write (\value -> objectOf value >>= readKeys readable)
+  where
+    keys =
+      ((,) <$> key "name" constantNamed fst <*> key "value" real snd)
+        <* key "unit" text (constantUnit . fst)
+        <* key "source" text (constantSource . fst)
+    readable = (,) <$> key "name" constantNamed fst <*> key "value" real snd
+
+constantNamed :: Codec Constant
+constantNamed = Codec constantName $ \value -> do
+  given <- readValue text value
+  case [c | c <- constants, constantName c == given] of
+    c : _ -> Right c
+    [] -> refuse (NotAmong (map constantName constants) given)
+
+-- | The sensor in a JSON text as 'encodeSensor' makes it; what it does not name is that of its
+-- preset, or of 'Paper' where it has none. Units and sources are not read. Refuses another schema,
+-- unknown names and values out of a constant's range.
+decodeSensor :: ByteString -> Either FormatError Sensor
+decodeSensor bytes = do
+  (preset, given) <- decodeWith keys bytes
+  foldM put (presetSensor (fromMaybe Paper preset)) given
+  where
+    keys =
+      schemaKey sensorSchema
+        *> ( (,) . fromMaybe Nothing
+               <$> optionalKey "preset" (nullable presetCodec) (Just . fst)
+               <*> key "constants" (listOf constantCodec) snd
+           )
+    put sensor (constant, value) =
+      either
+        (const (refuse (ConstantOutOfRange (constantName constant) (constantRange constant))))
+        Right
+        (replaced (constantName constant) value sensor)

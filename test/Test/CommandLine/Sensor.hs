@@ -1,0 +1,171 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The simulated sensor, its calibration and frames of other sensors, as scripts use them.
+module Test.CommandLine.Sensor (spec) where
+
+import Data.Aeson
+import Data.Foldable (for_)
+import Data.List (isInfixOf)
+import System.Directory (listDirectory)
+import System.FilePath ((</>))
+import Test.CommandLine.Run
+import Test.Hspec
+import Test.Support
+
+spec :: Spec
+spec = do
+  it "the paper's sensor is the one without options, by whatever name" $
+    inFolder $ \folder -> do
+      (0, constants, "") <- pra ["sensor", "--json"]
+      writeFile (folder </> "paper.json") constants
+      let pressed name options = do
+            (status, _, err) <- pra (pressing ++ options ++ ["--output", folder </> name])
+            (name, status, err) `shouldBe` (name, 0, "")
+            files <- listDirectory (folder </> name)
+            mapM (\file -> (,) file <$> readFile' (folder </> name </> file)) files
+      usual <- pressed "usual" []
+      for_
+        [ ("named", ["--sensor", "paper"]),
+          ("filed", ["--sensor", folder </> "paper.json"]),
+          ("spelt", words "--frame 16x16 --taxel 1.5875 --spacing 8 --rotation-error 0 --noise 0.1")
+        ]
+        $ \(name, options) -> pressed name options >>= (`shouldBe` usual)
+  it "an option beside a preset replaces its constant" $
+    inFolder $ \folder -> do
+      (0, constants, "") <- pra (words "sensor --preset real --json")
+      (0, out, "") <-
+        pra (words "evaluate --presses 1 --sensor real --noise 0.25 --position-error 0.5 --json")
+      (key ["noise"] out, key ["position_error_taxels"] out, key ["sensor"] out)
+        `shouldBe` (Just (Number 0.25), Just (Number 0.5), Just "real")
+      writeFile (folder </> "real.json") constants
+      (0, again, "") <- pra ["sensor", "--preset", folder </> "real.json", "--json"]
+      (key ["constants"] again, key ["preset"] again)
+        `shouldBe` (key ["constants"] constants, Just Null)
+  it "a face is read by a sensor of half the pitch, and by one of twice" $
+    for_ ["--frame 32x32 --taxel 0.79375", "--frame 8x8 --taxel 3.175"] $ \options ->
+      inFolder $ \folder -> do
+        (status, out, err) <-
+          scripted folder $
+            "pra probe --object cube --seed 7 --noise 0.02 " ++ options
+              ++ " --output f --truth t.json > log && pra decode --json f > a.json"
+              ++ " && pra compare a.json t.json"
+        (options, status, err) `shouldBe` (options, 0, "")
+        out `shouldSatisfy` ("they agree" `isInfixOf`)
+        files <- listDirectory (folder </> "f")
+        (options, "manifest.json" `elem` files, "manifest.csv" `elem` files)
+          `shouldBe` (options, True, False)
+  it "a face at a few degrees more than a quarter turn is where the truth says" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted
+          folder
+          "pra probe --object cube --seed 7 --turn 93 --noise 0.02 --output f --truth t.json > log \
+          \&& pra decode --json f > a.json && pra compare a.json t.json; cat t.json >&2"
+      (status, "they agree" `isInfixOf` out) `shouldBe` (0, True)
+      (key ["orientation_deg"] err, key ["angle_deg"] err)
+        `shouldBe` (Just (Number 90), Just (Number 93))
+  it "the axes that a manifest states are followed: y up, and exchanged" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted folder $
+          "pra probe --object cube --seed 7 --frame 8x8 --taxel 3.175 --output f > log; "
+            ++ "pra stitch f --output a.pgm > log; "
+            ++ "cat > flip.py <<'END'\n"
+            ++ unlines
+              [ "import json",
+                "m = json.load(open('f/manifest.json'))",
+                "m['axes'] = '-y,x'",
+                "for e in m['frames']: e['x_mm'], e['y_mm'] = -e['y_mm'], e['x_mm']",
+                "json.dump(m, open('f/manifest.json', 'w'))"
+              ]
+            ++ "END\npython3 flip.py && pra stitch f --output b.pgm > log && cmp a.pgm b.pgm"
+      (status, out, err) `shouldBe` (0, "", "")
+  it "calibrated, the dead taxels are those that were, and frames are corrected first" $
+    inFolder $ \folder -> do
+      let sensor = " --sensor hard --position-error 0.5 --rotation-error 0 --seed 7 "
+      (status, out, err) <-
+        scripted folder $
+          "pra probe --dark 8" ++ sensor ++ "--output dark > log; pra probe --flat 8" ++ sensor
+            ++ "--output flat > log; pra calibrate --dark dark --flat flat --output c.json > log; "
+            ++ "pra probe --object cube"
+            ++ sensor
+            ++ "--output f --truth t.json > log; "
+            ++ "pra decode --json f --calibration c.json > a.json; "
+            ++ "pra compare a.json t.json --json; "
+            ++ "cat c.json >&2"
+      (status, key ["agree"] out) `shouldBe` (0, Just (Bool True))
+      case (key ["dead"] err, key ["gain"] err) of
+        (Just (Array dead), Just (Array gain)) -> (length dead, length gain) `shouldBe` (2, 16)
+        other -> expectationFailure (show other)
+  it "presses on foreign arrangements are none of them right, and change no others" $ do
+    (0, foreign', "") <- pra (words "evaluate --presses 12 --seed 2 --foreign 1 --json")
+    (key ["stitching", "right"] foreign', key ["foreign"] foreign')
+      `shouldBe` (Just (Number 0), Just (Number 1))
+    (0, without, "") <- pra (words "evaluate --presses 3 --seed 2 --json")
+    (0, none, "") <- pra (words "evaluate --presses 3 --seed 2 --turn 0 --json")
+    key ["any_angle"] without `shouldBe` Nothing
+    key ["turn_deg"] none `shouldBe` Just (Number 0)
+  describe "what cannot be is one line" bad
+
+pressing :: [String]
+pressing = words "probe --object cube --seed 7"
+
+-- | Read to its end.
+readFile' :: FilePath -> IO String
+readFile' file = readProcess' file
+  where
+    readProcess' path = do
+      (_, out, _) <- scripted "." ("od -An -tx1 '" ++ path ++ "'")
+      pure out
+
+bad :: Spec
+bad = do
+  for_
+    [ ("sensor --preset nought", "nought"),
+      ("probe --object cube --seed 1 --output x --sensor nought", "nought"),
+      ("probe --object cube --seed 1 --output x --frame 3x16", "--frame"),
+      ("probe --object cube --seed 1 --output x --frame 16x257", "--frame"),
+      ("probe --object cube --seed 1 --output x --taxel 0", "--taxel"),
+      ("probe --object cube --seed 1 --output x --taxel 30", "sensor"),
+      ("probe --object cube --seed 1 --output x --spacing 0", "--spacing"),
+      ("probe --object cube --seed 1 --output x --rotation-error -1", "--rotation-error"),
+      ("probe --dark 0 --seed 1 --output x", "--dark"),
+      ("probe --flat 1 --seed 1 --output x --tell", "--tell"),
+      ("evaluate --foreign 1.5", "--foreign"),
+      ("decode data/worked-example/frames --taxel 0", "--taxel"),
+      ("decode data/worked-example/frames --calibration data/shapes.txt", "data/shapes.txt")
+    ]
+    $ \(arguments, about) -> it arguments (words arguments `complains` about)
+  it "manifests in JSON that are none" $
+    inFolder $ \folder -> do
+      (0, _, _) <-
+        scripted folder "pra probe --object cube --seed 1 --frame 8x8 --taxel 3.175 --output f"
+      for_
+        [ ("s/\"taxel_mm\":3.175/\"taxel_mm\":0/", "taxel_mm"),
+          ("s/\"taxel_mm\":3.175/\"taxel_mm\":NaN/", "JSON"),
+          ("s/\"x,y\"/\"x,z\"/", "axes"),
+          ("s/\"frame\":.8,8./\"frame\":[8,9]/", "8 x 9"),
+          ("s/\"frames\":.*/\"frames\":[]}/", "names no frame"),
+          ("s/frame_000.pgm/..\\/f.pgm/", "not a file in the manifest's folder")
+        ]
+        $ \(change, about) -> do
+          outcome <-
+            scripted folder $
+              "rm -rf g; cp -r f g; sed -i '" ++ change ++ "' g/manifest.json; pra decode g"
+          outcome `refuses` about
+  it "another sensor's calibration, and frames that calibrate nothing" $
+    inFolder $ \folder -> do
+      (0, _, _) <-
+        scripted folder $
+          "pra probe --dark 2 --sensor ideal --seed 1 --output dark; "
+            ++ "pra probe --flat 2 --sensor ideal --seed 1 --output flat; "
+            ++ "pra probe --flat 2 --sensor ideal --frame 8x8 --seed 1 --output small; "
+            ++ "pra probe --object cube --frame 8x8 --taxel 3.175 --seed 1 --output f; "
+            ++ "pra calibrate --dark dark --flat flat --output c.json"
+      for_
+        [ ("pra decode f --calibration c.json", "16 x 16"),
+          ("pra calibrate --dark dark --flat dark --output d.json", "all are dead"),
+          ("pra calibrate --dark dark --flat small --output d.json", "8 x 8"),
+          ("pra calibrate --dark dark --flat nowhere --output d.json", "nowhere")
+        ]
+        $ \(script, about) -> scripted folder script >>= (`refuses` about)

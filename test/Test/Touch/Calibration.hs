@@ -1,0 +1,182 @@
+-- | Calibration, and frames of any size and pitch.
+module Test.Touch.Calibration (spec) where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+import PraTactile.Probe
+import PraTactile.Probe.Calibration
+import PraTactile.Probe.Resample
+import PraTactile.Probe.Sensor
+import PraTactile.Stitch
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck hiding (generate, sample)
+import Test.Support
+import Test.Touch.Sensor (texture)
+
+spec :: Spec
+spec = do
+  describe "Calibration" calibrating
+  describe "Another pitch" pitches
+  describe "Another size" sizes
+
+at :: Raster -> Int -> Int -> Double
+at image x y = fromMaybe (0 / 0) (index image x y)
+
+-- | Between the greatest and the least value.
+spread :: Raster -> Double
+spread image = fromMaybe 0 (maximumValue image) - fromMaybe 0 (minimumValue image)
+
+calibrating :: Spec
+calibrating = do
+  it "without noise the gains are the specimen's, and its dead elements are found" $ do
+    let sensor = idealSensor {sensorGainSpread = 0.1, sensorDead = 0.05}
+        (specimen, _) = drawSpecimen sensor (mkStdGen 9)
+        gains = specimenGains specimen
+        images frames = map frameImage (frames sensor specimen 2 (mkStdGen 1))
+        dead = [(y, x) | y <- [0 .. 15], x <- [0 .. 15], at gains x y == 0]
+    found <- right (calibrate (images darkFrames) (images flatFrames))
+    calibrationDead found `shouldBe` dead
+    let ratios =
+          [ at (calibrationGain found) x y / at gains x y
+            | y <- [0 .. 15],
+              x <- [0 .. 15],
+              (y, x) `notElem` dead
+          ]
+    maximum ratios / minimum ratios - 1 `shouldSatisfy` (< 1e-9)
+    -- So a flat frame is flat again, dead elements too.
+    flat <- right (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2)))
+    map (spread . frameImage) flat `shouldSatisfy` all (< 1e-9)
+  it "offsets are taken away" $ do
+    let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))
+        lit = mapRaster (+ 0.5) dark
+    found <- right (calibrate [dark] [lit])
+    frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1))
+    V.maximum (V.map (abs . subtract 0.25) (rasterValues (frameImage frame)))
+      `shouldSatisfy` (< 1e-12)
+  it "in the place of a dead element stands the mean of its neighbours" $ do
+    let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
+        plain = Calibration (constant 6 6 0) (constant 6 6 1) dead
+        image = generate 6 6 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
+    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1))
+    let seen = frameImage frame
+        -- The nearest ring around the corner with living elements is the second.
+        ring = [at image x y | (x, y) <- [(2, 0), (2, 1), (2, 2), (1, 2), (0, 2)]]
+    abs (at seen 3 2 - at image 3 2) `shouldSatisfy` (< 1e-12)
+    abs (at seen 0 0 - sum ring / 5) `shouldSatisfy` (< 1e-12)
+    at seen 5 5 `shouldBe` at image 5 5
+  it "what does not calibrate is refused, each for its reason" $ do
+    let flat = constant 4 4 0.5
+        dark = constant 4 4 0
+    [ calibrate [] [flat],
+      calibrate [dark] [],
+      calibrate [dark] [constant 4 5 0.5],
+      calibrate [dark] [constant 4 4 (0 / 0)],
+      calibrate [dark] [dark],
+      calibrate [dark] [constant 4 4 1]
+      ]
+      `shouldBe` map
+        Left
+        [ NoDarkFrame,
+          NoFlatFrame,
+          SensorsDiffer (4, 4) (4, 5),
+          ReadingNotFinite,
+          AllDead,
+          AllSaturated
+        ]
+  it "another sensor's calibration is refused" $
+    corrected
+      (Calibration (constant 4 4 0) (constant 4 4 1) [])
+      (Frame (Pose 0 0 0) 0 (constant 16 16 0) 1)
+      `shouldBe` Left (SensorsDiffer (4, 4) (16, 16))
+
+pitches :: Spec
+pitches = do
+  prop "of half the pitch, each new taxel is the mean of the four that it covers" $
+    forAll ((,) <$> choose (0, 3) <*> choose (0, 2)) $ \(i, j) ->
+      let image = generate 8 6 (\x y -> fromIntegral ((7 * x + 13 * y) `mod` 11) / 11)
+          four = [at image (2 * i + a) (2 * j + b) | a <- [0, 1], b <- [0, 1]]
+       in counterexample (show four) (abs (at (resampled 0.5 image) i j - sum four / 4) < 1e-12)
+  prop "what is even stays even, at any ratio, and as many taxels are left as fit" $
+    forAll ((,,) <$> choose (0.05, 4) <*> choose (4, 40) <*> choose (0, 1)) $ \(ratio, n, v) ->
+      let image = resampled ratio (constant n (n + 1) v)
+          whole k = max 1 (floor (fromIntegral (k :: Int) * ratio + 1e-9))
+       in (rasterWidth image, rasterHeight image) === (whole n, whole (n + 1))
+            .&&. counterexample (show image) (V.all (\u -> abs (u - v) < 1e-9) (rasterValues image))
+  prop "a ramp stays one about the same centre, exactly or by areas to 0.15" $
+    forAll (choose (0.3, 3)) $ \ratio ->
+      let image = resampled ratio (generate 40 40 (\i _ -> fromIntegral i - 19.5))
+          w = rasterWidth image
+          x = w `div` 2 + 2
+          expected = (fromIntegral x + 0.5 - fromIntegral w / 2) / ratio
+       in counterexample (show (w, at image x 5, expected)) $
+            abs (at image x 5 - expected) < (if ratio < 1 then 0.15 else 1e-9)
+  it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $ do
+    let relief = texture 7 60 60
+        pose = Pose (20.3 * taxelPitch) (25.7 * taxelPitch) 90
+        frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor)
+        fine = (withTaxel (taxelPitch / 2) idealSensor) {sensorColumns = 32, sensorRows = 32}
+        usual = frameImage (frame idealSensor)
+    differences <- right (zipRaster (-) usual (frameImage (atCanonicalPitch (frame fine))))
+    V.maximum (V.map abs (rasterValues differences)) `shouldSatisfy` (< 1e-9)
+
+sizes :: Spec
+sizes = do
+  it "frames of any size are put together, turned ones too" $ do
+    let relief = texture 3 60 60
+        sensor = idealSensor {sensorColumns = 10, sensorRows = 6}
+        pressed x y r =
+          let pose = Pose (taxelPitch * x) (taxelPitch * y) r
+           in Frame pose 0 (forwardImage sensor relief pose) taxelPitch
+    together <- right (placeOnly [pressed 15 13 0, pressed 23 15 90])
+    -- The first covers columns 10 to 19 and rows 10 to 15, the second columns 20 to 25 and rows 10
+    -- to 19.
+    let height x y = at (heightValues relief) x y / sensorFullScale sensor
+        seen = compositeImage together
+    (rasterWidth seen, rasterHeight seen) `shouldBe` (16, 10)
+    let wrong =
+          [ (x, y)
+            | (x, y) <-
+                [(x, y) | x <- [10 .. 19], y <- [10 .. 15]]
+                  ++ [(x, y) | x <- [20 .. 25], y <- [10 .. 19]],
+              abs (at seen (x - 10) (y - 10) - height x y) > 1e-9
+          ]
+    wrong `shouldBe` []
+  it "frames below 4 x 4 or above 256 x 256 are refused, and a pitch that is none" $ do
+    let frame w h = Frame (Pose 0 0 0) 0 (constant w h 0.5) taxelPitch
+    map
+      (either show (const "put together") . placeOnly . pure)
+      [ frame 3 4,
+        frame 4 257,
+        (frame 4 4) {frameTaxel = 0},
+        (frame 4 4) {frameTaxel = 0 / 0},
+        frame 4 256
+      ]
+      `shouldBe` [ show (FrameSize 0 3 4),
+                   show (FrameSize 0 4 257),
+                   show (FrameNotFinite 0),
+                   show (FrameNotFinite 0),
+                   "put together"
+                 ]
+  prop "a plan with any sensor covers the region to its edges, and no pose leaves it" $
+    forAll ((,,) <$> choose (4, 40) <*> choose (4, 40) <*> choose (0.3, 2)) $ \sensor ->
+      forAll ((,,) <$> choose (1, 20) <*> choose (10, 90) <*> choose (10, 90)) $ \region ->
+        planned sensor region
+  where
+    planned (w, h, ratio) (spacing, wide, high) =
+      case planScanOf (Layout w h (ratio * taxelPitch)) spacing (0, 0) (wide, high) of
+        Left RegionBelowSensor {} ->
+          property (2 * across > fromIntegral wide || 2 * down > fromIntegral high)
+        Left e -> counterexample (show e) False
+        Right poses -> covering across wide poseX poses .&&. covering down high poseY poses
+      where
+        (across, down) = (ratio * fromIntegral w / 2, ratio * fromIntegral h / 2)
+    covering margin side coordinate poses =
+      counterexample (show places) $
+        near (minimum places) margin && near (maximum places) (fromIntegral side - margin)
+      where
+        places = map ((/ taxelPitch) . coordinate) poses
+    near :: Double -> Double -> Bool
+    near a b = abs (a - b) < 1e-6

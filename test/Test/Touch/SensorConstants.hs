@@ -1,0 +1,284 @@
+-- | Each constant of the forward model by itself, against its closed form.
+module Test.Touch.SensorConstants (spec) where
+
+import Data.List (genericLength, nub)
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+import PraTactile.Probe
+import PraTactile.Probe.Sensor
+import PraTactile.Probe.Sensor.Constants
+import PraTactile.Probe.Sensor.Press
+import PraTactile.Probe.Sensor.Response
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck hiding (generate, sample)
+
+spec :: Spec
+spec = do
+  describe "Tabs" tabs
+  describe "The rigid press" rigid
+  describe "The point spread" spreading
+  describe "Readings" readings
+  describe "Errors of one press" oneByOne
+  describe "Presets and names" presets
+
+at :: Raster -> Int -> Int -> Double
+at image x y = fromMaybe (0 / 0) (index image x y)
+
+near :: Double -> Double -> Double -> Property
+near most a b = counterexample (show (a, b)) (abs (a - b) <= most)
+
+-- | A sensor without any error whose readings are proportional to the force on an element.
+linear :: Sensor
+linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
+
+tabs :: Spec
+tabs = do
+  it "of a grid of 4 x 4 a round tab has the twelve points in its circle, a square one all" $ do
+    let points = tabPoints 1.5875 1.1
+        square = tabPoints 1.5875 0
+    (length points, length square) `shouldBe` (12, 16)
+    filter (\(x, y) -> x * x + y * y > 0.55 * 0.55) points `shouldBe` []
+    abs (sum (map fst points)) + abs (sum (map snd points)) `shouldSatisfy` (< 1e-12)
+    maximum (map fst square) - 1.5875 * 0.375 `shouldSatisfy` ((< 1e-12) . abs)
+  it "half of a tab on the face's edge is on the face, and nothing of one beyond" $ do
+    let face = HeightMap 0.1 (constant 100 100 0.7)
+        under x = footing (Layout 1 1 1.5875) 1.1 face (Pose x 5 0)
+        seen x = (at (footingShare (under x)) 0 0, at (footingHeight (under x)) 0 0)
+        gap (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
+    maximum (zipWith gap (map seen [5, 0, -5]) [(1, 0.7), (0.5, 0.7), (0, 0)])
+      `shouldSatisfy` (< 1e-12)
+  prop "turned, the tabs meet what is at the turned places" $ \seed ->
+    forAll (choose (0, 360)) $ \r ->
+      let (i, j) = (seed `mod` 16, (seed `div` 16) `mod` 16 :: Int)
+          under = footing standardLayout 1.1 ramp (Pose 20 20 r)
+          place k = taxelPitch * (fromIntegral k - 7.5)
+          (x, y) = movePoint (Motion r 20 20) (place i, place j)
+       in near 0.08 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)
+  where
+    ramp =
+      HeightMap 0.1 (generate 400 400 (\u v -> 0.02 * fromIntegral u + 0.04 * fromIntegral v))
+
+rigid :: Spec
+rigid = do
+  it "10 N on 38 tabs of 0.19 N/mm press 1.4 mm" $
+    forceBalance 0.19 10 (replicate 38 (1, 0))
+      `shouldSatisfy` maybe False ((< 0.02) . abs . subtract 1.4)
+  it "with nothing under it there is no balance" $
+    (forceBalance 0.19 10 [], forceBalance 0.19 10 [(0, 1)]) `shouldBe` (Nothing, Nothing)
+  prop "the tabs bear the force: the sum of k s max 0 (z + h) is F" $
+    forAll ((,) <$> choose (0.01, 5) <*> choose (0.1, 50)) $ \(k, force) ->
+      forAll (listOf1 ((,) <$> choose (0.1, 1) <*> choose (-3, 3))) $ \under ->
+        case forceBalance k force under of
+          Nothing -> property False
+          Just z -> near (1e-9 * force) (sum [k * s * max 0 (z + h) | (s, h) <- under]) force
+  prop "on a plane that all tabs meet, the displacements are F / (k n) and the tilts" $
+    forAll ((,) <$> choose (-0.1, 0.1) <*> choose (-0.1, 0.1)) $ \(a, b) ->
+      forAll ((,) <$> choose (0, 15) <*> choose (0, 15)) $ \(i, j) ->
+        let plane = Footing (constant 16 16 1) (constant 16 16 0.3)
+            across k = (2 * fromIntegral k - 15) / 16
+            expected = 20 / (0.19 * 256) + a * across i + b * across j
+         in near 1e-9 (at (displacements 0.19 20 (a, b) plane) i j) expected
+  prop "what the elements read adds up to the force" $
+    forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
+      let relief = HeightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
+          sensor = linear {sensorForce = force, sensorFullForce = 100}
+          seen = forwardImage sensor relief (Pose x y 30)
+       in near 1e-6 (100 * V.sum (rasterValues seen)) force
+  it "beyond the face's edge nothing is felt, though a plane would be" $ do
+    let plane = HeightMap 1 (constant 50 50 0)
+        seen = forwardImage linear plane (Pose 0 25 0)
+    [at seen x 8 > 0 | x <- [0, 7, 8, 15]] `shouldBe` [False, False, True, True]
+
+spreading :: Spec
+spreading = do
+  prop "a point's force is felt as t^3 (r^2 + t^2)^(-5/2)" $
+    forAll ((,,) <$> choose (1, 2) <*> choose (-3, 3) <*> choose (-3, 3)) $ \(t, i, j) ->
+      let point = generate 31 31 (\x y -> if (x, y) == (15, 15) then 1 else 0)
+          felt = spreadForces 1.5875 t point
+          boussinesq far = t ** 3 * (far + t * t) ** (-2.5)
+          r2 = 1.5875 * 1.5875 * fromIntegral (i * i + j * j :: Int)
+       in near 1e-12 (at felt (15 + i) (15 + j) / at felt 15 15) (boussinesq r2 / boussinesq 0)
+  prop "a point's force adds up to itself, and a load that is even everywhere stays so" $
+    forAll (choose (1, 2)) $ \t ->
+      let point = generate 41 41 (\x y -> if (x, y) == (20, 20) then 3 else 0)
+       in near 1e-9 (V.sum (rasterValues (spreadForces 1.5875 t point))) 3
+            .&&. near 1e-9 (at (spreadForces 1.5875 t (constant 41 41 0.2)) 20 20) 0.2
+  it "at depth 0 nothing is spread" $
+    spreadForces 1.5875 0 (constant 3 3 0.5) `shouldBe` constant 3 3 0.5
+
+readings :: Spec
+readings = do
+  prop "conductance: twice the force gives 2^k, full scale 1, less than the break force 0" $
+    forAll ((,) <$> choose (0.8, 1) <*> choose (0.02, 0.4)) $ \(k, f) ->
+      near 1e-12 (conductance k 0.01 0.93 (2 * f)) (2 ** k * conductance k 0.01 0.93 f)
+        .&&. near 1e-12 (conductance k 0.01 0.93 0.93) 1
+        .&&. conductance k (1.01 * f) 0.93 f === 0
+  prop "crosstalk of one: s / w to its row, s / h to its column, 1 - 2 s and both to itself" $
+    forAll (choose (0.005, 0.02)) $ \s ->
+      let seen = crosstalk s (generate 8 5 (\x y -> if (x, y) == (2, 3) then 1 else 0))
+       in conjoin
+            [ near 1e-12 (at seen 2 3) (1 - 2 * s + s / 8 + s / 5),
+              near 1e-12 (at seen 6 3) (s / 8),
+              near 1e-12 (at seen 2 0) (s / 5),
+              near 1e-12 (at seen 5 1) 0,
+              near 1e-12 (at (crosstalk s (constant 8 5 0.3)) 4 4) 0.3
+            ]
+  prop "the converter: the nearest code of 2^bits - 1, the lowest ones 0, no bits no change" $
+    forAll ((,,) <$> choose (1, 12) <*> choose (0, 4) <*> choose (0, 1)) $ \(bits, zeroed, v) ->
+      let top = 2 ^ bits - 1 :: Double
+          code = converted bits zeroed v * top
+       in counterexample (show code) $
+            abs (code - fromIntegral (round code :: Int)) < 1e-9
+              && ( if round (v * top) < zeroed
+                     then code == 0
+                     else abs (code - v * top) <= 0.5 + 1e-9
+                 )
+              && converted 0 zeroed v == v
+  prop "drift: a decade of time later everything is so much more" $
+    forAll ((,) <$> choose (0, 0.05) <*> choose (1, 100)) $ \(d, n) ->
+      near 1e-12 (drifted d (10 * n) 0.4 - drifted d n 0.4) (0.4 * d)
+  prop "noise: its deviation rises linearly; rows and columns share parts of the variance" $
+    forAll ((,) <$> choose (0, 0.5) <*> choose (0, 0.5)) $ \(r, c) ->
+      let sensor =
+            idealSensor
+              { sensorNoise = 0.01,
+                sensorNoiseSlope = 0.2,
+                sensorRowNoise = r,
+                sensorColumnNoise = c
+              }
+          image = generate 4 3 (\x _ -> 0.25 * fromIntegral x)
+          one n = V.replicate n 1
+          none n = V.replicate n 0
+          moved own rows columns x y =
+            at (noisy sensor (Deviates own rows columns) image) x y - at image x y
+          sd x = 0.01 + 0.2 * 0.25 * x
+       in conjoin
+            [ near 1e-12 (moved (one 12) (none 3) (none 4) 2 1) (sqrt (1 - r - c) * sd 2),
+              near 1e-12 (moved (none 12) (one 3) (none 4) 3 0) (sqrt r * sd 3),
+              near 1e-12 (moved (none 12) (none 3) (one 4) 0 2) (sqrt c * sd 0)
+            ]
+  it "gains: mean 1 and the stated deviation; as many are dead as stated, and read 0" $ do
+    let sensor =
+          idealSensor
+            { sensorColumns = 200,
+              sensorRows = 200,
+              sensorGainSpread = 0.06,
+              sensorDead = 0.01
+            }
+        (specimen, _) = drawSpecimen sensor (mkStdGen 3)
+        gains = V.toList (rasterValues (specimenGains specimen))
+        living = filter (> 0) gains
+        n = genericLength living :: Double
+        average = sum living / n
+        variance = sum [(g - average) * (g - average) | g <- living] / n
+        dead = 40000 - n
+    abs (average - 1) `shouldSatisfy` (< 5 * 0.06 / sqrt n)
+    abs (sqrt variance - 0.06) `shouldSatisfy` (< 5 * 0.06 / sqrt (2 * n))
+    abs (dead - 400) `shouldSatisfy` (< 5 * sqrt (400 * 0.99))
+    case flatFrames sensor specimen 1 (mkStdGen 1) of
+      [frame] ->
+        rasterValues (frameImage frame)
+          `shouldBe` V.map (min 1 . (0.5 *)) (rasterValues (specimenGains specimen))
+      _ -> expectationFailure "not one frame"
+
+-- | The images of presses in turn.
+scanned :: Sensor -> HeightMap -> [Pose] -> [Raster]
+scanned sensor relief poses = map frameImage (fst (scan sensor relief stay poses (mkStdGen 2)))
+
+oneByOne :: Spec
+oneByOne = do
+  it "what nothing varies draws nothing: the specimen of the paper's sensor is flawless" $
+    fst (drawSpecimen standardSensor (mkStdGen 4)) `shouldBe` flawless standardSensor
+  it "hysteresis: of a press that touches nothing there is the share of the press before" $ do
+    let sensor = idealSensor {sensorHysteresis = 0.1}
+        face = HeightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
+        here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
+        images = scanned sensor face [here, Pose 500 500 0, here]
+    [at image 7 7 | image <- images] `shouldSatisfy` \seen -> case seen of
+      [a, b, c] -> maximum [abs (a - 0.6), abs (b - 0.06), abs (c - 0.606)] < 1e-9
+      _ -> False
+  it "force: readings go with it, with the stated deviation, within five standard errors" $ do
+    let sensor = linear {sensorForceSpread = 0.15}
+        plane = HeightMap 5 (constant 20 20 0)
+        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
+        forces = [10 * V.sum (rasterValues image) | image <- images]
+        average = sum forces / 400
+        deviation = sqrt (sum [(f - average) * (f - average) | f <- forces] / 400)
+    abs (average - 10) `shouldSatisfy` (< 5 * 1.5 / 20)
+    abs (deviation - 1.5) `shouldSatisfy` (< 5 * 1.5 / sqrt 800)
+  it "tilt: the edges differ by the stated deviation, within five standard errors" $ do
+    let sensor = linear {sensorTiltSpread = 0.02}
+        plane = HeightMap 5 (constant 20 20 0)
+        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
+        -- From the outer columns' centres to the middle is 15 / 16 of half the sensor.
+        tilts = [(at image 15 8 - at image 0 8) * 10 / 0.19 / 2 * 16 / 15 | image <- images]
+        deviation = sqrt (sum (map (^ (2 :: Int)) tilts) / 400)
+    abs (deviation - 0.02 * 1.5875) `shouldSatisfy` (< 5 * 0.02 * 1.5875 / sqrt 800)
+  it "rotation error: it has the stated deviation, within five standard errors" $ do
+    let sensor = idealSensor {sensorRotationError = 3, sensorFullScale = 100}
+        ramp = HeightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
+        images = scanned sensor ramp (replicate 200 (Pose 50 50 0))
+        angle image =
+          atan2
+            (sum [at image x 0 - at image x 15 | x <- [0 .. 15]])
+            (sum [at image 15 y - at image 0 y | y <- [0 .. 15]])
+            * 180
+            / pi
+        deviation = sqrt (sum [angle image ** 2 | image <- images] / 200)
+    abs (deviation - 3) `shouldSatisfy` (< 5 * 3 / sqrt 400)
+  it "the same seed gives the same frames of every preset" $
+    [ scanned sensor relief poses == scanned sensor relief poses
+      | preset <- [minBound ..],
+        let sensor = presetSensor preset
+    ]
+      `shouldBe` replicate 4 True
+  where
+    relief = HeightMap 2 (generate 30 30 (\x y -> if (x + 2 * y) `mod` 5 == 0 then 1.5875 else 0))
+    poses = [Pose 20 20 0, Pose 25 20 0, Pose 30 20 0]
+
+presets :: Spec
+presets = do
+  it "the standard sensor is the paper's, and its constants' names are one each" $ do
+    presetSensor Paper `shouldBe` standardSensor
+    length (nub (map constantName constants)) `shouldBe` length constants
+  it "every constant has a unit and a source, or is called an assumption" $
+    [constantName c | c <- constants, null (constantUnit c) || length (constantSource c) < 8]
+      `shouldBe` []
+  it "a constant that is replaced has its new value, and no other is changed" $
+    [ (constantName c, constantName d)
+      | c <- constants,
+        let (least, most) = constantRange c,
+        value <- [least, fromIntegral (ceiling (min most (least + 7)) :: Int)],
+        Right changed <- [replaced (constantName c) value (presetSensor Real)],
+        d <- constants,
+        constantValue d changed
+          /= ( if constantName c == constantName d
+                 then value
+                 else constantValue d (presetSensor Real)
+             )
+    ]
+      `shouldBe` []
+  it "out of its range, or unknown, it is refused" $ do
+    let refused = either (maybe "unknown" constantName) (const "taken")
+    map
+      refused
+      [ replaced "columns" 3 standardSensor,
+        replaced "columns" 16.5 standardSensor,
+        replaced "noise" (0 / 0) standardSensor,
+        replaced "colour" 1 standardSensor,
+        replaced "noise" 0 standardSensor
+      ]
+      `shouldBe` ["columns", "columns", "noise", "unknown", "taken"]
+  it "with half the pitch the tabs are half as wide, and what goes with their area a quarter" $ do
+    let halved = withTaxel (taxelPitch / 2) (presetSensor Real)
+        parts f = f halved / f (presetSensor Real)
+    map parts [sensorTaxel, sensorTab, sensorStiffness, sensorBreakForce, sensorFullForce]
+      `shouldBe` [0.5, 0.5, 0.25, 0.25, 0.25]
+  it "the forces of a whole FSR 400 scaled to the tab: 0.0093 N and 0.93 N" $
+    [sensorBreakForce (presetSensor Real), sensorFullForce (presetSensor Real)]
+      `shouldSatisfy` \found -> case found of
+        [a, b] -> abs (a - 0.0093) < 0.00005 && abs (b - 0.93) < 0.005
+        _ -> False
