@@ -25,6 +25,7 @@ import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
 import qualified Command.Rates
+import qualified Command.Register
 import qualified Command.Sequence
 import qualified Command.Serve
 import qualified Command.Shapes
@@ -140,6 +141,7 @@ commands =
       ( commandGroup "Touch:" <> hidden
           <> mconcat
             [ Command.Probe.command,
+              Command.Register.command,
               Command.Stitch.command,
               Command.Decode.command,
               Command.Compare.command,

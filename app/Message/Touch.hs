@@ -4,6 +4,7 @@ module Message.Touch
     manifestMessage,
     probeMessage,
     stitchMessage,
+    pairMessage,
     shapeMessage,
     networkMessage,
   )
@@ -20,6 +21,7 @@ import PraTactile.Probe (ProbeError (..))
 import PraTactile.Probe.Manifest (ManifestError (..), manifestHeader)
 import PraTactile.Shape (ShapeError (..))
 import PraTactile.Stitch (StitchError (..))
+import PraTactile.Stitch.Pair (PairError (..))
 
 imageMessage :: ImageError -> String
 imageMessage e = case e of
@@ -117,6 +119,18 @@ stitchMessage e = case e of
       ++ " x "
       ++ show (ceiling h :: Integer)
       ++ " taxels; check the manifest's positions (millimetres)"
+
+pairMessage :: PairError -> String
+pairMessage e = case e of
+  PairSizes a b -> "the frames differ in size: " ++ by a ++ " and " ++ by b ++ " taxels"
+  PairFrameSize size ->
+    "the frames are " ++ by size ++ " taxels; from 4 x 4 to 256 x 256 are registered"
+  PairNotFinite -> "a frame has a value that is not a finite number"
+  UnusablePairing _ ->
+    "the settings are unusable: the step may be up to 1000 taxels, the search 0 to 64 taxels, the \
+    \confidence 0 to 1"
+  where
+    by (w, h) = show w ++ " x " ++ show h
 
 shapeMessage :: ShapeError -> String
 shapeMessage e = case e of
