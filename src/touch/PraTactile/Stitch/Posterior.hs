@@ -75,7 +75,7 @@ hypotheses most least given = case go most (posteriorMasses given) of
 -- to the points that hold all but a thousandth of that.
 bestOf :: Posterior -> (Hypothesis, Int -> Bool)
 bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
-  (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) held, inside)
+  (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) (max 0 (min 1 held)), inside)
   where
     sums = integralOf columns rows masses
     heldIn (x0, x1) (y0, y1) = at y1 x1 - at y0 x1 - at y1 x0 + at y0 x0

@@ -41,7 +41,7 @@ blindPosterior tables process step search a b = posterior origin 1 size (V.gener
       where
         logs = [sharedLog r sums + l | (r, l) <- ratios]
         top = maximum logs
-    ratios = [(exp r, negate (r * r) / (2 * 0.16)) | k <- [-4 .. 4 :: Int], let r = 0.3 * fromIntegral k]
+    ratios = [(exp r, negate (r * r) / (2 * 0.16)) | k <- [-2 .. 2 :: Int], let r = 0.4 * fromIntegral k]
 
 -- | The whole displacements within the search around the nominal one: the first, and how many across
 -- and down.
