@@ -107,7 +107,7 @@ stitchMessage e = case e of
       ++ show (i + 1)
       ++ " is turned by "
       ++ show degrees
-      ++ " degrees; only multiples of 90 are assembled"
+      ++ " degrees, and too small to be turned back"
   FrameNotFinite i ->
     "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
   UnusableRegistration _ ->

@@ -12,6 +12,7 @@ import argparse
 import json
 import math
 import pathlib
+import re
 import subprocess
 import tempfile
 import time
@@ -94,7 +95,7 @@ def pair_on_disk(folder, k, images, step, true):
 
 
 def read_pgm(path):
-    data = path.read_bytes()
+    data = re.sub(rb"#[^\n]*\n", b"", path.read_bytes(), count=3)
     fields, at = [], 0
     while len(fields) < 4:
         end = at

@@ -10,6 +10,10 @@ module PraTactile.Stitch
     -- * Stitching
     stitch,
     placeOnly,
+    assemble,
+    Assembly (..),
+    Way (..),
+    Arranged (..),
     Registration (..),
     standardRegistration,
     StitchError (..),
@@ -31,10 +35,11 @@ import PraTactile.Image
     zipRaster,
   )
 import PraTactile.Probe (Frame (..), Pose (..), sensorSide, taxelPitch)
+import PraTactile.Stitch.Arrange (Arranged (..), Arrangement (..), Way (..), arrange)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
-import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
+import PraTactile.Stitch.Turn (turnedBack)
 import PraTactile.Symmetry
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
@@ -45,7 +50,8 @@ data StitchError
     TooManyFrames !Int
   | -- | A frame is not 16 x 16: which, its width and its height.
     FrameSize !Int !Int !Int
-  | -- | A frame's rotation is not a multiple of 90 degrees: which, and its rotation.
+  | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
+    -- which, and its rotation.
     FrameRotation !Int !Double
   | -- | A frame's pose or one of its values is infinite or not a number.
     FrameNotFinite !Int
@@ -69,16 +75,41 @@ maxFrames = 10000
 -- frames saw there, with bilinear weights. The composite does not depend on the order of the
 -- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
-stitch settings frames
-  | usable settings = compose (register settings) frames
-  | otherwise = Left (UnusableRegistration settings)
+stitch settings = fmap assemblyComposite . assemble Automatic settings
 
 -- | Frames at their nominal places, blended: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
-placeOnly = compose (map (const (0, 0)))
+placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
+
+-- | A composite, and how it came about.
+data Assembly = Assembly
+  { assemblyComposite :: !Composite,
+    -- | The way that was taken; never 'Automatic'.
+    assemblyWay :: !Way,
+    -- | Each frame, in the order of the frames.
+    assemblyFrames :: ![Arranged],
+    -- | The root of the mean squared difference of the frames from what others saw there, as the
+    -- noise of one frame; 'Nothing' where no two overlap.
+    assemblyResidual :: !(Maybe Double)
+  }
+
+-- | Frames registered in the given way, and blended.
+assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
+assemble way settings frames
+  | usable settings = do
+    (composite, arrangement) <-
+      compose (\f -> let a = arrange way settings f in (map arrangedShift (arrangedFrames a), a)) frames
+    pure
+      ( Assembly
+          composite
+          (arrangedWay arrangement)
+          (arrangedFrames arrangement)
+          (arrangedResidual arrangement)
+      )
+  | otherwise = Left (UnusableRegistration settings)
 
 -- | Check the frames, place them in taxels, let the function find their displacements, and blend.
-compose :: ([(Place, Raster)] -> [Place]) -> [Frame] -> Either StitchError Composite
+compose :: ([(Place, Raster)] -> ([Place], a)) -> [Frame] -> Either StitchError (Composite, a)
 compose displace frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
@@ -87,10 +118,10 @@ compose displace frames = do
   let left = minimum (fmap (fst . fst) placed)
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
-  checkArea (fmap fst nominal)
-  let displacements = displace (NonEmpty.toList nominal)
+  checkArea nominal
+  let (displacements, more) = displace (NonEmpty.toList nominal)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
-  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
+  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements, more)
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.
@@ -107,12 +138,13 @@ inTaxels t
 blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
 blended (left, top) images = Composite image weights origin
   where
-    (x0, x1) = reach fst
-    (y0, y1) = reach snd
-    reach :: (Place -> Double) -> (Int, Int)
-    reach coordinate = (floor (minimum along), ceiling (maximum along) + sensorSide)
-      where
-        along = fmap (coordinate . fst) images
+    (x0, x1) = reach fst rasterWidth
+    (y0, y1) = reach snd rasterHeight
+    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
+    reach coordinate side =
+      ( floor (minimum (fmap (coordinate . fst) images)),
+        maximum (fmap (\(place, im) -> ceiling (coordinate place) + side im) images)
+      )
     origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
@@ -124,13 +156,13 @@ blended (left, top) images = Composite image weights origin
 leastWeight :: Double
 leastWeight = 0.001
 
-checkArea :: NonEmpty Place -> Either StitchError ()
-checkArea places
+checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
+checkArea images
   | width * height > fromIntegral maxCompositePixels = Left (AreaTooLarge width height)
   | otherwise = Right ()
   where
-    width = maximum (fmap fst places) + fromIntegral sensorSide
-    height = maximum (fmap snd places) + fromIntegral sensorSide
+    width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
+    height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
 -- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's
 -- own rotation is undone, and the image so turned.
@@ -140,7 +172,11 @@ upright i (Frame (Pose x y r) _ image)
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues image)) = Left (FrameNotFinite i)
   | otherwise = case turnedByDegrees r of
     Just symmetry -> Right ((x - half, y - half), onRaster symmetry image)
-    Nothing -> Left (FrameRotation i r)
+    Nothing -> case turnedBack r image of
+      Just inner ->
+        let halfOf side = taxelPitch * fromIntegral (side - 1) / 2
+         in Right ((x - halfOf (rasterWidth inner), y - halfOf (rasterHeight inner)), inner)
+      Nothing -> Left (FrameRotation i r)
   where
     (width, height) = (rasterWidth image, rasterHeight image)
     half = taxelPitch * fromIntegral (sensorSide - 1) / 2

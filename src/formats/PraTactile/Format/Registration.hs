@@ -1,21 +1,28 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of the registration of pairs of frames.
+-- | The JSON of the registration of pairs of frames, and of their assembly.
 module PraTactile.Format.Registration
   ( encodeMatch,
     PairRequest (..),
     decodePairRequest,
     methodName,
     refusalName,
+    encodeAssembly,
+    wayName,
   )
 where
 
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (isNothing)
 import PraTactile.Format.Error
 import PraTactile.Format.Json (encodeSchema)
-import PraTactile.Format.Json.Codec hiding (object)
+import PraTactile.Format.Json.Codec hiding (named, object)
+import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Probe (Pose (..))
+import PraTactile.Stitch
 import PraTactile.Stitch.Pair
 
 -- | The answer on one line, without its end; all keys always.
@@ -73,3 +80,47 @@ refusalName refusal = case refusal of
   OneAxis -> "one-axis"
   Ambiguous -> "ambiguous"
   NoOverlap -> "no-overlap"
+
+-- | An assembly on one line, without its end, with the file and the nominal pose of each frame; all
+-- keys always.
+encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
+encodeAssembly files made =
+  encodeSchema "stitch/1" $
+    "method" .= wayName (assemblyWay made)
+      <> "frames" .= zipWith frameValue files (assemblyFrames made)
+      <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
+      <> "size" .= (rasterWidth image, rasterHeight image)
+      <> "origin_mm" .= compositeOrigin (assemblyComposite made)
+      <> "residual" .= assemblyResidual made
+  where
+    image = compositeImage (assemblyComposite made)
+    alone = length (filter ((== 1) . length) (groupsOf (map arrangedGroup (assemblyFrames made))))
+    several = length (assemblyFrames made) > 1 && alone > 0
+    sizes = Map.fromListWith (+) [(arrangedGroup f, 1 :: Int) | f <- assemblyFrames made]
+    frameValue (file, pose) frame =
+      object
+        [ "file" .= file,
+          "correction" .= arrangedShift frame,
+          "rotation_deg" .= poseRotation pose,
+          "sd" .= arrangedDeviation frame,
+          "probability" .= arrangedProbability frame,
+          "group" .= arrangedGroup frame,
+          "reason" .= reasonOf frame
+        ]
+    reasonOf :: Arranged -> Maybe String
+    reasonOf frame
+      | several && Map.lookup (arrangedGroup frame) sizes == Just 1 = Just "no-overlap"
+      | Just p <- arrangedProbability frame, p < 0.5 = Just "ambiguous"
+      | otherwise = Nothing
+
+-- | The frames of each group, by their indices from 0.
+groupsOf :: [Int] -> [[Int]]
+groupsOf groups = map sort (Map.elems (Map.fromListWith (++) [(g, [i]) | (i, g) <- zip [0 ..] groups]))
+
+-- | The name of a way to assemble frames.
+wayName :: Way -> String
+wayName way = case way of
+  Automatic -> "auto"
+  ByLattice -> "lattice"
+  Incremental -> "incremental"
+  Nominal -> "nominal"

@@ -34,4 +34,4 @@ correlationPosterior step search a b = posterior origin 1 size (V.generate (colu
 -- | How many independent pairs of values a pixel of the overlap counts for. Neighbouring pixels of
 -- relief resemble each other; found so that of what is given at 99 % at least that much is right.
 independent :: Double
-independent = 0.5
+independent = 0.4
