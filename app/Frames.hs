@@ -27,7 +27,7 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Probe (Frame, sensorSide)
 import PraTactile.Probe.Manifest (Entry (..), parseManifest)
 import PraTactile.Source
-import PraTactile.Stitch
+import PraTactile.Stitch hiding (assemble)
 import System.Directory (doesDirectoryExist, doesFileExist)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 

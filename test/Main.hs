@@ -94,6 +94,7 @@ import qualified Test.Touch.Segment
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
+import qualified Test.Touch.Pair
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.Train
 import qualified Test.Truth
@@ -152,6 +153,7 @@ specs = do
     describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
     describe "The sensor" Test.Touch.Sensor.spec
     describe "Stitching" Test.Touch.Stitch.spec
+    describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
     describe "Extents" Test.Touch.Extents.spec

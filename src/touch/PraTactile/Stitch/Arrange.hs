@@ -4,6 +4,7 @@ module PraTactile.Stitch.Arrange
     Arranged (..),
     Arrangement (..),
     arrange,
+
   )
 where
 
@@ -12,13 +13,12 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth, standardDeviation)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
-import PraTactile.Shape (paperAlphabet)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Joint
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..))
 import PraTactile.Stitch.Spectrum (spectra)
-import PraTactile.Stitch.Template (Templates, templates)
+import PraTactile.Stitch.Template (paperTemplates)
 
 -- | How frames are registered.
 data Way
@@ -69,7 +69,7 @@ arrange way settings frames = case way of
     incrementally = plain Incremental shifts
     doubtful =
       registrationSigma settings > 1.25
-        || noise > 0.15 * relief
+        || noise > 0.2 * relief
         || atOdds noise relief (moved frames shifts)
     (noise, relief) = levels (map snd frames)
     latticed = case tablesBySize of
@@ -92,11 +92,12 @@ arrange way settings frames = case way of
                 | l <- located
               ]
       Nothing -> incrementally
-    tablesBySize = either (const Nothing) (Just . tablesOf (map snd frames)) known
-    known = paperAlphabet
-    tablesOf images alphabet =
-      let made = Map.fromList [(size, uncurry (templates alphabet) size) | size <- map sizeOf images]
-       in \size -> Map.findWithDefault (uncurry (templates alphabet) size) size made
+    -- The tables by the frames' size, each made once.
+    tablesBySize = case Map.elems made of
+      first : _ -> Just (\size -> Map.findWithDefault first size made)
+      [] -> Nothing
+    made =
+      Map.mapMaybe id (Map.fromList [(size, uncurry paperTemplates size) | (_, image) <- frames, let size = sizeOf image])
     plain used ds = arranged used [(d, Nothing, Nothing) | d <- ds]
     arranged used told =
       Arrangement
@@ -149,7 +150,7 @@ median xs = case drop (length xs `div` 2) (sort xs) of
 atOdds :: Double -> Double -> [(Place, Raster)] -> Bool
 atOdds noise relief placed = any (> allowed) [s | (s, n) <- differencesOf placed, n >= 24]
   where
-    allowed = max (4 * noise * noise) (0.03 * relief * relief)
+    allowed = max (5 * noise * noise) (0.06 * relief * relief)
 
 -- | The standard deviation of one frame from what others saw, over all.
 residual :: [(Place, Raster)] -> Maybe Double

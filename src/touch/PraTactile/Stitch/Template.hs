@@ -9,6 +9,7 @@
 module PraTactile.Stitch.Template
   ( Templates (..),
     templates,
+    paperTemplates,
     placesPerTaxel,
     coarser,
     correlations,
@@ -22,7 +23,16 @@ import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, constant, rasterValues)
-import PraTactile.Shape (Alphabet, embossedAt, halfTurned, shapes, symbolHeight, symbolWidth)
+import PraTactile.Geometry (sensorSide)
+import PraTactile.Shape
+  ( Alphabet,
+    embossedAt,
+    halfTurned,
+    paperAlphabet,
+    shapes,
+    symbolHeight,
+    symbolWidth,
+  )
 
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size.
 data Templates = Templates
@@ -108,6 +118,20 @@ templates alphabet w h = (tabled placesPerTaxel) {templateCoarse = Just (tabled 
                 x <- [0 .. symbolWidth - 1],
                 embossedAt b x y
             ]
+
+-- | The tables for the shipped alphabet, those for frames of the sensor's size made once for all.
+-- 'Nothing' where that alphabet cannot be read, which a test excludes.
+paperTemplates :: Int -> Int -> Maybe Templates
+paperTemplates w h
+  | w == sensorSide && h == sensorSide = ofTheSensor
+  | otherwise = paper w h
+
+ofTheSensor :: Maybe Templates
+ofTheSensor = paper sensorSide sensorSide
+{-# NOINLINE ofTheSensor #-}
+
+paper :: Int -> Int -> Maybe Templates
+paper w h = either (const Nothing) (\known -> Just (templates known w h)) paperAlphabet
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.
 paddedWidth :: Templates -> Int
@@ -216,14 +240,18 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
         let (v, u) = i `quotRem` boxWide
          in squared
               ( sum
-                  [ share (u - margin - a) px * share (v - margin - b) py
+                  [ share px (u - margin - a) * share py (v - margin - b)
                     | b <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v],
                       a <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
                       embossed a b
                   ]
               )
-    share :: Int -> Int -> Double
-    share u part = seenAt (fromIntegral u - fromIntegral part / fromIntegral q)
+    -- The distances are from minus to plus the margin.
+    share part u = V.unsafeIndex shares (part * (2 * margin + 1) + u + margin)
+    shares =
+      V.generate (q * (2 * margin + 1)) $ \i ->
+        let (part, u) = i `quotRem` (2 * margin + 1)
+         in seenAt (fromIntegral (u - margin) - fromIntegral part / fromIntegral q)
     squared t = t * t
 
 -- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
