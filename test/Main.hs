@@ -86,6 +86,7 @@ import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
+import qualified Test.Touch.Pair
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
@@ -94,7 +95,6 @@ import qualified Test.Touch.Segment
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
-import qualified Test.Touch.Pair
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.Train
 import qualified Test.Truth

@@ -41,8 +41,9 @@ command =
       flag'
         ()
         ( long "batch"
-            <> help "Answer lines {\"a\": FILE, \"b\": FILE, \"step\": [DX, DY]} of the standard \
-                    \input, one JSON line each"
+            <> help
+              "Answer lines {\"a\": FILE, \"b\": FILE, \"step\": [DX, DY]} of the standard \
+              \input, one JSON line each"
         )
     pairArguments =
       PairRequest

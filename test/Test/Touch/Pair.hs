@@ -2,13 +2,14 @@
 module Test.Touch.Pair (spec) where
 
 import Data.Either (isLeft)
+import qualified Data.Vector.Storable as V
+import Data.Maybe (fromMaybe)
 import PraTactile.Image
 import PraTactile.Random (normals)
 import PraTactile.Shape (Alphabet, embossedAt, paperAlphabet, shapes)
 import PraTactile.Stitch.Pair
 import System.Random (mkStdGen)
 import Test.Hspec
-import qualified Data.Vector.Storable as V
 
 spec :: Spec
 spec = do
@@ -65,7 +66,7 @@ noisy sd relief = (with 0 a, with 256 b)
     (a, b) = clean relief
     (drawn, _) = normals 512 (mkStdGen 5)
     with from image =
-      generate 16 16 (\x y -> maybe 0 id (index image x y) + sd * drawn V.! (from + y * 16 + x))
+      generate 16 16 (\x y -> fromMaybe 0 (index image x y) + sd * drawn V.! (from + y * 16 + x))
 
 -- | Symbols in the middle of cells of 16 x 20 taxels, a class a cell.
 symbols :: Int -> Int -> Double

@@ -4,7 +4,6 @@ module PraTactile.Stitch.Arrange
     Arranged (..),
     Arrangement (..),
     arrange,
-
   )
 where
 

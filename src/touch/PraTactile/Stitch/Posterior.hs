@@ -129,7 +129,7 @@ deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
     cell = spacing * spacing / 12
     along coordinate = sqrt (max 0 (second - first * first) * spacing * spacing + cell)
       where
-        first = moment (\t -> t)
+        first = moment id
         second = moment (\t -> t * t)
         moment f =
           V.ifoldl' (\ !s i m -> s + m * f (fromIntegral (coordinate (i `quotRem` columns)))) 0 masses

@@ -229,6 +229,7 @@ shared tables process w h a b = map summed reliefScales
                 bb = cb * cb
                 ab = ca * cb
              in part (i + 1) to (x0 + aa * r0) (z0 + bb * r0) (p0 * v) l0 (x1 + aa * v * r1) (y1 + ab * p * r1) (z1 + bb * v * r1) (p1 * d1) l1 (x2 + aa * v * r2) (y2 + ab * c * r2) (z2 + bb * v * r2) (p2 * d2) l2
+
 -- | How much likelier, as a natural logarithm, the patches are of one relief than of two, if the
 -- second reads that many times what the first does, beyond the scales. Relief is no normal process,
 -- and the coefficients are not quite independent, so each counts for somewhat less: 'tempering'.

@@ -19,11 +19,12 @@ module PraTactile.Stitch.Template
   )
 where
 
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, constant, rasterValues)
 import PraTactile.Geometry (sensorSide)
+import PraTactile.Image (Raster, constant, rasterValues)
 import PraTactile.Shape
   ( Alphabet,
     embossedAt,
@@ -75,7 +76,7 @@ firstRow = negate (symbolHeight + fringe)
 
 -- | The same at whole taxels, if these are finer.
 coarser :: Templates -> Templates
-coarser fine = maybe fine id (templateCoarse fine)
+coarser fine = fromMaybe fine (templateCoarse fine)
 
 -- | Where an orientation (0 upright, 1 half turned), a row and a column of places lie in the tables,
 -- to be multiplied by the number of classes where these have one number a class.
