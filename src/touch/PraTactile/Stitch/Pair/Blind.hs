@@ -29,13 +29,19 @@ blindPosterior tables process step search a b = posterior origin 1 size (V.gener
     b' = scaled scaleB b
     at i = case overlapOf a' b' (round x) (round y) of
       Just (w, h, pa, pb)
-        | w * h > 1 -> prior + together (shared tables process w h (transform w h pa) (transform w h pb))
+        | w * h > 1 -> prior + fair (w * h) * together (shared tables process w h (transform w h pa) (transform w h pb))
       _ -> prior
       where
         (row, column) = i `quotRem` columns
         x = ox + fromIntegral column
         y = oy + fromIntegral row
         prior = priorAround search (x - fst step, y - snd step)
+    -- An overlap counts as much as the nominal one, however large: one relief alike everywhere along
+    -- an axis must not be drawn to where more of it is seen.
+    fair n = max 0.5 (min 2 (nominal / fromIntegral n)) :: Double
+    nominal = case overlapOf a b (round (fst step)) (round (snd step)) of
+      Just (w, h, _, _) -> fromIntegral (w * h)
+      Nothing -> 1
     transform w h p = cosineTransform tables w h p
     together sums = top + log (sum (map (\l -> exp (l - top)) logs) / fromIntegral (length logs))
       where
