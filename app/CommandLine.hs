@@ -26,6 +26,7 @@ import qualified Command.Probe
 import qualified Command.Profile
 import qualified Command.Prove
 import qualified Command.Rates
+import qualified Command.Register
 import qualified Command.Sensor
 import qualified Command.Sequence
 import qualified Command.Serve
@@ -142,6 +143,7 @@ commands =
       ( commandGroup "Touch:" <> hidden
           <> mconcat
             [ Command.Probe.command,
+              Command.Register.command,
               Command.Stitch.command,
               Command.Decode.command,
               Command.Compare.command,

@@ -10,6 +10,7 @@ module Frames
     loadSource,
     loadSources,
     loadFrames,
+    loadFolder,
     Preparation,
 
     -- * Folders of frames
@@ -34,7 +35,7 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Probe (Frame (..), Layout (..), sensorSide, standardLayout)
 import PraTactile.Probe.Manifest (Entry (..), Manifest (..), listing, parseManifest)
 import PraTactile.Source
-import PraTactile.Stitch
+import PraTactile.Stitch hiding (assemble)
 import System.Directory (doesDirectoryExist, doesFileExist)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 
@@ -127,6 +128,13 @@ loadSource prepare assemble source = case source of
 -- | All frames of a folder.
 loadFrames :: FilePath -> IO [Frame]
 loadFrames = wantedFrames (const True)
+
+-- | All frames of a folder, prepared, each with its file's name.
+loadFolder :: Preparation -> FilePath -> IO [(FilePath, Frame)]
+loadFolder prepare folder = do
+  names <- map entryFile . manifestEntries <$> readManifest folder
+  loaded <- loadFrames folder
+  zip names <$> orUnusable ((folder ++ ": ") ++) (prepare loaded)
 
 -- | The frames of a folder whose files' names are wanted.
 wantedFrames :: (FilePath -> Bool) -> FilePath -> IO [Frame]

@@ -90,6 +90,7 @@ import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
+import qualified Test.Touch.Pair
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
@@ -159,6 +160,7 @@ specs = do
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" Test.Touch.Stitch.spec
+    describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
     describe "Extents" Test.Touch.Extents.spec

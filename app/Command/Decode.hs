@@ -86,7 +86,10 @@ optionsParser =
       "FILE.svg"
       "Draw what was felt with the symbols over it, and where on the face that is (one source \
       \only); - is the standard output, in place of the answer"
-    <*> ((\foreignTo tolerated -> tolerated {foreignPrior = foreignTo}) <$> foreignOption <*> toleranceOptions)
+    <*> ( (\foreignTo tolerated -> tolerated {foreignPrior = foreignTo})
+            <$> foreignOption
+            <*> toleranceOptions
+        )
     <*> flag
       EachItsOwn
       OneFace

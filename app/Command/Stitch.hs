@@ -8,18 +8,24 @@ module Command.Stitch
   )
 where
 
+import Control.Monad (unless, when)
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import Frames
 import FramesChoice
 import Message
 import Options
 import Output
-import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Format.Registration (encodeAssembly, wayName)
+import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
-import PraTactile.Probe (Frame)
-import PraTactile.Stitch
+import PraTactile.Probe (Frame (..))
+import PraTactile.Stitch hiding (Assembly, assemble)
+import qualified PraTactile.Stitch as Stitch
 import System.FilePath (takeExtension)
 
 command :: Mod CommandFields (IO ExitStatus)
@@ -28,11 +34,26 @@ command =
     "stitch"
     "Assemble the frames of a folder into one composite image, correcting their positions by \
     \cross-correlation."
-    ["pra-tactile stitch frames --output composite.pgm"]
+    [ "pra-tactile stitch frames --output composite.pgm",
+      "pra-tactile stitch frames --method lattice --json"
+    ]
     ( run <$> assemblyOptions
         <*> framesOptions
+        <*> optional
+          ( choosing
+              "method"
+              (allNamed wayName)
+              "method"
+              "METHOD"
+              "lattice (by the lattice of symbols), incremental (by the paper's cross-correlation), \
+              \nominal (not at all), or auto: incremental, and by the lattice where \
+              \--position-error is above 1.25 or --noise above 0.25 and the frames show symbols \
+              \(default)"
+              mempty
+          )
         <*> strArgument (metavar "FOLDER" <> action "directory")
-        <*> fileOption "output" "FILE" "The composite, .pgm or .png"
+        <*> optionalFile "output" "FILE" "The composite, .pgm or .png"
+        <*> jsonSwitch "Print where each frame was as JSON"
     )
 
 -- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
@@ -72,21 +93,49 @@ registrationFor sigma noise =
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
 assemble = maybe placeOnly stitch
 
-run :: Assembly -> FramesChoice -> FilePath -> FilePath -> IO ExitStatus
-run way choice folder output = do
-  encoder <- case map toLower (takeExtension output) of
-    ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
-    ".png" -> pure (Right . rasterPng)
-    _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
+run ::
+  Assembly ->
+  FramesChoice ->
+  Maybe Way ->
+  FilePath ->
+  Maybe FilePath ->
+  AnswerForm ->
+  IO ExitStatus
+run settings choice asked folder output form = do
+  when
+    (output == Nothing && form == AsText)
+    (unusable "there is nothing to do: give --output FILE, or --json")
+  encoder <- traverse encoderFor output
   prepare <- preparation choice
-  composite <- loadSource prepare (assemble way) (FrameFolder folder)
-  writeWhole output =<< orUnusable imageMessage (encoder (compositeImage composite))
-  sayWritten
-    output
-    ( ": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
-        ++ show (rasterHeight (compositeImage composite))
-        ++ " taxels from "
-        ++ show (length (compositeDisplacements composite))
-        ++ " frames"
-    )
+  (names, frames) <- unzip <$> loadFolder prepare folder
+  made <-
+    orUnusable
+      (\e -> folder ++ ": " ++ stitchMessage e)
+      (Stitch.assemble way registration frames)
+  let composite = Stitch.assemblyComposite made
+  sequence_ (written composite <$> output <*> encoder)
+  when
+    (form == AsJson)
+    (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))
   pure Answered
+  where
+    way = fromMaybe (maybe Nominal (const Automatic) settings) asked
+    registration = fromMaybe standardRegistration settings
+    written composite file encoder = do
+      writeWhole file =<< orUnusable imageMessage (encoder (compositeImage composite))
+      unless (form == AsJson) $
+        sayWritten
+          file
+          ( ": " ++ show (rasterWidth (compositeImage composite)) ++ " x "
+              ++ show (rasterHeight (compositeImage composite))
+              ++ " taxels from "
+              ++ show (length (compositeDisplacements composite))
+              ++ " frames"
+          )
+
+-- | How a composite is written to a file of that name.
+encoderFor :: FilePath -> IO (Raster -> Either ImageError Lazy.ByteString)
+encoderFor output = case map toLower (takeExtension output) of
+  ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
+  ".png" -> pure (Right . rasterPng)
+  _ -> unusable ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")

@@ -5,6 +5,7 @@ module Message.Touch
     probeMessage,
     stitchMessage,
     calibrationMessage,
+    pairMessage,
     shapeMessage,
     networkMessage,
   )
@@ -22,6 +23,7 @@ import PraTactile.Probe.Calibration (CalibrationError (..))
 import PraTactile.Probe.Manifest (ManifestError (..), manifestHeader)
 import PraTactile.Shape (ShapeError (..))
 import PraTactile.Stitch (StitchError (..))
+import PraTactile.Stitch.Pair (PairError (..))
 import Text.Printf (printf)
 
 imageMessage :: ImageError -> String
@@ -111,7 +113,7 @@ stitchMessage e = case e of
       ++ show (i + 1)
       ++ " is turned by "
       ++ show degrees
-      ++ " degrees; only multiples of 90 are assembled"
+      ++ " degrees, and too small to be turned back"
   FrameNotFinite i ->
     "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
   UnusableRegistration _ ->
@@ -133,6 +135,18 @@ calibrationMessage e = case e of
   ReadingNotFinite -> "a frame has a value that is not a finite number"
   AllDead -> "no taxel reads more in the flat frames than in the dark ones: all are dead"
   AllSaturated -> "all taxels read full scale in the flat frames, so that their gains are not known"
+  where
+    by (w, h) = show w ++ " x " ++ show h
+
+pairMessage :: PairError -> String
+pairMessage e = case e of
+  PairSizes a b -> "the frames differ in size: " ++ by a ++ " and " ++ by b ++ " taxels"
+  PairFrameSize size ->
+    "the frames are " ++ by size ++ " taxels; from 4 x 4 to 256 x 256 are registered"
+  PairNotFinite -> "a frame has a value that is not a finite number"
+  UnusablePairing _ ->
+    "the settings are unusable: the step may be up to 1000 taxels, the search 0 to 64 taxels, the \
+    \confidence 0 to 1"
   where
     by (w, h) = show w ++ " x " ++ show h
 

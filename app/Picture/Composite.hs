@@ -96,7 +96,8 @@ compositePanel alphabet nameOf composite recognition =
       cornerMark (0, 0) (unit * 2.5, 0) (0, unit * 2.5) :
       concatMap (symbolMarks Part) (here recognisedParts)
         ++ concatMap (symbolMarks Whole) (here recognisedSymbols)
-        ++ concat [windowMarks unit tilt found | Right (Found found) <- [recognisedAnswer recognition]]
+        ++ concat
+          [windowMarks unit tilt found | Right (Found found) <- [recognisedAnswer recognition]]
     here part = [s | s <- part recognition, readSource s == 0]
     symbolMarks felt symbol =
       symbolMark alphabet nameOf unit tilt felt (readingOf recognition felt symbol) symbol

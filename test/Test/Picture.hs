@@ -269,7 +269,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
           `shouldBe` heightValues heights
         length (named "vertex" drawn) `shouldBe` 4
   it "no answer, no face: the reason is told" $ do
-    let page = pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing 0 (Left NoSymbols))
+    let page =
+          pageOf (compositeOf (constant 40 52 0)) (Recognition [] [] Nothing 0 (Left NoSymbols))
     pageFace page `shouldBe` []
     concat [content | Mark _ (Words _ _ _ content) <- pageAnswer page]
       `shouldSatisfy` ("no complete symbol" `isInfixOf`)

@@ -156,6 +156,11 @@ touching =
   [ ("decode", "pra decode --json " ++ worked ++ " data/worked-example/composite.pgm"),
     ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
     ("decode", "{ echo P2 40 52 255; yes 0 | head -2080; } > b.pgm; pra decode --json b.pgm"),
+    ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 8,0 --json"),
+    ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 40,0 --json || true"),
+    ( "stitch",
+      "pra stitch " ++ worked ++ " --json; pra stitch " ++ worked ++ " --method lattice --json"
+    ),
     ("truth", "pra probe --object cube --seed 7 --output frames --truth t.json > log; cat t.json"),
     ("compare", "pra decode --json frames > a.json; pra compare a.json t.json --json"),
     ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
@@ -185,6 +190,7 @@ touching =
   ]
   where
     worked = "data/worked-example/frames"
+    frame n = worked ++ "/frame_" ++ n ++ ".pgm "
 
 -- | A report of a subject that is right, of one that is wrong, and of one that ends at once.
 conforming :: [(String, String)]

@@ -47,8 +47,8 @@ chooseFrom = go (Choice 600 1 [] (1, 1) 2)
       _ -> Nothing
 
 -- | Mutants of these sites in an order drawn from the seed, of each module three at least where it
--- has as many; those come first. The order is that of numbers drawn from the mutants' names, so that
--- other sources have the same sample but for what is new in them or gone.
+-- has as many; those come first. The order is that of numbers drawn from the mutants' names, so
+-- that other sources have the same sample but for what is new in them or gone.
 sample :: Choice -> [Site] -> [Mutant]
 sample choice sites = take (max (choiceCount choice) (length first)) (first ++ others)
   where

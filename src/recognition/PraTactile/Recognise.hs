@@ -142,8 +142,8 @@ recogniseWith tolerance reader composites = case tilt composites of
           else asGiven
   _ -> recogniseUpright tolerance reader composites
 
--- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as those
--- that are not turned at all, and the estimate of the angle is less certain than that.
+-- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
+-- those that are not turned at all, and the estimate of the angle is less certain than that.
 leastTilt :: Double
 leastTilt = 3
 
@@ -152,8 +152,8 @@ leastTilt = 3
 certainty :: Recognition -> Double
 certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
 
--- | What was recognised in composites that were set upright by an angle, as of the composites as they
--- were given, by where the places of the one are on the other.
+-- | What was recognised in composites that were set upright by an angle, as of the composites as
+-- they were given, by where the places of the one are on the other.
 relocated :: Double -> [(Double, Double) -> (Double, Double)] -> Recognition -> Recognition
 relocated angle places recognition =
   recognition

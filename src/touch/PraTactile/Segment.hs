@@ -90,7 +90,9 @@ data Segmentation = Segmentation
 -- fits a symbol's becomes one. A noisy composite is smoothed for that; the symbols' images are not.
 segment :: Composite -> Segmentation
 segment composite = case levels noise (V.fromList (Map.elems touched)) of
-  Nothing | noise > 0 -> maybe nothing (cut smooth) (levels smoothNoise (V.fromList (Map.elems smooth)))
+  Nothing
+    | noise > 0 ->
+      maybe nothing (cut smooth) (levels smoothNoise (V.fromList (Map.elems smooth)))
   Just found
     | contrast found < leastClear * noise ->
       cut smooth (fromMaybe found (levels smoothNoise (V.fromList (Map.elems smooth))))
@@ -110,8 +112,8 @@ segment composite = case levels noise (V.fromList (Map.elems touched)) of
             partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
        in Segmentation symbols rejects (levelBackground found) (contrast found)
 
--- | The standard deviation of the pixels' noise: the larger of what changes along the rows and along
--- the columns show, for a row may have noise in common, or a column.
+-- | The standard deviation of the pixels' noise: the larger of what changes along the rows and
+-- along the columns show, for a row may have noise in common, or a column.
 noiseIn :: Map Pixel Double -> Double
 noiseIn pixels = max (noiseFrom (differences (1, 0))) (noiseFrom (differences (0, 1)))
   where

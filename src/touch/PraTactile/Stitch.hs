@@ -10,6 +10,10 @@ module PraTactile.Stitch
     -- * Stitching
     stitch,
     placeOnly,
+    assemble,
+    Assembly (..),
+    Way (..),
+    Arranged (..),
     Registration (..),
     standardRegistration,
     StitchError (..),
@@ -32,10 +36,11 @@ import PraTactile.Image
   )
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Resample (atCanonicalPitch)
+import PraTactile.Stitch.Arrange (Arranged (..), Arrangement (..), Way (..), arrange)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
-import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
+import PraTactile.Stitch.Turn (turnedBack)
 import PraTactile.Symmetry
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
@@ -47,7 +52,8 @@ data StitchError
   | -- | A frame is not of the first one's size, or not of 4 x 4 to 256 x 256 taxels: which, its
     -- width and its height.
     FrameSize !Int !Int !Int
-  | -- | A frame's rotation is not a multiple of 90 degrees: which, and its rotation.
+  | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
+    -- which, and its rotation.
     FrameRotation !Int !Double
   | -- | A frame's pose, its taxels' pitch or one of its values is infinite or not a number, or the
     -- pitch is not positive.
@@ -72,16 +78,43 @@ maxFrames = 10000
 -- frames saw there, with bilinear weights. The composite does not depend on the order of the
 -- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
-stitch settings frames
-  | usable settings = compose (register settings) frames
-  | otherwise = Left (UnusableRegistration settings)
+stitch settings = fmap assemblyComposite . assemble Automatic settings
 
 -- | Frames at their nominal places, blended: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
-placeOnly = compose (map (const (0, 0)))
+placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
+
+-- | A composite, and how it came about.
+data Assembly = Assembly
+  { assemblyComposite :: !Composite,
+    -- | The way that was taken; never 'Automatic'.
+    assemblyWay :: !Way,
+    -- | Each frame, in the order of the frames.
+    assemblyFrames :: ![Arranged],
+    -- | The root of the mean squared difference of the frames from what others saw there, as the
+    -- noise of one frame; 'Nothing' where no two overlap.
+    assemblyResidual :: !(Maybe Double)
+  }
+
+-- | Frames registered in the given way, and blended.
+assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
+assemble way settings frames
+  | usable settings = do
+    (composite, arrangement) <-
+      compose
+        (\f -> let a = arrange way settings f in (map arrangedShift (arrangedFrames a), a))
+        frames
+    pure
+      ( Assembly
+          composite
+          (arrangedWay arrangement)
+          (arrangedFrames arrangement)
+          (arrangedResidual arrangement)
+      )
+  | otherwise = Left (UnusableRegistration settings)
 
 -- | Check the frames, place them in taxels, let the function find their displacements, and blend.
-compose :: ([(Place, Raster)] -> [Place]) -> [Frame] -> Either StitchError Composite
+compose :: ([(Place, Raster)] -> ([Place], a)) -> [Frame] -> Either StitchError (Composite, a)
 compose displace frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
@@ -91,9 +124,9 @@ compose displace frames = do
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
   checkArea nominal
-  let displacements = displace (NonEmpty.toList nominal)
+  let (displacements, more) = displace (NonEmpty.toList nominal)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
-  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements)
+  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements, more)
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.
@@ -147,12 +180,12 @@ upright one i given
     Left (FrameNotFinite i)
   | not (finite (frameTaxel given) && frameTaxel given > 0) = Left (FrameNotFinite i)
   | otherwise = case turnedByDegrees r of
-    Just symmetry ->
-      let image = onRaster symmetry (frameImage (atCanonicalPitch given))
-       in Right ((x - half (rasterWidth image), y - half (rasterHeight image)), image)
-    Nothing -> Left (FrameRotation i r)
+    Just symmetry -> Right (placed (onRaster symmetry image))
+    Nothing -> maybe (Left (FrameRotation i r)) (Right . placed) (turnedBack r image)
   where
     Pose x y r = framePose given
+    image = frameImage (atCanonicalPitch given)
+    placed turned' = ((x - half (rasterWidth turned'), y - half (rasterHeight turned')), turned')
     sizeOf frame = (rasterWidth (frameImage frame), rasterHeight (frameImage frame))
     possible side = side >= 4 && side <= 256
     half side = taxelPitch * fromIntegral (side - 1) / 2

@@ -301,13 +301,38 @@ noisy =
   where
     draw g = let (e, g') = normalPair g in e : draw g'
 
+-- | How far the composite of one frame of a smooth scene, by a sensor so turned, is from the scene.
+turnedOff :: Double -> Double
+turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image] of
+  Left _ -> 1
+  Right composite ->
+    let seen = compositeImage composite
+        (ox, oy) = compositeOrigin composite
+     in maximum
+          [ abs (v - scene (ox / taxelPitch + fromIntegral x) (oy / taxelPitch + fromIntegral y))
+            | (y, row) <- zip [0 :: Int ..] (toRows seen),
+              (x, v) <- zip [0 :: Int ..] row,
+              maybe False (> 0.99) (index (compositeCoverage composite) x y)
+          ]
+  where
+    scene x y = 0.5 + 0.2 * sin (x / 4) + 0.2 * cos (y / 5)
+    radians = degrees * pi / 180
+    image = generate 16 16 $ \i j ->
+      let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 7.5)
+       in scene (cos radians * u - sin radians * v) (sin radians * u + cos radians * v)
+
 refusals :: Spec
 refusals = do
   it "no frame" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
   it "a frame that is not of the size of the first, naming it" $
     stitched [good, good {frameImage = constant 16 15 0}] `shouldBe` Left (FrameSize 1 16 15)
-  it "a rotation that is no multiple of 90 degrees, naming the frame" $
-    stitched [good, good, at 0 0 45] `shouldBe` Left (FrameRotation 2 45)
+  it "a frame of any rotation is taken, and turned back" $
+    [ (degrees, off)
+      | degrees <- [0.5, 30, 45, 100, 200, 359],
+        let off = turnedOff degrees,
+        off > 0.01
+    ]
+      `shouldBe` []
   it "what is not finite, naming the frame" $ do
     let found =
           [ stitched [good, f]

@@ -56,9 +56,9 @@ faceGrid found = do
     known g = length (filter (isJust . readClass) (groupSymbols g))
     once = Map.map pure
 
--- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have it:
--- the rotation that brings their cells closest to their centres, by least squares. 0 where they do
--- not say, for there are fewer than two.
+-- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have
+-- it: the rotation that brings their cells closest to their centres, by least squares. 0 where they
+-- do not say, for there are fewer than two.
 gridTilt :: FaceGrid -> Double
 gridTilt grid
   | length placed < 2 = 0

@@ -163,8 +163,8 @@ locateGrid reader tolerance dissenters grid =
             else contradicted findings witnesses (counted (evidenceWrong evidence))
       _ -> unclear findings witnesses
 
--- | The likeliest position, and what it rests on, given the share of foreign things, the doubt about
--- the orientation and the probabilities of the observed cells. 'Nothing' where no position is
+-- | The likeliest position, and what it rests on, given the share of foreign things, the doubt
+-- about the orientation and the probabilities of the observed cells. 'Nothing' where no position is
 -- possible.
 evidenceFrom ::
   KnownField k =>

@@ -28,9 +28,9 @@ threshold (Levels low high) = (low + high) / 2
 contrast :: Levels -> Double
 contrast (Levels low high) = high - low
 
--- | The levels of a set of intensities, given the standard deviation of their noise. The intensities
--- are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which makes the
--- variance between the two parts largest; the levels are the parts' medians.
+-- | The levels of a set of intensities, given the standard deviation of their noise. The
+-- intensities are split in two by Otsu's threshold (IEEE Trans. Syst. Man Cybern. 9, 1979), which
+-- makes the variance between the two parts largest; the levels are the parts' medians.
 --
 -- 'Nothing' when that shows no embossing: less than four times the noise between the two, which is
 -- more than the parts differ by into which noise alone is split (1.35 standard deviations of normal

@@ -79,7 +79,8 @@ sharpness places across down angle = summed c s + summed (negate s) c
     add lines' i x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
 
 {- Note [Bounds] i < count, and places has two numbers for each pixel. |u| and |v| are at most 1 and
-   u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2 reach. -}
+   u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2
+   reach. -}
 
 -- | The touched pixels whose eight neighbours were touched too: their places from the composite's
 -- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
@@ -106,10 +107,10 @@ gradients (Composite image coverage _ _) =
     at x y = fromMaybe 0 (index image x y)
     touched x y = maybe False (>= 0.4) (index coverage x y)
 
--- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin of
--- the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated from
--- the given one's. And where a place on it, x and y in pixels, is on the given one. The displacements
--- stay as they are, along the robot's axes.
+-- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin
+-- of the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated
+-- from the given one's. And where a place on it, x and y in pixels, is on the given one. The
+-- displacements stay as they are, along the robot's axes.
 setUpright :: Double -> Composite -> (Composite, (Double, Double) -> (Double, Double))
 setUpright angle composite = (upright, back)
   where

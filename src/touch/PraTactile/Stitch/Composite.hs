@@ -39,7 +39,8 @@ compositePosition composite (x, y) = (ox + taxelPitch * x, oy + taxelPitch * y)
   where
     (ox, oy) = compositeOrigin composite
 
--- | Where a place in the robot's coordinates, x and y in millimetres, is on the composite, in pixels.
+-- | Where a place in the robot's coordinates, x and y in millimetres, is on the composite, in
+-- pixels.
 compositePixel :: Composite -> (Double, Double) -> (Double, Double)
 compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
   where

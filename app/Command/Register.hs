@@ -1,0 +1,154 @@
+-- | @pra-tactile register@: where the second of two frames lies in the first.
+module Command.Register
+  ( command,
+  )
+where
+
+import Data.Bifunctor (first)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Text.Encoding (encodeUtf8)
+import ExitStatus
+import Lines
+import Message
+import Options
+import PraTactile.Files (readImage)
+import PraTactile.Format.Registration
+import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Shape (Alphabet, paperAlphabet)
+import PraTactile.Source (imageComposite)
+import PraTactile.Stitch (compositeImage)
+import PraTactile.Stitch.Pair
+import System.IO (hFlush, stdout)
+import Text.Printf (printf)
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "register"
+    "Find where the second of two overlapping frames lies in the first, by what they show, and how \
+    \sure that is."
+    [ "pra-tactile register data/worked-example/frames/frame_000.pgm \
+      \data/worked-example/frames/frame_001.pgm --step 8,0",
+      "pra-tactile register --batch < pairs.jsonl"
+    ]
+    ( run
+        <$> (Left <$> batchSwitch <|> Right <$> pairArguments)
+        <*> pairingOptions
+        <*> jsonSwitch "Print the answer as JSON"
+    )
+  where
+    batchSwitch =
+      flag'
+        ()
+        ( long "batch"
+            <> help
+              "Answer lines {\"a\": FILE, \"b\": FILE, \"step\": [DX, DY]} of the standard \
+              \input, one JSON line each"
+        )
+    pairArguments =
+      PairRequest
+        <$> strArgument (metavar "A.pgm" <> action "file")
+        <*> strArgument (metavar "B.pgm" <> action "file")
+        <*> option
+          (pairReader ',' "8,0")
+          ( long "step" <> metavar "DX,DY"
+              <> help "Where B's upper left pixel should lie in A: taxels right and down"
+          )
+
+-- | How pairs are registered, but for their steps.
+pairingOptions :: Parser ((Double, Double) -> Pairing)
+pairingOptions =
+  (\search method confidence step -> Pairing step search method confidence)
+    <$> defaulting 3 decimalReader "search" "TAXELS" "How far around the step to search"
+    <*> choosing
+      "method"
+      (allNamed methodName)
+      "method"
+      "METHOD"
+      "correlation (the paper's), blind (the frames alone), lattice (by the symbols' lattice) or \
+      \auto, the better of the last two (default)"
+      (value Auto)
+    <*> defaulting 0.99 decimalReader "confidence" "P" "The probability from which on to answer"
+
+run ::
+  Either () PairRequest -> ((Double, Double) -> Pairing) -> AnswerForm -> IO ExitStatus
+run asked pairing form = do
+  known <- orUnusable shapeMessage paperAlphabet
+  case asked of
+    Right request -> do
+      (match, _) <- answered known pairing Nothing request
+      printAs form (matchText match) (encodeMatch match)
+      pure (statusOf match)
+    Left () -> (\(_, _, worst) -> worst) <$> forLines (answerLine known) (1, Nothing, Answered)
+  where
+    answerLine known (number, tables, worst) line = do
+      request <- orUnusable id (requested number line)
+      (match, tables') <- answered known pairing tables request
+      Bytes.putStrLn (encodeMatch match)
+      hFlush stdout
+      pure (number + 1, Just tables', max worst (statusOf match))
+    requested number line = case line of
+      Line text -> first (formatMessage name "a request") (decodePairRequest (encodeUtf8 text))
+      NotUtf8 -> Left (name ++ " is not UTF-8 text")
+      TooLong size ->
+        Left (name ++ " has " ++ show size ++ " bytes; at most " ++ show largestLine ++ " are read")
+      where
+        name = "line " ++ show (number :: Int)
+
+-- | The answer to a request, and the tables for the next.
+answered ::
+  Alphabet ->
+  ((Double, Double) -> Pairing) ->
+  Maybe ((Int, Int), Tables) ->
+  PairRequest ->
+  IO (Match, ((Int, Int), Tables))
+answered known pairing made (PairRequest fileA fileB step) = do
+  a <- image fileA
+  b <- image fileB
+  let size = (rasterWidth a, rasterHeight a)
+      tables = case made of
+        Just (forSize, already) | forSize == size -> already
+        _ -> uncurry (tablesFor known) size
+  match <-
+    orUnusable
+      (\e -> fileA ++ ", " ++ fileB ++ ": " ++ pairMessage e)
+      (registerPair tables (pairing step) a b)
+  pure (match, (size, tables))
+
+image :: FilePath -> IO Raster
+image file =
+  compositeImage
+    <$> ( readImage file
+            >>= orUnusable filesMessage
+            >>= orUnusable (fileMessage file) . imageComposite
+        )
+
+statusOf :: Match -> ExitStatus
+statusOf match = maybe Answered (const NotAnswered) (matchRefusal match)
+
+-- | The answer in words.
+matchText :: Match -> String
+matchText match = case matchRefusal match of
+  Nothing -> printf "B lies %s of A%s\n" (placeWords shift) certainty
+  Just refusal ->
+    printf
+      "refused: %s; at best B lies %s of A%s\n"
+      (refusalWords match refusal)
+      (placeWords shift)
+      certainty
+  where
+    Hypothesis shift probability = matchBest match
+    certainty =
+      printf " (probability %.3f; method %s)" probability (methodName (matchMethod match)) :: String
+
+placeWords :: (Double, Double) -> String
+placeWords (x, y) = printf "%.2f taxels right and %.2f down" x y
+
+refusalWords :: Match -> Refusal -> String
+refusalWords match refusal = case refusal of
+  Blank -> "a frame shows nothing but noise"
+  OneAxis -> "only the displacement along " ++ axis ++ " is fixed"
+  Ambiguous -> "several displacements fit alike"
+  NoOverlap -> "the frames do not meet"
+  where
+    axis = if fst (matchFixed match) then "x" else "y"

@@ -1,0 +1,127 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of the registration of pairs of frames, and of their assembly.
+module PraTactile.Format.Registration
+  ( encodeMatch,
+    PairRequest (..),
+    decodePairRequest,
+    methodName,
+    refusalName,
+    encodeAssembly,
+    wayName,
+  )
+where
+
+import Data.Aeson (Value, object, (.=))
+import Data.ByteString (ByteString)
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isNothing)
+import PraTactile.Format.Error
+import PraTactile.Format.Json (encodeSchema)
+import PraTactile.Format.Json.Codec hiding (named, object)
+import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Probe (Pose (..))
+import PraTactile.Stitch
+import PraTactile.Stitch.Pair
+
+-- | The answer on one line, without its end; all keys always.
+encodeMatch :: Match -> ByteString
+encodeMatch match =
+  encodeSchema "register/1" $
+    "outcome" .= (if given then "registered" else "refused" :: String)
+      <> "reason" .= fmap refusalName (matchRefusal match)
+      <> "shift" .= (if given then Just best else Nothing)
+      <> "best" .= best
+      <> "probability" .= hypothesisProbability (matchBest match)
+      <> "sd" .= matchDeviations match
+      <> "axes" .= [axis | (axis, True) <- [("x" :: String, fst fixed), ("y", snd fixed)]]
+      <> "rotation_deg" .= (Nothing :: Maybe Double)
+      <> "method" .= methodName (matchMethod match)
+      <> "hypotheses" .= map hypothesisValue (matchHypotheses match)
+  where
+    given = isNothing (matchRefusal match)
+    best = hypothesisShift (matchBest match)
+    fixed = matchFixed match
+
+hypothesisValue :: Hypothesis -> Value
+hypothesisValue (Hypothesis shift probability) =
+  object ["shift" .= shift, "probability" .= probability]
+
+-- | A line of a batch: the two files and the nominal step, taxels right and down.
+data PairRequest = PairRequest
+  { requestFirst :: !FilePath,
+    requestSecond :: !FilePath,
+    requestStep :: !(Double, Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | The request in a JSON text.
+decodePairRequest :: ByteString -> Either FormatError PairRequest
+decodePairRequest =
+  decodeWith $
+    PairRequest
+      <$> key "a" text requestFirst
+      <*> key "b" text requestSecond
+      <*> key "step" (pairOf real) requestStep
+
+-- | The name of a method.
+methodName :: Method -> String
+methodName method = case method of
+  Correlation -> "correlation"
+  Blind -> "blind"
+  Lattice -> "lattice"
+  Auto -> "auto"
+
+-- | The name of a reason.
+refusalName :: Refusal -> String
+refusalName refusal = case refusal of
+  Blank -> "blank"
+  OneAxis -> "one-axis"
+  Ambiguous -> "ambiguous"
+  NoOverlap -> "no-overlap"
+
+-- | An assembly on one line, without its end, with the file and the nominal pose of each frame; all
+-- keys always.
+encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
+encodeAssembly files made =
+  encodeSchema "stitch/1" $
+    "method" .= wayName (assemblyWay made)
+      <> "frames" .= zipWith frameValue files (assemblyFrames made)
+      <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
+      <> "size" .= (rasterWidth image, rasterHeight image)
+      <> "origin_mm" .= compositeOrigin (assemblyComposite made)
+      <> "residual" .= assemblyResidual made
+  where
+    image = compositeImage (assemblyComposite made)
+    alone = length (filter ((== 1) . length) (groupsOf (map arrangedGroup (assemblyFrames made))))
+    several = length (assemblyFrames made) > 1 && alone > 0
+    sizes = Map.fromListWith (+) [(arrangedGroup f, 1 :: Int) | f <- assemblyFrames made]
+    frameValue (file, pose) frame =
+      object
+        [ "file" .= file,
+          "correction" .= arrangedShift frame,
+          "rotation_deg" .= poseRotation pose,
+          "sd" .= arrangedDeviation frame,
+          "probability" .= arrangedProbability frame,
+          "group" .= arrangedGroup frame,
+          "reason" .= reasonOf frame
+        ]
+    reasonOf :: Arranged -> Maybe String
+    reasonOf frame
+      | several && Map.lookup (arrangedGroup frame) sizes == Just 1 = Just "no-overlap"
+      | Just p <- arrangedProbability frame, p < 0.5 = Just "ambiguous"
+      | otherwise = Nothing
+
+-- | The frames of each group, by their indices from 0.
+groupsOf :: [Int] -> [[Int]]
+groupsOf groups =
+  map sort (Map.elems (Map.fromListWith (++) [(g, [i]) | (i, g) <- zip [0 ..] groups]))
+
+-- | The name of a way to assemble frames.
+wayName :: Way -> String
+wayName way = case way of
+  Automatic -> "auto"
+  ByLattice -> "lattice"
+  Incremental -> "incremental"
+  Nominal -> "nominal"

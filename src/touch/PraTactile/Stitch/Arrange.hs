@@ -1,0 +1,191 @@
+-- | The ways to find where frames were: which, and what is told of each frame.
+module PraTactile.Stitch.Arrange
+  ( Way (..),
+    Arranged (..),
+    Arrangement (..),
+    arrange,
+  )
+where
+
+import qualified Data.Map.Strict as Map
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image.Correlate (Reference, reference, referenceAt)
+import PraTactile.Stitch.Blend (Blend (..), Place, blend)
+import PraTactile.Stitch.Joint
+import PraTactile.Stitch.Register (register)
+import PraTactile.Stitch.Search (Registration (..))
+import PraTactile.Stitch.Spectrum (spectra)
+import PraTactile.Stitch.Template (paperTemplates)
+
+-- | How frames are registered.
+data Way
+  = -- | incrementally; where the robot is known for an error above 1.25 taxels, or the sensor for
+    -- noise above a quarter of full scale, by the lattice if the frames show it
+    Automatic
+  | -- | by the lattice of cells
+    ByLattice
+  | -- | frame by frame, by the paper's cross-correlation
+    Incremental
+  | -- | not at all
+    Nominal
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | What is told of a frame.
+data Arranged = Arranged
+  { -- | Its displacement from its nominal place, taxels right and down.
+    arrangedShift :: !Place,
+    -- | Its standard deviations, taxels, where the way tells them.
+    arrangedDeviation :: !(Maybe Place),
+    -- | The probability that it is within three quarters of a taxel of the truth, likewise.
+    arrangedProbability :: !(Maybe Double),
+    -- | The group of frames that overlap one another, directly or through others, from 0 on.
+    arrangedGroup :: !Int
+  }
+  deriving stock (Eq, Show)
+
+-- | Frames with their displacements.
+data Arrangement = Arrangement
+  { arrangedWay :: !Way,
+    arrangedFrames :: ![Arranged],
+    -- | The standard deviation of one frame from what others saw at the same place, grey values.
+    arrangedResidual :: !(Maybe Double)
+  }
+
+-- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
+arrange :: Way -> Registration -> [(Place, Raster)] -> Arrangement
+arrange way settings frames = case way of
+  Nominal -> plain Nominal (map (const (0, 0)) frames)
+  Incremental -> incrementally
+  ByLattice -> jointly
+  Automatic
+    | length frames < 2 -> incrementally
+    | doubtful && latticed -> jointly
+    | otherwise -> incrementally
+  where
+    shifts = register settings frames
+    incrementally = plain Incremental shifts
+    doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
+    latticed = case tablesBySize of
+      Just tables -> evidenceOf tables > 0
+      Nothing -> False
+    evidenceOf tables = case frames of
+      (_, first) : _ ->
+        let size = sizeOf first
+         in latticeEvidence
+              (tables size)
+              (uncurry spectra size)
+              [image | (_, image) <- frames, sizeOf image == size]
+      [] -> 0
+    jointly = case tablesBySize of
+      Just tables ->
+        let located = registerJointly settings tables frames
+         in arranged
+              ByLattice
+              [ (locatedShift l, Just (locatedDeviation l), Just (locatedProbability l))
+                | l <- located
+              ]
+      Nothing -> incrementally
+    -- The tables by the frames' size, each made once.
+    tablesBySize = case Map.elems made of
+      first : _ -> Just (\size -> Map.findWithDefault first size made)
+      [] -> Nothing
+    made =
+      Map.mapMaybe
+        id
+        ( Map.fromList
+            [(size, uncurry paperTemplates size) | (_, image) <- frames, let size = sizeOf image]
+        )
+    plain used ds = arranged used [(d, Nothing, Nothing) | d <- ds]
+    arranged used told =
+      Arrangement
+        used
+        [ Arranged d sd p group
+          | ((d, sd, p), group) <- zip told (groupsOf places)
+        ]
+        (residual places)
+      where
+        places = moved frames [d | (d, _, _) <- told]
+
+sizeOf :: Raster -> (Int, Int)
+sizeOf image = (rasterWidth image, rasterHeight image)
+
+moved :: [(Place, Raster)] -> [Place] -> [(Place, Raster)]
+moved = zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image))
+
+-- | The standard deviation of one frame from what others saw, over all.
+residual :: [(Place, Raster)] -> Maybe Double
+residual placed
+  | total > 0 = Just (sqrt (sum [s * n | (s, n) <- found] / total))
+  | otherwise = Nothing
+  where
+    found = differencesOf placed
+    total = sum (map snd found)
+
+-- | For each frame the mean square of its differences from the blend of all, as if the others had
+-- no noise and no part of it were its own, and how many pixels others saw.
+differencesOf :: [(Place, Raster)] -> [(Double, Double)]
+differencesOf placed = map each onGrid
+  where
+    x0 = floor (minimum (map (fst . fst) placed)) :: Int
+    y0 = floor (minimum (map (snd . fst) placed)) :: Int
+    wide = maximum [ceiling x - x0 + rasterWidth i + 1 | ((x, _), i) <- placed]
+    high = maximum [ceiling y - y0 + rasterHeight i + 1 | ((_, y), i) <- placed]
+    onGrid = [((x - fromIntegral x0, y - fromIntegral y0), i) | ((x, y), i) <- placed]
+    Blend sums weights = blend wide high onGrid
+    each ((x, y), image) = case reference sums weights of
+      Right there -> compared there x y image
+      Left _ -> (0, 0)
+
+compared :: Reference -> Double -> Double -> Raster -> (Double, Double)
+compared there x y image = (if n > 0 then total / n else 0, n)
+  where
+    w = rasterWidth image
+    (total, n) = V.ifoldl' step (0, 0) (rasterValues image)
+    step (s, k) i f =
+      let (v, u) = i `quotRem` w
+       in case referenceAt there (x + fromIntegral u) (y + fromIntegral v) of
+            Just (c, m) | m > 1.5 -> (s + (f - c) * (f - c) * m / (m - 1), k + 1)
+            _ -> (s, k)
+
+-- | The groups of images that overlap one another, directly or through others, numbered as they
+-- come.
+groupsOf :: [(Place, Raster)] -> [Int]
+groupsOf placed = numbered (map (root joined) [0 .. length placed - 1])
+  where
+    side =
+      fromIntegral
+        (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed])) ::
+        Double
+    square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
+    squares =
+      Map.fromListWith
+        (++)
+        [(square place, [(k, place, image)]) | (k, (place, image)) <- zip [0 ..] placed]
+    joined =
+      foldr
+        union
+        (Map.fromList [(k, k) | k <- [0 .. length placed - 1]])
+        [ (a, b)
+          | (a, (place, image)) <- zip [0 ..] placed,
+            let (c, r) = square place,
+            i <- [-1 .. 1],
+            j <- [-1 .. 1],
+            (b, place', image') <- Map.findWithDefault [] (c + i, r + j) squares,
+            a < b,
+            meets (place, image) (place', image')
+        ]
+    meets ((x, y), a) ((x', y'), b) =
+      x' - x < wide a && x - x' < wide b && y' - y < tall a && y - y' < tall b
+    wide = fromIntegral . rasterWidth
+    tall = fromIntegral . rasterHeight
+    union (a, b) parents =
+      let (ra, rb) = (root parents a, root parents b)
+       in if ra == rb then parents else Map.insert (max ra rb) (min ra rb) parents
+    root :: Map.Map Int Int -> Int -> Int
+    root parents k = case Map.lookup k parents of
+      Just p | p /= k -> root parents p
+      _ -> k
+    numbered roots =
+      let numbers = Map.fromList (zip (Map.keys (Map.fromList [(r, ()) | r <- roots])) [0 ..])
+       in [Map.findWithDefault 0 r numbers | r <- roots]

@@ -1,0 +1,313 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Many frames registered to one lattice of cells: where the lattice lies is found from all of
+-- them, each frame's displacement from the lattice and from the symbols that the other frames saw
+-- in the cells that it sees. The array is not known here.
+--
+-- The cost is linear in the frames: the lattice's phase is found from at most 'phaseFrames' of
+-- them, and of each frame only the displacements that may matter are kept.
+module PraTactile.Stitch.Joint
+  ( Located (..),
+    registerJointly,
+    latticeEvidence,
+  )
+where
+
+import Data.IntMap.Strict (IntMap)
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (foldl', sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Stitch.Blend (Place)
+import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Posterior (tolerance)
+import PraTactile.Stitch.Search (Registration (..), searchRadius)
+import PraTactile.Stitch.Spectrum
+import PraTactile.Stitch.Template
+
+-- | Where a frame was found.
+data Located = Located
+  { -- | Its displacement from its nominal place, taxels right and down.
+    locatedShift :: !Place,
+    -- | The standard deviations, taxels.
+    locatedDeviation :: !Place,
+    -- | The probability that it is within 'tolerance' of the truth on both axes.
+    locatedProbability :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The most frames that the lattice's phase is found from.
+phaseFrames :: Int
+phaseFrames = 64
+
+-- | How much likelier, as a natural logarithm, frames are to show the lattice than any relief, by a
+-- few of them, those in the middle of an order that is theirs.
+latticeEvidence :: Templates -> Spectra -> [Raster] -> Double
+latticeEvidence tables processes images =
+  sum [evidenceLog (evidence tables i) | i <- few] - sum blind
+  where
+    few = spacedOut 12 images
+    blind =
+      concat
+        [ processLogs (processOf processes [coefficients i])
+          | i <- few
+        ]
+    coefficients i = cosineTransform processes (rasterWidth i) (rasterHeight i) (rasterValues i)
+
+-- | At most so many of a list, evenly.
+spacedOut :: Int -> [a] -> [a]
+spacedOut most xs
+  | n <= most = xs
+  | otherwise = [x | (k, x) <- zip [0 ..] xs, (k * most) `div` n /= ((k - 1) * most) `div` n]
+  where
+    n = length xs
+
+-- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and the
+-- tables by the frames' width and height. The displacements have mean 0, since a shift common to
+-- all cannot be seen. The order of the frames changes nothing.
+registerJointly :: Registration -> ((Int, Int) -> Templates) -> [(Place, Raster)] -> [Located]
+registerJointly settings tables frames = map snd (sortOn fst (zip order centred))
+  where
+    (order, ordered) =
+      unzip
+        (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] frames))
+    grid = gridOf settings
+    -- What few frames tell is kept; of many it would take too much memory.
+    told = [(place, toldBy image) | (place, image) <- ordered]
+    again
+      | length ordered <= phaseFrames = told
+      | otherwise = [(place, toldBy image) | (place, image) <- ordered]
+    toldBy image = evidence (tables (rasterWidth image, rasterHeight image)) image
+    (orientation, phase) = commonPhase grid (spacedOut phaseFrames told)
+    options = [optionsOf grid orientation phase frame | frame <- again]
+    settled = swept options
+    located = zipWith locatedAt ordered settled
+    n = fromIntegral (max 1 (length located))
+    mean part = eighth (sum (map (part . locatedShift) located) / n)
+    centred =
+      [l {locatedShift = (x - mean fst, y - mean snd)} | l <- located, let (x, y) = locatedShift l]
+
+-- | To the nearest eighth of a taxel.
+eighth :: Double -> Double
+eighth t = fromIntegral (round (8 * t) :: Int) / 8
+
+-- | The displacements that are considered.
+data Grid = Grid
+  { -- | How far, in places.
+    gridReach :: !Int,
+    -- | The robot's standard deviation, in places.
+    gridSigma :: !Double
+  }
+
+gridOf :: Registration -> Grid
+gridOf settings =
+  Grid
+    (max 2 (min 64 (ceiling (q * searchRadius settings))))
+    (q * registrationSigma settings)
+
+-- | Places to the taxel.
+q :: Double
+q = fromIntegral placesPerTaxel
+
+-- | A nominal place as the nearest grid point, and what is left, in places.
+onGrid :: Place -> ((Int, Int), (Double, Double))
+onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
+  where
+    (x', y') = (x * q, y * q)
+    whole t = fromIntegral (round t :: Int)
+
+-- | The logarithm of the prior along one axis, for a displacement in places from the grid point.
+priorAlong :: Grid -> Double -> Int -> Double
+priorAlong grid rest d = negate (t * t) / (2 * gridSigma grid * gridSigma grid)
+  where
+    t = fromIntegral d - rest
+
+-- | The orientation and the phase, row and column, of the lattice on the composite that the frames
+-- make likeliest, each anywhere that the prior lets it be.
+commonPhase :: Grid -> [(Place, Evidence)] -> (Int, (Int, Int))
+commonPhase grid frames = (o, (y, x))
+  where
+    (across, down) = phaseCount placesPerTaxel
+    total = foldl' (V.zipWith (+)) (V.replicate (2 * across * down) 0) (map told frames)
+    best = V.maxIndex total
+    (row, x) = best `quotRem` across
+    (o, y) = row `quotRem` down
+    told (place, given) = V.map (\m -> log (m + 1e-300)) (shifted (blurred masses))
+      where
+        phases = evidencePhases given
+        top = V.maximum phases
+        masses = V.map (\l -> exp (l - top)) phases
+        ((nx, ny), (rx, ry)) = onGrid place
+        -- At the phase on the composite, what the frame says of its own.
+        shifted v = V.generate (2 * across * down) $ \i ->
+          let (r, px) = i `quotRem` across
+              (orient, py) = r `quotRem` down
+           in V.unsafeIndex
+                v
+                ((orient * down + (py - ny) `mod` down) * across + (px - nx) `mod` across)
+        -- Over the displacements, with their prior.
+        blurred v = vertically (horizontally v)
+        shares rest =
+          [(d, exp (priorAlong grid rest d)) | d <- [negate (gridReach grid) .. gridReach grid]]
+        horizontally v = V.generate (V.length v) $ \i ->
+          let (r, px) = i `quotRem` across
+           in sum [s * V.unsafeIndex v (r * across + (px - d) `mod` across) | (d, s) <- shares rx]
+        vertically v = V.generate (V.length v) $ \i ->
+          let (r, px) = i `quotRem` across
+              (orient, py) = r `quotRem` down
+           in sum
+                [ s * V.unsafeIndex v ((orient * down + (py - d) `mod` down) * across + px)
+                  | (d, s) <- shares ry
+                ]
+
+-- | A displacement of a frame, in places from its grid point: the prior's logarithm and what the
+-- frame says of each cell that it sees there, by the cell's number.
+data Option = Option
+  { optionShift :: !(Int, Int),
+    optionPrior :: !Double,
+    optionCells :: ![(Int, Vector Double)]
+  }
+
+-- | The displacements of a frame that may matter: those less than 'margin' below the likeliest, by
+-- the frame alone.
+optionsOf :: Grid -> Int -> (Int, Int) -> (Place, Evidence) -> [Option]
+optionsOf grid orientation (phaseY, phaseX) (place, given) =
+  [ Option (dx, dy) prior (cells dx dy)
+    | (score, prior, dx, dy) <- scored,
+      score >= best - margin
+  ]
+  where
+    tables = evidenceTables given
+    (across, down) = phaseCount (templatePlaces tables)
+    (columns, rows) = templateGrid tables
+    count = templateClasses tables
+    ((nx, ny), (rx, ry)) = onGrid place
+    reach = gridReach grid
+    scored =
+      [ (prior + alone dx dy, prior, dx, dy)
+        | dy <- [negate reach .. reach],
+          dx <- [negate reach .. reach],
+          let prior = priorAlong grid rx dx + priorAlong grid ry dy
+      ]
+    alone dx dy =
+      V.unsafeIndex
+        (evidencePhases given)
+        ( (orientation * down + (phaseY - ny - dy) `mod` down) * across
+            + (phaseX - nx - dx) `mod` across
+        )
+    best = maximum [s | (s, _, _, _) <- scored]
+    margin = 12
+    cells dx dy =
+      [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
+          V.force (V.slice (cellIndex tables orientation y x * count) count (evidenceClasses given))
+        )
+        | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
+          x <-
+            [ (phaseX - nx - dx) `mod` across,
+              (phaseX - nx - dx) `mod` across + across
+              .. columns - 1
+            ]
+      ]
+
+-- | One number for a cell's row and column.
+cellNumber :: Int -> Int -> Int
+cellNumber row column = row * 1048576 + column
+
+-- | For each frame its options with their probabilities, once every frame has been weighed with
+-- what all others say of the symbols, until none changes its mind.
+swept :: [[Option]] -> [[(Option, Double)]]
+swept frames = go (4 :: Int) first (beliefs first)
+  where
+    first =
+      [ weighed
+          (map (\o -> (o, optionPrior o + sum (map (marginal Nothing . snd) (optionCells o)))) os)
+        | os <- frames
+      ]
+    go n now known
+      | n <= 0 || unchanged = new
+      | otherwise = go (n - 1) new (beliefs new)
+      where
+        new = [anew os known (said os) | os <- now]
+        unchanged = map leader now == map leader new
+    anew os known own =
+      weighed
+        [ ( o,
+            optionPrior o
+              + sum
+                [ marginal (fmap (`less` IntMap.lookup c own) (IntMap.lookup c known)) l
+                  | (c, l) <- optionCells o
+                ]
+          )
+          | (o, _) <- os
+        ]
+    less total (Just mine) = V.zipWith (-) total mine
+    less total Nothing = total
+    leader os = fmap (optionShift . fst) (foldl' larger Nothing os)
+    larger Nothing o = Just o
+    larger (Just a) b = Just (if snd b > snd a then b else a)
+    beliefs :: [[(Option, Double)]] -> IntMap (Vector Double)
+    beliefs = foldl' (\m os -> IntMap.unionWith (V.zipWith (+)) m (said os)) IntMap.empty
+
+-- | What a frame says of the cells, in the mean over its options; nothing where it is not sure
+-- where it is.
+said :: [(Option, Double)] -> IntMap (Vector Double)
+said os =
+  IntMap.fromListWith
+    (V.zipWith (+))
+    [(c, V.map (* p) l) | (o, p) <- os, p > 0.02, (c, l) <- optionCells o]
+
+-- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
+-- where there is any by what the others say.
+marginal :: Maybe (Vector Double) -> Vector Double -> Double
+marginal others mine = logMean (maybe prior known others)
+  where
+    n = V.length mine
+    share = (1 - absent) / fromIntegral n
+    prior = (absent, V.replicate n share)
+    known theirs =
+      let top = max 0 (V.maximum theirs)
+          likely = V.map (\l -> share * exp (l - top)) theirs
+          nothing = absent * exp (negate top)
+          total = nothing + V.sum likely
+       in (nothing / total, V.map (/ total) likely)
+    logMean (nothing, shares) =
+      let top = max 0 (V.maximum mine)
+       in top
+            + log
+              ( nothing * exp (negate top)
+                  + V.sum (V.zipWith (\s l -> s * exp (l - top)) shares mine)
+              )
+
+weighed :: [(Option, Double)] -> [(Option, Double)]
+weighed scored = [(o, exp (s - top) / total) | (o, s) <- scored]
+  where
+    top = maximum (map snd scored)
+    total = sum [exp (s - top) | (_, s) <- scored]
+
+-- | Where a frame is, by its options: the mean of those near the likeliest.
+locatedAt :: (Place, Raster) -> [(Option, Double)] -> Located
+locatedAt (place, _) options =
+  Located (finally meanX rx, finally meanY ry) (spreadOf meanX fst, spreadOf meanY snd) mass
+  where
+    (_, (rx, ry)) = onGrid place
+    masses = Map.fromListWith (+) [(optionShift o, p) | (o, p) <- options]
+    reach = floor (q * tolerance + 1e-9) :: Int
+    around (x, y) =
+      [ ((x', y'), p)
+        | y' <- [y - reach .. y + reach],
+          x' <- [x - reach .. x + reach],
+          Just p <- [Map.lookup (x', y') masses]
+      ]
+    held = [(sum (map snd (around d)), d) | d <- Map.keys masses]
+    (mass, best) = foldl' (\a b -> if fst b > fst a + 1e-9 then b else a) (-1, (0, 0)) held
+    near = around best
+    meanX = sum [p * fromIntegral x | ((x, _), p) <- near] / mass
+    meanY = sum [p * fromIntegral y | ((_, y), p) <- near] / mass
+    finally mean rest = eighth ((mean - rest) / q)
+    spreadOf :: Double -> ((Int, Int) -> Int) -> Double
+    spreadOf mean part =
+      sqrt (sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12)
+        / q
+    squared !t = t * t
