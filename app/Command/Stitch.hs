@@ -45,7 +45,7 @@ command =
               (allNamed wayName)
               "method"
               "METHOD"
-              "lattice (by the lattice of symbols), incremental (by the paper's cross-correlation), \
+              "lattice (by the lattice of symbols), incremental (by the paper's correlation), \
               \nominal (not at all), or auto: incremental, and by the lattice where \
               \--position-error is above 1.25 or --noise above 0.25 and the frames show symbols \
               \(default)"

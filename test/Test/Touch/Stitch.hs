@@ -11,7 +11,7 @@ import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import PraTactile.Probe
 import PraTactile.Probe.Sensor
 import PraTactile.Random (normalPair)
-import PraTactile.Stitch
+import PraTactile.Stitch hiding (assemble)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
@@ -303,7 +303,7 @@ noisy =
 
 -- | How far the composite of one frame of a smooth scene, by a sensor so turned, is from the scene.
 turnedOff :: Double -> Double
-turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image] of
+turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch] of
   Left _ -> 1
   Right composite ->
     let seen = compositeImage composite
