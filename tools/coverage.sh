@@ -12,15 +12,21 @@ tools/quietly.sh "$work/build.log" "building with coverage; about 5 minutes" \
   $cabal build -v1 --enable-tests --builddir="$work/build" --ghc-options="-fhpc -hpcdir $work/mix -w" test:spec exe:pra-tactile
 program() { $cabal list-bin -v0 --enable-tests --builddir="$work/build" "$1"; }
 
-# Runs of the program are counted together, apart from those of the tests, which end last.
-rm -f "$work"/*.tix
+# What a run counts is added to a file, which no other one may use meanwhile: each takes the first that is free, until it ends.
+rm -rf "$work"/*.tix "$work/free"
+mkdir -p "$work/free"
 cat > "$work/bin/pra-tactile" <<END
 #!/bin/sh
-HPCTIXFILE='$work/program.tix' exec '$(program exe:pra-tactile)' "\$@"
+i=1
+while exec 9>"$work/free/\$i" && ! flock -n 9; do i=\$((i + 1)); done
+HPCTIXFILE="$work/program\$i.tix" exec '$(program exe:pra-tactile)' "\$@"
 END
 chmod +x "$work/bin/pra-tactile"
-HPCTIXFILE="$work/spec.tix" PATH="$work/bin:$PATH" tools/quietly.sh "$work/spec.log" "running the tests; about 10 minutes" "$(program test:spec)" --no-color
-hpc sum --union --output="$work/all.tix" "$work/spec.tix" "$work/program.tix"
+# Tests that look for the usual build fail here; what was evaluated counts all the same.
+HPCTIXFILE="$work/spec.tix" PATH="$work/bin:$PATH" tools/quietly.sh "$work/spec.log" "running the tests; about 10 minutes" "$(program test:spec)" --no-color ||
+  echo "some tests fail in this build; their names are in $work/spec.log" >&2
+# The module Main is another one in the program.
+hpc sum --union --exclude=Main --output="$work/all.tix" "$work"/spec.tix "$work"/program*.tix
 # shellcheck disable=SC2046
 ghc $(tools/extensions.sh) -v0 -O1 -package hpc -outputdir "$work/report.o" -o "$work/report" tools/coverage/Report.hs
 "$work/report" "$work/all.tix" "$work/mix"

@@ -55,13 +55,19 @@ report modules =
   unlines $
     ["| part | expressions | evaluated | % |", "|---|--:|--:|--:|"]
       ++ map row (Map.toList parts)
-      ++ [row ("all", concatMap coveredExpressions modules), "", "Never evaluated:"]
+      ++ [ row ("all", concatMap coveredExpressions modules),
+           row ("all but the tables' definition", concatMap coveredExpressions written),
+           "",
+           "Never evaluated:"
+         ]
       ++ [ coveredFile one ++ concatMap ((':' :) . show) [line, column] ++ end line line' column'
            | one <- sortOn coveredFile modules,
              place <- outermost [p | (p, 0) <- coveredExpressions one],
              let (line, column, line', column') = fromHpcPos place
          ]
   where
+    -- Nearly all of this file's expressions are instances that the database library generates.
+    written = filter ((/= "src/store/PraTactile/Store/Schema.hs") . coveredFile) modules
     parts =
       Map.fromListWith
         (flip (++))
