@@ -147,7 +147,11 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
 
 -- | @--turn DEGREES@, with its help.
 angleOption :: String -> Parser Double
-angleOption = valued angleReader "turn" "DEGREES"
+angleOption said =
+  option
+    angleReader
+    ( long "turn" <> metavar "DEGREES" <> completeWith ["0", "90", "180", "270"] <> help said
+    )
 
 -- | An angle in degrees.
 angleReader :: ReadM Double

@@ -145,6 +145,10 @@ furnish folder line = forM_ files $ \(name, command) -> do
           "pra-tactile probe --object cube --seed 7 --truth truth.json --output pressed"
         ),
         ("answer.json", "pra-tactile decode --json pressed > answer.json"),
+        ( "pairs.jsonl",
+          "printf '{\"a\": \"data/worked-example/frames/frame_000.pgm\", \"b\": \
+          \\"data/worked-example/frames/frame_001.pgm\", \"step\": [8, 0]}\\n' > pairs.jsonl"
+        ),
         ("dark", "pra-tactile probe --dark 4 --sensor hard --seed 7 --output dark"),
         ("flat", "pra-tactile probe --flat 4 --sensor hard --seed 7 --output flat"),
         ("left.pgm", half "left" "0,19.05"),
