@@ -20,7 +20,7 @@ import Picture.Style
 import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
-import PraTactile.Recognise.Summary (lieText, upperLeftVertex)
+import PraTactile.Recognise.Summary (lieText, shownTilt, upperLeftVertex)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite)
 import Recognised
@@ -52,7 +52,7 @@ recognitionPage alphabet nameOf layout classesOf composite recognition =
     face =
       concat
         [ beside 48 felt . facePanel $
-            FaceView alphabet layout laid (classesOf laid) composite found place
+            FaceView alphabet layout laid (classesOf laid) composite found (shownTilt recognition) place
           | Right (Found found) <- [recognisedAnswer recognition],
             OnFace place <- [windowWhereabouts (foundWindow found)],
             Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]

@@ -14,7 +14,7 @@ import PraTactile.Array (Position (..))
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (taxelPitch)
+import PraTactile.Probe (Motion (..), movePoint, taxelPitch)
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch (Composite (..))
@@ -29,6 +29,8 @@ data FaceView = FaceView
     viewClasses :: [[Int]],
     viewComposite :: Composite,
     viewFinding :: Finding,
+    -- | by how many degrees, clockwise, the composite shows it turned beside quarter turns
+    viewTilt :: Double,
     viewPlace :: Place
   }
 
@@ -45,7 +47,7 @@ facePanel view = panel title note body (unitOf view)
     face = Extent 0 0 (unitOf view * across) (unitOf view * down)
     shownAt = units view
     centre = shownAt (spotMillimetres (placeCentre (viewPlace view)))
-    shown = shownAt . onFace (viewFinding view) (viewPlace view)
+    shown = shownAt . onFace (viewTilt view) (viewFinding view) (viewPlace view)
     body =
       Mark "face" (Rectangle (outlined ink 2) {fillColour = "#f6f7f9"} face) :
       symbolMarks view
@@ -75,7 +77,7 @@ units view (right, below) = (unitOf view * right, unitOf view * below)
 outline :: FaceView -> [(Double, Double)]
 outline view =
   map
-    (onFace (viewFinding view) (viewPlace view))
+    (onFace (viewTilt view) (viewFinding view) (viewPlace view))
     [(-0.5, -0.5), (wide - 0.5, -0.5), (wide - 0.5, high - 0.5), (-0.5, high - 0.5)]
   where
     wide = fromIntegral (rasterWidth (compositeImage (viewComposite view)))
@@ -135,9 +137,9 @@ onPaper text =
 -- | Where a pixel of the composite is on the face, in millimetres right of and below its upper left
 -- vertex: the window's centre lies where the array has it, and the composite round it, turned as it
 -- was.
-onFace :: Finding -> Place -> (Double, Double) -> (Double, Double)
-onFace found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
+onFace :: Double -> Finding -> Place -> (Double, Double) -> (Double, Double)
+onFace tilt found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below)
   where
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
-    (right, below) = onOffset (invert (foundOrientation found)) (u - u0, v - v0)
+    (right, below) = onOffset (invert (foundOrientation found)) (movePoint (Motion (negate tilt) 0 0) (u - u0, v - v0))

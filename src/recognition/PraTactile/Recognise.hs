@@ -39,6 +39,7 @@ module PraTactile.Recognise
   )
 where
 
+import Data.Either (isRight)
 import Data.Maybe (isJust, isNothing)
 import PraTactile.Array (Position (..))
 import PraTactile.Classify.Network (NetworkError)
@@ -122,8 +123,8 @@ recognise reader composite = recogniseWith standardTolerance reader [composite]
 -- | Recognise what composites of one face show together, whose origins tell how they lie to each
 -- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle: where
 -- its symbols are not nearly upright by their 'tilt', they are read both as they are and from the
--- composites set upright, and what leaves less doubt about the symbols holds. All places are in the
--- given composites' pixels.
+-- composites set upright, and what leaves less doubt about the symbols holds; where both may be
+-- read, an answer before a refusal. All places are in the given composites' pixels.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
@@ -136,16 +137,23 @@ recogniseWith tolerance reader composites = case tilt composites of
       asGiven <- recogniseUpright tolerance reader composites
       let (upright, places) = unzip (map (setUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader upright
+      let setRight = relocated angle places turnedBack
+          answeredBy = isRight . recognisedAnswer
       pure $
-        if certainty turnedBack > certainty asGiven
-          then relocated angle places turnedBack
-          else asGiven
+        if abs angle <= mostTilt && answeredBy asGiven /= answeredBy turnedBack
+          then if answeredBy asGiven then asGiven else setRight
+          else if certainty turnedBack > certainty asGiven then setRight else asGiven
   _ -> recogniseUpright tolerance reader composites
 
 -- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
 -- those that are not turned at all, and the estimate of the angle is less certain than that.
 leastTilt :: Double
 leastTilt = 3
+
+-- | Symbols that are turned by no more than this are still read as they are without error, if not as
+-- often.
+mostTilt :: Double
+mostTilt = 7
 
 -- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
 -- cut out.
