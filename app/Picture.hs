@@ -48,11 +48,12 @@ recognitionPage ::
 recognitionPage alphabet nameOf layout classesOf composite recognition =
   Page (recognitionMessage recognition) felt face answer meanings
   where
+    turnedBy = shownTilt recognition
     felt = compositePanel alphabet nameOf composite recognition
     face =
       concat
         [ beside 48 felt . facePanel $
-            FaceView alphabet layout laid (classesOf laid) composite found (shownTilt recognition) place
+            FaceView alphabet layout laid (classesOf laid) composite found turnedBy place
           | Right (Found found) <- [recognisedAnswer recognition],
             OnFace place <- [windowWhereabouts (foundWindow found)],
             Just laid <- [find ((== placeFace place) . laidFace) (laidFaces layout)]

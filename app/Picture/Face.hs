@@ -142,4 +142,5 @@ onFace tilt found place (u, v) = (x + taxelPitch * right, y + taxelPitch * below
   where
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
-    (right, below) = onOffset (invert (foundOrientation found)) (movePoint (Motion (negate tilt) 0 0) (u - u0, v - v0))
+    (right, below) = onOffset (invert (foundOrientation found)) level
+    level = movePoint (Motion (negate tilt) 0 0) (u - u0, v - v0)

@@ -150,8 +150,8 @@ recogniseWith tolerance reader composites = case tilt composites of
 leastTilt :: Double
 leastTilt = 3
 
--- | Symbols that are turned by no more than this are still read as they are without error, if not as
--- often.
+-- | Symbols that are turned by no more than this are still read as they are without error, if not
+-- as often.
 mostTilt :: Double
 mostTilt = 7
 

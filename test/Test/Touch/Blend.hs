@@ -71,7 +71,8 @@ growing =
                 frames =
                   Frame (at apart) 1 faint taxelPitch :
                   replicate k (Frame (at 0) 1 strong taxelPitch)
-             in case compositeDisplacements . assemblyComposite <$> assemble Incremental settings frames of
+                moved = compositeDisplacements . assemblyComposite
+             in case moved <$> assemble Incremental settings frames of
                   Right ((x, y) : others@((x', y') : _)) ->
                     counterexample (show others) (all (== (x', y')) others)
                       .&&. (x - x', y - y') === expected settings k strong faint apart
