@@ -15,7 +15,6 @@ import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
-import PraTactile.Recognise (Doubts (..), Evidence (..))
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Relief

@@ -170,8 +170,8 @@ ringSpec _ = do
       a /= 0 && b /= 0
         ==> let (g, u, v) = bezout a b
                 count p = length (coefficients p)
-                below p q = p == 0 || count p <= max 1 (count q - count g)
-             in counterexample (show (g, u, v)) (below u b && below v a)
+                lower p q = p == 0 || count p <= max 1 (count q - count g)
+             in counterexample (show (g, u, v)) (lower u b && lower v a)
   it "the value at c is the remainder by x - c" $
     forAll2 $ \a _ ->
       forAll genElement $ \c ->

@@ -13,6 +13,7 @@ module PraTactile.Stitch.Evidence
     Level (..),
     phaseCount,
     absent,
+    overClasses,
   )
 where
 
@@ -110,24 +111,29 @@ weighed tables products level@(Level gain offset variance) =
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
 
--- | From classes to cells: the mean over the classes, and nothing at all with its own probability.
+-- | From classes to cells.
 cellsOf :: Int -> Vector Double -> Vector Double
 cellsOf count classes = V.generate (V.length classes `quot` count) cell
   where
+    cell i = overClasses count (\k -> V.unsafeIndex classes (i * count + k))
+
+-- | The logarithm of how likely a cell is, given those of each class: the mean over the classes, and
+-- nothing at all with its own probability.
+overClasses :: Int -> (Int -> Double) -> Double
+overClasses count at = m + log (terms 0 (absent * exp (negate m)))
+  where
     share = (1 - absent) / fromIntegral count
-    cell i = m + log (terms 0 (absent * exp (negate m)))
-      where
-        start = i * count
-        at k = V.unsafeIndex classes (start + k)
-        m = highest 0 0
-        highest !k !best
-          | k >= count = best
-          | otherwise = highest (k + 1) (max best (at k))
-        terms :: Int -> Double -> Double
-        terms !k !s
-          | k >= count = s
-          | at k - m < -30 = terms (k + 1) s
-          | otherwise = terms (k + 1) (s + share * exp (at k - m))
+    m = highest 0 0
+    highest :: Int -> Double -> Double
+    highest !k !best
+      | k >= count = best
+      | otherwise = highest (k + 1) (max best (at k))
+    terms :: Int -> Double -> Double
+    terms !k !s
+      | k >= count = s
+      | at k - m < -30 = terms (k + 1) s
+      | otherwise = terms (k + 1) (s + share * exp (at k - m))
+{-# INLINE overClasses #-}
 
 -- | From cells to lattices: the sum over the cells of each.
 phasesOf :: Templates -> Vector Double -> Vector Double
@@ -186,13 +192,17 @@ improved tables products level@(Level gain offset _) = Level gain' offset' varia
                   (b + p * V.unsafeIndex (templateSums tables) (start + k))
                   (c + p * V.unsafeIndex (templateSquares tables) (start + k))
     -- The regression of the frame, of mean 0 and variance 1, on the relief.
-    a = sumY / total
-    b = sumT / total
-    c = sumTT / total
-    spreadOfRelief = c - b * b / n
-    gain' = if spreadOfRelief > 1e-6 then max 0.3 (a / spreadOfRelief) else gain
-    offset' = if spreadOfRelief > 1e-6 then negate gain' * b / n else offset
+    products' = sumY / total
+    sums = sumT / total
+    squares = sumTT / total
+    spreadOfRelief = squares - sums * sums / n
+    gain' = if spreadOfRelief > 1e-6 then max 0.3 (products' / spreadOfRelief) else gain
+    offset' = if spreadOfRelief > 1e-6 then negate gain' * sums / n else offset
     variance' =
       max
         2e-3
-        ((n * (1 + offset' * offset') - 2 * gain' * (a - offset' * b) + gain' * gain' * c) / n)
+        ( ( n * (1 + offset' * offset') - 2 * gain' * (products' - offset' * sums)
+              + gain' * gain' * squares
+          )
+            / n
+        )

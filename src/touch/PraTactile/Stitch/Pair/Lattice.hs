@@ -123,19 +123,8 @@ joint a b (dx, dy) phase = go firstY firstX 0
       where
         inA = y >= 0 && y < rows && x >= 0 && x < columns
         inB = y - dy >= 0 && y - dy < rows && x - dx >= 0 && x - dx < columns
-    share = (1 - absent) / fromIntegral count
     both :: Int -> Int -> Double
-    both i j = m + log (terms 0 (absent * exp (negate m)))
-      where
-        at k =
-          V.unsafeIndex (evidenceClasses a) (i * count + k)
-            + V.unsafeIndex (evidenceClasses b) (j * count + k)
-        m = highest 0 0
-        highest :: Int -> Double -> Double
-        highest !k !best
-          | k >= count = best
-          | otherwise = highest (k + 1) (max best (at k))
-        terms :: Int -> Double -> Double
-        terms !k !s
-          | k >= count = s
-          | otherwise = terms (k + 1) (s + share * exp (at k - m))
+    both i j =
+      overClasses count $ \k ->
+        V.unsafeIndex (evidenceClasses a) (i * count + k)
+          + V.unsafeIndex (evidenceClasses b) (j * count + k)
