@@ -117,8 +117,8 @@ cellsOf count classes = V.generate (V.length classes `quot` count) cell
   where
     cell i = overClasses count (\k -> V.unsafeIndex classes (i * count + k))
 
--- | The logarithm of how likely a cell is, given those of each class: the mean over the classes, and
--- nothing at all with its own probability.
+-- | The logarithm of how likely a cell is, given those of each class: the mean over the classes,
+-- and nothing at all with its own probability.
 overClasses :: Int -> (Int -> Double) -> Double
 overClasses count at = m + log (terms 0 (absent * exp (negate m)))
   where

@@ -166,9 +166,14 @@ send child = writeChan (childQueue child) . Just
 closeInput :: Child -> IO ()
 closeInput child = writeChan (childQueue child) Nothing
 
--- | Whether the standard input could not be written to.
+-- | Whether the standard input cannot be written to. What was sent last may have been taken by the
+-- system before it was closed, so a line end more is sent: to be asked of a process that is given
+-- up.
 inputLost :: Child -> IO Bool
-inputLost = readIORef . childInputLost
+inputLost child = do
+  send child (Lazy.pack [10])
+  threadDelay 20000
+  readIORef (childInputLost child)
 
 -- | The end of what it wrote to its standard error, at most 4 KiB.
 errorsTail :: Child -> IO ByteString
