@@ -86,10 +86,7 @@ optionsParser =
       "FILE.svg"
       "Draw what was felt with the symbols over it, and where on the face that is (one source \
       \only); - is the standard output, in place of the answer"
-    <*> ( (\foreignTo tolerated -> tolerated {foreignPrior = foreignTo})
-            <$> foreignOption
-            <*> toleranceOptions
-        )
+    <*> toleranceOptions foreignOption
     <*> flag
       EachItsOwn
       OneFace
@@ -125,9 +122,10 @@ placeOption =
         else readerError "a place is two finite numbers, as in 76.2,0"
     finite v = not (isNaN v || isInfinite (v :: Double))
 
--- | How much doubt and how many wrong symbols an answer may have; foreign things as by default.
-toleranceOptions :: Parser Tolerance
-toleranceOptions =
+-- | How much doubt and how many wrong symbols an answer may have, given how the prior of foreign
+-- things is told.
+toleranceOptions :: Parser Double -> Parser Tolerance
+toleranceOptions foreignThings =
   Tolerance
     <$> defaulting
       (toleratedDoubt standardTolerance)
@@ -138,7 +136,7 @@ toleranceOptions =
     <*> radiusOption
       "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
       \ones guarantee to be corrected)"
-    <*> pure (foreignPrior standardTolerance)
+    <*> foreignThings
 
 -- | @--foreign@: the prior of it.
 foreignOption :: Parser Double

@@ -74,7 +74,7 @@ command =
               "The share of presses on what is none of ours: our shapes in an arrangement by \
               \chance, of which every answer is wrong (default: 0)"
           )
-        <*> toleranceOptions
+        <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> networkOption
         <*> jsonSwitch "Print the counts as JSON"
 

@@ -18,6 +18,7 @@ module PraTactile.Recognise
     recognise,
     recogniseWith,
     recognisedAngle,
+    leastTilt,
 
     -- * Symbols
     ReadSymbol (..),

@@ -21,6 +21,7 @@ module PraTactile.Segment
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Either (partitionEithers)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
@@ -89,21 +90,18 @@ data Segmentation = Segmentation
 -- composite; what rises above their middle is cut into components, and each component whose box
 -- fits a symbol's becomes one. A noisy composite is smoothed for that; the symbols' images are not.
 segment :: Composite -> Segmentation
-segment composite = case levels noise (V.fromList (Map.elems touched)) of
-  Nothing
-    | noise > 0 ->
-      maybe nothing (cut smooth) (levels smoothNoise (V.fromList (Map.elems smooth)))
-  Just found
-    | contrast found < leastClear * noise ->
-      cut smooth (fromMaybe found (levels smoothNoise (V.fromList (Map.elems smooth))))
-    | otherwise -> cut touched found
-  Nothing -> nothing
+segment composite = case levelled noise touched of
+  Just found | contrast found >= leastClear * noise -> cut touched found
+  unclear
+    | noise > 0,
+      Just found <- levelled (noise * smoothing) smooth <|> unclear ->
+      cut smooth found
+  _ -> Segmentation [] [] 0 0
   where
-    nothing = Segmentation [] [] 0 0
     touched = touchedPixels composite
     noise = noiseIn touched
     smooth = smoothed touched
-    smoothNoise = noise * smoothing
+    levelled noiseThere = levels noiseThere . V.fromList . Map.elems
     cut pixels found =
       let scene = Scene (`Map.lookup` pixels) (threshold found)
           embossed = Map.keysSet (Map.filter (>= threshold found) pixels)

@@ -100,10 +100,7 @@ data Assembly = Assembly
 assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
 assemble way settings frames
   | usable settings = do
-    (composite, arrangement) <-
-      compose
-        (\f -> let a = arrange way settings f in (map arrangedShift (arrangedFrames a), a))
-        frames
+    (composite, arrangement) <- compose (arrange way settings) frames
     pure
       ( Assembly
           composite
@@ -113,9 +110,10 @@ assemble way settings frames
       )
   | otherwise = Left (UnusableRegistration settings)
 
--- | Check the frames, place them in taxels, let the function find their displacements, and blend.
-compose :: ([(Place, Raster)] -> ([Place], a)) -> [Frame] -> Either StitchError (Composite, a)
-compose displace frames = do
+-- | Check the frames, place them in taxels, let the function arrange them, and blend.
+compose ::
+  ([(Place, Raster)] -> Arrangement) -> [Frame] -> Either StitchError (Composite, Arrangement)
+compose arranging frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
     maybe (Left NoFrames) Right (nonEmpty frames)
@@ -124,9 +122,13 @@ compose displace frames = do
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
   checkArea nominal
-  let (displacements, more) = displace (NonEmpty.toList nominal)
+  let arrangement = arranging (NonEmpty.toList nominal)
+      displacements = map arrangedShift (arrangedFrames arrangement)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
-  pure (blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements, more)
+  pure
+    ( blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements,
+      arrangement
+    )
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.

@@ -86,10 +86,10 @@ lieText recognition orientation
   | shownTilt recognition == 0 = orientationText orientation
   | otherwise = printf "turned by %.1f degrees" (recognisedAngle recognition orientation)
 
--- | The tilt of what was recognised, where it is more than it may be in error by: three degrees.
+-- | The tilt of what was recognised, where it is more than 'leastTilt'; else 0.
 shownTilt :: Recognition -> Double
 shownTilt recognition
-  | abs (recognisedTilt recognition) > 3 = recognisedTilt recognition
+  | abs (recognisedTilt recognition) > leastTilt = recognisedTilt recognition
   | otherwise = 0
 
 -- | Positions as the command line takes them: @6,5 7,0@.
