@@ -12,6 +12,7 @@ import Control.Monad (unless, when)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
 import ExitStatus
 import Frames
@@ -56,28 +57,34 @@ command =
         <*> jsonSwitch "Print where each frame was as JSON"
     )
 
--- | How frames are assembled: 'Nothing' where the nominal positions are taken as they are.
-type Assembly = Maybe Registration
+-- | How frames are assembled, by what they are: 'Nothing' where the nominal positions are taken as
+-- they are.
+type Assembly = Maybe ([Frame] -> Registration)
 
 -- | @--no-stitching@, or what the robot and the sensor are like.
 assemblyOptions :: Parser Assembly
 assemblyOptions =
   flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
     <|> Just
-      <$> ( registrationFor
+      <$> ( settingsFor
               <$> defaulting
                 1
                 decimalReader
                 "position-error"
                 "SIGMA"
                 "Standard deviation of each frame's position that the robot is known for, taxels"
-              <*> defaulting
-                0.1
-                decimalReader
-                "noise"
-                "SD"
-                "Standard deviation of the sensor's noise, as a share of full scale"
+              <*> optional
+                ( valued
+                    decimalReader
+                    "noise"
+                    "SD"
+                    "Standard deviation of the sensor's noise, as a share of full scale (default: \
+                    \as the frames show it)"
+                )
           )
+  where
+    settingsFor sigma (Just noise) = const (registrationFor sigma noise)
+    settingsFor sigma Nothing = \frames -> withNoiseOf frames (registrationFor sigma 0)
 
 -- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full
 -- scale); an error of less than a hundredth of a taxel is taken as that, because a prior without
@@ -91,7 +98,7 @@ registrationFor sigma noise =
 
 -- | Assemble frames with stitching or without.
 assemble :: Assembly -> [Frame] -> Either StitchError Composite
-assemble = maybe placeOnly stitch
+assemble settings frames = maybe placeOnly (\known -> stitch (known frames)) settings frames
 
 run ::
   Assembly ->
@@ -111,8 +118,10 @@ run settings choice asked folder output form = do
   made <-
     orUnusable
       (\e -> folder ++ ": " ++ stitchMessage e)
-      (Stitch.assemble way registration frames)
+      (Stitch.assemble way (maybe standardRegistration ($ frames) settings) frames)
   let composite = Stitch.assemblyComposite made
+  for_ (compositeContradiction composite) $ \contradiction ->
+    warn ("warning: " ++ folder ++ ": " ++ contradictionMessage contradiction)
   sequence_ (written composite <$> output <*> encoder)
   when
     (form == AsJson)
@@ -120,7 +129,6 @@ run settings choice asked folder output form = do
   pure Answered
   where
     way = fromMaybe (maybe Nominal (const Automatic) settings) asked
-    registration = fromMaybe standardRegistration settings
     written composite file encoder = do
       writeWhole file =<< orUnusable imageMessage (encoder (compositeImage composite))
       unless (form == AsJson) $

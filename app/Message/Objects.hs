@@ -10,7 +10,7 @@ where
 
 import Json (shapeText)
 import Message.Locate (locateMessage, reasonMessage)
-import Message.Touch (shapeMessage)
+import Message.Touch (contradictionMessage, shapeMessage)
 import PraTactile.Array (Position (..))
 import PraTactile.Geometry (symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Locate (Reason (..))
@@ -198,6 +198,7 @@ refusalMessage refusal = case refusal of
   GridContradicts -> "the symbols do not lie on one grid of the array's pitch"
   WindowsContradict ->
     "separate groups of symbols lead to different places: at least one symbol is wrong"
+  FramesContradict contradiction -> contradictionMessage contradiction
   NotLocated NoCompleteWindow ->
     "the recognised symbols fit more than one position, and no window of them is complete; probe \
     \a larger region"

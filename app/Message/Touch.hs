@@ -4,6 +4,7 @@ module Message.Touch
     manifestMessage,
     probeMessage,
     stitchMessage,
+    contradictionMessage,
     calibrationMessage,
     pairMessage,
     shapeMessage,
@@ -20,9 +21,9 @@ import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
 import PraTactile.Probe (ProbeError (..))
 import PraTactile.Probe.Calibration (CalibrationError (..))
-import PraTactile.Probe.Manifest (ManifestError (..), manifestHeader)
+import PraTactile.Probe.Manifest (ManifestError (..), axesName, manifestHeader)
 import PraTactile.Shape (ShapeError (..))
-import PraTactile.Stitch (StitchError (..))
+import PraTactile.Stitch (Contradiction (..), StitchError (..))
 import PraTactile.Stitch.Pair (PairError (..))
 import Text.Printf (printf)
 
@@ -125,6 +126,16 @@ stitchMessage e = case e of
       ++ " x "
       ++ show (ceiling h :: Integer)
       ++ " taxels; check the manifest's positions (millimetres)"
+
+-- | That frames contradict each other, and what would mend it.
+contradictionMessage :: Contradiction -> String
+contradictionMessage contradiction =
+  "the frames show different things where their positions make them overlap; " ++ case contradiction of
+    AgreeingAlong axes ->
+      "they agree if the positions are taken along " ++ axesName axes ++ ": give --axes "
+        ++ axesName axes
+        ++ " if none is given yet"
+    AgreeingNowhere -> "check the positions, and that all frames are of one object"
 
 calibrationMessage :: CalibrationError -> String
 calibrationMessage e = case e of

@@ -81,7 +81,8 @@ canonicalDecoder = do
   network <- first NetworkRefused shippedNetwork
   decoder canonicalProfile layout alphabet network
 
--- | What the frames of a folder show, stitched with 'standardRegistration', by 'standardTolerance'.
+-- | What the frames of a folder show, stitched with 'standardRegistration' and the noise that
+-- they show, by 'standardTolerance'.
 -- Refuses what 'folderFrames' and 'stitch' refuse.
 decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = first FolderRefused (folderFrames folder) >>= decodeFrames with
@@ -95,7 +96,7 @@ decodeImage with bytes =
 -- | What frames show, likewise. Refuses what 'stitch' refuses.
 decodeFrames :: Decoder -> [Frame] -> Either DecodeError Recognition
 decodeFrames with frames =
-  first FramesRefused (stitch standardRegistration frames)
+  first FramesRefused (stitch (withNoiseOf frames standardRegistration) frames)
     >>= decodeComposites standardTolerance with . pure
 
 -- | What composites of one face show together, as 'recogniseWith' has it.

@@ -41,7 +41,9 @@ module PraTactile.Recognise
 where
 
 import Data.Either (isRight)
-import Data.Maybe (isJust, isNothing)
+import Data.List (inits, tails)
+import Data.Maybe (isJust, isNothing, mapMaybe)
+import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
 import PraTactile.Classify.Network (NetworkError)
 import PraTactile.Field (KnownField)
@@ -54,7 +56,7 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Segment (Segmentation (..), SymbolImage (..))
 import PraTactile.Segment.Tilt (setUpright, tilt)
-import PraTactile.Stitch (Composite)
+import PraTactile.Stitch (Composite (..), Contradiction (..))
 import PraTactile.Symmetry
 
 -- | What was recognised, whether or not it led to an answer.
@@ -95,14 +97,23 @@ data Refusal
     GridContradicts
   | -- | separate groups of symbols lead to different places
     WindowsContradict
+  | -- | the frames show different things where they should overlap
+    FramesContradict Contradiction
   | -- | the recognised cells lead to no position
     NotLocated Reason
   deriving stock (Eq, Show)
 
--- | All refusals.
+-- | All refusals, that of frames once.
 refusals :: [Refusal]
 refusals =
-  [NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts, GridContradicts, WindowsContradict]
+  [ NoSymbols,
+    SymbolsUnclear,
+    Mirrored,
+    OrientationContradicts,
+    GridContradicts,
+    WindowsContradict,
+    FramesContradict AgreeingNowhere
+  ]
     ++ map NotLocated reasons
 
 -- | The stable name of a refusal, as JSON has it.
@@ -114,6 +125,7 @@ refusalName refusal = case refusal of
   OrientationContradicts -> "orientation-contradiction"
   GridContradicts -> "grid-contradiction"
   WindowsContradict -> "windows-contradiction"
+  FramesContradict _ -> "frames-contradiction"
   NotLocated reason -> reasonName reason
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
@@ -122,17 +134,75 @@ recognise :: KnownField k => Recogniser k -> Composite -> Either NetworkError Re
 recognise reader composite = recogniseWith standardTolerance reader [composite]
 
 -- | Recognise what composites of one face show together, whose origins tell how they lie to each
--- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle: where
--- its symbols are not nearly upright by their 'tilt', they are read both as they are and from the
--- composites set upright, and what leaves less doubt about the symbols holds; where both may be
--- read, an answer before a refusal. All places are in the given composites' pixels.
+-- other, to less than a quarter of the symbols' pitch. The face may be turned by any angle. All
+-- places are in the given composites' pixels.
+--
+-- Composites whose frames contradict each other are not answered. What they show if their frames
+-- are put together otherwise adds to the doubt where it is something else.
 recogniseWith ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseWith tolerance reader composites = case tilt composites of
+recogniseWith tolerance reader composites = do
+  shown <- recogniseAsPut tolerance reader composites
+  case (mapMaybe compositeContradiction composites, recognisedAnswer shown) of
+    (contradiction : _, _) ->
+      pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
+    ([], Right (Found found)) -> do
+      otherwise' <- traverse (traverse (recogniseAsPut tolerance reader)) (putOtherwise composites)
+      pure
+        (doubting tolerance (sum [p | (p, r) <- otherwise', elsewhere found r]) shown)
+    _ -> pure shown
+
+-- | The composites with one of them put together otherwise, and how probable that is.
+putOtherwise :: [Composite] -> [(Double, [Composite])]
+putOtherwise composites =
+  [ (p, before ++ other : after)
+    | (before, composite : after) <- zip (inits composites) (tails composites),
+      (p, other) <- compositeOthers composite
+  ]
+
+-- | Whether composites that were put together otherwise show another place than the one found.
+elsewhere :: Finding -> Recognition -> Bool
+elsewhere found recognition = case recognisedAnswer recognition of
+  Right (Found other) ->
+    foundOrientation other /= foundOrientation found
+      || null (Set.intersection (positions other) (positions found))
+  _ -> False
+  where
+    positions f = Set.fromList (map windowPosition (foundWindow f : foundWindows f))
+
+-- | The same where the frames lie otherwise with this probability.
+doubting :: Tolerance -> Double -> Recognition -> Recognition
+doubting _ 0 recognition = recognition
+doubting tolerance stitched recognition =
+  recognition
+    { recognisedEvidence = weighed <$> recognisedEvidence recognition,
+      recognisedAnswer =
+        if maybe True ((> toleratedDoubt tolerance) . evidenceDoubt . weighed) (recognisedEvidence recognition)
+          then Left (NotLocated BelowThreshold)
+          else recognisedAnswer recognition
+    }
+  where
+    weighed evidence =
+      let Doubts position _ foreign' = evidenceDoubts evidence
+       in evidence
+            { evidenceDoubts = Doubts (position * (1 - stitched)) stitched (foreign' * (1 - stitched))
+            }
+
+-- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
+-- nearly upright by their 'tilt', they are read both as they are and from the composites set
+-- upright, and what leaves less doubt about the symbols holds; where both may be read, an answer
+-- before a refusal.
+recogniseAsPut ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  [Composite] ->
+  Either NetworkError Recognition
+recogniseAsPut tolerance reader composites = case tilt composites of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- recogniseUpright tolerance reader composites

@@ -155,7 +155,7 @@ onComposite symmetry composite =
 
 -- | The intensities of the pixels that got at least 'leastCoverage' of a sensor's weight.
 touchedPixels :: Composite -> Map Pixel Double
-touchedPixels (Composite image coverage _ _) =
+touchedPixels Composite {compositeImage = image, compositeCoverage = coverage} =
   Map.fromDistinctAscList
     [ ((x, y), v)
       | x <- [0 .. rasterWidth image - 1],

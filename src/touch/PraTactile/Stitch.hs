@@ -4,6 +4,7 @@
 module PraTactile.Stitch
   ( -- * Composites
     Composite (..),
+    Contradiction (..),
     compositeOf,
     compositePosition,
 
@@ -16,6 +17,7 @@ module PraTactile.Stitch
     Arranged (..),
     Registration (..),
     standardRegistration,
+    withNoiseOf,
     StitchError (..),
     maxCompositePixels,
     maxFrames,
@@ -23,22 +25,25 @@ module PraTactile.Stitch
 where
 
 import Control.Monad (when)
+import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
-import PraTactile.Image
-  ( Raster,
-    onRaster,
-    rasterHeight,
-    rasterValues,
-    rasterWidth,
-    zipRaster,
-  )
+import PraTactile.Image (Raster, onRaster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Resample (atCanonicalPitch)
+import PraTactile.Stitch.Agreement (contradiction)
 import PraTactile.Stitch.Arrange (Arranged (..), Arrangement (..), Way (..), arrange)
-import PraTactile.Stitch.Blend (Blend (..), Place, blend)
-import PraTactile.Stitch.Composite (Composite (..), compositeOf, compositePosition)
+import PraTactile.Stitch.Blend (Place)
+import PraTactile.Stitch.Composite
+  ( Composite (..),
+    Contradiction (..),
+    blended,
+    compositeOf,
+    compositePosition,
+  )
+import PraTactile.Stitch.Noise (frameNoise)
+import PraTactile.Stitch.Posterior (Hypothesis (..))
 import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
 import PraTactile.Stitch.Turn (turnedBack)
 import PraTactile.Symmetry
@@ -80,6 +85,11 @@ maxFrames = 10000
 stitch :: Registration -> [Frame] -> Either StitchError Composite
 stitch settings = fmap assemblyComposite . assemble Automatic settings
 
+-- | Settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is not
+-- known.
+withNoiseOf :: [Frame] -> Registration -> Registration
+withNoiseOf frames settings = settings {registrationNoise = frameNoise (map frameImage frames)}
+
 -- | Frames at their nominal places, blended: stitching without any correction.
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
@@ -100,7 +110,7 @@ data Assembly = Assembly
 assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
 assemble way settings frames
   | usable settings = do
-    (composite, arrangement) <- compose (arrange way settings) frames
+    (composite, arrangement) <- compose way settings frames
     pure
       ( Assembly
           composite
@@ -110,10 +120,9 @@ assemble way settings frames
       )
   | otherwise = Left (UnusableRegistration settings)
 
--- | Check the frames, place them in taxels, let the function arrange them, and blend.
-compose ::
-  ([(Place, Raster)] -> Arrangement) -> [Frame] -> Either StitchError (Composite, Arrangement)
-compose arranging frames = do
+-- | Check the frames, place them in taxels, arrange them, and blend.
+compose :: Way -> Registration -> [Frame] -> Either StitchError (Composite, Arrangement)
+compose way settings frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
     maybe (Left NoFrames) Right (nonEmpty frames)
@@ -122,13 +131,26 @@ compose arranging frames = do
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
   checkArea nominal
-  let arrangement = arranging (NonEmpty.toList nominal)
-      displacements = map arrangedShift (arrangedFrames arrangement)
+  let arrangement = arrange way settings (NonEmpty.toList nominal)
+      arranged = arrangedFrames arrangement
+      displacements = map arrangedShift arranged
+      at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
+      together shifts = blended (left, top) (at shifts) shifts
   pure
-    ( blended (left, top) (maybe nominal moved (nonEmpty displacements)) displacements,
+    ( (together displacements)
+        { compositeOthers =
+            [ (hypothesisProbability h, together (take k displacements ++ hypothesisShift h : drop (k + 1) displacements))
+              | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a])
+            ],
+          compositeContradiction = contradiction settings (NonEmpty.toList nominal)
+        },
       arrangement
     )
+
+-- | The most other ways to put frames together that are told.
+mostOthers :: Int
+mostOthers = 4
 
 -- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
 -- not decide anything.
@@ -139,29 +161,6 @@ inTaxels t
   where
     taxels = t / taxelPitch
     million = 1048576
-
--- | Images at their places, in taxels from an origin in millimetres, as a composite. Its grid is
--- the origin's, moved by whole taxels so that it holds all the images.
-blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
-blended (left, top) images = Composite image weights origin
-  where
-    (x0, x1) = reach fst rasterWidth
-    (y0, y1) = reach snd rasterHeight
-    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
-    reach coordinate side =
-      ( floor (minimum (fmap (coordinate . fst) images)),
-        maximum (fmap (\(place, im) -> ceiling (coordinate place) + side im) images)
-      )
-    origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
-    onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
-    Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
-    image =
-      either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
-
--- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
--- rounding.
-leastWeight :: Double
-leastWeight = 0.001
 
 checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
 checkArea images

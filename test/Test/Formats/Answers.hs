@@ -73,7 +73,7 @@ someRecognition =
     <*> maybeOf someTurns
     <*> maybeOf someReal
     <*> maybeOf someReal
-    <*> maybeOf (Doubts <$> someReal <*> someReal)
+    <*> maybeOf (Doubts <$> someReal <*> someReal <*> someReal)
     <*> maybeOf someChance
     <*> maybeOf someInt
     <*> maybeOf someInt

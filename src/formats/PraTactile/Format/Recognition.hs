@@ -140,6 +140,7 @@ doubtsKeys :: Keys Doubts Doubts
 doubtsKeys =
   Doubts
     <$> key "position" real doubtOfPosition
+    <*> key "stitching" real doubtOfStitching
     <*> key "foreign" real doubtOfOrigin
 
 symbol :: Keys more more -> Codec (SymbolReport more)

@@ -65,6 +65,8 @@ standardTolerance = Tolerance 0.01 Guaranteed 0.005
 data Doubts = Doubts
   { -- | the symbols are the array's, but orientation or position are others
     doubtOfPosition :: Double,
+    -- | the frames lie otherwise than they were put together, and then show something else
+    doubtOfStitching :: Double,
     -- | it is nothing of the array's
     doubtOfOrigin :: Double
   }
@@ -92,7 +94,7 @@ data Evidence = Evidence
 
 -- | The probability that the position is wrong.
 evidenceDoubt :: Evidence -> Double
-evidenceDoubt evidence = doubtOfPosition doubts + doubtOfOrigin doubts
+evidenceDoubt evidence = doubtOfPosition doubts + doubtOfStitching doubts + doubtOfOrigin doubts
   where
     doubts = evidenceDoubts evidence
 
@@ -193,7 +195,7 @@ evidenceFrom codebook witnesses share orientationDoubt seen posterior = do
   where
     doubt = posteriorDoubt posterior
     other = orientationDoubt + doubt - orientationDoubt * doubt
-    doubtsOf alien = Doubts (other * (1 - alien)) alien
+    doubtsOf alien = Doubts (other * (1 - alien)) 0 alien
 
 -- | The probability that the observed cells are foreign, given the share of foreign things, the
 -- likeliest position, and the probability that among all positions it is another one. Bayes'

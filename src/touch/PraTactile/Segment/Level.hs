@@ -4,6 +4,7 @@ module PraTactile.Segment.Level
   ( Levels (..),
     levels,
     noiseFrom,
+    medianSize,
     threshold,
     contrast,
   )
@@ -54,13 +55,16 @@ levels noise intensities
 -- neighbours a, b, c in it, in which relief has little part: their median size is 0.6745 sqrt 6
 -- standard deviations where the noise is normal and white. 0 for none.
 noiseFrom :: Vector Double -> Double
-noiseFrom differences
-  | V.null differences = 0
-  | otherwise =
-    steepest * median (histogram 0 steepest sizes) / fromIntegral bins / (0.6745 * sqrt 6)
+noiseFrom differences = medianSize differences / (0.6745 * sqrt 6)
+
+-- | The median of the sizes of numbers, of as many bins as levels have; 0 for none.
+medianSize :: Vector Double -> Double
+medianSize numbers
+  | V.null numbers = 0
+  | otherwise = largest * median (histogram 0 largest sizes) / fromIntegral bins
   where
-    sizes = V.map abs differences
-    steepest = V.maximum sizes
+    sizes = V.map abs numbers
+    largest = V.maximum sizes
 
 bins :: Int
 bins = 512

@@ -86,7 +86,7 @@ sharpness places across down angle = summed c s + summed (negate s) c
 -- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
 -- values.
 gradients :: Composite -> (Vector Double, Vector Double, Vector Double)
-gradients (Composite image coverage _ _) =
+gradients Composite {compositeImage = image, compositeCoverage = coverage} =
   ( V.fromList (concat [[fromIntegral x - midX, fromIntegral y - midY] | (x, y, _, _) <- found]),
     V.fromList [gx | (_, _, gx, _) <- found],
     V.fromList [gy | (_, _, _, gy) <- found]

@@ -8,15 +8,20 @@ module PraTactile.Stitch.Arrange
 where
 
 import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
+import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
+import PraTactile.Stitch.Composite (compositeOf)
 import PraTactile.Stitch.Joint
+import PraTactile.Stitch.Posterior (Hypothesis)
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..))
 import PraTactile.Stitch.Spectrum (spectra)
-import PraTactile.Stitch.Template (paperTemplates)
+import PraTactile.Stitch.Template (PaperTables (..), paperTemplates)
 
 -- | How frames are registered.
 data Way
@@ -39,6 +44,8 @@ data Arranged = Arranged
     arrangedDeviation :: !(Maybe Place),
     -- | The probability that it is within three quarters of a taxel of the truth, likewise.
     arrangedProbability :: !(Maybe Double),
+    -- | Displacements that it may have instead, at least two taxels away, the most probable first.
+    arrangedOthers :: [Hypothesis],
     -- | The group of frames that overlap one another, directly or through others, from 0 on.
     arrangedGroup :: !Int
   }
@@ -54,58 +61,48 @@ data Arrangement = Arrangement
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
 arrange :: Way -> Registration -> [(Place, Raster)] -> Arrangement
-arrange way settings frames = case way of
-  Nominal -> plain Nominal (map (const (0, 0)) frames)
-  Incremental -> incrementally
-  ByLattice -> jointly
-  Automatic
-    | length frames < 2 -> incrementally
-    | doubtful && latticed -> jointly
-    | otherwise -> incrementally
+arrange way settings frames = case (way, paperTemplates) of
+  (Nominal, _) -> plain Nominal (map (const ((0, 0), [])) frames)
+  (ByLattice, Just tables) -> jointly tables (fromMaybe 0 (angleBy tables))
+  (Automatic, Just tables)
+    | length frames >= 2 && doubtful,
+      Just angle <- angleBy tables ->
+      jointly tables angle
+  _ -> plain Incremental (register settings frames)
   where
-    shifts = register settings frames
-    incrementally = plain Incremental shifts
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
-    latticed = case tablesBySize of
-      Just tables -> evidenceOf tables > 0
-      Nothing -> False
-    evidenceOf tables = case frames of
-      (_, first) : _ ->
-        let size = sizeOf first
-         in latticeEvidence
-              (tables size)
-              (uncurry spectra size)
-              [image | (_, image) <- frames, sizeOf image == size]
-      [] -> 0
-    jointly = case tablesBySize of
-      Just tables ->
-        let located = registerJointly settings tables frames
-         in arranged
-              ByLattice
-              [ (locatedShift l, Just (locatedDeviation l), Just (locatedProbability l))
-                | l <- located
-              ]
-      Nothing -> incrementally
-    -- The tables by the frames' size, each made once.
-    tablesBySize = case Map.elems made of
-      first : _ -> Just (\size -> Map.findWithDefault first size made)
-      [] -> Nothing
-    made =
-      Map.mapMaybe
-        id
-        ( Map.fromList
-            [(size, uncurry paperTemplates size) | (_, image) <- frames, let size = sizeOf image]
-        )
-    plain used ds = arranged used [(d, Nothing, Nothing) | d <- ds]
+    sizes = map (sizeOf . snd) frames
+    -- The angle of the lattice, if the frames show it.
+    angleBy :: PaperTables -> Maybe Double
+    angleBy tables = do
+      size <- listToMaybe sizes
+      latticeAngle
+        (\angle -> paperTables tables angle size, \angle -> paperCoarse tables angle size)
+        (uncurry spectra size)
+        (tilt (map (compositeOf . snd) frames))
+        [image | (_, image) <- frames, sizeOf image == size]
+    jointly :: PaperTables -> Double -> Arrangement
+    jointly tables angle =
+      arranged
+        ByLattice
+        [ Arranged
+            (locatedShift l)
+            (Just (locatedDeviation l))
+            (Just (locatedProbability l))
+            (locatedOthers l)
+          | l <- registerJointly settings angle madeOnce frames
+        ]
+      where
+        madeOnce size = Map.findWithDefault (paperTables tables angle size) size made
+        made = Map.fromSet (paperTables tables angle) (Set.fromList sizes)
+    plain used ds = arranged used [Arranged d Nothing Nothing instead | (d, instead) <- ds]
     arranged used told =
       Arrangement
         used
-        [ Arranged d sd p group
-          | ((d, sd, p), group) <- zip told (groupsOf places)
-        ]
+        (zipWith ($) told (groupsOf places))
         (residual places)
       where
-        places = moved frames [d | (d, _, _) <- told]
+        places = moved frames [arrangedShift (a 0) | a <- told]
 
 sizeOf :: Raster -> (Int, Int)
 sizeOf image = (rasterWidth image, rasterHeight image)

@@ -2,16 +2,22 @@
 -- takes.
 module PraTactile.Stitch.Composite
   ( Composite (..),
+    Contradiction (..),
     compositeOf,
     compositePosition,
     compositePixel,
+    blended,
     weighted,
   )
 where
 
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
 import PraTactile.Image (Raster, constant, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Probe (taxelPitch)
+import PraTactile.Probe.Manifest (Axes)
+import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 
 -- | An image larger than the sensor, on a grid of one taxel's pitch whose axes are the robot's.
 data Composite = Composite
@@ -24,14 +30,27 @@ data Composite = Composite
     compositeOrigin :: !(Double, Double),
     -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
     -- frames.
-    compositeDisplacements :: ![(Double, Double)]
+    compositeDisplacements :: ![(Double, Double)],
+    -- | What the frames would show if they were put together otherwise, and how probable that is:
+    -- each of these has one frame elsewhere, the most probable first.
+    compositeOthers :: [(Double, Composite)],
+    -- | Whether the frames contradict each other where they should overlap.
+    compositeContradiction :: Maybe Contradiction
   }
+  deriving stock (Eq, Show)
+
+-- | The frames show other things where they should overlap.
+data Contradiction
+  = -- | If their positions were along these axes instead, they would show the same.
+    AgreeingAlong !Axes
+  | -- | Along no axes they do.
+    AgreeingNowhere
   deriving stock (Eq, Show)
 
 -- | A single image, such as one read from a file, as a composite that was touched once everywhere,
 -- with its pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
-compositeOf image = Composite image (constant (rasterWidth image) (rasterHeight image) 1) (0, 0) []
+compositeOf image = Composite image (constant (rasterWidth image) (rasterHeight image) 1) (0, 0) [] [] Nothing
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)
@@ -48,8 +67,43 @@ compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
 
 -- | The composite as a weighted image, to be interpolated.
 weighted :: Composite -> Reference
-weighted (Composite image coverage _ _) =
+weighted composite =
   either
     (const (referenceOf image))
     id
     (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
+  where
+    image = compositeImage composite
+    coverage = compositeCoverage composite
+
+-- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
+-- displacements given, and no other way to put them together. Its grid is the origin's, moved by whole taxels so that it holds all the
+-- images.
+blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
+blended (left, top) images displacements =
+  Composite
+    { compositeImage = image,
+      compositeCoverage = weights,
+      compositeOrigin = origin,
+      compositeDisplacements = displacements,
+      compositeOthers = [],
+      compositeContradiction = Nothing
+    }
+  where
+    (x0, x1) = reach fst rasterWidth
+    (y0, y1) = reach snd rasterHeight
+    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
+    reach coordinate side =
+      ( floor (minimum (fmap (coordinate . fst) images)),
+        maximum (fmap (\(place, im) -> ceiling (coordinate place) + side im) images)
+      )
+    origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
+    onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
+    Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
+    image =
+      either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
+
+-- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
+-- rounding.
+leastWeight :: Double
+leastWeight = 0.001

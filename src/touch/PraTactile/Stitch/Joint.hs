@@ -9,20 +9,21 @@
 module PraTactile.Stitch.Joint
   ( Located (..),
     registerJointly,
-    latticeEvidence,
+    latticeAngle,
   )
 where
 
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (foldl', sortOn)
+import Data.List (find, foldl', sortOn)
 import qualified Data.Map.Strict as Map
+import Data.Ord (Down (..))
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Posterior (tolerance)
+import PraTactile.Stitch.Posterior (Hypothesis (..), tolerance)
 import PraTactile.Stitch.Search (Registration (..), searchRadius)
 import PraTactile.Stitch.Spectrum
 import PraTactile.Stitch.Template
@@ -34,7 +35,10 @@ data Located = Located
     -- | The standard deviations, taxels.
     locatedDeviation :: !Place,
     -- | The probability that it is within 'tolerance' of the truth on both axes.
-    locatedProbability :: !Double
+    locatedProbability :: !Double,
+    -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
+    -- the most probable first: at most two, each of at least a thousandth.
+    locatedOthers :: [Hypothesis]
   }
   deriving stock (Eq, Show)
 
@@ -42,18 +46,33 @@ data Located = Located
 phaseFrames :: Int
 phaseFrames = 64
 
--- | How much likelier, as a natural logarithm, frames are to show the lattice than any relief, by a
--- few of them, those in the middle of an order that is theirs.
-latticeEvidence :: Templates -> Spectra -> [Raster] -> Double
-latticeEvidence tables processes images =
-  sum [evidenceLog (evidence tables i) | i <- few] - sum blind
+-- | The angle in [-90, 90), in degrees clockwise, at which a lattice lies under frames, given its
+-- tables at any angle, those at whole taxels, and perhaps an angle, up to quarter turns, at which it may lie: upright
+-- if the frames are likelier to show that than any other relief, else at the given angle, else
+-- wherever they make it likeliest. By a few of the frames, which must be of the tables' size.
+-- 'Nothing' where they are likelier to show something else.
+latticeAngle ::
+  (Double -> Templates, Double -> Templates) ->
+  Spectra ->
+  Maybe Double ->
+  [Raster] ->
+  Maybe Double
+latticeAngle (tables, coarse) processes hint images = find shown angles
   where
+    angles = 0 : [likeliest [a, a + 90] | Just a <- [hint]] ++ [around 2.25 (around 4.5 scanned)]
+    scanned = likeliest [-90, -81 .. 81]
+    around step angle = likeliest [angle - step, angle, angle + step]
+    likeliest candidates =
+      folded (snd (maximum [(seenBy telling (coarse a), a) | a <- candidates]))
+    folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
+    shown angle = seenBy few (tables angle) > blind
+    seenBy some at = sum [evidenceLog (evidence at i) | i <- some]
     few = spacedOut 12 images
-    blind =
-      concat
-        [ processLogs (processOf processes [coefficients i])
-          | i <- few
-        ]
+    -- The angle is looked for by those that show most.
+    telling = take 5 (sortOn (Down . spreadOf . rasterValues) images)
+    spreadOf v =
+      let n = fromIntegral (V.length v) in V.sum (V.map (\t -> t * t) v) - V.sum v * V.sum v / n
+    blind = sum (concat [processLogs (processOf processes [coefficients i]) | i <- few])
     coefficients i = cosineTransform processes (rasterWidth i) (rasterHeight i) (rasterValues i)
 
 -- | At most so many of a list, evenly.
@@ -65,29 +84,55 @@ spacedOut most xs
     n = length xs
 
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and the
--- tables by the frames' width and height. The displacements have mean 0, since a shift common to
--- all cannot be seen. The order of the frames changes nothing.
-registerJointly :: Registration -> ((Int, Int) -> Templates) -> [(Place, Raster)] -> [Located]
-registerJointly settings tables frames = map snd (sortOn fst (zip order centred))
+-- tables by the frames' width and height, all at one angle, that of the lattice. The displacements
+-- have mean 0, since a shift common to all cannot be seen. The order of the frames changes nothing.
+registerJointly ::
+  Registration -> Double -> ((Int, Int) -> Templates) -> [(Place, Raster)] -> [Located]
+registerJointly settings angle tables frames = map snd (sortOn fst (zip order centred))
   where
     (order, ordered) =
       unzip
-        (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] frames))
+        ( sortOn
+            (\(_, ((x, y), image)) -> (y, x, rasterValues image))
+            [ (k, (firstPlace (tablesOf image) (turnedBy (negate angle) place), image))
+              | (k, (place, image)) <- zip [0 :: Int ..] frames
+            ]
+        )
     grid = gridOf settings
     -- What few frames tell is kept; of many it would take too much memory.
     told = [(place, toldBy image) | (place, image) <- ordered]
     again
       | length ordered <= phaseFrames = told
       | otherwise = [(place, toldBy image) | (place, image) <- ordered]
-    toldBy image = evidence (tables (rasterWidth image, rasterHeight image)) image
+    toldBy image = evidence (tablesOf image) image
+    tablesOf image = tables (rasterWidth image, rasterHeight image)
     (orientation, phase) = commonPhase grid (spacedOut phaseFrames told)
     options = [optionsOf grid orientation phase frame | frame <- again]
     settled = swept options
-    located = zipWith locatedAt ordered settled
+    located = map (turnedTo angle) (zipWith locatedAt ordered settled)
     n = fromIntegral (max 1 (length located))
     mean part = eighth (sum (map (part . locatedShift) located) / n)
     centred =
-      [l {locatedShift = (x - mean fst, y - mean snd)} | l <- located, let (x, y) = locatedShift l]
+      [ l {locatedShift = less (locatedShift l), locatedOthers = map lessen (locatedOthers l)}
+        | l <- located
+      ]
+    less (x, y) = (x - mean fst, y - mean snd)
+    lessen h = h {hypothesisShift = less (hypothesisShift h)}
+
+-- | What was found along the lattice's axes, which are turned by that many degrees, along the
+-- frames'.
+turnedTo :: Double -> Located -> Located
+turnedTo 0 l = l
+turnedTo angle l =
+  l
+    { locatedShift = turnedBy angle (locatedShift l),
+      locatedDeviation = (along c s, along s c),
+      locatedOthers = [h {hypothesisShift = turnedBy angle (hypothesisShift h)} | h <- locatedOthers l]
+    }
+  where
+    (c, s) = turnedBy angle (1, 0)
+    (sx, sy) = locatedDeviation l
+    along i j = sqrt (i * i * sx * sx + j * j * sy * sy)
 
 -- | To the nearest eighth of a taxel.
 eighth :: Double -> Double
@@ -110,6 +155,12 @@ gridOf settings =
 -- | Places to the taxel.
 q :: Double
 q = fromIntegral placesPerTaxel
+
+-- | Where the first of a frame's places lies, from where its upper left pixel does.
+firstPlace :: Templates -> Place -> Place
+firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
+  where
+    (i, j) = templateFirst tables
 
 -- | A nominal place as the nearest grid point, and what is left, in places.
 onGrid :: Place -> ((Int, Int), (Double, Double))
@@ -289,8 +340,19 @@ weighed scored = [(o, exp (s - top) / total) | (o, s) <- scored]
 -- | Where a frame is, by its options: the mean of those near the likeliest.
 locatedAt :: (Place, Raster) -> [(Option, Double)] -> Located
 locatedAt (place, _) options =
-  Located (finally meanX rx, finally meanY ry) (spreadOf meanX fst, spreadOf meanY snd) mass
+  Located
+    (finally meanX rx, finally meanY ry)
+    (spreadOf meanX fst, spreadOf meanY snd)
+    mass
+    (take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held))))
   where
+    instead found = case found of
+      (p, (x, y)) : rest
+        | p >= 0.001 ->
+          Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p :
+          instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
+      _ -> []
+    far (x, y) (x', y') = max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * q
     (_, (rx, ry)) = onGrid place
     masses = Map.fromListWith (+) [(optionShift o, p) | (o, p) <- options]
     reach = floor (q * tolerance + 1e-9) :: Int

@@ -108,7 +108,7 @@ data Tables = Tables
 
 -- | The tables for an alphabet and frames of that width and height.
 tablesFor :: Alphabet -> Int -> Int -> Tables
-tablesFor known w h = Tables (templates known w h) (spectra w h)
+tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
 
 -- | Where the second frame lies in the first. The tables must be for frames of their size.
 registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match

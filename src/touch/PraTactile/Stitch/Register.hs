@@ -19,20 +19,32 @@ import qualified Data.Map.Strict as Map
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
+import PraTactile.Stitch.Posterior (Hypothesis (..))
 import PraTactile.Stitch.Search
   ( Prior (..),
     Registration (..),
     Window (..),
     finestStep,
     mostProbable,
+    probabilities,
     searchRadius,
   )
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
--- images' upper left pixels. Their mean is zero, to half of 'finestStep', since a shift common to
--- all frames cannot be seen. An image's displacement does not depend on the order of the images.
-register :: Registration -> [(Place, Raster)] -> [Place]
-register settings images = map snd (sortOn fst (zip order (IntMap.elems displacements)))
+-- images' upper left pixels, and other displacements that it may have instead. The mean of the
+-- first is zero, to half of 'finestStep', since a shift common to all frames cannot be seen. An
+-- image's displacement does not depend on the order of the images.
+register :: Registration -> [(Place, Raster)] -> [(Place, [Hypothesis])]
+register settings images =
+  map
+    snd
+    ( sortOn
+        fst
+        ( zip
+            order
+            (zip (IntMap.elems displacements) (map (others settings displacements) nodes))
+        )
+    )
   where
     (order, ordered) =
       unzip
@@ -167,17 +179,46 @@ centre ds
 -- | A frame's most probable displacement given those of other frames, looked for in a window by
 -- whole taxels from a start.
 located :: Registration -> IntMap Place -> Node -> Prior -> Window -> Place -> Place
-located settings displacements node prior window (startX, startY) = case others of
-  Right known -> mostProbable settings known image onGrid prior window (startX, startY)
-  Left _ -> (startX, startY)
+located settings displacements node prior window start =
+  case seenByOthers displacements node (ceiling (windowRadius window)) start of
+    Just (known, onGrid) ->
+      mostProbable settings known (nodeImage node) onGrid prior window start
+    Nothing -> start
+
+-- | The displacements that a frame may have instead of its own, at least two taxels away, with
+-- their probabilities, the most probable first: at most two, each of at least a thousandth.
+others :: Registration -> IntMap Place -> Node -> [Hypothesis]
+others settings displacements node = case seenByOthers displacements node reach start of
+  Just (known, onGrid) ->
+    take 2 . apart . sortOn (negate . hypothesisProbability) $
+      [ Hypothesis d p
+        | (d, p) <- probabilities settings known (nodeImage node) onGrid prior reach start,
+          p >= 0.001,
+          far d start
+      ]
+  Nothing -> []
+  where
+    start = IntMap.findWithDefault (0, 0) (nodeKey node) displacements
+    prior = Prior (0, 0) (registrationSigma settings ^ (2 :: Int))
+    reach = max 2 (ceiling (2 / 3 * searchRadius settings))
+    far (x, y) (x', y') = max (abs (x - x')) (abs (y - y')) >= 2
+    apart found = case found of
+      [] -> []
+      h : rest -> h : apart (filter (far (hypothesisShift h) . hypothesisShift) rest)
+
+-- | The other frames at their displacements, and where a displacement of a frame, of up to that
+-- many taxels from the start, puts its upper left pixel on them.
+seenByOthers :: IntMap Place -> Node -> Int -> Place -> Maybe (Reference, Place -> Place)
+seenByOthers displacements node reach (startX, startY) =
+  either (const Nothing) (\there -> Just (there, onGrid)) known
   where
     image = nodeImage node
     (x0, y0) = nodePlace node
     onGrid (x, y) = (x - startX + margin, y - startY + margin)
-    margin = fromIntegral (ceiling (windowRadius window) + 3 :: Int)
+    margin = fromIntegral (reach + 3)
     side extent = extent + 2 * round margin
     -- See Note [How well the reference is known]
-    others = do
+    known = do
       sums' <- zipRaster (\s m -> s / (1 + m)) sums weights
       reference sums' (mapRaster (\m -> m / (1 + m)) weights)
     -- The other frames on a grid whose pixel (margin, margin) is where this frame's upper left

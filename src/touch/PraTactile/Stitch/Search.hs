@@ -15,6 +15,8 @@ module PraTactile.Stitch.Search
     -- * The search
     Window (..),
     mostProbable,
+    probabilities,
+    independent,
     finestStep,
   )
 where
@@ -127,13 +129,46 @@ mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0
     along best@(_, (x, y)) (i, j) = foldl' better best [(x - i, y - j), (x + i, y + j)]
     better best@(score, _) candidate =
       let score' = posterior candidate in if score' > score then (score', candidate) else best
-    posterior d =
-      let (px, py) =
-            placeOf d
-       in logLikelihood settings (capped (overlapAt ref image px py)) + logPrior prior d
-    -- Note [No reward for overlap]
+    posterior d = evidenceFor settings ref image placeOf start d + logPrior prior d
+
+-- | What an overlap at a displacement tells, given that at the start: Note [No reward for overlap]
+evidenceFor :: Registration -> Reference -> Raster -> (Place -> Place) -> Place -> Place -> Double
+evidenceFor settings ref image placeOf start = \d -> logLikelihood settings (capped (at d))
+  where
+    at d = let (px, py) = placeOf d in overlapAt ref image px py
     capped overlap = overlap {overlapWeight = min startWeight (overlapWeight overlap)}
-    startWeight = let (px, py) = placeOf start in overlapWeight (overlapAt ref image px py)
+    startWeight = overlapWeight (at start)
+
+-- | The displacements that lie whole taxels from the start, up to so many along each axis, with
+-- their probabilities; each pixel of the overlap counts as 'independent' pixels.
+probabilities ::
+  Registration ->
+  Reference ->
+  Raster ->
+  (Place -> Place) ->
+  Prior ->
+  Int ->
+  Place ->
+  [(Place, Double)]
+probabilities settings ref image placeOf prior reach start@(x0, y0) =
+  [(d, exp (score - top) / total) | (d, score) <- scored]
+  where
+    scored =
+      [ (d, independent * evidence d + logPrior prior d)
+        | j <- line,
+          i <- line,
+          let d = (x0 + i, y0 + j)
+      ]
+    line = map fromIntegral [negate reach .. reach] :: [Double]
+    evidence = evidenceFor settings ref image placeOf start
+    top = maximum (map snd scored)
+    total = sum [exp (score - top) | (_, score) <- scored]
+
+-- | How many independent pairs of values a pixel of an overlap counts for where probabilities are
+-- told: neighbouring pixels of relief resemble each other. Found so that of pairs that are given at
+-- 99 % at least that much is right.
+independent :: Double
+independent = 0.4
 
 {- Note [No reward for overlap] The likelihood takes each pixel that leaves the overlap for one that
    chance must explain. But neighbouring pixels of a relief resemble each other, so the pixel's own

@@ -5,17 +5,19 @@
 --
 -- A symbol at (x, y), the place of the centre of its upper left taxel, makes a taxel at (u, v) read
 -- the sum over its embossed taxels (i, j) of g (u - x - i) g (v - y - j), where g is the share of a
--- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel.
+-- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel. The
+-- symbols' axes may be turned from the frame's: then places are turned with them, and the blur, which
+-- is nearly the same in all directions, is not.
 module PraTactile.Stitch.Template
   ( Templates (..),
     templates,
+    PaperTables (..),
     paperTemplates,
     placesPerTaxel,
     coarser,
     correlations,
     cellIndex,
-    firstColumn,
-    firstRow,
+    turnedBy,
   )
 where
 
@@ -35,14 +37,20 @@ import PraTactile.Shape
     symbolWidth,
   )
 
--- | An alphabet's symbols, upright and half turned, at all places of frames of one size.
+-- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
+-- that are turned from the frames'.
 data Templates = Templates
   { -- | The size of the frames.
     templateFrame :: !(Int, Int),
+    -- | By how many degrees, clockwise, the symbols' axes are turned from the frames'.
+    templateAngle :: !Double,
     -- | The number of classes.
     templateClasses :: !Int,
     -- | Places to the taxel.
     templatePlaces :: !Int,
+    -- | The first column and the first row of places, along the symbols' axes, in taxels from the
+    -- centre of the frame's upper left taxel.
+    templateFirst :: !(Int, Int),
     -- | The number of places across and down.
     templateGrid :: !(Int, Int),
     -- | For each orientation and class, the offsets of its embossed taxels on the padded grid.
@@ -68,12 +76,6 @@ blurDeviation = 0.75
 fringe :: Int
 fringe = 2
 
--- | The place of the first column and of the first row of places, in taxels from the centre of the
--- frame's upper left taxel.
-firstColumn, firstRow :: Int
-firstColumn = negate (symbolWidth + fringe)
-firstRow = negate (symbolHeight + fringe)
-
 -- | The same at whole taxels, if these are finer.
 coarser :: Templates -> Templates
 coarser fine = fromMaybe fine (templateCoarse fine)
@@ -86,53 +88,88 @@ cellIndex tables orientation y x = (orientation * rows + y) * columns + x
     (columns, rows) = templateGrid tables
 {-# INLINE cellIndex #-}
 
--- | The tables for an alphabet and frames of that width and height.
-templates :: Alphabet -> Int -> Int -> Templates
-templates alphabet w h = (tabled placesPerTaxel) {templateCoarse = Just (tabled 1)}
+-- | The tables for an alphabet whose axes are turned by so many degrees clockwise, and frames of
+-- that width and height.
+templates :: Alphabet -> Double -> Int -> Int -> Templates
+templates alphabet angle w h =
+  (fine placesPerTaxel) {templateCoarse = Just (coarseTemplates alphabet angle w h)}
+  where
+    fine = tabled alphabet angle w h
+
+-- | The same at whole taxels only.
+coarseTemplates :: Alphabet -> Double -> Int -> Int -> Templates
+coarseTemplates alphabet angle w h = tabled alphabet angle w h 1
+
+-- | The same at so many places to the taxel.
+tabled :: Alphabet -> Double -> Int -> Int -> Int -> Templates
+tabled alphabet angle w h q = tables
   where
     bitmaps = Boxed.fromList (shapes alphabet ++ map halfTurned (shapes alphabet))
-    count = length (shapes alphabet)
-    tabled q = tables
+    corners =
+      [ turnedBy (negate angle) (fromIntegral x, fromIntegral y)
+        | x <- [0, w - 1],
+          y <- [0, h - 1]
+      ]
+    (left, wide) = extent (map fst corners)
+    (top, high) = extent (map snd corners)
+    -- The first whole number, and how many reach to the last.
+    extent :: [Double] -> (Int, Int)
+    extent ts =
+      let first = floor (minimum ts + 1e-9) in (first, ceiling (maximum ts - 1e-9) - first + 1)
+    bare =
+      Templates
+        { templateFrame = (w, h),
+          templateAngle = angle,
+          templateClasses = length (shapes alphabet),
+          templatePlaces = q,
+          templateFirst = (left - symbolWidth - fringe, top - symbolHeight - fringe),
+          templateGrid =
+            ((wide + symbolWidth + 2 * fringe) * q, (high + symbolHeight + 2 * fringe) * q),
+          templateOffsets = fmap offsets bitmaps,
+          templateSums = V.empty,
+          templateSquares = V.empty,
+          templateCoarse = Nothing
+        }
+    tables =
+      bare
+        { templateSums = correlations bare (constant w h 1),
+          templateSquares = squaresOf bare (fmap embossedAt bitmaps)
+        }
+    offsets b =
+      V.fromList
+        [ (y * paddedWidth bare + x) * q
+          | y <- [0 .. symbolHeight - 1],
+            x <- [0 .. symbolWidth - 1],
+            embossedAt b x y
+        ]
+
+-- | A displacement, right and down, turned clockwise by so many degrees.
+turnedBy :: Double -> (Double, Double) -> (Double, Double)
+turnedBy 0 place = place
+turnedBy angle (x, y) = (c * x - s * y, s * x + c * y)
+  where
+    c = cos (angle * pi / 180)
+    s = sin (angle * pi / 180)
+
+-- | The tables of an alphabet at any angle, for frames of any width and height, and those at whole
+-- taxels only.
+data PaperTables = PaperTables
+  { paperTables :: Double -> (Int, Int) -> Templates,
+    paperCoarse :: Double -> (Int, Int) -> Templates
+  }
+
+-- | The tables for the shipped alphabet, those for upright frames of the sensor's size made once for
+-- all. 'Nothing' where that alphabet cannot be read, which a test excludes.
+paperTemplates :: Maybe PaperTables
+paperTemplates = either (const Nothing) (Just . made) paperAlphabet
+  where
+    made known = PaperTables at (\angle (w, h) -> coarseTemplates known angle w h)
       where
-        bare =
-          Templates
-            { templateFrame = (w, h),
-              templateClasses = count,
-              templatePlaces = q,
-              templateGrid = (columns, rows),
-              templateOffsets = fmap offsets bitmaps,
-              templateSums = V.empty,
-              templateSquares = V.empty,
-              templateCoarse = Nothing
-            }
-        tables =
-          bare
-            { templateSums = correlations bare (constant w h 1),
-              templateSquares = squaresOf bare (fmap embossedAt bitmaps)
-            }
-        columns = (w + symbolWidth + 2 * fringe) * q
-        rows = (h + symbolHeight + 2 * fringe) * q
-        offsets b =
-          V.fromList
-            [ (y * paddedWidth bare + x) * q
-              | y <- [0 .. symbolHeight - 1],
-                x <- [0 .. symbolWidth - 1],
-                embossedAt b x y
-            ]
-
--- | The tables for the shipped alphabet, those for frames of the sensor's size made once for all.
--- 'Nothing' where that alphabet cannot be read, which a test excludes.
-paperTemplates :: Int -> Int -> Maybe Templates
-paperTemplates w h
-  | w == sensorSide && h == sensorSide = ofTheSensor
-  | otherwise = paper w h
-
-ofTheSensor :: Maybe Templates
-ofTheSensor = paper sensorSide sensorSide
-{-# NOINLINE ofTheSensor #-}
-
-paper :: Int -> Int -> Maybe Templates
-paper w h = either (const Nothing) (\known -> Just (templates known w h)) paperAlphabet
+        at angle (w, h)
+          | angle == 0 && w == sensorSide && h == sensorSide = usual
+          | otherwise = templates known angle w h
+        usual = templates known 0 sensorSide sensorSide
+{-# NOINLINE paperTemplates #-}
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.
 paddedWidth :: Templates -> Int
@@ -179,7 +216,7 @@ correlations tables image = V.generate (2 * rows * columns * count) at
 
 -- | What each place of the padded grid would read of the frame, blurred.
 spread :: Templates -> Raster -> Vector Double
-spread tables image = V.generate (wide * high) down
+spread tables image = V.generate (wide * high) at
   where
     (w, h) = templateFrame tables
     q = templatePlaces tables
@@ -187,30 +224,65 @@ spread tables image = V.generate (wide * high) down
     wide = paddedWidth tables
     high = rows + (symbolHeight - 1) * q
     values = rasterValues image
-    across = V.generate (wide * h) $ \i ->
-      let (y, x) =
-            i `quotRem` wide
-       in along firstColumn w x (\u -> V.unsafeIndex values (y * w + u))
-    down i =
-      let (y, x) = i `quotRem` wide
-       in along firstRow h y (\v -> V.unsafeIndex across (v * wide + x))
-    along start n place value = go lowest 0
+    place = onFrame tables
+    at i = let (y, x) = i `quotRem` wide in uncurry seen (place x y)
+    seen x y = down (max 0 (row - 3)) 0
       where
-        (whole, part) = place `quotRem` q
-        centre = start + whole
-        lowest = max 0 (centre - 3)
-        highest = min (n - 1) (centre + 4)
-        go !u !s
-          | u > highest = s
+        (column, shareX) = parted x
+        (row, shareY) = parted y
+        lastRow = min (h - 1) (row + 4)
+        firstColumn = max 0 (column - 3)
+        lastColumn = min (w - 1) (column + 4)
+        -- Note [Bounds of shares]
+        down !v !s
+          | v > lastRow = s :: Double
           | otherwise =
-            go (u + 1) (s + V.unsafeIndex shares (part * 8 + u - centre + 3) * value u :: Double)
-    {-# INLINE along #-}
-    shares =
-      V.generate (8 * q) $ \i ->
-        let (part, u) = i `quotRem` 8
-         in seenAt (fromIntegral (u - 3) - fromIntegral part / fromIntegral q)
+            down (v + 1) (s + V.unsafeIndex shares (shareY + v - row + 3) * across v firstColumn 0)
+        across !v !u !s
+          | u > lastColumn = s :: Double
+          | otherwise =
+            across
+              v
+              (u + 1)
+              ( s
+                  + V.unsafeIndex shares (shareX + u - column + 3)
+                    * V.unsafeIndex values (v * w + u)
+              )
 
--- | The sum over the frame of the squares of each template at each place.
+-- | Where a column and a row of places lie on the frame, taxels.
+onFrame :: Templates -> Int -> Int -> (Double, Double)
+onFrame tables = \x y -> turned' (firstX + fromIntegral x / q) (firstY + fromIntegral y / q)
+  where
+    q = fromIntegral (templatePlaces tables)
+    (firstX, firstY) = let (x, y) = templateFirst tables in (fromIntegral x, fromIntegral y)
+    (c, s) = turnedBy (templateAngle tables) (1, 0)
+    turned' x y = (c * x - s * y, s * x + c * y)
+
+-- | A place along an axis as a whole number of taxels, and where the shares of the taxels around it
+-- begin, the first of them three before it.
+parted :: Double -> (Int, Int)
+parted t = (whole, 8 * round (fromIntegral partsOfTaxel * (t - fromIntegral whole)))
+  where
+    whole = floor t :: Int
+
+-- | The shares of the eight taxels around a place, by the part of a taxel that it lies beyond the
+-- fourth of them.
+shares :: Vector Double
+shares =
+  V.generate (8 * (partsOfTaxel + 1)) $ \i ->
+    let (part, u) = i `quotRem` 8
+     in seenAt (fromIntegral (u - 3) - fromIntegral part / fromIntegral partsOfTaxel)
+
+-- | How finely the place between two taxels is told for that.
+partsOfTaxel :: Int
+partsOfTaxel = 32
+
+{- Note [Bounds of shares] A row or column lies within 0 .. side - 1 of the frame and at most three
+   before and four behind the place's own; the shares of each of the 33 parts are eight. -}
+
+-- | The sum over the frame of the squares of each template at each place: what the template is at
+-- whole taxels from its place, each counted for as much of a taxel as the frame has there, which
+-- differs at the frame's edge only.
 squaresOf :: Templates -> Boxed.Vector (Int -> Int -> Bool) -> Vector Double
 squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
   where
@@ -222,53 +294,46 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
       let (cell, k) = i `quotRem` count
           (row, x) = cell `quotRem` columns
           (o, y) = row `quotRem` rows
-          (bx, px) = x `quotRem` q
-          (by, py) = y `quotRem` q
-          table = Boxed.unsafeIndex integrals (((o * count + k) * q + py) * q + px)
-          left = firstColumn + bx
-          top = firstRow + by
-          x0 = bounded boxWide (negate left)
-          x1 = bounded boxWide (w - left)
-          y0 = bounded boxHigh (negate top)
-          y1 = bounded boxHigh (h - top)
-          corner v u = V.unsafeIndex table (v * (boxWide + 1) + u)
-       in corner y1 x1 - corner y0 x1 - corner y1 x0 + corner y0 x0
-    bounded most t = max 0 (min most (t + margin))
-    -- The sums of the squares left of and above each corner, of each bitmap at each part of a
-    -- taxel.
-    integrals =
-      Boxed.generate (2 * count * q * q) $ \i ->
-        let (bitmapAndRow, px) = i `quotRem` q
-            (b, py) = bitmapAndRow `quotRem` q
-         in integral (rendered (Boxed.unsafeIndex bitmaps b) px py)
-    rendered embossed px py =
+          start = y * wide + x
+       in -- Note [Bounds of squares]
+          V.sum
+            ( V.zipWith
+                (\d t -> t * V.unsafeIndex there (start + d))
+                steps
+                (Boxed.unsafeIndex drawn (o * count + k))
+            )
+    -- How much of a taxel the frame has at each place, of a grid that begins the margin before.
+    wide = columns + (boxWide - 1) * q
+    high = rows + (boxHigh - 1) * q
+    there =
+      V.generate (wide * high) $ \i ->
+        let (y, x) = i `quotRem` wide
+            (u, v) = onFrame tables (x - margin * q) (y - margin * q)
+         in within w u * within h v
+    within n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
+    steps = V.fromList [(b * wide + a) * q | b <- [0 .. boxHigh - 1], a <- [0 .. boxWide - 1]]
+    drawn = fmap rendered bitmaps
+    rendered embossed =
       V.generate (boxWide * boxHigh) $ \i ->
         let (v, u) = i `quotRem` boxWide
          in squared
               ( sum
-                  [ share px (u - margin - a) * share py (v - margin - b)
+                  [ share (u - margin - a) * share (v - margin - b)
                     | b <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v],
                       a <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
                       embossed a b
                   ]
               )
-    -- The distances are from minus to plus the margin.
-    share part u = V.unsafeIndex shares (part * (2 * margin + 1) + u + margin)
-    shares =
-      V.generate (q * (2 * margin + 1)) $ \i ->
-        let (part, u) = i `quotRem` (2 * margin + 1)
-         in seenAt (fromIntegral (u - margin) - fromIntegral part / fromIntegral q)
+    share :: Int -> Double
+    share distance = seenAt (fromIntegral distance)
     squared t = t * t
+
+{- Note [Bounds of squares] A place's column is below the grid's width and a step reaches at most
+   the box's width less one further, which the grid of what the frame has there holds; likewise for
+   rows. There are 2 * count drawn templates. -}
 
 -- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
 margin, boxWide, boxHigh :: Int
 margin = 3
 boxWide = symbolWidth + 2 * margin
 boxHigh = symbolHeight + 2 * margin
-
--- | The sums left of and above each corner of a box.
-integral :: Vector Double -> Vector Double
-integral values = V.fromList (concat (scanl below (replicate (boxWide + 1) 0) [0 .. boxHigh - 1]))
-  where
-    below above v =
-      zipWith (+) above (scanl (+) 0 (V.toList (V.slice (v * boxWide) boxWide values)))

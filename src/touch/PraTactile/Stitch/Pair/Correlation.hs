@@ -10,6 +10,7 @@ import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Pair.Blind (displacementGrid)
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Search (independent)
 
 -- | The posterior of the place of the second image's upper left pixel in the first, from the
 -- nominal one and how far around it to search, taxels: the profile likelihood of normal pairs of
@@ -31,8 +32,3 @@ correlationPosterior step search a b = posterior origin 1 size (V.generate (colu
       | n <= 1 || cov <= 0 || va <= 1e-12 || vb <= 1e-12 = 0
       | otherwise =
         negate (independent * min least n / 2) * log (1 - min 0.9999 (cov * cov / (va * vb)))
-
--- | How many independent pairs of values a pixel of the overlap counts for. Neighbouring pixels of
--- relief resemble each other; found so that of what is given at 99 % at least that much is right.
-independent :: Double
-independent = 0.4
