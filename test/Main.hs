@@ -101,6 +101,7 @@ import qualified Test.Touch.SensorConstants
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
+import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.Train
 import qualified Test.Truth
 
@@ -159,7 +160,7 @@ specs = do
     describe "The sensor" Test.Touch.Sensor.spec
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
-    describe "Stitching" Test.Touch.Stitch.spec
+    describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec

@@ -18,6 +18,7 @@ import PraTactile.Probe (Pose (..))
 import PraTactile.Probe.Manifest (alongAxes, axesNamed, straight)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Composite (Contradiction (..))
+import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Search
 
 -- | Whether frames at these nominal places (taxels) contradict each other where they overlap: along
@@ -26,9 +27,11 @@ import PraTactile.Stitch.Search
 contradiction :: Registration -> [(Place, Raster)] -> Maybe Contradiction
 contradiction settings frames
   | agreed best > 13 / 12 * agreed given + decisive,
-    agreed best >= enough best =
+    agreed best >= clearShare * agreeable best =
     Just (AgreeingAlong axes)
-  | enough given > decisive && agreed given < enough given = Just AgreeingNowhere
+  | agreeable given > decisive / leastShare,
+    agreed given < leastShare * agreeable given =
+    Just AgreeingNowhere
   | otherwise = Nothing
   where
     given = agreement settings frames
@@ -37,23 +40,24 @@ contradiction settings frames
         (comparing (agreed . fst))
         [(agreement settings (map (along a) frames), a) | (_, a) <- axesNamed, a /= straight]
     along a ((x, y), image) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), image)
-    enough a = leastShare * agreeable a
 
 -- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they tell
 -- at all, which pixels that resemble their neighbours make uncertain.
 decisive :: Double
 decisive = 20
 
--- | Of what frames of one relief would tell, how much must be there.
-leastShare :: Double
-leastShare = 0.2
+-- | Of what frames of one relief would tell, how much must be there, and how much other axes must
+-- bring to be named: symbols resemble each other, and so do frames of different ones.
+leastShare, clearShare :: Double
+leastShare = 0.3
+clearShare = 0.5
 
 -- | What overlaps tell, as natural logarithms.
 data Agreement = Agreement
   { -- | How much likelier the frames are if those that overlap show one relief there, up to noise of
     -- one variance for all, than if each shows a relief of its own.
     agreed :: !Double,
-    -- | What that would be if the frames were alike up to their noise, and to a correlation of 'alike'
+    -- | What that would be if the frames were alike up to the noise that they are told to have or show, and to a correlation of 'alike'
     -- at most: frames that were pressed otherwise are not quite alike.
     agreeable :: !Double
   }
@@ -71,8 +75,8 @@ agreement settings frames
     telling = take mostPairs (sortOn (negate . meeting) (neighbours frames))
     (count, total, unlike) = foldl' added (0, 0, 0) (map paired telling)
     added (!n, !t, !u) (n', t', u') = (n + n', t + t', u + u')
-    noise = registrationNoise settings * registrationNoise settings
-    expected = max 0 (min alike (1 - noise * count / total))
+    noise = max (registrationNoise settings) (frameNoise (map snd frames)) ** 2
+    expected = max 0 (min alike (1 - (noise + flat) * count / total))
     meeting ((x, y), a, b) =
       (fromIntegral (min (rasterWidth a) (rasterWidth b)) - abs x)
         * (fromIntegral (min (rasterHeight a) (rasterHeight b)) - abs y) ::

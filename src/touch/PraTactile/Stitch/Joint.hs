@@ -47,10 +47,10 @@ phaseFrames :: Int
 phaseFrames = 64
 
 -- | The angle in [-90, 90), in degrees clockwise, at which a lattice lies under frames, given its
--- tables at any angle, those at whole taxels, and perhaps an angle, up to quarter turns, at which it may lie: upright
--- if the frames are likelier to show that than any other relief, else at the given angle, else
--- wherever they make it likeliest. By a few of the frames, which must be of the tables' size.
--- 'Nothing' where they are likelier to show something else.
+-- tables at any angle, those at whole taxels, and perhaps the angle, up to quarter turns, at which
+-- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
+-- other relief, else wherever they make it likeliest. To a degree, by a few of the frames, which
+-- must be of the tables' size. 'Nothing' where they are likelier to show something else.
 latticeAngle ::
   (Double -> Templates, Double -> Templates) ->
   Spectra ->
@@ -59,21 +59,30 @@ latticeAngle ::
   Maybe Double
 latticeAngle (tables, coarse) processes hint images = find shown angles
   where
-    angles = 0 : [likeliest [a, a + 90] | Just a <- [hint]] ++ [around 2.25 (around 4.5 scanned)]
-    scanned = likeliest [-90, -81 .. 81]
-    around step angle = likeliest [angle - step, angle, angle + step]
-    likeliest candidates =
-      folded (snd (maximum [(seenBy telling (coarse a), a) | a <- candidates]))
+    angles =
+      map
+        (upright . nearby . likeliest 5)
+        [0 : concat [[a, a + 90] | Just a <- [hint]], [-90, -81 .. 81]]
+    upright angle = if abs angle <= 1 then 0 else angle
+    nearby angle = foldl' (\a step -> likeliest 16 [a - step, a, a + step]) angle [4, 2, 1]
+    -- By so many frames, those that show most.
+    likeliest count candidates =
+      folded (snd (maximum [(seenBy (take count telling) (coarse a), a) | a <- candidates]))
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown angle = seenBy few (tables angle) > blind
     seenBy some at = sum [evidenceLog (evidence at i) | i <- some]
     few = spacedOut 12 images
-    -- The angle is looked for by those that show most.
-    telling = take 5 (sortOn (Down . spreadOf . rasterValues) images)
+    telling = sortOn (Down . spreadOf . rasterValues) images
     spreadOf v =
       let n = fromIntegral (V.length v) in V.sum (V.map (\t -> t * t) v) - V.sum v * V.sum v / n
-    blind = sum (concat [processLogs (processOf processes [coefficients i]) | i <- few])
+    blind = sum (concat [processLogs (processOf processes misfit [coefficients i]) | i <- few])
     coefficients i = cosineTransform processes (rasterWidth i) (rasterHeight i) (rasterValues i)
+
+-- | The least share of noise that relief of any kind is supposed to have where frames are asked
+-- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without
+-- noise would be likelier to show anything smooth than them.
+misfit :: Double
+misfit = 0.1
 
 -- | At most so many of a list, evenly.
 spacedOut :: Int -> [a] -> [a]
@@ -127,7 +136,8 @@ turnedTo angle l =
   l
     { locatedShift = turnedBy angle (locatedShift l),
       locatedDeviation = (along c s, along s c),
-      locatedOthers = [h {hypothesisShift = turnedBy angle (hypothesisShift h)} | h <- locatedOthers l]
+      locatedOthers =
+        [h {hypothesisShift = turnedBy angle (hypothesisShift h)} | h <- locatedOthers l]
     }
   where
     (c, s) = turnedBy angle (1, 0)

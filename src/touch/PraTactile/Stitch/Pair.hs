@@ -139,7 +139,7 @@ matched tables (Pairing step search method confidence) a b =
   where
     (w, h) = (rasterWidth a, rasterHeight a)
     coefficients = map (cosineTransform (tablesSpectra tables) w h . rasterValues) [a, b]
-    process = processOf (tablesSpectra tables) coefficients
+    process = processOf (tablesSpectra tables) 0 coefficients
     evidences = map (evidence (tablesTemplates tables)) [a, b]
     used
       | method /= Auto = method

@@ -165,12 +165,15 @@ data Process = Process
   deriving stock (Eq, Show)
 
 -- | The likeliest process of frames, from their coefficients ('cosineTransform'), each frame with
--- its own scale.
-processOf :: Spectra -> [Vector Double] -> Process
-processOf tables frames = Process best (noiseShares !! (best `rem` noiseCount)) scales logs
+-- its own scale; among those whose noise has at least that share of the relief's variance.
+processOf :: Spectra -> Double -> [Vector Double] -> Process
+processOf tables least frames = Process best (noiseShares !! (best `rem` noiseCount)) scales logs
   where
     squares = map (V.map (\c -> c * c)) frames
-    scores = V.generate (shapeCount * noiseCount) (\i -> sum (map (fst . fit i) squares))
+    scores = V.generate (shapeCount * noiseCount) score
+    score i
+      | noiseShares !! (i `rem` noiseCount) < least = -1 / 0
+      | otherwise = sum (map (fst . fit i) squares)
     best = V.maxIndex scores
     (logs, scales) = unzip (map (fit best) squares)
     fit i c

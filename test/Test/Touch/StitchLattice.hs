@@ -1,0 +1,208 @@
+-- | Frames of symbols on a lattice at any angle: what they are held against, how they are
+-- registered to it, and whether they contradict each other.
+module Test.Touch.StitchLattice (spec) where
+
+import Data.Foldable (for_)
+import Data.List (sort, sortOn)
+import Data.Maybe (isNothing)
+import qualified Data.Vector.Storable as V
+import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Image
+import PraTactile.Probe
+import PraTactile.Probe.Manifest
+import PraTactile.Random (normalPair)
+import PraTactile.Shape
+import PraTactile.Stitch
+import PraTactile.Stitch.Noise
+import PraTactile.Stitch.Template
+import System.Random (mkStdGen, randomRs)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (classes, generate)
+
+spec :: Spec
+spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet
+
+shaped :: Alphabet -> Spec
+shaped alphabet = do
+  describe "What a frame is held against" (templatesSpec alphabet)
+  describe "Frames on a lattice" (registered alphabet)
+  describe "Frames that contradict each other" (contradicting alphabet)
+  describe "The noise of frames" noise
+
+-- | The scene around (0, 0): symbols drawn by chance in the cells of a lattice, all turned
+-- clockwise by so many degrees, as a function of the place in taxels.
+scene :: Alphabet -> Int -> Double -> (Double, Double) -> Double
+scene alphabet seed angle place
+  | u < symbolWidth && v < symbolHeight && embossedAt shape u v = 1
+  | otherwise = 0
+  where
+    (x, y) = turnedBy (negate angle) place
+    (j, u) = floor x `divMod` columnPitch :: (Int, Int)
+    (i, v) = floor y `divMod` rowPitch :: (Int, Int)
+    classes = shapes alphabet
+    -- One class a cell, the cells in any order.
+    shape = classes !! (pick (97 * i + j) `mod` length classes)
+    pick k = head (randomRs (0, 1000) (mkStdGen (7919 * seed + 31 * k)))
+
+-- | What a frame of 16 x 16 taxels reads whose upper left taxel's centre lies there: each the mean
+-- over 3 x 3 points, a little wider than a taxel.
+felt :: ((Double, Double) -> Double) -> (Double, Double) -> Raster
+felt relief (x0, y0) =
+  generate 16 16 $ \i j ->
+    sum
+      [ relief (x0 + fromIntegral i + a, y0 + fromIntegral j + b) / 9
+        | a <- [-0.45, 0, 0.45],
+          b <- [-0.45, 0, 0.45]
+      ]
+
+-- | Four by four frames, eight taxels apart, displaced by these errors.
+scanned :: ((Double, Double) -> Double) -> [(Double, Double)] -> [Frame]
+scanned relief errors =
+  [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 1 (felt relief (x + dx, y + dy)) taxelPitch
+    | ((x, y), (dx, dy)) <-
+        zip [(fromIntegral i, fromIntegral j) | j <- [0, 8 .. 24 :: Int], i <- [0, 8 .. 24 :: Int]] errors
+  ]
+
+-- | Normal errors of that standard deviation.
+errorsOf :: Double -> Int -> [(Double, Double)]
+errorsOf sigma seed = go (mkStdGen seed)
+  where
+    go g = let ((a, b), g') = normalPair g in (sigma * a, sigma * b) : go g'
+
+templatesSpec :: Alphabet -> Spec
+templatesSpec alphabet =
+  modifyMaxSuccess (const 6) $
+    prop "is by its sums and squares what a drawn symbol is, at any angle" $
+      forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
+        let tables = templates alphabet angle 16 16
+            count = templateClasses tables
+            (columns, rows) = templateGrid tables
+            (firstX, firstY) = templateFirst tables
+         in forAll ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1)) $
+              \(x, y, k) ->
+                let place = (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
+                    drawn = drawing (shapes alphabet !! k) angle place
+                    i = cellIndex tables 0 y x * count + k
+                    total = V.sum drawn
+                    squares = V.sum (V.map (\t -> t * t) drawn)
+                 in counterexample (show (place, k, templateSums tables V.! i, total, templateSquares tables V.! i, squares)) $
+                      abs (templateSums tables V.! i - total) < 0.25 + 0.02 * total
+                        && abs (templateSquares tables V.! i - squares) < 0.25 + 0.03 * squares
+  where
+    -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
+    drawing shape angle (x, y) =
+      V.fromList
+        [ sum
+            [ share (fromIntegral u - px) * share (fromIntegral v - py)
+              | b <- [0 .. symbolHeight - 1],
+                a <- [0 .. symbolWidth - 1],
+                embossedAt shape a b,
+                let (px, py) = turnedBy angle (x + fromIntegral a, y + fromIntegral b)
+            ]
+          | v <- [0 .. 15 :: Int],
+            u <- [0 .. 15 :: Int]
+        ]
+    -- The share of a unit taxel, blurred by a normal distribution of deviation 0.75, by Simpson's
+    -- rule on the density.
+    share t = sum [w * density (t - 0.5 + s / 20) | (w, s) <- zip simpson [0 .. 20]] / 60
+    simpson = 1 : concat (replicate 9 [4, 2]) ++ [4, 1] :: [Double]
+    density d = exp (negate (d * d) / (2 * 0.5625)) / sqrt (2 * pi * 0.5625)
+
+registered :: Alphabet -> Spec
+registered alphabet = do
+  it "are registered to it at any angle, from errors of two taxels: nine tenths surely, and those well" $ do
+    let told =
+          [ assemble Automatic settings (scanned (scene alphabet seed angle) (take 16 (errorsOf 2 seed)))
+            | (seed, angle) <- scenes
+          ]
+        settings = standardRegistration {registrationSigma = 2}
+    [assemblyWay made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
+    let frames =
+          [ (arrangedProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
+            | (Right made, (seed, _)) <- zip told scenes,
+              let ds = zipWith less (map arrangedShift (assemblyFrames made)) (errorsOf 2 seed)
+                  x0 = middle (map fst ds)
+                  y0 = middle (map snd ds),
+              (f, (x, y)) <- zip (assemblyFrames made) ds
+          ]
+        sure = [off | (True, off) <- frames]
+    length sure `shouldSatisfy` (>= (9 * length frames) `quot` 10)
+    length (filter (> 1) sure) `shouldSatisfy` (<= length sure `quot` 50)
+  it "turned with their places by quarter turns have displacements so turned" $
+    for_ [1 .. 3] $ \seed -> do
+      let errors = take 16 (errorsOf 2 (100 + seed))
+          settings = standardRegistration {registrationSigma = 2}
+          frames = scanned (scene alphabet seed 25) errors
+          moved = fmap (compositeDisplacements . assemblyComposite) . assemble ByLattice settings
+          quarter (x, y) = (negate y, x)
+      case (moved frames, moved (map turnedFrame frames)) of
+        (Right here, Right there) ->
+          spreadOf (zipWith less there (map quarter here)) `shouldSatisfy` (< 0.4)
+        other -> expectationFailure (show other)
+  where
+    scenes = zip [1 ..] [-88, -61, -45, -33, -20, 0, 7, 29, 45, 52, 71]
+    middle ts = sort ts !! (length ts `quot` 2)
+    less (x, y) (x', y') = (x - x', y - y')
+    spreadOf ds =
+      let n = fromIntegral (length ds)
+          mean part = sum (map part ds) / n
+       in sqrt (sum [(x - mean fst) ^ (2 :: Int) + (y - mean snd) ^ (2 :: Int) | (x, y) <- ds] / (2 * n))
+    -- A quarter turn clockwise about the origin, of place and image; the sensor is not turned.
+    turnedFrame (Frame (Pose x y r) force image taxel) =
+      Frame (Pose (negate y) x r) force (generate 16 16 (\i j -> at image j (15 - i))) taxel
+    at image i j = rasterValues image V.! (j * 16 + i)
+
+contradicting :: Alphabet -> Spec
+contradicting alphabet = do
+  it "do not where their positions are right, to the robot's error" $
+    for_ [1 .. 12] $ \seed ->
+      contradictionOf (scan seed) `shouldBe` Nothing
+  it "do where an axis is flipped or both are exchanged, and it says along which they agree" $
+    for_ (zip [1 ..] [(a, b) | (a, _) <- axesNamed, a /= "x,y", b <- [1 .. 3 :: Int]]) $
+      \(seed, (name, _)) -> for_ (lookup name axesNamed) $ \axes ->
+        -- Along which of the axes the positions so told are those that were.
+        contradictionOf [f {framePose = unalong axes (framePose f)} | f <- scan seed]
+          `shouldBe` Just (AgreeingAlong axes)
+  it "do where they are those of other places, along no axes" $
+    for_ [1 .. 6] $ \seed ->
+      let frames = scan seed
+          order = map snd (sortOn fst (zip (randomRs (0, 1 :: Double) (mkStdGen seed)) frames))
+       in contradictionOf (zipWith (\f g -> f {frameImage = frameImage g}) frames order)
+            `shouldBe` Just AgreeingNowhere
+  it "do not where they show nothing, or there is one, or they do not overlap" $ do
+    let blank = [f {frameImage = constant 16 16 0.4} | f <- scan 1]
+        apart = [f {framePose = (framePose f) {poseX = 5 * poseX (framePose f), poseY = 5 * poseY (framePose f)}} | f <- scan 2]
+    for_ [blank, take 1 (scan 3), apart] $ \frames -> contradictionOf frames `shouldSatisfy` isNothing
+  where
+    scan seed = scanned (scene alphabet seed (fromIntegral (17 * seed))) (errorsOf 0.8 seed)
+    contradictionOf =
+      either (const (Just AgreeingNowhere)) compositeContradiction
+        . (\frames -> stitch (withNoiseOf frames standardRegistration) frames)
+    -- The pose of which the axes make this one.
+    unalong axes pose =
+      head
+        [ p
+          | (_, back) <- axesNamed,
+            let p = alongAxes back pose,
+            let Pose x y _ = alongAxes axes p,
+            abs (x - poseX pose) < 1e-9 && abs (y - poseY pose) < 1e-9,
+            alongAxes axes (alongAxes back (Pose 1 2 0)) == Pose 1 2 0
+        ]
+
+noise :: Spec
+noise = do
+  it "is the standard deviation of normal white noise, to a tenth" $
+    for_ (zip [1 ..] [0.01, 0.1, 0.5]) $ \(seed, sigma) -> do
+      let values = map fst (errorsOf sigma seed)
+          images = [generate 16 16 (\i j -> values !! (256 * k + 16 * j + i)) | k <- [0 .. 11]]
+      frameNoise images `shouldSatisfy` \s -> abs (s - sigma) < 0.1 * sigma
+  it "is none of a plane, of a blank, and of what has no square" $ do
+    let plane = generate 16 16 (\i j -> 0.1 + 0.02 * fromIntegral i - 0.01 * fromIntegral j)
+    for_ [[plane], [constant 16 16 0.3], [constant 1 9 0.3], []] $ \images ->
+      frameNoise images `shouldSatisfy` (< 1e-9)
+  prop "grows with the gain, and not with the offset" $
+    forAll ((,) <$> choose (0.1, 3) <*> choose (-1, 1)) $ \(gain, offset) ->
+      let image = generate 9 7 (\i j -> fromIntegral ((7 * i * i + 5 * j) `mod` 11))
+          changed = mapRaster (\t -> gain * t + offset) image
+       in abs (frameNoise [changed] - gain * frameNoise [image]) < 1e-6 * (1 + gain)
