@@ -21,6 +21,7 @@ import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateChance
 import qualified Test.Code.LocateContents
 import qualified Test.Code.LocateDefinition
+import qualified Test.Code.LocateForeign
 import qualified Test.Code.LocateJoint
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
@@ -147,6 +148,7 @@ specs = do
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
     describe "Several patches" Test.Code.LocateJoint.spec
+    describe "Foreign patches" Test.Code.LocateForeign.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do
