@@ -73,6 +73,7 @@ import qualified Test.Limits
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
+import qualified Test.PictureAssembly
 import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
@@ -187,6 +188,7 @@ specs = do
   describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
+  describe "Pictures of assemblies" Test.PictureAssembly.spec
   describe "Sources" Test.Source.spec
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
