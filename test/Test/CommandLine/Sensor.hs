@@ -260,7 +260,9 @@ bad = do
         [ ("pra decode f --calibration c.json", "16 x 16"),
           ("pra calibrate --dark dark --flat dark --output d.json", "all are dead"),
           ("pra calibrate --dark dark --flat small --output d.json", "8 x 8"),
-          ("pra register f/frame_000.pgm f/frame_001.pgm --step 4,0 --calibration c.json", "16 x 16"),
+          ( "pra register f/frame_000.pgm f/frame_001.pgm --step 4,0 --calibration c.json",
+            "16 x 16"
+          ),
           ("pra calibrate --dark dark --flat nowhere --output d.json", "nowhere")
         ]
         $ \(script, about) -> scripted folder script >>= (`refuses` about)
