@@ -32,6 +32,7 @@ explainAnswer ::
 explainAnswer array mask asked displacements seen tolerated answer =
   maybe [] explainedDistances (answerDistances answer)
     ++ maybe [] (explainPosterior asked terms tolerated) (answerPosterior answer)
+    ++ maybe [] (explainDoubts tolerated) (answerDoubts answer)
     ++ explainWindows (answerOutcome answer)
     ++ (if askedDisplaced asked then explainPatches displacements answer else [])
     ++ maybe [] explainChance (answerChance answer)
@@ -179,6 +180,15 @@ explainNearest terms distances = case (nearestDistance distances, terms) of
       (Exactly e, _) -> ", the next one in " ++ show e
       (AtLeast e, OfPositions) -> ", any other one in at least " ++ show e
       _ -> ""
+
+-- | How likely it is that the patch is foreign.
+explainDoubts :: Double -> PlaceDoubts -> [String]
+explainDoubts tolerated doubts =
+  [ printf
+      "That it is nothing of the array's has a probability of %.3g; %.3g is tolerated in all."
+      (doubtOfForeign doubts)
+      tolerated
+  ]
 
 -- | How likely the likeliest candidates are.
 explainPosterior :: Asked -> Terms -> Double -> Posterior Candidate -> [String]

@@ -11,7 +11,7 @@ module Frames
     loadSources,
     loadFrames,
     loadFolder,
-    Preparation,
+    Preparation (..),
 
     -- * Folders of frames
     frameFiles,
@@ -23,7 +23,7 @@ import Control.Monad (forM_)
 import Data.ByteString (ByteString)
 import Data.List (nub)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes)
+import Data.Maybe (catMaybes, fromMaybe)
 import ExitStatus
 import Files (readBytes)
 import FormatFile (readManifestFile)
@@ -33,7 +33,7 @@ import PraTactile.Format (encodeManifest)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Probe (Frame (..), Layout (..), sensorSide, standardLayout)
-import PraTactile.Probe.Manifest (Entry (..), Manifest (..), listing, parseManifest)
+import PraTactile.Probe.Manifest
 import PraTactile.Source
 import PraTactile.Stitch hiding (assemble)
 import System.Directory (doesDirectoryExist, doesFileExist)
@@ -107,8 +107,17 @@ loadSources prepare assemble given = do
   where
     frameSized image = rasterWidth image == sensorSide && rasterHeight image == sensorSide
 
--- | What is done to frames before they are assembled, or a message why it cannot be.
-type Preparation = [Frame] -> Either String [Frame]
+-- | What is done to frames before they are assembled.
+data Preparation = Preparation
+  { -- | what the manifest's coordinates are, in place of what it says itself
+    preparedAxes :: Maybe Axes,
+    -- | what is made of the frames, or a message why it cannot be
+    prepared :: [Frame] -> Either String [Frame]
+  }
+
+-- | Frames as they are.
+unprepared :: Preparation
+unprepared = Preparation Nothing Right
 
 -- | The composite of one source.
 loadSource ::
@@ -122,36 +131,44 @@ loadSource prepare assemble source = case source of
     readImage file >>= orUnusable filesMessage >>= orUnusable (fileMessage file) . imageComposite
   where
     assembled folder wanted = do
-      frames <- wantedFrames wanted folder >>= orUnusable ((folder ++ ": ") ++) . prepare
+      frames <- wantedFrames prepare wanted folder
       orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assemble frames)
 
 -- | All frames of a folder.
 loadFrames :: FilePath -> IO [Frame]
-loadFrames = wantedFrames (const True)
+loadFrames = wantedFrames unprepared (const True)
 
 -- | All frames of a folder, prepared, each with its file's name.
 loadFolder :: Preparation -> FilePath -> IO [(FilePath, Frame)]
 loadFolder prepare folder = do
   names <- map entryFile . manifestEntries <$> readManifest folder
-  loaded <- loadFrames folder
-  zip names <$> orUnusable ((folder ++ ": ") ++) (prepare loaded)
+  zip names <$> wantedFrames prepare (const True) folder
 
--- | The frames of a folder whose files' names are wanted.
-wantedFrames :: (FilePath -> Bool) -> FilePath -> IO [Frame]
-wantedFrames wanted folder = do
+-- | The frames of a folder whose files' names are wanted, prepared.
+wantedFrames :: Preparation -> (FilePath -> Bool) -> FilePath -> IO [Frame]
+wantedFrames prepare wanted folder = do
   inJson <- doesFileExist (folder </> jsonManifestName)
-  if not inJson
-    then do
+  frames <- if inJson then fromJson else fromCsv
+  orUnusable ((folder ++ ": ") ++) (prepared prepare frames)
+  where
+    fromCsv = do
       content <- readChosen wanted folder >>= orUnusable filesMessage
-      orUnusable (sourceMessage folder) (chosenFrames wanted content)
-    else do
+      map turnedRound <$> orUnusable (sourceMessage folder) (chosenFrames wanted content)
+    turnedRound frame =
+      maybe frame (\axes -> frame {framePose = alongAxes axes (framePose frame)}) chosen
+    fromJson = do
       manifest <- readManifest folder
       images <-
         readImages wanted folder (imagesNamed (manifestEntries manifest))
           >>= orUnusable filesMessage
       orUnusable
         (sourceMessageOf (folder </> jsonManifestName) folder)
-        (manifestFrames wanted manifest images)
+        ( manifestFrames
+            wanted
+            manifest {manifestAxes = fromMaybe (manifestAxes manifest) chosen}
+            images
+        )
+    chosen = preparedAxes prepare
 
 -- | A folder's manifest: the JSON form where there is one, else the CSV form.
 readManifest :: FilePath -> IO Manifest

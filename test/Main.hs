@@ -21,6 +21,7 @@ import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateChance
 import qualified Test.Code.LocateContents
 import qualified Test.Code.LocateDefinition
+import qualified Test.Code.LocateForeign
 import qualified Test.Code.LocateJoint
 import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
@@ -72,6 +73,7 @@ import qualified Test.Limits
 import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
+import qualified Test.PictureAssembly
 import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
@@ -148,6 +150,7 @@ specs = do
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
     describe "Several patches" Test.Code.LocateJoint.spec
+    describe "Foreign patches" Test.Code.LocateForeign.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.spec
   describe "Touch" $ do
@@ -186,6 +189,7 @@ specs = do
   describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
+  describe "Pictures of assemblies" Test.PictureAssembly.spec
   describe "Sources" Test.Source.spec
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec

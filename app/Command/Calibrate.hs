@@ -30,7 +30,7 @@ command =
     ( run
         <$> folder "dark" "The folder of frames where nothing is touched"
         <*> folder "flat" "The folder of frames where all taxels are pressed alike"
-        <*> fileOption "output" "FILE" "The calibration, which stitch and decode take"
+        <*> fileOption "output" "FILE" "The calibration, which stitch, decode and register take"
     )
   where
     folder name text =

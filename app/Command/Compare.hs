@@ -13,7 +13,9 @@ import PraTactile.Format (encodeComparison)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
+import PraTactile.Recognise (leastTilt)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
+import PraTactile.Symmetry (Symmetry, degreesClockwise)
 import PraTactile.Truth
 import Text.Printf (printf)
 
@@ -59,22 +61,36 @@ comparison truth claim =
   ( "truth     "
       ++ faceWords (truthFace truth)
       ++ ", "
-      ++ orientationText (regionSymmetry (truthRegion truth))
+      ++ turnWords (regionSymmetry region) (Just (regionTurn region))
   ) :
   ( "          the region's upper left corner: "
-      ++ spotWords (truthFace truth) (regionCorner (truthRegion truth))
+      ++ spotWords (truthFace truth) (regionCorner region)
   ) :
   concat
     [ ( "          what the composite shows as the window's centre: "
           ++ spotWords (truthFace truth) (truePlace truth (claimSeenAt said))
       ) :
-      [ "answer    " ++ faceWords (claimFace said) ++ ", " ++ orientationText (claimSymmetry said),
+      [ "answer    " ++ faceWords (claimFace said) ++ ", "
+          ++ turnWords (claimSymmetry said) (claimAngle said),
         "          the window's centre: " ++ spotWords (claimFace said) (claimPlace said)
       ]
       | Just said <- [claim]
     ]
   where
+    region = truthRegion truth
     faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
+
+-- | How a face lies: by its angle, where that is told and is not nearly the quarter turn.
+turnWords :: Symmetry -> Maybe Double -> String
+turnWords symmetry angle = case angle of
+  Just degrees
+    | abs (beyond degrees) > leastTilt -> printf "turned by %.1f degrees" degrees
+  _ -> orientationText symmetry
+  where
+    -- From -180 to 180.
+    beyond degrees = degrees - degreesClockwise symmetry - 360 * turns degrees
+    turns degrees =
+      fromInteger (round ((degrees - degreesClockwise symmetry) / 360)) :: Double
 
 -- | A spot on a face in words.
 spotWords :: Face -> (Double, Double) -> String

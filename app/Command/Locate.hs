@@ -32,6 +32,7 @@ data Options = Options
   { decoder :: Maybe DecoderName,
     radius :: Radius,
     doubt :: Double,
+    foreignThings :: Maybe Double,
     turning :: Turning,
     explained :: Explained,
     form :: AnswerForm,
@@ -56,6 +57,7 @@ command =
       "pra-tactile locate 'A^2 A / A^2 1' --json",
       "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain",
       "pra-tactile locate '[[[0,0,0.1,0.9], 2], [3, 1]]' --doubt 0.2",
+      "pra-tactile locate --foreign 0.005 --doubt 0.01 '3 2 / 3 1' --json",
       "pra-tactile locate '3 2 / 3 1 ; 0,3: 1 1 / 1 1'",
       "pra-tactile locate '{\"patches\": [{\"at\": [0, 0], \"cells\": [[3, 2], [3, 1]]}, {\"at\": \
       \[0, 3], \"cells\": [[1, 1], [1, 1]]}]}' --json",
@@ -76,7 +78,15 @@ optionsParser =
       decimalReader
       "doubt"
       "P"
-      "With probabilities: the probability of a wrong answer that is tolerated"
+      "With probabilities or --foreign: the probability of a wrong answer that is tolerated"
+    <*> optional
+      ( valued
+          decimalReader
+          "foreign"
+          "P"
+          "Weigh that the patch is nothing of the array's, which beforehand has this probability: \
+          \its symbols independent, all equally likely (default: not weighed)"
+      )
     <*> turningOption
     <*> flag
       Unexplained
@@ -123,6 +133,8 @@ turningOption =
 run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
 run choice surface options
   | not (doubt options >= 0 && doubt options < 1) = unusable "--doubt is a probability below 1"
+  | any (\p -> not (p >= 0 && p < 1)) (foreignThings options) =
+    unusable "--foreign is a probability below 1"
   | Just _ <-
       decoder options,
     UpTo _ <- radius options =
@@ -188,7 +200,8 @@ responder options profile on array mask = do
           querySymmetries = symmetriesOf (turning options),
           querySurface = on,
           queryRadius = radius options,
-          queryDoubt = doubt options
+          queryDoubt = doubt options,
+          queryForeign = foreignThings options
         }
 
 answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus

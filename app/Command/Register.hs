@@ -8,12 +8,15 @@ import Data.Bifunctor (first)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Text.Encoding (encodeUtf8)
 import ExitStatus
+import FormatFile (readCalibration)
+import FramesChoice (calibrationOption)
 import Lines
 import Message
 import Options
 import PraTactile.Files (readImage)
 import PraTactile.Format.Registration
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Probe.Calibration (CalibrationError, correctedImage)
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Source (imageComposite)
 import PraTactile.Stitch (compositeImage)
@@ -34,6 +37,7 @@ command =
     ( run
         <$> (Left <$> batchSwitch <|> Right <$> pairArguments)
         <*> pairingOptions
+        <*> calibrationOption
         <*> jsonSwitch "Print the answer as JSON"
     )
   where
@@ -71,19 +75,26 @@ pairingOptions =
     <*> defaulting 0.99 decimalReader "confidence" "P" "The probability from which on to answer"
 
 run ::
-  Either () PairRequest -> ((Double, Double) -> Pairing) -> AnswerForm -> IO ExitStatus
-run asked pairing form = do
+  Either () PairRequest ->
+  ((Double, Double) -> Pairing) ->
+  Maybe FilePath ->
+  AnswerForm ->
+  IO ExitStatus
+run asked pairing calibrationFile form = do
   known <- orUnusable shapeMessage paperAlphabet
+  calibrated <- maybe Right correctedImage <$> traverse readCalibration calibrationFile
   case asked of
     Right request -> do
-      (match, _) <- answered known pairing Nothing request
+      (match, _) <- answered known calibrated pairing Nothing request
       printAs form (matchText match) (encodeMatch match)
       pure (statusOf match)
-    Left () -> (\(_, _, worst) -> worst) <$> forLines (answerLine known) (1, Nothing, Answered)
+    Left () ->
+      (\(_, _, worst) -> worst)
+        <$> forLines (answerLine known calibrated) (1, Nothing, Answered)
   where
-    answerLine known (number, tables, worst) line = do
+    answerLine known calibrated (number, tables, worst) line = do
       request <- orUnusable id (requested number line)
-      (match, tables') <- answered known pairing tables request
+      (match, tables') <- answered known calibrated pairing tables request
       Bytes.putStrLn (encodeMatch match)
       hFlush stdout
       pure (number + 1, Just tables', max worst (statusOf match))
@@ -98,13 +109,14 @@ run asked pairing form = do
 -- | The answer to a request, and the tables for the next.
 answered ::
   Alphabet ->
+  (Raster -> Either CalibrationError Raster) ->
   ((Double, Double) -> Pairing) ->
   Maybe ((Int, Int), Tables) ->
   PairRequest ->
   IO (Match, ((Int, Int), Tables))
-answered known pairing made (PairRequest fileA fileB step) = do
-  a <- image fileA
-  b <- image fileB
+answered known calibrated pairing made (PairRequest fileA fileB step) = do
+  a <- prepared fileA
+  b <- prepared fileB
   let size = (rasterWidth a, rasterHeight a)
       tables = case made of
         Just (forSize, already) | forSize == size -> already
@@ -114,6 +126,10 @@ answered known pairing made (PairRequest fileA fileB step) = do
       (\e -> fileA ++ ", " ++ fileB ++ ": " ++ pairMessage e)
       (registerPair tables (pairing step) a b)
   pure (match, (size, tables))
+  where
+    prepared file = do
+      felt <- image file
+      orUnusable (\e -> file ++ ": " ++ calibrationMessage e) (calibrated felt)
 
 image :: FilePath -> IO Raster
 image file =

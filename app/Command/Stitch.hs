@@ -20,6 +20,7 @@ import FramesChoice
 import Message
 import Options
 import Output
+import Picture.Assembly (assemblySvg)
 import PraTactile.Format.Registration (encodeAssembly, wayName)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
@@ -27,7 +28,9 @@ import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, raster
 import PraTactile.Probe (Frame (..))
 import PraTactile.Stitch hiding (Assembly, assemble)
 import qualified PraTactile.Stitch as Stitch
+import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
+import Visible (visibleName)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -36,7 +39,8 @@ command =
     "Assemble the frames of a folder into one composite image, correcting their positions by \
     \cross-correlation."
     [ "pra-tactile stitch frames --output composite.pgm",
-      "pra-tactile stitch frames --method lattice --json"
+      "pra-tactile stitch frames --method lattice --json",
+      "pra-tactile stitch frames --report stitched.svg"
     ]
     ( run <$> assemblyOptions
         <*> framesOptions
@@ -54,6 +58,10 @@ command =
           )
         <*> strArgument (metavar "FOLDER" <> action "directory")
         <*> optionalFile "output" "FILE" "The composite, .pgm or .png"
+        <*> optionalFile
+          "report"
+          "FILE.svg"
+          "Draw where each frame should have been and where it was found, over the composite"
         <*> jsonSwitch "Print where each frame was as JSON"
     )
 
@@ -106,12 +114,17 @@ run ::
   Maybe Way ->
   FilePath ->
   Maybe FilePath ->
+  Maybe FilePath ->
   AnswerForm ->
   IO ExitStatus
-run settings choice asked folder output form = do
+run settings choice asked folder output report form = do
   when
-    (output == Nothing && form == AsText)
-    (unusable "there is nothing to do: give --output FILE, or --json")
+    (output == Nothing && report == Nothing && form == AsText)
+    (unusable "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
+  when
+    (report == Just standardOutput && form == AsJson)
+    (unusable "--report - and --json both take the standard output; name a file for the picture")
+  for_ report orNotSvg
   encoder <- traverse encoderFor output
   prepare <- preparation choice
   (names, frames) <- unzip <$> loadFolder prepare folder
@@ -123,6 +136,9 @@ run settings choice asked folder output form = do
   for_ (compositeContradiction composite) $ \contradiction ->
     warn ("warning: " ++ folder ++ ": " ++ contradictionMessage contradiction)
   sequence_ (written composite <$> output <*> encoder)
+  for_ report $ \file -> do
+    writeWhole file (assemblySvg (visibleName folder) (zip names frames) made)
+    unless (form == AsJson || file == standardOutput) (sayWritten file "")
   when
     (form == AsJson)
     (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))

@@ -122,10 +122,14 @@ stitchMessage e = case e of
     \search radius 0 to 64 taxels"
   AreaTooLarge w h ->
     "the frames lie so far apart that the composite would have "
-      ++ show (ceiling w :: Integer)
+      ++ taxels w
       ++ " x "
-      ++ show (ceiling h :: Integer)
+      ++ taxels h
       ++ " taxels; check the manifest's positions (millimetres)"
+  where
+    taxels side
+      | side < 1e9 = show (ceiling side :: Integer)
+      | otherwise = printf "%.1e" side
 
 -- | That frames contradict each other, and what would mend it.
 contradictionMessage :: Contradiction -> String

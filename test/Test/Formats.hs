@@ -93,7 +93,7 @@ roundTrips = do
         report = recognitionReport source recognition
     decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
-      `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5)))
+      `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5) (reportAngle report)))
   it "objects are written with all of their vertices, edges and faces, as the solid has them" $ do
     layout <- right canonicalPlacement
     let parsed = fields (encodeObjects canonicalProfile layout)

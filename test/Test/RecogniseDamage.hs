@@ -86,6 +86,10 @@ damageSpec alphabetOfAll layout net array mask = do
           windowPosition (foundWindow found) `shouldBe` Position 4 5
           length (catMaybes (concat (windowClasses (foundWindow found)))) `shouldBe` 2
         _ -> expectationFailure "not located"
+    it "symbols along an edge of a face are on that face, whichever windows they fill" $ do
+      told <- mapM told' (concatMap edges (laidFaces layout))
+      [(face, spot, which) | (face, spot, Just which) <- told, which /= Just face] `shouldBe` []
+      length [() | (_, _, Just _) <- told] `shouldSatisfy` (> 20)
   describe "wrong symbols" $ do
     it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
       for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
@@ -296,6 +300,25 @@ damageSpec alphabetOfAll layout net array mask = do
     recognisedWith = recognisedOn Torus
     recognised drawn = recognisedWith standardTolerance [compositeOf (drawing drawn)]
     read' drawn = recognisedAnswer <$> recognised drawn
+    -- Rows and columns of cells along the edges of a face.
+    edges laid =
+      [ (laidFace laid, h, w, Position (row at + i) (column at + j))
+        | let (Shape high wide, at) = (laidGrid laid, laidAt laid),
+          (h, w, i, j) <-
+            [ (1, wide, 0, 0),
+              (1, wide, high - 1, 0),
+              (high, 1, 0, 0),
+              (high, 1, 0, wide - 1),
+              (1, wide - 1, high - 1, 1)
+            ]
+      ]
+    told' (face, h, w, at) = do
+      answer <- read' (cells h w at)
+      pure . (,,) face at $ case answer of
+        Right (Found found) -> Just $ case windowWhereabouts (foundWindow found) of
+          OnFace place -> Just (placeFace place)
+          _ -> Nothing
+        _ -> Nothing
     onFace w = case w of
       OnFace _ -> True
       _ -> False

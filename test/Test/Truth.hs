@@ -37,7 +37,12 @@ spec = do
     forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
-            Claim (truthFace truth) (regionSymmetry (truthRegion truth)) (x + dx, y + dy) point
+            Claim
+              (truthFace truth)
+              (regionSymmetry (truthRegion truth))
+              (x + dx, y + dy)
+              point
+              Nothing
           distance = sqrt (dx * dx + dy * dy)
        in compared canonicalPitch truth claim `shouldSatisfy` \verdict -> case verdict of
             Right far ->
@@ -53,6 +58,7 @@ spec = do
               (regionSymmetry (truthRegion truth))
               (truePlace truth point)
               point
+              Nothing
        in ( compared
               canonicalPitch
               truth
@@ -89,7 +95,7 @@ spec = do
     forAll askewTruth $ \truth ->
       let said symmetry =
             compared canonicalPitch truth $
-              Claim (truthFace truth) symmetry (truePlace truth (1, 2)) (1, 2)
+              Claim (truthFace truth) symmetry (truePlace truth (1, 2)) (1, 2) Nothing
           region = truthRegion truth
           right = [symmetry | symmetry <- rotations, said symmetry /= Left OtherWayUp]
        in counterexample (show right) $

@@ -39,6 +39,7 @@ module PraTactile.Locate
     reasonName,
     reasons,
     Distances (..),
+    PlaceDoubts (..),
     Posterior (..),
     PatchVerdict (..),
     Known (..),

@@ -25,6 +25,7 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, PlacementError)
 import PraTactile.Probe (Frame)
+import PraTactile.Probe.Calibration (withoutStuck)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Shape (Alphabet, ShapeError, paperAlphabet)
@@ -93,11 +94,14 @@ decodeImage :: Decoder -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes =
   first FileRefused (imageComposite bytes) >>= decodeComposites standardTolerance with . pure
 
--- | What frames show, likewise. Refuses what 'stitch' refuses.
+-- | What frames show, likewise, elements that are stuck not felt ('withoutStuck'). Refuses what
+-- 'stitch' refuses.
 decodeFrames :: Decoder -> [Frame] -> Either DecodeError Recognition
 decodeFrames with frames =
-  first FramesRefused (stitch (withNoiseOf frames standardRegistration) frames)
+  first FramesRefused (stitch (withNoiseOf felt standardRegistration) felt)
     >>= decodeComposites standardTolerance with . pure
+  where
+    felt = withoutStuck frames
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
 decodeComposites :: Tolerance -> Decoder -> [Composite] -> Either DecodeError Recognition

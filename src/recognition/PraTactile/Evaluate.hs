@@ -190,7 +190,8 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
                 { claimFace = placeFace place,
                   claimSymmetry = orientation,
                   claimPlace = spotMillimetres (placeCentre place),
-                  claimSeenAt = compositePosition composite (windowSeenAt window)
+                  claimSeenAt = compositePosition composite (windowSeenAt window),
+                  claimAngle = Nothing
                 }
           )
       _ -> False

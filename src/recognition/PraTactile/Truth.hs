@@ -39,7 +39,9 @@ data Claim = Claim
     -- | a point in millimetres right of and below the face's upper left vertex
     claimPlace :: (Double, Double),
     -- | the same point in the robot's coordinates, millimetres
-    claimSeenAt :: (Double, Double)
+    claimSeenAt :: (Double, Double),
+    -- | by how many degrees the face is turned clockwise, if it says so to the degree
+    claimAngle :: Maybe Double
   }
   deriving stock (Eq, Show)
 

@@ -43,7 +43,7 @@ ask ::
 ask decoder (surface, array, mask) =
   let made = locator decoder MostSignificantFirst array mask
    in \possible radius tolerated patches ->
-        locate made (Query patches possible surface radius tolerated)
+        locate made (Query patches possible surface radius tolerated Nothing)
 
 -- | One patch alone.
 alone :: a -> [((Integer, Integer), a)]

@@ -23,6 +23,7 @@ spec = do
         -- The input is not even looked for.
         complains ["decode", "no/such/file.pgm", "--picture", folder </> name] ".svg"
         complains ["rates", "--trials", "1000000000", "--plot", folder </> name] ".svg"
+        complains ["stitch", "no/such/folder", "--report", folder </> name] ".svg"
       listDirectory folder `shouldReturn` []
       for_ ["picture.svg", "PICTURE.SVG", "picture"] $ \name -> do
         answer <- pra ["decode", worked]
@@ -39,6 +40,11 @@ spec = do
       _ <- pra (words "rates --trials 20 --size 2x2 --plot" ++ [folder </> "rates.svg"])
       plot <- readFile (folder </> "rates.svg")
       pra (words "rates --trials 20 --size 2x2 --plot -") `shouldReturn` (0, plot, "")
+      let frames = "data/worked-example/frames"
+      _ <- pra ["stitch", frames, "--report", folder </> "report.svg"]
+      report <- readFile (folder </> "report.svg")
+      pra ["stitch", frames, "--report", "-"] `shouldReturn` (0, report, "")
+      complains ["stitch", "--json", frames, "--report", "-"] "standard output"
   it "what was refused has a picture too, without a face" $
     inFolder $ \folder -> do
       (status, _, _) <-

@@ -80,6 +80,62 @@ spec = do
               ]
             ++ "END\npython3 flip.py && pra stitch f --output b.pgm > log && cmp a.pgm b.pgm"
       (status, out, err) `shouldBe` (0, "", "")
+  it "--axes replaces what a manifest states, of either form" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted folder $
+          "pra probe --object cube --seed 7 --frame 8x8 --taxel 3.175 --output f > log; "
+            ++ "pra probe --object cube --seed 7 --output g > log; "
+            ++ "for i in f g; do pra stitch $i --output $i.pgm > log; done; "
+            ++ "cat > flip.py <<'END'\n"
+            ++ unlines
+              [ "import json",
+                "m = json.load(open('f/manifest.json'))",
+                "m['axes'] = '-x,y'",
+                "for e in m['frames']: e['y_mm'] = -e['y_mm']",
+                "json.dump(m, open('f/manifest.json', 'w'))",
+                "rows = [l.split(',') for l in open('g/manifest.csv').read().split()]",
+                "for r in rows[1:]: r[1], r[2] = r[2], r[1]",
+                "open('g/manifest.csv', 'w').write(''.join(','.join(r) + '\\n' for r in rows))"
+              ]
+            ++ "END\npython3 flip.py; pra stitch f --axes x,-y --output f2.pgm > log && "
+            ++ "pra stitch g --axes y,x --output g2.pgm > log && cmp f.pgm f2.pgm"
+            ++ " && cmp g.pgm g2.pgm && pra decode --axes y,x g > log"
+      (status, out, err) `shouldBe` (0, "", "")
+  it "register corrects both frames first" $
+    inFolder $ \folder -> do
+      (status, out, err) <-
+        scripted folder $
+          "pra probe --object cube --seed 7 --position-error 0 --noise 0.01 --output f > log; "
+            ++ "pra register f/frame_000.pgm f/frame_001.pgm --step 8,0 --json > a; "
+            ++ "cat > worse.py <<'END'\n"
+            ++ unlines
+              [ "import json",
+                "gain = [[1 if (i + j) % 3 else 0.5 for j in range(16)] for i in range(16)]",
+                "for k in '01':",
+                "    b = open('f/frame_00%s.pgm' % k, 'rb').read()",
+                "    v = [round(x * g) for x, g in zip(b[-256:], sum(gain, []))]",
+                "    open(k + '.pgm', 'wb').write(b[:-256] + bytes(v))",
+                "c = {'schema': 'pra-tactile/calibration/1', 'dead': [], 'gain': gain}",
+                "json.dump(dict(c, offset=[[0] * 16] * 16), open('c', 'w'))"
+              ]
+            ++ "END\npython3 worse.py; "
+            ++ "pra register 0.pgm 1.pgm --step 8,0 --calibration c --json > b; cat a; cat b >&2"
+      status `shouldBe` 0
+      (key ["outcome"] out, key ["best"] out) `shouldBe` (key ["outcome"] err, key ["best"] err)
+  it "compare says at which angle a face lies" $
+    inFolder $ \folder -> do
+      (status, out, _) <-
+        scripted
+          folder
+          "pra probe --object cube --seed 7 --turn 30 --noise 0.02 --output f --truth t > log; \
+          \pra decode --json f > a; pra compare a t"
+      status `shouldBe` 0
+      take 1 (lines out)
+        `shouldSatisfy` all ("turned by 30.0 degrees" `isInfixOf`)
+      [line | line <- lines out, "answer" `isInfixOf` line]
+        `shouldSatisfy` all ("turned by " `isInfixOf`)
+      out `shouldSatisfy` not . ("upright" `isInfixOf`)
   it "calibrated, the dead taxels are those that were, and frames are corrected first" $
     inFolder $ \folder -> do
       let sensor = " --sensor hard --position-error 0.5 --rotation-error 0 --seed 7 "
@@ -153,6 +209,44 @@ bad = do
             scripted folder $
               "rm -rf g; cp -r f g; sed -i '" ++ change ++ "' g/manifest.json; pra decode g"
           outcome `refuses` about
+  it "frames that do not go together, or say nothing: an answer or one line" $
+    inFolder $ \folder -> do
+      writeFile (folder </> "make.py") badFrames
+      (0, _, "") <- scripted folder "python3 make.py"
+      for_
+        [ ("unequal", Just "15 x 16"),
+          ("apart", Nothing),
+          ("dead", Nothing),
+          ("saturated", Nothing),
+          ("same", Nothing),
+          ("nan", Just "not a finite number"),
+          ("far", Just "lie so far apart")
+        ]
+        $ \(name, complaint) -> do
+          let decoding = scripted folder ("pra decode --json " ++ name)
+              stitching method = scripted folder ("pra stitch " ++ name ++ " --json" ++ method)
+          case complaint of
+            Just about -> do
+              decoding >>= (`refuses` about)
+              for_ ["", " --method lattice"] $ \method -> stitching method >>= (`refuses` about)
+            Nothing -> do
+              (status, out, _) <- decoding
+              (name, status, key ["outcome"] out) `shouldBe` (name, 1, Just "refused")
+              for_ ["", " --method lattice"] $ \method -> do
+                (stitched, told, err) <- stitching method
+                (name, stitched, err) `shouldBe` (name, 0, "")
+                key ["schema"] told `shouldBe` Just "pra-tactile/stitch/1"
+      for_ [("dead", "blank"), ("saturated", "blank")] $ \(name, reason) -> do
+        (status, out, _) <-
+          scripted folder $
+            "pra register --json --step 8,0 " ++ name ++ "/0.pgm " ++ name ++ "/1.pgm"
+        (status, key ["reason"] out) `shouldBe` (1, Just reason)
+      scripted folder "pra register unequal/0.pgm unequal/1.pgm --step 8,0"
+        >>= (`refuses` "differ in size")
+      scripted folder "pra calibrate --dark dead --flat saturated --output c.json"
+        >>= (`refuses` "full scale")
+      scripted folder "pra calibrate --dark unequal --flat saturated --output c.json"
+        >>= (`refuses` "15 x 16")
   it "another sensor's calibration, and frames that calibrate nothing" $
     inFolder $ \folder -> do
       (0, _, _) <-
@@ -166,6 +260,33 @@ bad = do
         [ ("pra decode f --calibration c.json", "16 x 16"),
           ("pra calibrate --dark dark --flat dark --output d.json", "all are dead"),
           ("pra calibrate --dark dark --flat small --output d.json", "8 x 8"),
+          ( "pra register f/frame_000.pgm f/frame_001.pgm --step 4,0 --calibration c.json",
+            "16 x 16"
+          ),
           ("pra calibrate --dark dark --flat nowhere --output d.json", "nowhere")
         ]
         $ \(script, about) -> scripted folder script >>= (`refuses` about)
+
+-- | Makes folders of frames of which something is wrong, in Python.
+badFrames :: String
+badFrames =
+  unlines
+    [ "import os",
+      "def folder(name, frames):",
+      "    os.makedirs(name)",
+      "    rows = ['file,x_mm,y_mm,rotation_deg,force_n']",
+      "    for k, (w, value, x) in enumerate(frames):",
+      "        image = bytes(value(i, j) for j in range(16) for i in range(w))",
+      "        open('%s/%d.pgm' % (name, k), 'wb').write(b'P5 %d 16 255\\n' % w + image)",
+      "        rows.append('%d.pgm,%s,12.7,0,10' % (k, x))",
+      "    open(name + '/manifest.csv', 'w').write('\\n'.join(rows) + '\\n')",
+      "stripes = lambda i, j: 200 * ((i // 3 + j // 4) % 3 == 0)",
+      "at = lambda k: 12.7 * (k + 1)",
+      "folder('unequal', [(16, stripes, at(0)), (15, stripes, at(1))])",
+      "folder('apart', [(16, stripes, at(8 * k)) for k in range(3)])",
+      "folder('dead', [(16, lambda i, j: 0, at(k)) for k in range(8)])",
+      "folder('saturated', [(16, lambda i, j: 255, at(k)) for k in range(8)])",
+      "folder('same', [(16, stripes, at(0))] * 2)",
+      "folder('nan', [(16, stripes, at(0)), (16, stripes, 'nan')])",
+      "folder('far', [(16, stripes, at(0)), (16, stripes, 1e300)])"
+    ]

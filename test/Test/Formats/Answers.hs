@@ -10,7 +10,7 @@ import PraTactile.Format
 import PraTactile.Format.Answer
 import PraTactile.Format.Object
 import PraTactile.Format.Recognition
-import PraTactile.Locate (Chance (..), DecoderName)
+import PraTactile.Locate (Chance (..), DecoderName, PlaceDoubts (..))
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Symmetry
@@ -36,6 +36,7 @@ someAnswer =
         <*> maybeOf someDistances
         <*> maybeOf
           (PosteriorReport <$> someReal <*> several someLikely <*> maybeOf someReal)
+        <*> maybeOf (PlaceDoubts <$> maybeOf someReal <*> someReal)
         <*> maybeOf
           (OrientationReport <$> maybeOf someSymmetry <*> several someCandidate)
         <*> maybeOf ((,) <$> several somePatch <*> several somePosition)

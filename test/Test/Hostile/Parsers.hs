@@ -124,7 +124,7 @@ patchJudge possible = (`asText` answered)
     located array mask made written = do
       let asked = Asked possible (writtenDisplaced written)
           displacements = map fst (writtenPatches written)
-          query = Query (writtenPatches written) possible Torus Guaranteed 0.001
+          query = Query (writtenPatches written) possible Torus Guaranteed 0.001 Nothing
       answer <- either (Left . locatorMessage) Right (locate made query)
       seen <- either (Left . locatorMessage) Right (agreedSymbols query)
       let explained = explainAnswer array mask asked displacements seen 0.001 answer

@@ -1,6 +1,7 @@
 -- | Calibration, and frames of any size and pitch.
 module Test.Touch.Calibration (spec) where
 
+import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
@@ -86,6 +87,22 @@ calibrating = do
           AllDead,
           AllSaturated
         ]
+  it "an element that is pressed in every frame though the sensor moved is stuck: not felt" $ do
+    let lit = [(3, 2), (9, 9)]
+        felt k = generate 16 16 $ \x y ->
+          if (y, x) `elem` lit then 1 else if (x + 3 * k + y) `mod` 7 < 2 then 0.8 else 0
+        framesAt step n = [Frame (Pose (step * fromIntegral k) 0 0) 0 (felt k) 1 | k <- [0 .. n]]
+        plain = Calibration (constant 16 16 0) (constant 16 16 1) lit
+        moved = framesAt 4 7
+    expected <- right (traverse (corrected plain) moved)
+    withoutStuck moved `shouldBe` expected
+    for_
+      [ ("standing still", framesAt 0.5 7),
+        ("few", framesAt 4 4),
+        ("all saturated", [frame {frameImage = constant 16 16 1} | frame <- moved]),
+        ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 : moved)
+      ]
+      $ \(name, frames') -> (name, withoutStuck frames' == frames') `shouldBe` (name, True)
   it "another sensor's calibration is refused" $
     corrected
       (Calibration (constant 4 4 0) (constant 4 4 1) [])

@@ -13,6 +13,7 @@ module PraTactile.Locate.Answer
     -- * What it rests on
     Answer (..),
     Distances (..),
+    PlaceDoubts (..),
     Posterior (..),
     impossible,
     PatchVerdict (..),
@@ -103,6 +104,9 @@ data Answer = Answer
     answerDistances :: Maybe Distances,
     -- | How likely candidates are; if probabilities were observed.
     answerPosterior :: Maybe (Posterior Candidate),
+    -- | What would make the place wrong, if the question weighs that it may be foreign; the
+    -- posterior has both then.
+    answerDoubts :: Maybe PlaceDoubts,
     -- | Of all contents of the observed cells, the share that would be located.
     answerChance :: Maybe Chance,
     -- | What is said of each patch, in the order given.
@@ -128,6 +132,16 @@ data Distances = Distances
     codeDistance :: Known,
     -- | How many cells may be wrong.
     correctionRadius :: Natural
+  }
+  deriving stock (Eq, Show)
+
+-- | What would make a place wrong; they exclude each other.
+data PlaceDoubts = PlaceDoubts
+  { -- | The probability that it is another place of the array; 'Nothing' of symbols, whose
+    -- distances stand for it.
+    doubtOfPlace :: Maybe Double,
+    -- | That it is nothing of the array's.
+    doubtOfForeign :: Double
   }
   deriving stock (Eq, Show)
 

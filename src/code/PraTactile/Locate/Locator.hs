@@ -16,6 +16,7 @@ where
 
 import Data.Bifunctor (first)
 import Data.List (nub)
+import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (displaced)
@@ -25,6 +26,7 @@ import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder
 import PraTactile.Locate.Decoder.Posterior
+import PraTactile.Locate.Foreign
 import PraTactile.Locate.Joint
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
@@ -77,7 +79,10 @@ locateSymbols made query given = do
   decoder <- symbolDecoder made (querySurface query) (queryRadius query)
   let seen = jointPatch joined
   decision <- decideIn decoder query seen
-  let outcome = decisionOutcome decision
+  let alien = foreignSymbolsAt made query seen (decisionOutcome decision)
+      outcome
+        | any (> queryDoubt query) alien = Refused BelowThreshold
+        | otherwise = decisionOutcome decision
       distances = decisionDistances decision
       share = chance . correcting (atLeast (codeDistance distances)) (correctionRadius distances)
   pure
@@ -86,6 +91,7 @@ locateSymbols made query given = do
         answerDecoder = symbolName decoder,
         answerDistances = Just distances,
         answerPosterior = Nothing,
+        answerDoubts = PlaceDoubts Nothing <$> alien,
         answerChance =
           (if windowless decoder seen then atMost else id) . share <$> spheresOf made query seen,
         answerPatches =
@@ -168,7 +174,7 @@ locateBeliefs made query given = do
   decoder <- beliefDecoder made (querySurface query) (queryDoubt query)
   let seen = jointPatch joined
       certain = fromIntegral (length (filter (isCertain . snd) (observedCells seen)))
-  found <- beliefPosterior decoder (querySymmetries query) seen
+  (alien, found) <- weighedPosterior made query decoder (querySymmetries query) seen
   let outcome = outcomeOf query seen found
   pure
     Answer
@@ -176,6 +182,7 @@ locateBeliefs made query given = do
         answerDecoder = beliefName decoder,
         answerDistances = Nothing,
         answerPosterior = Just found,
+        answerDoubts = alien,
         -- Only a cell that leaves no doubt keeps out a position.
         answerChance = chance . amongCells certain <$> spheresOf made query seen,
         answerPatches =
@@ -202,8 +209,69 @@ beliefsBelong made query decoder shape =
     decided possible seen =
       either
         (const Nothing)
-        (Just . outcomeOf query seen)
-        (beliefPosterior decoder possible seen)
+        (Just . outcomeOf query seen . snd)
+        (weighedPosterior made query decoder possible seen)
+
+-- | How likely candidates are in these symmetries, and what makes them wrong if the question weighs
+-- that it may be foreign. Where candidates are unlisted, the listed ones alone speak for the array.
+weighedPosterior ::
+  KnownField k =>
+  Locator k ->
+  Query k ->
+  BeliefDecoder k ->
+  [Symmetry] ->
+  Patch (Belief k) ->
+  Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
+weighedPosterior made query decoder possible seen = do
+  found <- beliefPosterior decoder possible seen
+  let array = locatorArray made
+      chanceAt candidate (offset, b) =
+        maybe
+          0
+          ((probabilities b Primitive.!) . toCode)
+          (symbolAt (querySurface query) array (patchShape seen) candidate offset)
+      alien = do
+        share <- queryForeign query
+        best <- posteriorBest found
+        places <- sphereCentres <$> spheresOf made query {querySymmetries = possible} seen
+        Just $
+          foreignChance
+            ForeignComparison
+              { foreignShare = share,
+                foreignSymbols = fieldOrder array,
+                foreignPlaces = places,
+                foreignExpected = map (chanceAt best) (observedCells seen),
+                foreignElsewhere = maybe (posteriorDoubt found) (const 0) (posteriorUnlisted found)
+              }
+      doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
+  pure (doubts <$> alien, maybe found (`weighed` found) alien)
+
+-- | The probability that symbols which are located so are foreign, if the question weighs that.
+foreignSymbolsAt ::
+  KnownField k => Locator k -> Query k -> Patch (GF k) -> Outcome Candidate -> Maybe Double
+foreignSymbolsAt made query seen outcome = do
+  share <- queryForeign query
+  places <- sphereCentres <$> spheresOf made query seen
+  (expected, count) <- case outcome of
+    Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
+    Ambiguous candidates@(first' : _) _ ->
+      Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
+    AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), fromIntegral count)
+    _ -> Nothing
+  Just $
+    foreignChance
+      ForeignComparison
+        { foreignShare = share,
+          foreignSymbols = fieldOrder array,
+          foreignPlaces = places,
+          foreignExpected = expected,
+          foreignElsewhere = 1 - 1 / count
+        }
+  where
+    array = locatorArray made
+    chanceAt candidate (offset, a)
+      | symbolAt (querySurface query) array (patchShape seen) candidate offset == Just a = 1
+      | otherwise = 0
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.
 outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate

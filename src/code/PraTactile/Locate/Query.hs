@@ -68,14 +68,17 @@ data Query (k :: Field) = Query
     -- | How many symbols may be wrong.
     queryRadius :: Radius,
     -- | The probability of a wrong answer that is tolerated, below 1; if any cell has
-    -- probabilities.
-    queryDoubt :: Double
+    -- probabilities, or if it is weighed that it may be foreign.
+    queryDoubt :: Double,
+    -- | The probability beforehand, below 1, that it is nothing of the array's; 'Nothing' where
+    -- that is not weighed.
+    queryForeign :: Maybe Double
   }
   deriving stock (Show)
 
 type role Query nominal
 
 -- | The question for one upright patch on a surface: of symbols as many may be wrong as can be
--- corrected for certain, and a doubt of a thousandth is tolerated.
+-- corrected for certain, a doubt of a thousandth is tolerated, and nothing foreign is thought of.
 onePatch :: Surface -> Patch (Cell k) -> Query k
-onePatch surface seen = Query [((0, 0), seen)] [identity] surface Guaranteed 0.001
+onePatch surface seen = Query [((0, 0), seen)] [identity] surface Guaranteed 0.001 Nothing

@@ -48,6 +48,8 @@ data Basis = Basis
     basisDimension :: Maybe Natural,
     basisDistances :: Maybe DistanceReport,
     basisPosterior :: Maybe PosteriorReport,
+    -- | where the question weighs that it may be foreign
+    basisDoubts :: Maybe PlaceDoubts,
     -- | where patches may be seen in several orientations
     basisOrientation :: Maybe OrientationReport,
     -- | where patches were given with displacements
@@ -134,10 +136,16 @@ basisKeys =
     <*> optionalKey "dimension" natural basisDimension
     <*> optionalKeys "corrected" distanceKeys basisDistances
     <*> optionalKeys "doubt" posteriorKeys basisPosterior
+    <*> optionalKey "doubts" doubts basisDoubts
     <*> optionalKeys "mirrored" orientationKeys basisOrientation
     <*> optionalKeys "patches" patchKeys basisPatches
     <*> optionalKey "explanation" (listOf text) basisExplanation
   where
+    doubts =
+      object $
+        PlaceDoubts
+          <$> key "position" (nullable real) doubtOfPlace
+          <*> key "foreign" real doubtOfForeign
     patchKeys =
       (,) <$> key "patches" (listOf patchReport) fst <*> key "disputed" (listOf positionPair) snd
     patchReport =

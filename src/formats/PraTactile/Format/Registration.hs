@@ -8,6 +8,8 @@ module PraTactile.Format.Registration
     methodName,
     refusalName,
     encodeAssembly,
+    reasonsOf,
+    groupsOf,
     wayName,
   )
 where
@@ -87,17 +89,14 @@ encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
 encodeAssembly files made =
   encodeSchema "stitch/1" $
     "method" .= wayName (assemblyWay made)
-      <> "frames" .= zipWith frameValue files (assemblyFrames made)
+      <> "frames" .= zipWith3 frameValue files (assemblyFrames made) (reasonsOf made)
       <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
       <> "size" .= (rasterWidth image, rasterHeight image)
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
       <> "residual" .= assemblyResidual made
   where
     image = compositeImage (assemblyComposite made)
-    alone = length (filter ((== 1) . length) (groupsOf (map arrangedGroup (assemblyFrames made))))
-    several = length (assemblyFrames made) > 1 && alone > 0
-    sizes = Map.fromListWith (+) [(arrangedGroup f, 1 :: Int) | f <- assemblyFrames made]
-    frameValue (file, pose) frame =
+    frameValue (file, pose) frame reason =
       object
         [ "file" .= file,
           "correction" .= arrangedShift frame,
@@ -105,9 +104,15 @@ encodeAssembly files made =
           "sd" .= arrangedDeviation frame,
           "probability" .= arrangedProbability frame,
           "group" .= arrangedGroup frame,
-          "reason" .= reasonOf frame
+          "reason" .= reason
         ]
-    reasonOf :: Arranged -> Maybe String
+
+-- | Of each frame why it is to be doubted, if it is: @no-overlap@ or @ambiguous@.
+reasonsOf :: Assembly -> [Maybe String]
+reasonsOf made = map reasonOf (assemblyFrames made)
+  where
+    several = length (assemblyFrames made) > 1
+    sizes = Map.fromListWith (+) [(arrangedGroup f, 1 :: Int) | f <- assemblyFrames made]
     reasonOf frame
       | several && Map.lookup (arrangedGroup frame) sizes == Just 1 = Just "no-overlap"
       | Just p <- arrangedProbability frame, p < 0.5 = Just "ambiguous"

@@ -89,6 +89,7 @@ claimKeys =
     <*> key "orientation_deg" quarterTurn (quarterTurns . claimSymmetry)
     <*> key "place_mm" (pairOf real) claimPlace
     <*> key "robot_mm" (pairOf real) claimSeenAt
+    <*> optionalKey "angle_deg" real claimAngle
   where
     claim face = Claim face . turned
 

@@ -7,16 +7,18 @@ module PraTactile.Recognise.Finding
   )
 where
 
-import Data.List (sortOn)
+import Data.List (nub, sortOn)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust, listToMaybe)
+import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import Data.Ord (Down (..))
+import Data.Set (Set)
+import qualified Data.Set as Set
 import PraTactile.Array (Position (..), Shape (..), cellAt)
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Locate.Decoder.Codebook (codebookArray)
-import PraTactile.Object.Placement (Whereabouts (..), whereabouts)
+import PraTactile.Object.Placement
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
@@ -27,7 +29,7 @@ import PraTactile.Symmetry
 data Finding = Finding
   { foundOrientation :: Symmetry,
     -- | the first complete window in reading order; if there is none, the first of those with the
-    -- most recognised symbols
+    -- most recognised symbols, on their face if that is one
     foundWindow :: ReadWindow,
     -- | all complete windows, in reading order
     foundWindows :: [ReadWindow],
@@ -61,7 +63,7 @@ data SymbolPlace = SymbolPlace
 -- | The answer when the grid's upper left cell is at this position.
 findingAt :: KnownField k => Recogniser k -> GridLocation -> Position -> Maybe Finding
 findingAt reader location position = do
-  window <- listToMaybe (if null complete then sortOn (Down . felt) windows else complete)
+  window <- listToMaybe (if null complete then incomplete else complete)
   pure
     Finding
       { foundOrientation = locationOrientation location,
@@ -80,26 +82,63 @@ findingAt reader location position = do
     array = codebookArray (recogniserCodebook reader)
     place0 = cellFrom (recogniserCodebook reader) position
     placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
-    -- Cells with a symbol that the network knows as what the array has there.
-    right = Map.mapMaybeWithKey agreeing cells
-    agreeing cell here = do
+    -- Cells with a symbol, known or likely, that is what the array has there.
+    right = agreeingBy readClass
+    likely = agreeingBy (Just . readLikeliest)
+    agreeingBy said = Map.mapMaybeWithKey (agreeing said) cells
+    agreeing said cell here = do
       expected <- symbolExpected <$> placeOf cell
-      if any ((== Just (locationOrientation location, expected)) . readClass) here
+      if any ((== Just (locationOrientation location, expected)) . said) here
         then Just expected
         else Nothing
-    windows =
-      [ window
-        | i <- [0 .. fst end],
-          j <- [0 .. snd end],
+    windowsFrom (i0, j0) =
+      [ ((i, j), window)
+        | i <- [i0 .. fst end],
+          j <- [j0 .. snd end],
           Just window <- [windowIn reader location right place0 (i, j)]
       ]
     end = (maximum (0 : map fst (Map.keys cells)), maximum (0 : map snd (Map.keys cells)))
-    complete = filter (all (all isJust) . windowClasses) windows
-    felt window =
-      (length (filter isJust (concat (windowClasses window))), onFace (windowWhereabouts window))
-    onFace w = case w of
-      OnFace _ -> True
-      _ -> False
+    complete = filter (all (all isJust) . windowClasses) (map snd (windowsFrom (0, 0)))
+    incomplete =
+      mostFelt
+        (recogniserWindow reader)
+        (facesAt (recogniserPlacement reader) . mapMaybe place0)
+        (Map.keysSet (if null right then likely else right))
+        windowsFrom
+
+-- | Windows of which none is complete, those of this shape with the most of these cells first. If
+-- all these cells lie on one face, they tell it, and windows over its edge are none: those on it
+-- count, even if they begin before the grid.
+mostFelt ::
+  Shape ->
+  ([Cell] -> [Face]) ->
+  Set Cell ->
+  (Cell -> [(Cell, ReadWindow)]) ->
+  [ReadWindow]
+mostFelt shape facesOf known windowsFrom = case facesOf (Set.toList known) of
+  [face] | those@(_ : _) <- filter ((== Just face) . faceOf) reaching -> those
+  _ -> map snd (sortOn (Down . felt) (windowsFrom (0, 0)))
+  where
+    (high, wide) = (fromIntegral (rows shape), fromIntegral (columns shape))
+    reaching =
+      map snd . sortOn (Down . felt) . filter ((> 0) . fst . felt) $
+        windowsFrom (1 - high, 1 - wide)
+    felt ((i, j), window) =
+      ( length
+          [ ()
+            | (i', j') <- Set.toList known,
+              i' >= i && i' < i + high && j' >= j && j' < j + wide
+          ],
+        isJust (faceOf window)
+      )
+    faceOf window = case windowWhereabouts window of
+      OnFace place -> Just (placeFace place)
+      _ -> Nothing
+
+-- | The faces on which these cells of the array lie.
+facesAt :: Placement -> [Position] -> [Face]
+facesAt place positions =
+  nub [placeFace on | at <- positions, OnFace on <- [whereabouts place (Shape 1 1) at]]
 
 -- | The window whose upper left cell is this one of the grid.
 windowIn ::

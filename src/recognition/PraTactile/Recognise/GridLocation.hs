@@ -31,10 +31,11 @@ import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (displaced)
+import PraTactile.Grid (canonicalPosition, displaced)
 import PraTactile.Locate hiding (Cell)
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Foreign
 import PraTactile.Locate.Query (radiusFor)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
@@ -183,7 +184,7 @@ evidenceFrom codebook witnesses share orientationDoubt seen posterior = do
   pure
     ( place,
       Evidence
-        { evidenceDoubts = doubtsOf (foreignChance codebook share seen place doubt),
+        { evidenceDoubts = doubtsOf (foreignAt codebook share seen place doubt),
           evidenceAgreeing = length agreeing,
           evidenceWrong = map readNumber wrong,
           evidenceInconsistent = mostlyIn wrong agreeing,
@@ -198,34 +199,24 @@ evidenceFrom codebook witnesses share orientationDoubt seen posterior = do
     doubtsOf alien = Doubts (other * (1 - alien)) 0 alien
 
 -- | The probability that the observed cells are foreign, given the share of foreign things, the
--- likeliest position, and the probability that among all positions it is another one. Bayes'
--- theorem: of what is foreign every content is equally likely; of what is the array's, every
--- position, and there each symbol has its probability, but for one in a hundred, which is not what
--- it seems ('misleading'): damaged, soiled, or wrongly embossed.
-foreignChance ::
+-- likeliest position, and the probability that among all positions it is another one.
+foreignAt ::
   KnownField k => Codebook k -> Double -> Patch (Belief k) -> Position -> Double -> Double
-foreignChance codebook share seen place doubt
-  | share <= 0 = 0
-  | otherwise = 1 / (1 + exp (ours - theirs))
+foreignAt codebook share seen place doubt =
+  foreignChance
+    ForeignComparison
+      { foreignShare = share,
+        foreignSymbols = fieldOrder array,
+        foreignPlaces = area size,
+        foreignExpected = [chanceOf offset b | (offset, b) <- observedCells seen],
+        foreignElsewhere = doubt
+      }
   where
     array = codebookArray codebook
     size = arrayShape array
-    q = fromIntegral (fieldOrder array) :: Double
-    cells = observedCells seen
-    theirs = log share - fromIntegral (length cells) * log q
-    ours =
-      log (1 - share) + sum (map expected cells)
-        - log (max 1e-300 (1 - doubt))
-        - log (fromIntegral (rows size) * fromIntegral (columns size))
-    expected (offset, b) = log ((1 - misleading) * chanceOf offset b + misleading / q)
     chanceOf offset b = case displaced (codebookSurface codebook) size place offset of
       Just there -> probabilities b Primitive.! toCode (cellAt array there)
       Nothing -> 0
-
--- | The share of symbols that are not what they seem, where the array's are compared with foreign
--- ones.
-misleading :: Double
-misleading = 0.01
 
 -- | The symbols that are certain, for an orientation of the face.
 data Witnesses = Witnesses
@@ -347,8 +338,12 @@ rightOnly = either (const Nothing) Just
 -- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
 -- 'Nothing' beyond the sheet.
 cellFrom :: Codebook k -> Position -> Cell -> Maybe Position
-cellFrom codebook place =
-  displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) place . offsetOf
+cellFrom codebook (Position r c) (i, j) =
+  canonicalPosition
+    (codebookSurface codebook)
+    (arrayShape (codebookArray codebook))
+    (toInteger r + toInteger i)
+    (toInteger c + toInteger j)
 
 -- | A cell of the grid, which has no rows and columns before 0, as an offset.
 offsetOf :: Cell -> Position

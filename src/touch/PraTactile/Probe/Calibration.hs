@@ -4,11 +4,13 @@ module PraTactile.Probe.Calibration
   ( Calibration (..),
     calibrate,
     corrected,
+    correctedImage,
+    withoutStuck,
     CalibrationError (..),
   )
 where
 
-import Data.List (sort)
+import Data.List (foldl', sort)
 import Data.Maybe (fromMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
@@ -21,7 +23,7 @@ import PraTactile.Image
     rasterValues,
     rasterWidth,
   )
-import PraTactile.Probe (Frame (..))
+import PraTactile.Probe (Frame (..), Pose (..))
 
 -- | What a sensor's readings are corrected by. Both rasters have the sensor's size.
 data Calibration = Calibration
@@ -92,15 +94,43 @@ median values = case drop (length values `div` 2) (sort values) of
   v : _ -> v
   [] -> 0
 
--- | A frame with each reading less its offset, divided by its gain and clipped to 0..1. A dead
--- element was not felt: in its place stands the mean of its living neighbours, of those in the
--- nearest square ring around it that holds any; 0 if all are dead. Refuses frames of another size.
+-- | A frame whose image is 'correctedImage'. Refuses frames of another size.
 corrected :: Calibration -> Frame -> Either CalibrationError Frame
-corrected (Calibration offset gain dead) frame
-  | size /= sizeOf offset = Left (SensorsDiffer (sizeOf offset) size)
-  | otherwise = Right frame {frameImage = generate w h filled}
+corrected calibration frame =
+  (\image -> frame {frameImage = image}) <$> correctedImage calibration (frameImage frame)
+
+-- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read more
+-- than half of full scale in every frame, though the sensor moved by 8 elements at least between
+-- some two of six frames or more. Nothing is changed where that says nothing: of fewer frames, of
+-- frames of several sizes, and where more than a quarter of all elements would be stuck.
+withoutStuck :: [Frame] -> [Frame]
+withoutStuck frames = case frames of
+  one : others
+    | length others >= 5,
+      moved,
+      all ((== size) . sizeOf . frameImage) others,
+      not (null stuck),
+      4 * length stuck <= w * h ->
+      map (\frame -> either (const frame) id (corrected without frame)) frames
+    where
+      size@(w, h) = sizeOf (frameImage one)
+      least = foldl' lower (rasterValues (frameImage one)) others
+      lower v frame = V.zipWith min v (rasterValues (frameImage frame))
+      stuck = [k `divMod` w | (k, v) <- zip [0 ..] (V.toList least), v > 0.5]
+      without = Calibration (generate w h (\_ _ -> 0)) (generate w h (\_ _ -> 1)) stuck
+      moved = extent poseX >= 8 * frameTaxel one || extent poseY >= 8 * frameTaxel one
+  _ -> frames
   where
-    image = frameImage frame
+    extent side = maximum (map (side . framePose) frames) - minimum (map (side . framePose) frames)
+
+-- | A sensor's image with each reading less its offset, divided by its gain and clipped to 0..1. A
+-- dead element was not felt: in its place stands the mean of its living neighbours, of those in the
+-- nearest square ring around it that holds any; 0 if all are dead. Refuses images of another size.
+correctedImage :: Calibration -> Raster -> Either CalibrationError Raster
+correctedImage (Calibration offset gain dead) image
+  | size /= sizeOf offset = Left (SensorsDiffer (sizeOf offset) size)
+  | otherwise = Right (generate w h filled)
+  where
     size@(w, h) = sizeOf image
     gone = Set.fromList dead :: Set (Int, Int)
     alive x y = x >= 0 && y >= 0 && x < w && y < h && Set.notMember (y, x) gone

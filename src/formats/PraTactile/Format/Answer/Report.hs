@@ -81,6 +81,7 @@ basisOf context answer =
       basisDimension = dimension,
       basisDistances = answerDistances answer >>= distanceReport (answerDecoder answer),
       basisPosterior = posteriorReport candidateReport <$> answerPosterior answer,
+      basisDoubts = answerDoubts answer,
       basisOrientation = if isUpright context then Nothing else Just orientation,
       basisPatches = (,) <$> patches <*> pure (answerDisputed answer),
       basisExplanation = answerExplanation context

@@ -1,0 +1,136 @@
+-- | Patches that may be nothing of the array's.
+module Test.Code.LocateForeign (spec) where
+
+import Data.Foldable (for_)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named (GF4)
+import PraTactile.Locate
+import PraTactile.Locate.Foreign
+import PraTactile.Random (uniform)
+import PraTactile.Symmetry
+import PraTactile.Window
+import System.Random (StdGen, mkStdGen)
+import Test.Code.Generators
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.Paper
+import Test.QuickCheck hiding (elements)
+
+spec :: Spec
+spec = do
+  prop "the chance is Bayes' theorem, added up over all places and over all foreign contents" $
+    forAll scenes $ \(share, q, chances) ->
+      let cells = length (concat (take 1 chances))
+          likely expected =
+            product
+              [ (1 - misleading) * chance + misleading / fromIntegral q
+                | chance <- expected
+              ]
+          together = sum (map likely chances)
+          best = maximum (map likely chances)
+          chosen = concat (take 1 [expected | expected <- chances, likely expected == best])
+          ours = (1 - share) * together / fromIntegral (length chances)
+          theirs = share / fromIntegral q ^^ cells
+          found =
+            foreignChance (ForeignComparison share q (places chances) chosen (1 - best / together))
+       in counterexample (show (found, theirs / (ours + theirs))) $
+            abs (found - theirs / (ours + theirs)) < 1e-9
+  it "where it is not thought of nothing is told, and a share of none changes nothing" $
+    for_ [symbols, beliefs] $ \kind -> do
+      plain <- locating Nothing 0.01 kind
+      none <- locating (Just 0) 0.01 kind
+      answerDoubts plain `shouldBe` Nothing
+      fmap doubtOfForeign (answerDoubts none) `shouldBe` Just 0
+      none {answerDoubts = Nothing} `shouldBe` plain
+  it "the more foreign things there are the more doubtful; too doubtful, it is refused" $
+    for_ [symbols, beliefs] $ \kind -> do
+      answers <- mapM (\share -> locating (Just share) 0.5 kind) [0.001, 0.01, 0.1, 0.9]
+      let told = [doubtOfForeign doubts | Just doubts <- map answerDoubts answers]
+      length told `shouldBe` 4
+      and (zipWith (<) told (drop 1 told)) `shouldBe` True
+      [share < 0.5 | share <- told] `shouldBe` [located answer | answer <- answers]
+  it "from probabilities the doubt is the sum of its parts" $ do
+    answer <- locating (Just 0.1) 0.5 beliefs
+    case (answerDoubts answer, answerPosterior answer) of
+      (Just (PlaceDoubts (Just place) foreign'), Just found) -> do
+        posteriorDoubt found - place - foreign' `shouldSatisfy` ((< 1e-12) . abs)
+        sum (map snd (posteriorRanking found)) + foreign' - 1 `shouldSatisfy` ((< 1e-9) . abs)
+      other -> expectationFailure (show other)
+  it "told wrong and counted wrong agree: a fifth of 1500 patches is foreign" $ do
+    array <- paperArray
+    window <- paperWindow
+    let made = locator Nothing MostSignificantFirst array window
+        judged seed = do
+          let (isForeign, at, codes) = drawn array (mkStdGen seed)
+          seen <- right (patch (map (map (Just . Probabilities . seenAs)) codes))
+          answer <- right (locate made (asking seen 0.5 (Just 0.2)))
+          pure $ case (answerOutcome answer, answerPosterior answer) of
+            (Unique found _, Just told) ->
+              [(isForeign || candidatePosition found /= at, posteriorDoubt told)]
+            _ -> []
+    answers <- concat <$> mapM judged [1 .. 1500]
+    let expected = sum (map snd answers)
+        counted = fromIntegral (length (filter fst answers)) :: Double
+        deviation = sqrt (sum [p * (1 - p) | (_, p) <- answers])
+    length answers `shouldSatisfy` (> 500)
+    expected `shouldSatisfy` (> 5)
+    abs (counted - expected) / deviation `shouldSatisfy` (< 3)
+  where
+    places = fromIntegral . length :: [a] -> Natural
+    scenes = do
+      share <- choose (0.001, 0.9)
+      q <- choose (2, 5 :: Int)
+      cells <- choose (1, 8 :: Int)
+      count <- choose (1, 20 :: Int)
+      chances <- vectorOf count (vectorOf cells (choose (0, 1 :: Double)))
+      pure (share, q, chances)
+    located answer = case answerOutcome answer of
+      Unique _ _ -> True
+      _ -> False
+    symbols = Symbol
+    beliefs = Probabilities . sure 0.97
+    locating share tolerated kind = do
+      array <- paperArray
+      window <- paperWindow
+      let rows' = look array (Shape 3 3) (Position 6 5)
+      seen <- right (patch (map (map (fmap kind)) rows'))
+      right $
+        locate
+          (locator Nothing MostSignificantFirst array window)
+          (asking seen tolerated share)
+    asking seen = Query [((0, 0), seen)] [identity] Torus Guaranteed
+    -- Which symbol was seen; it is that one with this probability.
+    sure p a =
+      either (error . show) id $
+        belief [if code == toCode a then p else (1 - p) / 3 | code <- [0 .. 3]]
+    seenAs = sure 0.9
+
+-- | Whether it is foreign, where it is else, and the six symbols that are seen: one in ten is
+-- another than there is.
+drawn :: PseudorandomArray GF4 -> StdGen -> (Bool, Position, [[GF GF4]])
+drawn array generator0 = (isForeign, at, codes)
+  where
+    (u, generator1) = uniform generator0
+    isForeign = u < 0.2
+    (r, generator2) = lessThan 15 generator1
+    (c, generator3) = lessThan 17 generator2
+    at = Position r c
+    codes = go generator3 [[Position (r + i) (c + j) | j <- [0 .. 2]] | i <- [0, 1]]
+    go generator rows' = case rows' of
+      [] -> []
+      line : rest ->
+        let (symbols, generator') = seenIn generator line in symbols : go generator' rest
+    seenIn generator line = case line of
+      [] -> ([], generator)
+      cell : rest ->
+        let (v, g1) = uniform generator
+            (k, g2) = lessThan 4 g1
+            true = cellAt array (Position (row cell `mod` 15) (column cell `mod` 17))
+            chance = either (error . show) id (fromCode (fromIntegral k))
+            (others, g3) = seenIn g2 rest
+         in (if isForeign || v < 0.4 / 3 then chance : others else true : others, g3)
+    lessThan n generator =
+      let (v, generator') = uniform generator
+       in (min (n - 1) (floor (v * fromIntegral (n :: Natural))), generator')
