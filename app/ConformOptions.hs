@@ -71,7 +71,8 @@ conformOptions =
     <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
     <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
   where
-    stagesNamed = [(name, [stage]) | (name, stage) <- allNamed stageName] ++ [("touch", touchStages)]
+    stagesNamed =
+      [(name, [stage]) | (name, stage) <- allNamed stageName] ++ [("touch", touchStages)]
     stageHelp =
       "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
       \register, stitch and segment"
@@ -110,9 +111,10 @@ settingsOf suite options = do
     named name patterns =
       for_ patterns $ \one ->
         unless (any (matches one) ids) . unusable $
-          if any (matches one) (idsOf others suite)
-            then name ++ ": " ++ quoted one ++ " is a law of touch; it needs --stage touch"
-            else name ++ ": no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
+          name ++ ": "
+            ++ if any (matches one) (idsOf others suite)
+              then quoted one ++ " is a law of touch; it needs --stage touch"
+              else "no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
     mebibyte = 1024 * 1024
     complaints =
       take 1 . concat $

@@ -10,7 +10,8 @@
 -- > for_ (lawProperties yours) (\(name, property) -> prop name property)
 --
 -- The stages of touch, registration, stitching and segmentation, have laws of their own,
--- 'runTouchLaws' and 'touchProperties'. The project's own test suite runs all of them on this library.
+-- 'runTouchLaws' and 'touchProperties'. The project's own test suite runs all of them on this
+-- library.
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,

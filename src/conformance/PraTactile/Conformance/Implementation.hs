@@ -56,21 +56,22 @@ data Implementation = Implementation
     touch :: Touch
   }
 
--- | What an implementation can do with what was touched. Each refuses as @invalid@ what is no frame
--- or composite: rows of different lengths, no row, none in a row, a grey value above 'fullScale'.
+-- | What an implementation can do with what was touched. Each refuses as @invalid@ what is no
+-- frame or composite: rows of different lengths, no row, none in a row, a grey value above
+-- 'fullScale'.
 data Touch = Touch
   { -- | where the second of two frames lies in the first: the only displacement of whole or broken
-    -- taxels within the search at which both show the same relief, whatever is affine in their grey
-    -- values. Refused, with the most probable one all the same: @no-overlap@ if the frames meet at
-    -- none of them; @blank@ if one of them shows nothing; @one-axis@ if the displacement along one
-    -- axis is fixed and that along the other is not; @ambiguous@ otherwise. Frames that differ in
-    -- size, or are not of 4 x 4 to 256 x 256 taxels, are @invalid@
+    -- taxels within the search at which both show the same relief, whatever is affine in their
+    -- grey values. Refused, with the most probable one all the same: @no-overlap@ if the frames
+    -- meet at none of them; @blank@ if one of them shows nothing; @one-axis@ if the displacement
+    -- along one axis is fixed and that along the other is not; @ambiguous@ otherwise. Frames that
+    -- differ in size, or are not of 4 x 4 to 256 x 256 taxels, are @invalid@
     register :: Pair -> Wire Registered,
-    -- | how far each frame is from where it should be, in the order of the frames, up to a shift that
-    -- is common to all. No frame, and frames as above, are @invalid@
+    -- | how far each frame is from where it should be, in the order of the frames, up to a shift
+    -- that is common to all. No frame, and frames as above, are @invalid@
     stitch :: Natural -> [Placed] -> Wire [Taxels],
-    -- | the symbols of the shipped alphabet that lie wholly in a composite, each where its box of 8 x
-    -- 12 taxels has its centre
+    -- | the symbols of the shipped alphabet that lie wholly in a composite, each where its box of
+    -- 8 x 12 taxels has its centre
     segment :: Rows -> Wire [Symbol]
   }
 
@@ -138,21 +139,21 @@ data Session = Session
     pack :: [Code] -> Wire Natural,
     -- | and back; refuses a number that packs no window as @out-of-range@: 256 and more
     unpack :: Natural -> Wire [Code],
-    -- | where a patch is by the table of all windows, row by row, 'Nothing' for a cell that was not
-    -- observed. The complete windows in it that occur on the surface are looked up; their places,
-    -- intersected, at which every observed cell agrees, are the answer. Refuses a patch of which
-    -- nothing was observed as @too-few-cells@; without a complete window, @no-complete-window@; if
-    -- none occurs, @zero-window@ where all of them are zeros, otherwise @not-in-array@; where no
-    -- place agrees, @off-sheet@ if only the sheet's edges are in the way, otherwise
-    -- @contradiction@
+    -- | where a patch is by the table of all windows, row by row, 'Nothing' for a cell that was
+    -- not observed. The complete windows in it that occur on the surface are looked up; their
+    -- places, intersected, at which every observed cell agrees, are the answer. Refuses a patch of
+    -- which nothing was observed as @too-few-cells@; without a complete window,
+    -- @no-complete-window@; if none occurs, @zero-window@ where all of them are zeros, otherwise
+    -- @not-in-array@; where no place agrees, @off-sheet@ if only the sheet's edges are in the way,
+    -- otherwise @contradiction@
     locate :: Patch -> Wire Place,
-    -- | the position, or the several equally near, that differ from a patch in the fewest cells, if
-    -- these are within a radius: the one that is stated, or else the largest e with 2 e < d, d
+    -- | the position, or the several equally near, that differ from a patch in the fewest cells,
+    -- if these are within a radius: the one that is stated, or else the largest e with 2 e < d, d
     -- being the least number in which two contents of the observed cells differ on the array's own
     -- surface (0 where two are the same); whether or not a window is complete. Refuses a patch of
-    -- which nothing was observed as @too-few-cells@. Where nothing is within the radius: if that is
-    -- 0 and a window is complete, as @locate@ does; if it is 0 and none is, @zero-window@ where all
-    -- observed cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many
+    -- which nothing was observed as @too-few-cells@. Where nothing is within the radius: if that
+    -- is 0 and a window is complete, as @locate@ does; if it is 0 and none is, @zero-window@ where
+    -- all observed cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many
     -- observed cells as the radius are not 0, else @beyond-radius@
     nearest :: Maybe Natural -> Patch -> Wire Place,
     -- | the probability of every position, those of probability 0 perhaps left out, in any order,
@@ -197,8 +198,9 @@ noOperations p =
       distance = const missing
     }
 
--- | What an implementation answers to a question of the code. An input that may be anything is read first; what
--- is no input of its operation is refused as @invalid@ before the implementation sees it.
+-- | What an implementation answers to a question of the code. An input that may be anything is
+-- read first; what is no input of its operation is refused as @invalid@ before the implementation
+-- sees it.
 answerOf :: Session -> Question a -> Wire a
 answerOf s question = case question of
   Add a b -> add s a b

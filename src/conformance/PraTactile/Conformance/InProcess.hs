@@ -35,7 +35,9 @@ inProcess implementation = do
       { subjectName = implementationName implementation,
         subjectOffers = offered implementation,
         subjectProfile = guarded . putInForce implementation force,
-        subjectAsk = upToFault . map (\(SomeQuestion asked) -> guarded (answerIn implementation force asked)),
+        subjectAsk =
+          upToFault
+            . map (\(SomeQuestion asked) -> guarded (answerIn implementation force asked)),
         subjectBatch = 64,
         subjectUnknown = [],
         subjectChecks = []
@@ -50,8 +52,8 @@ putInForce implementation force profile' = do
     Left why -> pure (CameRefused (refusalReason why))
     Right session -> CameResult (Bool True) <$ writeIORef force (Just session)
 
--- | The answer of the session in force, or, to a question about touch, which needs none, that of the
--- implementation, computed to its end.
+-- | The answer of the session in force, or, to a question about touch, which needs none, that of
+-- the implementation, computed to its end.
 answerIn :: Implementation -> Force -> Question a -> IO Came
 answerIn implementation force question = case touched (touch implementation) question of
   Just wire -> answered wire

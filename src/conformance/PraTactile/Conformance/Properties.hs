@@ -30,14 +30,14 @@ import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 import Test.QuickCheck
 
--- | Try all laws of the code, of opening and of sessions, under the default profiles, and print the report:
--- names, counts, and of each law that failed the smallest case, with your answer and the
--- definition's. The exit status is 0 if the implementation is certified, otherwise 1.
+-- | Try all laws of the code, of opening and of sessions, under the default profiles, and print
+-- the report: names, counts, and of each law that failed the smallest case, with your answer and
+-- the definition's. The exit status is 0 if the implementation is certified, otherwise 1.
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 
--- | The same under other profiles, by their names. One that describes no array is an exit status of
--- 2.
+-- | The same under other profiles, by their names. One that describes no array is an exit status
+-- of 2.
 runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
 runLawsUnder = runStages codeStages
 
@@ -55,8 +55,8 @@ runStages stages profiles implementation = case standardSuite profiles of
     putStr (reportText (const "runLaws") report)
     pure (if certified report then ExitSuccess else ExitFailure 1)
 
--- | All laws of the code that an implementation offers what they need, under the default profiles, each with
--- its id and the profile's name.
+-- | All laws of the code that an implementation offers what they need, under the default profiles,
+-- each with its id and the profile's name.
 lawProperties :: Implementation -> [(String, Property)]
 lawProperties implementation =
   [(lawId law, openingProperty (map snd defaultProfiles) law implementation) | law <- openingLaws]

@@ -47,7 +47,7 @@ searches =
           least f _ = min (length (f a)) (length (f b))
           concat' = concat . take 1
        in pair {pairFirst = cut a, pairSecond = cut b},
-    mistouched "compares-grey-values" "compares grey values as they are, whatever the gain" $ \with ->
+    mistouched "compares-grey-values" "compares grey values as they are" $ \with ->
       with
         { register = \pair -> do
             came <- register with pair

@@ -38,7 +38,10 @@ data Kill = Kill
 -- profiles that shows it.
 kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
-  catMaybes <$> traverse (killBy seed profiles impostor) (chosen openingLaws ++ chosen laws ++ chosen touchLaws)
+  catMaybes
+    <$> traverse
+      (killBy seed profiles impostor)
+      (chosen openingLaws ++ chosen laws ++ chosen touchLaws)
   where
     chosen :: [Law about] -> [String]
     chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]

@@ -21,7 +21,7 @@ places =
       map (\(Symbol (x, y) a) -> Symbol (y, x) a),
     telling "counts-pixels-from-one" "has 1, 1 for the upper left pixel" $ \_ ->
       map (\(Symbol (x, y) a) -> Symbol (x + 1, y + 1) a),
-    telling "puts-symbols-on-a-lattice" "moves every symbol to the lattice of the first one" $ \_ found ->
+    telling "puts-symbols-on-a-lattice" "moves symbols to the first one's lattice" $ \_ found ->
       case found of
         Symbol (x0, y0) _ : _ ->
           [ Symbol (x0 + 16 * whole ((x - x0) / 16), y0 + 20 * whole ((y - y0) / 20)) a
@@ -47,7 +47,7 @@ kinds =
     telling "sees-a-symbol-in-nothing" "tells a symbol where there is none" $ \rows found ->
       if null found then [Symbol (0, fromIntegral (length rows) / 2) 0] else found,
     mistouched "has-a-threshold-of-its-own" "takes grey values above 14000 for embossed" $ \with ->
-      with {segment = segment with . map (map (\v -> if v > 14000 && v <= fullScale then 20000 else min v 8000 + over v))},
+      with {segment = segment with . map (map cut)},
     mistouched "segments-ragged-rows" "makes rows of several lengths alike" $ \with ->
       with
         { segment = \rows ->
@@ -56,8 +56,10 @@ kinds =
         }
   ]
   where
-    uneven column = any (/= 0) (zipWith (\a b -> if a > b then a - b else b - a) column (drop 1 column))
-    over v = if v > fullScale then v else 0
+    uneven column = or (zipWith (/=) column (drop 1 column))
+    cut v
+      | v > fullScale = v
+      | otherwise = if v > 14000 then 20000 else 8000
 
 -- | With other symbols, given the composite.
 telling :: String -> String -> (Rows -> [Symbol] -> [Symbol]) -> Impostor

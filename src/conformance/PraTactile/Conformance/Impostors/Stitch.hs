@@ -15,7 +15,7 @@ stitchImpostors =
   [ correcting "stitches-nothing" "leaves every frame where it should be" $ \_ _ -> (0, 0),
     correcting "corrects-backwards" "tells where a frame should be from where it is" $
       \_ (x, y) -> (negate x, negate y),
-    correcting "corrects-rows-for-columns" "takes down for right and right for down in corrections" $
+    correcting "corrects-rows-for-columns" "takes down for right and right for down in a frame" $
       \_ (x, y) -> (y, x),
     correcting "corrects-along-rows" "corrects frames along x alone" $ \_ (x, _) -> (x, 0),
     correcting "stretches-the-robot" "takes the robot's taxels for 5 % longer than they are" $
@@ -32,11 +32,11 @@ stitchImpostors =
             came <- stitch with search frames
             pure (map snd (sortOn (placeOf . fst) (zip frames came)))
         },
-    asked "counts-places-from-zero" "takes a place left of or above the origin for the opposite one" $
+    asked "counts-places-from-zero" "takes a place before the origin for the opposite one" $
       \(Placed rows (x, y)) -> Placed rows (abs x, abs y),
-    asked "takes-bright-for-saturated" "takes all grey values above a third of full scale for that" $
+    asked "takes-bright-for-saturated" "takes grey values above a third of full scale for that" $
       \(Placed rows place) -> Placed (map (map (min 21845)) rows) place,
-    mistouched "stitches-frames-of-any-size" "cuts frames of several sizes to what all have" $ \with ->
+    mistouched "stitches-frames-of-any-size" "cuts frames of two sizes alike" $ \with ->
       with
         { stitch = \search frames ->
             let high = minimum (256 : [length rows | Placed rows _ <- frames])

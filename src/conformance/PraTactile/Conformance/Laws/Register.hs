@@ -72,7 +72,7 @@ placeLaws =
       "known-displacement"
       "two frames cut from one relief are registered where they were cut, to half a taxel"
       "both show the same relief there, and within the search nowhere else"
-      (\_ -> id),
+      (const id),
     placed
       "gain-and-offset"
       "a gain and an offset of each frame's grey values change nothing"
@@ -111,16 +111,19 @@ placeLaws =
     back (x, y) = (negate x, negate y)
 
 -- | A law that a pair, changed in a way, is registered where it lies.
-placed :: String -> String -> String -> (Int -> (WholeTaxels, Pair) -> (WholeTaxels, Pair)) -> Law ()
+placed ::
+  String -> String -> String -> (Int -> (WholeTaxels, Pair) -> (WholeTaxels, Pair)) -> Law ()
 placed what sentence reason change =
-  law OnRegister what [OfRegister] sentence source $ \() ->
+  law OnRegister what [OfRegister] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
       let (shift@(x, y), pair) = change (pressChange press) (pressed press)
           wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
           fits came = registeredReason came == Nothing && near 0.5 shift (registeredBest came)
        in if telling pair shift then asking pair wanted fits reason else pure NotMeant
-  where
-    source = "how the frames were cut; the protocol, register"
+
+-- | Where all of this is from.
+theCut :: String
+theCut = "how the frames were cut; the protocol, register"
 
 asking :: Pair -> Registered -> (Registered -> Bool) -> String -> Ask Verdict
 asking pair wanted fits reason =
@@ -129,14 +132,16 @@ asking pair wanted fits reason =
 near :: Double -> WholeTaxels -> Taxels -> Bool
 near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y - y')) <= most
 
--- | A law that a pair of a press, with what it shows of its own, is refused so.
+-- | A law that a pair of a press, if it is meant, is refused so; and what else must fit.
 refusal ::
-  String -> String -> String -> (Press -> (Pair, Registered, Registered -> Bool)) -> Law ()
+  String -> String -> String -> (Press -> Maybe (Pair, Registered, Registered -> Bool)) -> Law ()
 refusal what sentence reason scene =
-  law OnRegister what [OfRegister] sentence "how the frames were cut; the protocol, register" $ \() ->
+  law OnRegister what [OfRegister] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
-      let (pair, wanted, fits) = scene press
-       in asking pair wanted (\c -> registeredReason c == registeredReason wanted && fits c) reason
+      case scene press of
+        Nothing -> pure NotMeant
+        Just (pair, wanted, fits) ->
+          asking pair wanted (\c -> registeredReason c == registeredReason wanted && fits c) reason
 
 refusalLaws :: [Law ()]
 refusalLaws =
@@ -152,7 +157,7 @@ refusalLaws =
               0 -> Pair (flat change a) b step search
               1 -> Pair a (flat change b) step search
               _ -> Pair (flat change a) (flat (change `div` 3) b) step search
-         in (pair, unknown "blank" step (False, False), const True),
+         in Just (pair, unknown "blank" step (False, False), const True),
     refusal
       "one-axis"
       "where all edges are straight and parallel, it is refused: one-axis, with the displacement \
@@ -172,7 +177,7 @@ refusalLaws =
             cut = frameOf (w + 8, h + 8) (periodic periods phases)
             step = pressStep press
             pair = Pair (cut (0, 0)) (cut (within step (pressError press))) step 6
-         in (pair, unknown "ambiguous" step (False, False), const True),
+         in Just (pair, unknown "ambiguous" step (False, False), const True),
     refusal
       "no-overlap"
       "where the frames meet nowhere in the search, it is refused: no-overlap"
@@ -186,16 +191,20 @@ refusalLaws =
               1 -> (negate w - beyond, 1)
               2 -> (0, h + beyond)
               _ -> (2, negate h - beyond)
-         in (Pair a b step search, unknown "no-overlap" step (False, False), const True)
+         in Just (Pair a b step search, unknown "no-overlap" step (False, False), const True)
   ]
   where
     unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
     within (x, y) (i, j) = (x + i, y + j)
 
 -- | Up to three edges that both frames show wherever within the search they lie.
-oneAxis :: Press -> (Pair, Registered, Registered -> Bool)
-oneAxis press = (pair, Registered (Just "one-axis") at (across, not across), fits)
+oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)
+oneAxis press
+  -- Edges that undo each other show nothing.
+  | maximum profile < minimum profile + 4000 = Nothing
+  | otherwise = Just (pair, Registered (Just "one-axis") at (across, not across), fits)
   where
+    profile = [relief (t, t) | t <- [first' .. last']]
     change = pressChange press
     across = even change
     axis = if across then fst else snd

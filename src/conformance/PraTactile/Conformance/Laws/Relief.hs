@@ -79,16 +79,17 @@ periodic (p, q) (i, j) (x, y) = grey (wave p i x + wave q j y)
 frameOf :: (Integer, Integer) -> Relief -> WholeTaxels -> Rows
 frameOf (w, h) relief (x, y) = [[relief (x + i, y + j) | i <- [0 .. w - 1]] | j <- [0 .. h - 1]]
 
--- | Whether a pair shows by itself where the second frame lies: at every displacement within the
--- search, but for those within one taxel of this one, what both have in common correlates by less
--- than 0.9.
+-- | Whether a pair shows by itself where the second frame lies: at every other whole displacement
+-- within the search, what both have in common correlates by less than 0.9; one taxel away, by less
+-- than 0.97.
 telling :: Pair -> WholeTaxels -> Bool
 telling (Pair a b (sx, sy) search) (dx, dy) =
   and
-    [ correlation (common (x, y) a b) < 0.9
+    [ correlation (common (x, y) a b) < if away == 1 then 0.97 else 0.9
       | x <- [sx - r .. sx + r],
         y <- [sy - r .. sy + r],
-        max (abs (x - dx)) (abs (y - dy)) > 1
+        let away = max (abs (x - dx)) (abs (y - dy)),
+        away > 0
     ]
   where
     r = toInteger search

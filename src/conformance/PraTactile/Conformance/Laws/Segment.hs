@@ -17,9 +17,19 @@ import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Question.Touch
-import PraTactile.Format.Json.Codec (Codec, bool, int, integer, key, listOf, nullable, object, pairOf)
+import PraTactile.Format.Json.Codec
+  ( Codec,
+    bool,
+    int,
+    integer,
+    key,
+    listOf,
+    nullable,
+    object,
+    pairOf,
+  )
 import PraTactile.Shape (bitmapRows, paperAlphabet, shapes)
-import PraTactile.Symmetry (degreesClockwise, onPixel, turned, onRows)
+import PraTactile.Symmetry (degreesClockwise, onPixel, onRows, turned)
 import Test.QuickCheck
   ( Gen,
     arbitrary,
@@ -130,8 +140,8 @@ segmentLaws :: [Law ()]
 segmentLaws =
   [ comesOut
       "drawn-symbols"
-      "symbols that are drawn come out, and nothing else does: the centres to half a pixel, the axes \
-      \to 5 degrees"
+      "symbols that are drawn come out, and nothing else does: the centres to half a pixel, the \
+      \axes to 5 degrees"
       "they were drawn there"
       upright,
     comesOut
@@ -140,7 +150,8 @@ segmentLaws =
       "they were drawn there"
       ( \drawing ->
           let n = drawingChange drawing
-              by c r = let k = n * 7 + c * 5 + r * 11 in (toInteger (k `mod` 3), toInteger (k `div` 3 `mod` 3))
+              by c r =
+                let k = toInteger (n * 7 + c * 5 + r * 11) in (k `mod` 3, k `div` 3 `mod` 3)
               (rows, centres) = drawn drawing (symbolsOf by drawing)
            in (rows, [Symbol centre 0 | centre <- centres])
       ),
@@ -165,7 +176,8 @@ segmentLaws =
       ( \drawing ->
           let (rows, symbols) = upright drawing
               n = drawingChange drawing
-           in (affinely (Affine (fromIntegral (1 + n `mod` 3)) (fromIntegral (n * 5))) rows, symbols)
+              change = Affine (fromIntegral (1 + n `mod` 3)) (fromIntegral (n * 5))
+           in (affinely change rows, symbols)
       ),
     comesOut
       "blank"
@@ -211,7 +223,11 @@ comesOut what sentence reason scene =
     same (Symbol (x, y) a) (Symbol (x', y') a') =
       max (abs (x - x')) (abs (y - y')) <= 0.5 && apart a a' <= 5
     -- Axes are up to half turns.
-    apart a a' = let d = abs (a - a') - 180 * fromIntegral (floor (abs (a - a') / 180) :: Integer) in min d (180 - d)
+    apart a a' =
+      let difference = abs (a - a')
+          turns = fromIntegral (floor (difference / 180) :: Integer)
+          d = difference - 180 * turns
+       in min d (180 - d)
 
 invalidLaw :: Law ()
 invalidLaw =

@@ -68,9 +68,10 @@ type Truth = [(Placed, WholeTaxels)]
 surveyed :: Survey -> Truth
 surveyed (Survey seed (columns, rows) errors _) =
   [ (Placed (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
-    | ((x, y), (i, j)) <- zip [(8 * c, 8 * r) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]] errors
+    | ((x, y), (i, j)) <- zip places errors
   ]
   where
+    places = [(8 * c, 8 * r) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
     relief = bumpy seed
 
 -- | The laws of stitching.
@@ -185,7 +186,7 @@ invalidLaw =
             [a, Placed (frameOf (16, 15) relief (8, 0)) (8, 0)],
             [Placed (frameOf (3, 3) relief (0, 0)) (0, 0)],
             [a, Placed [] (8, 0)],
-            [a, Placed ([[1, 2]] ++ frameOf (16, 15) relief (8, 0)) (8, 0)],
+            [a, Placed ([1, 2] : frameOf (16, 15) relief (8, 0)) (8, 0)],
             [a, Placed (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
           ]
     ]

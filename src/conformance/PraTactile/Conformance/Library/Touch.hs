@@ -4,9 +4,10 @@ module PraTactile.Conformance.Library.Touch
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Monad (unless)
-import qualified Data.Map as Map
 import Data.Maybe (isNothing)
+import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question.Touch
@@ -61,16 +62,24 @@ registered (Pair a b (x, y) search) = do
 -- | The tables for frames of a width and height, if these are possible; those of small frames are
 -- made once.
 tablesOf :: (Int, Int) -> Maybe Tables
-tablesOf size@(w, h)
+tablesOf (w, h)
   | min w h < 4 || max w h > 256 = Nothing
-  | otherwise = maybe made Just (Map.lookup size smallTables)
+  | otherwise = small <|> made
   where
     made = either (const Nothing) (\known -> Just (tablesFor known w h)) paperAlphabet
+    small
+      | max w h < 4 + smallSides = smallTables Vector.!? ((w - 4) * smallSides + h - 4)
+      | otherwise = Nothing
 
-smallTables :: Map.Map (Int, Int) Tables
+-- | Those of frames of 4 to 31 taxels a side, by width and then height.
+smallTables :: Vector.Vector Tables
 smallTables = case paperAlphabet of
-  Left _ -> Map.empty
-  Right known -> Map.fromList [((w, h), tablesFor known w h) | w <- [4 .. 32], h <- [4 .. 32]]
+  Left _ -> Vector.empty
+  Right known -> Vector.generate (smallSides * smallSides) $ \i ->
+    let (w, h) = i `quotRem` smallSides in tablesFor known (4 + w) (4 + h)
+
+smallSides :: Int
+smallSides = 28
 
 -- | The search is taken for two standard deviations of the robot's error.
 stitched :: Natural -> [Placed] -> Wire [Taxels]

@@ -1,6 +1,6 @@
 -- | What the questions about touch are about, and their answers. No profile is known to them. Grey
--- values are whole numbers from 0, no contact, to 65535, full scale; places and displacements are in
--- taxels, to the right and down.
+-- values are whole numbers from 0, no contact, to 65535, full scale; places and displacements are
+-- in taxels, to the right and down.
 module PraTactile.Conformance.Question.Touch
   ( Rows,
     WholeTaxels,

@@ -1,7 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Questions about touch and their answers as JSON values. The answers are objects with some of the
--- keys that @pra-tactile register@, @stitch@ and @segment@ print, and further keys do not matter.
+-- | Questions about touch and their answers as JSON values. The answers are objects with some of
+-- the keys that @pra-tactile register@, @stitch@ and @segment@ print, and further keys do not
+-- matter.
 module PraTactile.Conformance.Wire.Touch
   ( -- * Questions
     pairValue,
