@@ -189,7 +189,7 @@ data Kind = Plain | Several | Yes | No
 
 kindsOf :: [(Operation, Kind)]
 kindsOf =
-  [(operation, Plain) | operation <- [minBound .. maxBound], operation `notElem` map fst others]
+  [(operation, Plain) | operation <- codeOperations, operation `notElem` map fst others]
     ++ others
   where
     others =
