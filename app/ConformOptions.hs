@@ -53,7 +53,7 @@ conformOptions :: Parser Options
 conformOptions =
   Options
     <$> flag InSession OneShot (long "one-shot" <> help "Start a process for each request")
-    <*> many (choosing "stage" (allNamed stageName) "stage" "NAME" stageHelp mempty)
+    <*> (concat <$> many (choosing "stage" stagesNamed "stage" "NAME" stageHelp mempty))
     <*> many (patternOption "run" runHelp)
     <*> many (patternOption "skip" "Leave out the laws whose id fits; may be repeated")
     <*> switch (long "skip-must-fail" <> help "Try what is skipped all the same: it must fail")
@@ -71,7 +71,11 @@ conformOptions =
     <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
     <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
   where
-    stageHelp = "Try only the laws of a stage; may be repeated"
+    stagesNamed =
+      [(name, [stage]) | (name, stage) <- allNamed stageName] ++ [("touch", touchStages)]
+    stageHelp =
+      "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
+      \register, stitch and segment"
     runHelp = "Try only the laws whose id fits, as in 'field/*' or commutes; may be repeated"
     knownHelp = "Laws that are known to fail: an id or a pattern a line, # before a comment"
     profileHelp =
@@ -101,11 +105,16 @@ settingsOf suite options = do
         settingKnown = known
       }
   where
-    ids = idsOf suite ++ map fst checkTexts
+    (tried, others) = if null (stages options) then (codeStages, touchStages) else (all', [])
+    all' = codeStages ++ touchStages
+    ids = idsOf tried suite ++ map fst checkTexts
     named name patterns =
       for_ patterns $ \one ->
         unless (any (matches one) ids) . unusable $
-          name ++ ": no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
+          name ++ ": "
+            ++ if any (matches one) (idsOf others suite)
+              then quoted one ++ " is a law of touch; it needs --stage touch"
+              else "no law is called " ++ quoted one ++ "; 'pra-tactile conform --list' has all"
     mebibyte = 1024 * 1024
     complaints =
       take 1 . concat $

@@ -9,7 +9,7 @@ import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law (Law (lawId))
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import System.Environment (getArgs)
 import System.Exit (exitFailure)
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
@@ -41,7 +41,8 @@ main = do
       printf "    %-45s %-26s %d cases\n" (killLaw kill) (killProfile kill) (killCases kill)
     pure (impostorName impostor, escaped, map killLaw found)
   let idle =
-        (map lawId openingLaws ++ map lawId laws) \\ nub (concat [found | (_, _, found) <- scores])
+        (map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws)
+          \\ nub (concat [found | (_, _, found) <- scores])
       survivors = [name | (name, escaped, _) <- scores, escaped > 0]
   printf
     "%d of %d impostors are found with each of %d seeds\n"

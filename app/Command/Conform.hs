@@ -45,6 +45,7 @@ command =
     \hung or crashed; 2: it cannot be started or never answers."
     [ "pra-tactile conform --stage field -- pra-tactile serve",
       "pra-tactile conform --run 'array/*' --cases 20 --json -- pra-tactile serve",
+      "pra-tactile conform --stage touch --cases 5 -- pra-tactile serve",
       "pra-tactile conform --list"
     ]
     (run <$> conformOptions)

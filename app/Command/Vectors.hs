@@ -15,7 +15,7 @@ import Message (formatMessage)
 import Options
 import Output (writeMessage, writeWhole)
 import PraTactile.Conformance.Profiles (profileNamed)
-import PraTactile.Conformance.Question (Operation, operationName)
+import PraTactile.Conformance.Question (Operation, codeOperations, operationName)
 import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Profile (Profile)
@@ -42,7 +42,7 @@ command =
     (run <$> (making <|> Check <$> folder "check" "Check the vectors in this folder"))
   where
     folder name text = strOption (long name <> metavar "FOLDER" <> action "directory" <> help text)
-    operations = allNamed operationName
+    operations = [(operationName one, one) | one <- codeOperations]
     making =
       Make
         <$> folder "output" "Write the vectors here; files of the same name are replaced"
@@ -59,7 +59,7 @@ run work = case work of
 make :: FilePath -> Maybe Operation -> Maybe FilePath -> Int -> IO ExitStatus
 make folder chosen file seed = do
   profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
-  let operations = maybe [minBound ..] pure chosen
+  let operations = maybe codeOperations pure chosen
   counts <- forM profiles $ \(name, profile) -> do
     let usable = orUnusable (\why -> name ++ ": " ++ why)
     prepared <- prepare profile >>= usable

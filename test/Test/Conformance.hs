@@ -15,7 +15,7 @@ import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.InProcess (inProcess)
-import PraTactile.Conformance.Law (Cases (..), Domain (..))
+import PraTactile.Conformance.Law (Cases (..), Domain (..), Stage (OnRegister), touchStages)
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Report.Words (valueText)
 import PraTactile.Conformance.Run
@@ -32,9 +32,19 @@ spec = do
     for_ small $ \under ->
       it ("of a decoder written from the documentation: " ++ fst under) $
         failing [under] (fromTheDocumentation library)
+    it "of this library's stages of touch" $
+      failingWith standardSettings {settingStages = touchStages, settingCases = 25} [] library
   it "laws have ids of their own" $ do
-    let ids = map lawId openingLaws ++ map lawId laws
+    let ids = map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws
     ids \\ nub ids `shouldBe` []
+  it "without a stage no law of touch is tried, and no operation of touch counts" $ do
+    suite <- either fail pure (standardSuite (take 1 defaultProfiles))
+    subject <- inProcess library
+    let first' = standardSettings {settingRun = ["field/addition-commutes", "register/"]}
+    report <- runSuite first' suite (const (pure ())) [subject]
+    map lawReportStage (reportLaws report) `shouldSatisfy` notElem OnRegister
+    length (reportAsks report) `shouldBe` 19
+    reportOffers report `shouldBe` reportAsks report
   it "where a law exhausts its domain, no question is asked twice under the paper's profile" $ do
     Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
     let repeats (Cases form domain _) = case domain of
@@ -65,10 +75,13 @@ spec = do
 
 -- | The laws that do not hold, which must be none.
 failing :: [(String, Profile)] -> Implementation -> Expectation
-failing profiles implementation = do
+failing = failingWith standardSettings
+
+failingWith :: Settings -> [(String, Profile)] -> Implementation -> Expectation
+failingWith settings profiles implementation = do
   suite <- either fail pure (standardSuite profiles)
   subject <- inProcess implementation
-  report <- runSuite standardSettings suite (const (pure ())) [subject]
+  report <- runSuite settings suite (const (pure ())) [subject]
   [lawReportId one | one <- reportLaws report, lawReportOutcome one `notElem` [Held, Skipped]]
     `shouldBe` []
 
@@ -83,7 +96,7 @@ data Found = Found
 found :: IO Found
 found = do
   byLaws <-
-    for (map lawId openingLaws ++ map lawId laws) $ \law ->
+    for (map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws) $ \law ->
       (,) law
         <$> firstJust
           [ ((,) one <$>) <$> found' one law

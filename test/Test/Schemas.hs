@@ -201,6 +201,8 @@ conforming =
     ("impostors", "pra serve --impostors --json"),
     ("conform", conform ("--run window/pack" ++ paper) "pra-tactile serve"),
     ("conform", conform ("--one-shot --run array/cell-at-the-edges" ++ paper) adapter),
+    ("conform", conform "--stage touch --run displacement --cases 2" "pra-tactile serve"),
+    ("conform-laws", "pra conform --list --stage touch --json"),
     ("conform", started ++ conform ("--stage window" ++ paper) ended)
   ]
   where
@@ -258,8 +260,14 @@ inputs =
     ("nearest", "{\"patch\": [[3, null, 2]], \"radius\": 0}"),
     ("posterior", "{\"patch\": [[[0, 0, 0.1, 0.9], 2], [3, 1]]}"),
     ("prove", "{\"mask\": \"##/.#\"}"),
-    ("distance", "{\"mask\": \"###/###/###\"}")
+    ("distance", "{\"mask\": \"###/###/###\"}"),
+    ("register", "{\"a\": " ++ rows ++ ", \"b\": " ++ rows ++ ", \"step\": [2, 0], \"search\": 1}"),
+    ("stitch", "{\"frames\": [{\"rows\": " ++ rows ++ ", \"place\": [-3, \"4\"]}], \"search\": 1}"),
+    ("segment", "{\"rows\": " ++ rows ++ "}"),
+    ("segment", "{\"rows\": [[65536]]}")
   ]
+  where
+    rows = show [[1000 * (i * i + 2 * j) | i <- [0 .. 3]] | j <- [0 .. 3 :: Int]]
 
 -- | The names of the forms of output in the sources: what stands between @pra-tactile/@ and a
 -- slash, and what is given to @encodeSchema@.

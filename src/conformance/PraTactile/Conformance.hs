@@ -9,22 +9,28 @@
 --
 -- > for_ (lawProperties yours) (\(name, property) -> prop name property)
 --
--- The project's own test suite runs all of them on this library.
+-- The stages of touch, registration, stitching and segmentation, have laws of their own,
+-- 'runTouchLaws' and 'touchProperties'. The project's own test suite runs all of them on this
+-- library.
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,
+    module PraTactile.Conformance.Question.Touch,
     library,
 
     -- * Running all laws
     runLaws,
+    runTouchLaws,
     lawProperties,
     lawProperty,
     openingProperty,
+    touchProperties,
 
     -- * Laws
     Law (..),
     laws,
     openingLaws,
+    touchLaws,
 
     -- * Profiles
     defaultProfiles,
@@ -36,7 +42,8 @@ where
 import PraTactile.Conformance.Definition (Known, known)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Properties
+import PraTactile.Conformance.Question.Touch

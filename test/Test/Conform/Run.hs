@@ -95,7 +95,8 @@ steps =
         pure
           (noOperations profile')
             { terms = \from _ -> pure [if from == 3 || from >= 7 then 1 else 0]
-            }
+            },
+      touch = noTouch
     }
 
 summary :: Tried -> (Maybe (Value, Int), Int)

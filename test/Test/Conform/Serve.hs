@@ -9,8 +9,8 @@ import Data.List (isPrefixOf)
 import Data.Maybe (listToMaybe)
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
-import PraTactile.Conformance.Law (lawId)
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Law (lawId, touchStages)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import Test.CommandLine.Run
 import Test.Conform.Subjects
 import Test.Hspec
@@ -22,6 +22,17 @@ spec = do
     (status, err) `shouldBe` (0, "")
     [law | law@(_, outcome) <- outcomes out, outcome `notElem` ["held", "skipped"]] `shouldBe` []
     reported "certified" out `shouldBe` Just (Bool True)
+  it "holds the laws of touch through the pipe, without a profile, in both modes" $ do
+    for_ [([], []), (["--one-shot"], ["--one-shot"])] $ \(how, server) -> do
+      (status, out, err) <-
+        conform (words "--stage touch --cases 2 --timeout 60 --json" ++ how) (served ++ server)
+      (status, err) `shouldBe` (0, "")
+      [law | law@(_, outcome) <- outcomes out, outcome /= "held"] `shouldBe` []
+      reported "certified" out `shouldBe` Just (Bool True)
+  it "says of a law of touch that it needs its stage" $ do
+    (status, out, err) <- conform ["--run", "register/blank"] served
+    (status, out) `shouldBe` (2, "")
+    err `shouldContain` "--stage touch"
   it "answers a process a request" $ do
     (_, profile, _) <- pra ["profile"]
     let asked keys = "{\"profile\": " ++ concat (lines profile) ++ keys ++ "}\n"
@@ -38,11 +49,11 @@ spec = do
     length (lines out) `shouldBe` length replies
   describe "an impostor is found through the pipe, by the first law that is said to find it" $
     parallel $
-      for_ impostors $ \one -> it (impostorName one) $ do
+      for_ (filter ofTheCode impostors ++ oneAStage) $ \one -> it (impostorName one) $ do
         law <- maybe (fail "no law finds it") pure (listToMaybe (killersOf (impostorName one)))
         (status, out, err) <-
           conform
-            ["--run", law, "--fail-fast", "--json"]
+            (["--run", law, "--fail-fast", "--json"] ++ words (stageFor one))
             (served ++ ["--impostor", impostorName one])
         (status, err, (law, "failed") `elem` outcomes out) `shouldBe` (1, "", True)
   it "the impostors are listed, each with what is wrong and with laws that there are" $ do
@@ -50,10 +61,15 @@ spec = do
     status `shouldBe` 0
     length (lines out) `shouldBe` 2 * length impostors
     length impostors `shouldSatisfy` (>= 60)
-    let ids = map lawId laws ++ map lawId openingLaws
+    let ids = map lawId laws ++ map lawId openingLaws ++ map lawId touchLaws
     filter (`notElem` ids) (concatMap (killersOf . impostorName) impostors) `shouldBe` []
   where
     served = ["pra-tactile", "serve"]
+    ofTheCode one = not (any (`elem` touchStages) (impostorTouches one))
+    stageFor one = if ofTheCode one then "" else "--stage touch --cases 5"
+    -- In this process all of them are found.
+    oneAStage =
+      concat [take 1 (filter ((== [stage]) . impostorTouches) impostors) | stage <- touchStages]
 
 operation :: String -> String -> String
 operation name input = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input

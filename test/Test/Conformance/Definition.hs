@@ -246,7 +246,7 @@ illFormed profile =
           mask <- masks
       ],
       [SomeQuestion (Prove mask) | mask <- masks],
-      [SomeQuestion (Raw operation input) | operation <- [minBound ..], input <- inputs]
+      [SomeQuestion (Raw operation input) | operation <- codeOperations, input <- inputs]
     ]
   where
     q = profileOrder profile

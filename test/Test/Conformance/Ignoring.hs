@@ -147,6 +147,10 @@ exchanged operation s other = case operation of
   OfPosterior -> s {posterior = posterior other}
   OfProve -> s {prove = prove other}
   OfDistance -> s {distance = distance other}
+  -- No profile is known to touch.
+  OfRegister -> s
+  OfStitch -> s
+  OfSegment -> s
 
 -- | Whether a law that needs the operation finds it.
 foundBy :: Operation -> (Implementation -> Implementation) -> IO Bool
@@ -185,7 +189,7 @@ data Kind = Plain | Several | Yes | No
 
 kindsOf :: [(Operation, Kind)]
 kindsOf =
-  [(operation, Plain) | operation <- [minBound .. maxBound], operation `notElem` map fst others]
+  [(operation, Plain) | operation <- codeOperations, operation `notElem` map fst others]
     ++ others
   where
     others =
@@ -242,6 +246,9 @@ anyAnswer question = case question of
   Posterior _ -> [(Position 0 0, 1)]
   Prove _ -> Proof False Nothing 0
   Distance _ -> 0
+  Register _ -> Registered Nothing (0, 0) (True, True)
+  Stitch _ frames -> map (const (0, 0)) frames
+  Segment _ -> []
   Raw _ _ -> Null
 
 -- | With every answer changed.

@@ -24,7 +24,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile (..))
 
--- | The answer to a question, or the reason of its refusal.
+-- | The answer to a question of the code, or the reason of its refusal.
 expected :: Known -> Question a -> Either Refusal a
 expected k question = case question of
   Add a b -> coded <$> (add f <$> code a <*> code b)
@@ -52,6 +52,10 @@ expected k question = case question of
   Posterior chances -> Locate.posterior k chances
   Prove mask -> offsets mask >>= orRefuse "off-sheet" . Windows.prove k
   Distance mask -> Windows.distance k <$> offsets mask
+  -- What is touched has its definition in the scene that a law draws.
+  Register _ -> refused "not-offered"
+  Stitch _ _ -> refused "not-offered"
+  Segment _ -> refused "not-offered"
   Raw operation input -> case someQuestion operation input of
     Nothing -> refused "invalid"
     Just (SomeQuestion asked) -> answerValue asked <$> expected k asked

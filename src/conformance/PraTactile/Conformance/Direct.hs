@@ -5,6 +5,7 @@ module PraTactile.Conformance.Direct
   ( Answers,
     sessionAnswers,
     openingAnswers,
+    touchAnswers,
     verdictBy,
     firstViolated,
   )
@@ -29,6 +30,10 @@ sessionAnswers session = Answers (const notOffered) (runExceptT . answerOf sessi
 openingAnswers :: Implementation -> Answers
 openingAnswers implementation =
   Answers (\p -> (() <$) <$> runExceptT (open implementation p)) (const notOffered)
+
+-- | The stages of touch answer questions of theirs, under no profile.
+touchAnswers :: Touch -> Answers
+touchAnswers with = Answers (const notOffered) (maybe notOffered runExceptT . touched with)
 
 notOffered :: IO (Either Refusal a)
 notOffered = pure (Left (Refusal "not-offered"))

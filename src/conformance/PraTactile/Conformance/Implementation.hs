@@ -11,6 +11,11 @@ module PraTactile.Conformance.Implementation
     noOperations,
     answerOf,
 
+    -- * Touch
+    Touch (..),
+    noTouch,
+    touched,
+
     -- * Wire values
     Wire,
     Refusal (..),
@@ -28,6 +33,7 @@ import Data.Aeson (Value)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Question.Touch
 import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile (..))
 
@@ -45,8 +51,48 @@ data Implementation = Implementation
     offered :: [Operation],
     -- | Refuses a profile that names no array as @impossible-profile@: a polynomial that is not
     -- primitive, say, or sides of a diagonal fold that have a common divisor.
-    open :: Profile -> Wire Session
+    open :: Profile -> Wire Session,
+    -- | The stages of touch, which know no profile; 'noTouch' if it has none.
+    touch :: Touch
   }
+
+-- | What an implementation can do with what was touched. Each refuses as @invalid@ what is no
+-- frame or composite: rows of different lengths, no row, none in a row, a grey value above
+-- 'fullScale'.
+data Touch = Touch
+  { -- | where the second of two frames lies in the first: the only displacement of whole or broken
+    -- taxels within the search at which both show the same relief, whatever is affine in their
+    -- grey values. Refused, with the most probable one all the same: @no-overlap@ if the frames
+    -- meet at none of them; @blank@ if one of them shows nothing; @one-axis@ if the displacement
+    -- along one axis is fixed and that along the other is not; @ambiguous@ otherwise. Frames that
+    -- differ in size, or are not of 4 x 4 to 256 x 256 taxels, are @invalid@
+    register :: Pair -> Wire Registered,
+    -- | how far each frame is from where it should be, in the order of the frames, up to a shift
+    -- that is common to all. No frame, and frames as above, are @invalid@
+    stitch :: Natural -> [Placed] -> Wire [Taxels],
+    -- | the symbols of the shipped alphabet that lie wholly in a composite, each where its box of
+    -- 8 x 12 taxels has its centre
+    segment :: Rows -> Wire [Symbol]
+  }
+
+-- | None of the stages: each refuses as @not-offered@.
+noTouch :: Touch
+noTouch = Touch {register = const missing, stitch = \_ _ -> missing, segment = const missing}
+
+missing :: Wire a
+missing = refuse "not-offered"
+
+-- | The answer to a question about touch; 'Nothing' to one of the code.
+touched :: Touch -> Question a -> Maybe (Wire a)
+touched with question = case question of
+  Register pair -> Just (register with pair)
+  Stitch search frames -> Just (stitch with search frames)
+  Segment rows -> Just (segment with rows)
+  Raw operation input
+    | operation `elem` touchOperations -> Just $ case someQuestion operation input of
+      Nothing -> refuse "invalid"
+      Just (SomeQuestion read') -> maybe missing (fmap (answerValue read')) (touched with read')
+  _ -> Nothing
 
 -- | What an implementation can do under one profile. Every operation refuses a code that is not
 -- below q, and every other input that is no such thing, as @invalid@. The examples are of the
@@ -93,21 +139,21 @@ data Session = Session
     pack :: [Code] -> Wire Natural,
     -- | and back; refuses a number that packs no window as @out-of-range@: 256 and more
     unpack :: Natural -> Wire [Code],
-    -- | where a patch is by the table of all windows, row by row, 'Nothing' for a cell that was not
-    -- observed. The complete windows in it that occur on the surface are looked up; their places,
-    -- intersected, at which every observed cell agrees, are the answer. Refuses a patch of which
-    -- nothing was observed as @too-few-cells@; without a complete window, @no-complete-window@; if
-    -- none occurs, @zero-window@ where all of them are zeros, otherwise @not-in-array@; where no
-    -- place agrees, @off-sheet@ if only the sheet's edges are in the way, otherwise
-    -- @contradiction@
+    -- | where a patch is by the table of all windows, row by row, 'Nothing' for a cell that was
+    -- not observed. The complete windows in it that occur on the surface are looked up; their
+    -- places, intersected, at which every observed cell agrees, are the answer. Refuses a patch of
+    -- which nothing was observed as @too-few-cells@; without a complete window,
+    -- @no-complete-window@; if none occurs, @zero-window@ where all of them are zeros, otherwise
+    -- @not-in-array@; where no place agrees, @off-sheet@ if only the sheet's edges are in the way,
+    -- otherwise @contradiction@
     locate :: Patch -> Wire Place,
-    -- | the position, or the several equally near, that differ from a patch in the fewest cells, if
-    -- these are within a radius: the one that is stated, or else the largest e with 2 e < d, d
+    -- | the position, or the several equally near, that differ from a patch in the fewest cells,
+    -- if these are within a radius: the one that is stated, or else the largest e with 2 e < d, d
     -- being the least number in which two contents of the observed cells differ on the array's own
     -- surface (0 where two are the same); whether or not a window is complete. Refuses a patch of
-    -- which nothing was observed as @too-few-cells@. Where nothing is within the radius: if that is
-    -- 0 and a window is complete, as @locate@ does; if it is 0 and none is, @zero-window@ where all
-    -- observed cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many
+    -- which nothing was observed as @too-few-cells@. Where nothing is within the radius: if that
+    -- is 0 and a window is complete, as @locate@ does; if it is 0 and none is, @zero-window@ where
+    -- all observed cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many
     -- observed cells as the radius are not 0, else @beyond-radius@
     nearest :: Maybe Natural -> Patch -> Wire Place,
     -- | the probability of every position, those of probability 0 perhaps left out, in any order,
@@ -151,12 +197,10 @@ noOperations p =
       prove = const missing,
       distance = const missing
     }
-  where
-    missing :: Wire a
-    missing = refuse "not-offered"
 
--- | What an implementation answers to a question. An input that may be anything is read first; what
--- is no input of its operation is refused as @invalid@ before the implementation sees it.
+-- | What an implementation answers to a question of the code. An input that may be anything is
+-- read first; what is no input of its operation is refused as @invalid@ before the implementation
+-- sees it.
 answerOf :: Session -> Question a -> Wire a
 answerOf s question = case question of
   Add a b -> add s a b
@@ -178,6 +222,9 @@ answerOf s question = case question of
   Posterior chances -> traverse (traverse (chancesOf s)) chances >>= posterior s
   Prove mask -> prove s mask
   Distance mask -> distance s mask
+  Register _ -> missing
+  Stitch _ _ -> missing
+  Segment _ -> missing
   Raw operation input -> case understood s operation input of
     Nothing -> refuse "invalid"
     Just (SomeQuestion read') -> answerValue read' <$> answerOf s read'

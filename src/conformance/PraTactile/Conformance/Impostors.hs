@@ -17,26 +17,32 @@ import PraTactile.Conformance.Impostors.Fields
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Impostors.Openings
 import PraTactile.Conformance.Impostors.Places
+import PraTactile.Conformance.Impostors.Register (registerImpostors)
 import PraTactile.Conformance.Impostors.Searching (rightSearching)
+import PraTactile.Conformance.Impostors.Segment (segmentImpostors)
+import PraTactile.Conformance.Impostors.Stitch (stitchImpostors)
 import PraTactile.Conformance.Impostors.Ways (rightWays)
 import PraTactile.Conformance.Law (Stage (..))
 
--- | By the stages of a decoder.
+-- | By the stages of a decoder, and then by those of touch.
 impostors :: [Impostor]
 impostors =
   concat
     [ [OnProfile] `touchedBy` openingImpostors,
-      [OnField ..] `touchedBy` readingImpostors,
-      [OnField ..] `touchedBy` arithmeticImpostors,
+      [OnField .. OnChances] `touchedBy` readingImpostors,
+      [OnField .. OnChances] `touchedBy` arithmeticImpostors,
       [OnField] `touchedBy` fieldImpostors,
       [OnPolynomial] `touchedBy` polynomialImpostors,
       [OnSequence, OnArray] `touchedBy` sequenceImpostors,
-      [OnArray ..] `touchedBy` arrayImpostors,
+      [OnArray .. OnChances] `touchedBy` arrayImpostors,
       [OnWindow] `touchedBy` windowImpostors,
       [OnProof] `touchedBy` proofImpostors,
-      [OnLocate ..] `touchedBy` locateImpostors,
+      [OnLocate .. OnChances] `touchedBy` locateImpostors,
       [OnDamage] `touchedBy` damageImpostors,
-      [OnChances] `touchedBy` chanceImpostors
+      [OnChances] `touchedBy` chanceImpostors,
+      [OnRegister] `touchedBy` registerImpostors,
+      [OnStitch] `touchedBy` stitchImpostors,
+      [OnSegment] `touchedBy` segmentImpostors
     ]
   where
     stages `touchedBy` some = [impostor {impostorTouches = stages} | impostor <- some]

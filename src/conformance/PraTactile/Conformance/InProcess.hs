@@ -35,7 +35,9 @@ inProcess implementation = do
       { subjectName = implementationName implementation,
         subjectOffers = offered implementation,
         subjectProfile = guarded . putInForce implementation force,
-        subjectAsk = upToFault . map (\(SomeQuestion asked) -> guarded (answerIn force asked)),
+        subjectAsk =
+          upToFault
+            . map (\(SomeQuestion asked) -> guarded (answerIn implementation force asked)),
         subjectBatch = 64,
         subjectUnknown = [],
         subjectChecks = []
@@ -50,13 +52,16 @@ putInForce implementation force profile' = do
     Left why -> pure (CameRefused (refusalReason why))
     Right session -> CameResult (Bool True) <$ writeIORef force (Just session)
 
--- | The answer of the session in force, computed to its end.
-answerIn :: Force -> Question a -> IO Came
-answerIn force question = readIORef force >>= maybe none answered
+-- | The answer of the session in force, or, to a question about touch, which needs none, that of
+-- the implementation, computed to its end.
+answerIn :: Implementation -> Force -> Question a -> IO Came
+answerIn implementation force question = case touched (touch implementation) question of
+  Just wire -> answered wire
+  Nothing -> readIORef force >>= maybe none (\session -> answered (answerOf session question))
   where
     none = pure (CameErrored "no profile is in force")
-    answered session = do
-      answer <- runExceptT (answerOf session question)
+    answered wire = do
+      answer <- runExceptT wire
       case answer of
         Left why -> CameRefused <$> evaluated why
         Right a -> do

@@ -8,6 +8,8 @@ module PraTactile.Conformance.Law
     Law (..),
     Stage (..),
     stageName,
+    codeStages,
+    touchStages,
 
     -- * Cases
     Cases (..),
@@ -29,7 +31,8 @@ import Test.QuickCheck (Gen)
 
 -- | What must hold of an implementation, given what the law is about: what is known of a profile
 -- by definition (@Law Known@, asked under that profile), or the profiles of the suite, which its
--- trials open by themselves (@Law [Profile]@).
+-- trials open by themselves (@Law [Profile]@); a law of touch is about nothing but its own cases
+-- (@Law ()@).
 data Law about = Law
   { -- | The stage and what holds, such as @field/addition-commutes@. It never changes.
     lawId :: String,
@@ -57,6 +60,10 @@ data Stage
   | OnLocate
   | OnDamage
   | OnChances
+  | -- | From here on the stages of touch.
+    OnRegister
+  | OnStitch
+  | OnSegment
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | As @--stage@ takes it.
@@ -73,6 +80,17 @@ stageName stage = case stage of
   OnLocate -> "locate"
   OnDamage -> "damage"
   OnChances -> "chances"
+  OnRegister -> "register"
+  OnStitch -> "stitch"
+  OnSegment -> "segment"
+
+-- | The stages of the code, with the protocol that carries them.
+codeStages :: [Stage]
+codeStages = [OnProtocol .. OnChances]
+
+-- | The stages of touch.
+touchStages :: [Stage]
+touchStages = [OnRegister ..]
 
 -- | The cases of a law under a profile. A case can be written and read, so that a failure is tried
 -- again from a text alone.

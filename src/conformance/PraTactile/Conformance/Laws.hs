@@ -2,6 +2,7 @@
 module PraTactile.Conformance.Laws
   ( laws,
     openingLaws,
+    touchLaws,
   )
 where
 
@@ -15,7 +16,10 @@ import PraTactile.Conformance.Laws.Locate
 import PraTactile.Conformance.Laws.Opening
 import PraTactile.Conformance.Laws.Polynomials
 import PraTactile.Conformance.Laws.Proof
+import PraTactile.Conformance.Laws.Register
+import PraTactile.Conformance.Laws.Segment
 import PraTactile.Conformance.Laws.Sequence
+import PraTactile.Conformance.Laws.Stitch
 
 -- | The laws of what is asked under a profile, in the order in which a decoder is written.
 laws :: [Law Known]
@@ -31,3 +35,7 @@ laws =
       damageLaws,
       chanceLaws
     ]
+
+-- | The laws of the stages of touch, which know no profile, in the order of the stages.
+touchLaws :: [Law ()]
+touchLaws = registerLaws ++ stitchLaws ++ segmentLaws

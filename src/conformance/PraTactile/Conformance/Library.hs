@@ -22,6 +22,7 @@ import PraTactile.Array
     naturalSurface,
   )
 import PraTactile.Conformance.Implementation
+import PraTactile.Conformance.Library.Touch
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
@@ -44,7 +45,8 @@ library =
   Implementation
     { implementationName = "pra-tactile",
       offered = [minBound .. maxBound],
-      open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p)))
+      open = \p -> join (orRefuse "impossible-profile" (withProfile p (session p))),
+      touch = libraryTouch
     }
 
 -- | A session with one array. Patches are looked up in the memory table, or, where windows have so

@@ -6,7 +6,10 @@ where
 
 import Control.Monad (filterM)
 import Control.Monad.Trans.Except (runExceptT)
+import Data.Maybe (isJust)
 import PraTactile.Array (area)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Law
@@ -14,31 +17,39 @@ import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 
--- | The name of the impostor that gives every one of these answers under the profile, if one alone
--- does. None is looked for on arrays of more than 300 cells, where to make all of them takes long.
-likely :: Profile -> [[Exchange]] -> IO (Maybe String)
+-- | The name of the impostor that gives every one of these answers under the profile, or without
+-- one, if one alone does. None is looked for on arrays of more than 300 cells, where to make all of
+-- them takes long.
+likely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
 likely p failures
-  | area (profileShape p) > 300 || null exchanges = pure Nothing
+  | maybe False ((> 300) . area . profileShape) p || null exchanges = pure Nothing
   | otherwise = do
     alike <- filterM (errsAlike p exchanges) impostors
     pure $ case alike of
       [one] -> Just (impostorName one)
       _ -> Nothing
   where
-    exchanges = concat failures
+    exchanges = [asked | asked <- concat failures, isJust (exchangeOperation asked)]
 
 -- | Whether it answers all of them so.
-errsAlike :: Profile -> [Exchange] -> Impostor -> IO Bool
-errsAlike p exchanges impostor = do
-  opened <- runExceptT (open (impostorMake impostor library) p)
-  either (const (pure False)) (`allAlike` exchanges) opened
+errsAlike :: Maybe Profile -> [Exchange] -> Impostor -> IO Bool
+errsAlike p exchanges impostor = case p of
+  Nothing
+    | impostorTouches impostor `elem` map pure touchStages ->
+      allAlike (touchAnswers (touch made)) exchanges
+    | otherwise -> pure False
+  Just under ->
+    runExceptT (open made under)
+      >>= either (const (pure False)) ((`allAlike` exchanges) . sessionAnswers)
+  where
+    made = impostorMake impostor library
 
-allAlike :: Session -> [Exchange] -> IO Bool
-allAlike s exchanges = case exchanges of
+allAlike :: Answers -> [Exchange] -> IO Bool
+allAlike answers exchanges = case exchanges of
   [] -> pure True
   Exchange (Just operation) input wanted : rest -> do
-    came <- runExceptT (answerOf s (Raw operation input))
+    came <- verdictBy answers (ask (Raw operation input))
     if either (RefusedFor . refusalReason) Result came == wanted
-      then allAlike s rest
+      then allAlike answers rest
       else pure False
-  Exchange Nothing _ _ : rest -> allAlike s rest
+  Exchange Nothing _ _ : rest -> allAlike answers rest

@@ -3,9 +3,11 @@
 module PraTactile.Conformance.Properties
   ( runLaws,
     runLawsUnder,
+    runTouchLaws,
     lawProperties,
     lawProperty,
     openingProperty,
+    touchProperties,
   )
 where
 
@@ -15,12 +17,12 @@ import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report (certified)
 import PraTactile.Conformance.Report.Words (cameText, reportText, valueText)
-import PraTactile.Conformance.Run (runSuite, standardSettings)
+import PraTactile.Conformance.Run (Settings (..), runSuite, standardSettings)
 import PraTactile.Conformance.Subject (cameOf)
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
@@ -28,25 +30,33 @@ import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 import Test.QuickCheck
 
--- | Try all laws of opening and of sessions under the default profiles, and print the report:
--- names, counts, and of each law that failed the smallest case, with your answer and the
--- definition's. The exit status is 0 if the implementation is certified, otherwise 1.
+-- | Try all laws of the code, of opening and of sessions, under the default profiles, and print
+-- the report: names, counts, and of each law that failed the smallest case, with your answer and
+-- the definition's. The exit status is 0 if the implementation is certified, otherwise 1.
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 
--- | The same under other profiles, by their names. One that describes no array is an exit status of
--- 2.
+-- | The same under other profiles, by their names. One that describes no array is an exit status
+-- of 2.
 runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
-runLawsUnder profiles implementation = case standardSuite profiles of
+runLawsUnder = runStages codeStages
+
+-- | The same of the stages of touch, which know no profile.
+runTouchLaws :: Implementation -> IO ExitCode
+runTouchLaws = runStages touchStages []
+
+runStages :: [Stage] -> [(String, Profile)] -> Implementation -> IO ExitCode
+runStages stages profiles implementation = case standardSuite profiles of
   Left name -> ExitFailure 2 <$ putStrLn (name ++ ": this profile describes no array")
   Right suite -> do
     subject <- inProcess implementation
-    report <- runSuite standardSettings suite (const (pure ())) [subject]
+    report <-
+      runSuite standardSettings {settingStages = stages} suite (const (pure ())) [subject]
     putStr (reportText (const "runLaws") report)
     pure (if certified report then ExitSuccess else ExitFailure 1)
 
--- | All laws that an implementation offers what they need, under the default profiles, each with
--- its id and the profile's name.
+-- | All laws of the code that an implementation offers what they need, under the default profiles,
+-- each with its id and the profile's name.
 lawProperties :: Implementation -> [(String, Property)]
 lawProperties implementation =
   [(lawId law, openingProperty (map snd defaultProfiles) law implementation) | law <- openingLaws]
@@ -62,6 +72,14 @@ lawProperties implementation =
       pure $ case opened of
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
         Right session -> casesProperty (sessionAnswers session) (lawCases law about)
+
+-- | All laws of touch that an implementation offers what they need, each with its id.
+touchProperties :: Implementation -> [(String, Property)]
+touchProperties implementation =
+  [ (lawId law, casesProperty (touchAnswers (touch implementation)) (lawCases law ()))
+    | law <- touchLaws,
+      all (`elem` offered implementation) (lawNeeds law)
+  ]
 
 -- | A law of sessions as a property of one. It fails for a session whose profile describes no
 -- array.

@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE StandaloneDeriving #-}
 
--- | The questions that a conformance suite puts to an implementation under one profile, each with
--- the type of its answer. Everything else in the suite is about them: an implementation answers
+-- | The questions that a conformance suite puts to an implementation, each with the type of its
+-- answer. Everything else in the suite is about them: an implementation answers
 -- them ("PraTactile.Conformance.Implementation"), the definition answers them by itself, a law asks
 -- some and judges the answers, the protocol writes them as JSON.
 module PraTactile.Conformance.Question
@@ -12,6 +12,8 @@ module PraTactile.Conformance.Question
     Operation (..),
     operationName,
     operationOf,
+    codeOperations,
+    touchOperations,
 
     -- * What they are about
     Code,
@@ -30,6 +32,7 @@ where
 import Data.Aeson (Value)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position)
+import PraTactile.Conformance.Question.Touch
 
 -- | The code of an element.
 type Code = Natural
@@ -79,7 +82,8 @@ data Proof = Proof
 newtype Refusal = Refusal {refusalReason :: String}
   deriving stock (Eq, Ord, Show)
 
--- | A question under a profile, and the type of its answer.
+-- | A question, and the type of its answer. Those of the code are asked under a profile; those of
+-- touch, from 'Register' on, know none.
 data Question a where
   -- | a + b
   Add :: Code -> Code -> Question Code
@@ -119,6 +123,13 @@ data Question a where
   Prove :: MaskRows -> Question Proof
   -- | the least number of cells in which two windows of a mask differ
   Distance :: MaskRows -> Question Natural
+  -- | where the second of two frames lies in the first
+  Register :: Pair -> Question Registered
+  -- | how far frames are from where they should be, each at most so many taxels along each axis; a
+  -- shift that is common to all of them means nothing
+  Stitch :: Natural -> [Placed] -> Question [Taxels]
+  -- | the symbols that lie wholly in a composite, in any order
+  Segment :: Rows -> Question [Symbol]
   -- | an operation with an input that may be anything; the answer is as it came
   Raw :: Operation -> Value -> Question Value
 
@@ -152,6 +163,9 @@ data Operation
   | OfPosterior
   | OfProve
   | OfDistance
+  | OfRegister
+  | OfStitch
+  | OfSegment
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The operation's name in the protocol.
@@ -176,6 +190,17 @@ operationName operation = case operation of
   OfPosterior -> "posterior"
   OfProve -> "prove"
   OfDistance -> "distance"
+  OfRegister -> "register"
+  OfStitch -> "stitch"
+  OfSegment -> "segment"
+
+-- | The operations of the code.
+codeOperations :: [Operation]
+codeOperations = [OfAdd .. OfDistance]
+
+-- | The operations of touch.
+touchOperations :: [Operation]
+touchOperations = [OfRegister ..]
 
 -- | The operation that a question asks for.
 operationOf :: Question a -> Operation
@@ -199,4 +224,7 @@ operationOf question = case question of
   Posterior _ -> OfPosterior
   Prove _ -> OfProve
   Distance _ -> OfDistance
+  Register _ -> OfRegister
+  Stitch _ _ -> OfStitch
+  Segment _ -> OfSegment
   Raw operation _ -> operation

@@ -28,6 +28,9 @@ import PraTactile.Conformance.Subject
 -- | Of a subject.
 data Report = Report
   { reportSubject :: String,
+    -- | The operations that the laws ask for, those of the stages that were tried.
+    reportAsks :: [Operation],
+    -- | Those of them that it offers.
     reportOffers :: [Operation],
     -- | What it offers and nobody here knows.
     reportUnknown :: [String],

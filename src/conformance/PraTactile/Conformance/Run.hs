@@ -33,7 +33,8 @@ runSuite :: Settings -> Suite about -> (LawReport -> IO ()) -> [Subject] -> IO R
 runSuite settings suite tell subjects = do
   start <- getMonotonicTime
   let budget = Budget (start + settingLimit settings) (settingFailFast settings)
-      offers = concatMap subjectOffers (take 1 subjects)
+      asks = operationsOf (stagesTried settings)
+      offers = filter (`elem` asks) (concatMap subjectOffers (take 1 subjects))
       work = workOf settings offers suite
       checks = concatMap (checksChosen settings) (take 1 subjects)
   stopped <- newIORef False
@@ -52,6 +53,7 @@ runSuite settings suite tell subjects = do
   pure
     Report
       { reportSubject = concatMap subjectName (take 1 subjects),
+        reportAsks = asks,
         reportOffers = offers,
         reportUnknown = concatMap subjectUnknown (take 1 subjects),
         reportSeed = settingSeed settings,
@@ -74,13 +76,15 @@ replay settings suite token subject = for (workFor suite token) $ \work -> do
   worker <- newWorker subject
   came <- tryToken (planOf settings) suite worker work (tokenCase token)
   end <- getMonotonicTime
+  let asks = operationsOf [workStage work]
   pure $ case came of
     Left why -> Left why
     Right one ->
       Right
         Report
           { reportSubject = subjectName subject,
-            reportOffers = subjectOffers subject,
+            reportAsks = asks,
+            reportOffers = filter (`elem` asks) (subjectOffers subject),
             reportUnknown = subjectUnknown subject,
             reportSeed = settingSeed settings,
             reportPartial = True,
@@ -119,7 +123,7 @@ checksChosen :: Settings -> Subject -> [Check]
 checksChosen settings subject =
   [ check
     | check <- subjectChecks subject,
-      null (settingStages settings) || OnProtocol `elem` settingStages settings,
+      OnProtocol `elem` stagesTried settings,
       null (settingRun settings) || any (`matches` checkId check) (settingRun settings),
       settingSkipMustFail settings || not (any (`matches` checkId check) (settingSkip settings))
   ]

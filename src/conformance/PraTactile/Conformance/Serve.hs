@@ -121,11 +121,12 @@ ran :: Implementation -> Force -> Object -> IO Series
 ran implementation force keys = case KeyMap.lookup "operation" keys of
   Just (String name)
     | Just operation <- find ((== Text.unpack name) . operationName) (offered implementation) ->
-      cameKeys <$> answerIn force (Raw operation (fromMaybe Null (KeyMap.lookup "input" keys)))
+      cameKeys <$> answerIn implementation force (Raw operation input)
     | otherwise ->
       pure (cameKeys (CameSkipped (Text.unpack name ++ " is not offered")) <> "link" .= page)
   _ -> pure (errored "a run has an operation")
   where
+    input = fromMaybe Null (KeyMap.lookup "input" keys)
     page = "docs/conformance.md" :: String
 
 -- | Answer one request, which has the profile as well: whether that is possible, where it asks for

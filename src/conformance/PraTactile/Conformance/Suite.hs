@@ -6,7 +6,7 @@ where
 
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Work
@@ -29,6 +29,7 @@ standardSuite profiles = suite <$> traverse possible profiles
               Nothing -> either (const Nothing) Just (known profile),
           suiteLaws = laws,
           suiteOpenings = openingLaws,
+          suiteTouch = touchLaws,
           suiteAnswer = answered,
           suiteLikely = likely
         }

@@ -182,6 +182,11 @@ roads operation = case operation of
   OfPosterior -> ("sums of logarithms", "products of exact fractions")
   OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
   OfDistance -> ("search among information sets", "the lightest of all windows")
+  OfRegister -> scene
+  OfStitch -> scene
+  OfSegment -> scene
+  where
+    scene = ("the library", "the scene as it was drawn")
 
 -- | All values of an operation that are too many to list, in an order.
 table :: Known -> Operation -> Maybe (String, [Question Code])

@@ -24,15 +24,13 @@ import Control.Monad ((>=>))
 import Data.Aeson (Object, Value (..), object, toJSON, (.=))
 import Data.Aeson.Key (Key)
 import qualified Data.Aeson.KeyMap as KeyMap
-import Data.Char (isDigit)
 import Data.Foldable (toList)
 import Data.List (intercalate)
-import Data.Scientific (base10Exponent, coefficient, toBoundedRealFloat)
 import qualified Data.Text as Text
-import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Wire.Line (mostDigits)
+import PraTactile.Conformance.Wire.Read
+import PraTactile.Conformance.Wire.Touch
 import PraTactile.Format.Json (integerValue, naturalValue, positionValue)
 
 -- | The input of a question, as a request states it.
@@ -58,6 +56,9 @@ questionInput question = case question of
   Posterior chances -> object ["patch" .= map (map chanceValue) chances]
   Prove mask -> maskValue mask
   Distance mask -> maskValue mask
+  Register pair' -> pairValue pair'
+  Stitch search frames -> framesValue search frames
+  Segment rows -> compositeValue rows
   Raw _ input -> input
   where
     one a = object ["a" .= naturalValue a]
@@ -100,6 +101,9 @@ someQuestion operation input = case operation of
   OfPosterior -> SomeQuestion . Posterior <$> patch readChance
   OfProve -> SomeQuestion . Prove <$> at "mask" readMask
   OfDistance -> SomeQuestion . Distance <$> at "mask" readMask
+  OfRegister -> SomeQuestion . Register <$> (readObject input >>= readPair)
+  OfStitch -> SomeQuestion . uncurry Stitch <$> (readObject input >>= readFrames)
+  OfSegment -> SomeQuestion . Segment <$> (readObject input >>= readComposite)
   where
     at :: Key -> (Value -> Maybe a) -> Maybe a
     at name reader = readObject input >>= readKey name reader
@@ -139,6 +143,9 @@ answerValue question answer = case question of
   Posterior _ -> toJSON (map likely answer)
   Prove _ -> proofValue answer
   Distance _ -> naturalValue answer
+  Register _ -> registeredValue answer
+  Stitch _ _ -> correctionsValue answer
+  Segment _ -> symbolsValue answer
   Raw _ _ -> answer
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
@@ -180,6 +187,9 @@ readAnswer question = case question of
   Posterior _ -> readItems readLikely
   Prove _ -> readObject >=> readProof
   Distance _ -> readNatural
+  Register _ -> readObject >=> readRegistered
+  Stitch _ _ -> readObject >=> readCorrections
+  Segment _ -> readObject >=> readSymbols
   Raw _ _ -> Just
 
 -- | By the one key that says which of the three it is.
@@ -210,55 +220,3 @@ readLikely value = case value of
     position <- Position <$> readNatural r <*> readNatural c
     (,) position <$> readReal chance
   _ -> Nothing
-
-readObject :: Value -> Maybe Object
-readObject value = case value of
-  Object fields -> Just fields
-  _ -> Nothing
-
-readKey :: Key -> (Value -> Maybe a) -> Object -> Maybe a
-readKey name reader = KeyMap.lookup name >=> reader
-
-readItems :: (Value -> Maybe a) -> Value -> Maybe [a]
-readItems reader value = case value of
-  Array values -> traverse reader (toList values)
-  _ -> Nothing
-
-readNullable :: (Value -> Maybe a) -> Value -> Maybe (Maybe a)
-readNullable reader value = case value of
-  Null -> Just Nothing
-  _ -> Just <$> reader value
-
-readBool :: Value -> Maybe Bool
-readBool value = case value of
-  Bool given -> Just given
-  _ -> Nothing
-
--- | A number that a double has.
-readReal :: Value -> Maybe Double
-readReal value = case value of
-  Number n | Right x <- toBoundedRealFloat n, not (isInfinite x) -> Just x
-  _ -> Nothing
-
-readNatural :: Value -> Maybe Natural
-readNatural value = case readWhole value of
-  Just i | i >= 0 -> Just (fromInteger i)
-  _ -> Nothing
-
--- | A whole number, written as one or as a decimal string of at most 'mostDigits' digits. A JSON
--- number with a fraction or an exponent is none, whatever its value;
--- "PraTactile.Conformance.Wire.Line" reads texts so that it can be told.
-readWhole :: Value -> Maybe Integer
-readWhole value = case value of
-  Number n | base10Exponent n == 0 -> Just (coefficient n)
-  String given
-    | Just digits <- Text.stripPrefix "-" given -> negate <$> decimal digits
-    | otherwise -> decimal given
-  _ -> Nothing
-  where
-    decimal digits
-      | not (Text.null digits),
-        Text.all isDigit digits,
-        Text.compareLength digits mostDigits /= GT =
-        Just (read (Text.unpack digits))
-      | otherwise = Nothing

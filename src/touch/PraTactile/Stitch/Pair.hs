@@ -22,6 +22,7 @@ import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Pair.Alike
 import PraTactile.Stitch.Pair.Blind
 import PraTactile.Stitch.Pair.Correlation
 import PraTactile.Stitch.Pair.Lattice
@@ -152,9 +153,14 @@ matched tables (Pairing step search method confidence) a b =
     best = case hypotheses 1 0 found of
       first : _ -> first
       [] -> Hypothesis step 0
-    fixed = let (x, y) = marginals found in (x >= confidence, y >= confidence)
+    (severalX, severalY) = apart (agreements step search a b)
+    fixed =
+      let (x, y) = marginals found
+       in (x >= confidence && not severalX, y >= confidence && not severalY)
     refusal
       | not (meeting (w, h) step search) = Just NoOverlap
+      | any flat [a, b] = Just Blank
+      | severalX || severalY = Just (if uncurry (/=) fixed then OneAxis else Ambiguous)
       | hypothesisProbability best >= confidence = Nothing
       | any blank (zip3 [a, b] coefficients (processLogs process)) = Just Blank
       | uncurry (/=) fixed = Just OneAxis
@@ -169,8 +175,12 @@ meeting (w, h) (x, y) search =
 -- by 'telling'.
 blank :: (Raster, V.Vector Double, Double) -> Bool
 blank (image, coefficients, logs) =
-  flat || logs - whiteness coefficients < telling
+  flat image || logs - whiteness coefficients < telling
+  where
+    telling = 5
+
+-- | Whether a frame has one value throughout.
+flat :: Raster -> Bool
+flat image = V.maximum values - V.minimum values <= 1e-9
   where
     values = rasterValues image
-    flat = V.maximum values - V.minimum values <= 1e-9
-    telling = 5

@@ -2,6 +2,7 @@
 module PraTactile.Conformance.Impostors.Impostor
   ( Impostor (..),
     mistaken,
+    mistouched,
     misstepped,
     missearching,
     elsewhere,
@@ -33,6 +34,11 @@ data Impostor = Impostor
 mistaken :: String -> String -> (Session -> Session) -> Impostor
 mistaken name mistake change =
   Impostor name mistake [] (\base -> base {open = fmap change . open base})
+
+-- | With the stages of touch otherwise.
+mistouched :: String -> String -> (Touch -> Touch) -> Impostor
+mistouched name mistake change =
+  Impostor name mistake [] (\base -> base {touch = change (touch base)})
 
 -- | The decoder written from the documentation, with a wrong step on its way to the array.
 misstepped :: String -> String -> (Ways -> Ways) -> Impostor

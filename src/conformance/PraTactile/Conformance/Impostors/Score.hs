@@ -17,7 +17,7 @@ import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Laws (laws, openingLaws)
+import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
@@ -27,7 +27,7 @@ import PraTactile.Profile (Profile (..))
 -- | That a law finds an impostor.
 data Kill = Kill
   { killLaw :: String,
-    -- | The first profile under which it does; empty for a law of opening.
+    -- | The first profile under which it does; empty for a law of opening or of touch.
     killProfile :: String,
     -- | How many cases were tried there, the failing one the last.
     killCases :: Int
@@ -38,7 +38,10 @@ data Kill = Kill
 -- profiles that shows it.
 kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
-  catMaybes <$> traverse (killBy seed profiles impostor) (chosen openingLaws ++ chosen laws)
+  catMaybes
+    <$> traverse
+      (killBy seed profiles impostor)
+      (chosen openingLaws ++ chosen laws ++ chosen touchLaws)
   where
     chosen :: [Law about] -> [String]
     chosen these = [lawId law | law <- these, lawStage law `elem` impostorTouches impostor]
@@ -50,7 +53,7 @@ killBy seed profiles impostor law =
   where
     findsBy name = findsAt seed profiles impostor (Kill law name 0)
     names
-      | law `elem` map lawId openingLaws = [""]
+      | law `elem` map lawId openingLaws ++ map lawId touchLaws = [""]
       | otherwise = [name | (name, _, _) <- profiles]
 
 -- | In how many cases the law of a kill finds the impostor under the kill's profile; 'Nothing' if
@@ -59,6 +62,8 @@ findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe In
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
     findsOpening seed [p | (_, p, _) <- profiles] law impostor
+  | law : _ <- [law | law <- touchLaws, lawId law == killLaw kill] =
+    finds touchCases seed law () (touchAnswers (touch (impostorMake impostor library)))
   | law : _ <- [law | law <- laws, lawId law == killLaw kill],
     (p, about) : _ <- [(p, about) | (name, p, about) <- profiles, name == killProfile kill] =
     findsUnder seed p about law impostor
@@ -66,19 +71,27 @@ findsAt seed profiles impostor kill
 
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
-  finds seed law profiles (openingAnswers (impostorMake impostor library))
+  finds usualCases seed law profiles (openingAnswers (impostorMake impostor library))
 
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =
   runExceptT (open (impostorMake impostor library) p)
-    >>= either (const (pure Nothing)) (finds seed law about . sessionAnswers)
+    >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionAnswers)
 
--- | In how many cases, drawn as a run of the suite draws them, a law finds who answers so.
-finds :: Int -> Law about -> about -> Answers -> IO (Maybe Int)
-finds seed law about answers = fmap fst <$> firstViolated answers most trials
+-- | In how many cases, of so many drawn at most, a law finds who answers so.
+finds :: Int -> Int -> Law about -> about -> Answers -> IO (Maybe Int)
+finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)
-    plan = Plan {planSeed = seed, planCases = settingCases standardSettings, planWindow = 1}
+    plan = Plan {planSeed = seed, planCases = most', planWindow = 1}
+
+-- | As a run of the suite draws them.
+usualCases :: Int
+usualCases = settingCases standardSettings
+
+-- | Fewer, because each is a scene: of those of a run the first ones.
+touchCases :: Int
+touchCases = 12
 
 -- | The default profiles of at most 1024 cells: what is found under them is found under all.
 comparedProfiles :: [(String, Profile, Known)]

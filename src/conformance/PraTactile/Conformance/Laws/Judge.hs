@@ -9,6 +9,7 @@ module PraTactile.Conformance.Laws.Judge
     invalid,
     asDefined,
     agree,
+    judge,
     questionForm,
 
     -- * Laws of several questions
@@ -56,7 +57,7 @@ defined stage what operation sentence source domain =
     Cases questionForm (domain known) (asDefined known)
 
 -- | A law that all these questions are refused as @invalid@.
-invalid :: Stage -> String -> Operation -> (Known -> [SomeQuestion]) -> Law Known
+invalid :: Stage -> String -> Operation -> (about -> [SomeQuestion]) -> Law about
 invalid stage what operation questions =
   law
     stage
@@ -67,7 +68,7 @@ invalid stage what operation questions =
            \type, keys that are missing, what is malformed"
     )
     "the protocol, refusals"
-    (\known -> Cases questionForm (Every (questions known)) refused)
+    (\about -> Cases questionForm (Every (questions about)) refused)
   where
     refused (SomeQuestion question) =
       judge
@@ -92,6 +93,8 @@ asDefined known (SomeQuestion question) =
     road = "the definition"
     reason = why (knownProfile known) question wanted
 
+-- | Whether what came is a refusal that was wanted, or an answer that fits; given how it is known
+-- what is wanted, and why it is.
 judge ::
   Question a ->
   Either Refusal a ->

@@ -15,7 +15,8 @@ import Numeric.Natural (Natural)
 import PraTactile.Conformance.Question
 import Test.QuickCheck (shrinkIntegral)
 
--- | The smaller questions, the smallest first. A raw one has none.
+-- | The smaller questions, the smallest first. A raw one has none, and neither has one about touch,
+-- whose scene is made smaller instead.
 smaller :: SomeQuestion -> [SomeQuestion]
 smaller (SomeQuestion question) = case question of
   Add a b -> [SomeQuestion (Add c d) | (c, d) <- pairs a b]
@@ -41,6 +42,9 @@ smaller (SomeQuestion question) = case question of
   Posterior rows -> SomeQuestion . Posterior <$> smallerPatch chance rows
   Prove mask -> SomeQuestion . Prove <$> smallerMask mask
   Distance mask -> SomeQuestion . Distance <$> smallerMask mask
+  Register _ -> []
+  Stitch _ _ -> []
+  Segment _ -> []
   Raw _ _ -> []
   where
     pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]

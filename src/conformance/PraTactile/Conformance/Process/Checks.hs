@@ -105,11 +105,12 @@ noneInForce limits session = case startedQuestions session of
       line <- awaitLine child (limitReply limits)
       pure (line >>= fmap replyCame . readReply)
 
--- | A question of the first operation that is offered.
+-- | Questions of the operations of the code that are offered.
 startedQuestions :: Session -> [SomeQuestion]
 startedQuestions session =
   [ question
     | question@(SomeQuestion asked) <- samples,
+      operationOf asked `elem` codeOperations,
       operationName (operationOf asked) `elem` startedOperations (sessionStarted session)
   ]
 

@@ -19,6 +19,7 @@ import PraTactile.Conformance.Process.Lines
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Process.Session (Limits (..))
 import PraTactile.Conformance.Question
+import PraTactile.Conformance.Question.Touch
 import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
@@ -117,5 +118,10 @@ samples =
     SomeQuestion (Nearest Nothing [[Just 1]]),
     SomeQuestion (Posterior [[Certainly 1]]),
     SomeQuestion (Prove ["#"]),
-    SomeQuestion (Distance ["#"])
+    SomeQuestion (Distance ["#"]),
+    SomeQuestion (Register (Pair blank blank (0, 0) 1)),
+    SomeQuestion (Stitch 1 [Placed blank (0, 0)]),
+    SomeQuestion (Segment blank)
   ]
+  where
+    blank = replicate 4 (replicate 4 0)

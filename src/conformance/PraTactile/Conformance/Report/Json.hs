@@ -30,7 +30,7 @@ encodeReport report =
       <> "seconds" .= rounded (reportSeconds report)
       <> "offered" .= map operationName (reportOffers report)
       <> "not_offered"
-        .= map operationName (filter (`notElem` reportOffers report) [minBound ..])
+        .= map operationName (filter (`notElem` reportOffers report) (reportAsks report))
       <> "not_held" .= map operationName (uncovered report)
       <> "unknown" .= reportUnknown report
       <> "unexpected" .= reportUnexpected report

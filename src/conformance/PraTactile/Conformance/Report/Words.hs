@@ -51,7 +51,7 @@ failureText again one = unlines (failureLines again (one, []))
 heading :: Report -> [String]
 heading report =
   [ reportSubject report ++ ": " ++ counted (length (reportOffers report)) "operation" ++ " of "
-      ++ show (length [minBound .. maxBound :: Operation])
+      ++ show (length (reportAsks report))
       ++ " offered, "
       ++ counted (length profiles) "profile"
       ++ ", seed "
@@ -164,7 +164,7 @@ notes :: Report -> [String]
 notes report =
   concat
     [ [ "not offered: " ++ unwords (map operationName missing) ++ "; their laws were skipped"
-        | missing@(_ : _) <- [filter (`notElem` reportOffers report) [minBound ..]]
+        | missing@(_ : _) <- [filter (`notElem` reportOffers report) (reportAsks report)]
       ],
       [ "offered, but not known here: " ++ unwords unknown
         | unknown@(_ : _) <- [reportUnknown report]

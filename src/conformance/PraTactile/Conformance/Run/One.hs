@@ -94,7 +94,7 @@ notInForce profile came = case came of
 reportOf :: Suite about -> Work -> Tried -> IO LawReport
 reportOf suite work tried = case triedFailure tried of
   Just failure -> do
-    cause <- maybe (pure Nothing) (likely failure . snd) (workProfile work)
+    cause <- likely failure (snd <$> workProfile work)
     pure
       counted
         { lawReportOutcome = outcomeOf (failureTrouble failure),

@@ -8,6 +8,8 @@ module PraTactile.Conformance.Run.Work
     standardSettings,
     mustFail,
     choosesAll,
+    stagesTried,
+    operationsOf,
     idsOf,
 
     -- * Work
@@ -17,6 +19,7 @@ module PraTactile.Conformance.Run.Work
   )
 where
 
+import Control.Applicative ((<|>))
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Pattern
@@ -31,10 +34,12 @@ data Suite about = Suite
     suiteAbout :: Profile -> Maybe about,
     suiteLaws :: [Law about],
     suiteOpenings :: [Law [Profile]],
+    -- | Those of touch, which know no profile.
+    suiteTouch :: [Law ()],
     -- | What the definition answers.
     suiteAnswer :: about -> SomeQuestion -> Reply,
-    -- | The shipped impostor that errs exactly alike in these cases.
-    suiteLikely :: Profile -> [[Exchange]] -> IO (Maybe String)
+    -- | The shipped impostor that errs exactly alike in these cases, under a profile or none.
+    suiteLikely :: Maybe Profile -> [[Exchange]] -> IO (Maybe String)
   }
 
 -- | Which laws are tried, and how.
@@ -46,7 +51,7 @@ data Settings = Settings
     settingLimit :: Double,
     -- | End at the first law that fails or errs.
     settingFailFast :: Bool,
-    -- | The stages to try; all, if none is named.
+    -- | The stages to try; all those of the code, if none is named.
     settingStages :: [Stage],
     -- | The laws to try; all, if none is named.
     settingRun :: [String],
@@ -58,7 +63,7 @@ data Settings = Settings
     settingKnown :: [String]
   }
 
--- | All laws, 100 cases of each that draws them, 300 seconds.
+-- | All laws of the code, 100 cases of each that draws them, 300 seconds.
 standardSettings :: Settings
 standardSettings =
   Settings
@@ -78,12 +83,28 @@ mustFail :: Settings -> [String]
 mustFail settings =
   settingKnown settings ++ (if settingSkipMustFail settings then settingSkip settings else [])
 
--- | Whether no law is left out.
+-- | Whether no law is left out: of the code, of touch, or of both.
 choosesAll :: Settings -> Bool
 choosesAll settings =
-  null (settingStages settings) && null (settingRun settings) && null (settingSkip settings)
+  all whole [codeStages, touchStages] && null (settingRun settings) && null (settingSkip settings)
+  where
+    whole stages =
+      all (`elem` stagesTried settings) stages || not (any (`elem` stagesTried settings) stages)
 
--- | A law under a profile, or of profiles.
+-- | The stages that are tried.
+stagesTried :: Settings -> [Stage]
+stagesTried settings = if null (settingStages settings) then codeStages else settingStages settings
+
+-- | The operations that the laws of such stages ask for: those of the code, of touch, or all.
+operationsOf :: [Stage] -> [Operation]
+operationsOf stages =
+  concat
+    [ operations
+      | (operations, own) <- [(codeOperations, codeStages), (touchOperations, touchStages)],
+        any (`elem` own) stages
+    ]
+
+-- | A law under a profile, of profiles, or of touch.
 data Work = Work
   { workId :: String,
     workStage :: Stage,
@@ -98,9 +119,12 @@ data Work = Work
     workLeftOut :: Maybe String
   }
 
--- | The ids of all laws of a suite.
-idsOf :: Suite about -> [String]
-idsOf suite = map lawId (suiteOpenings suite) ++ map lawId (suiteLaws suite)
+-- | The ids of the laws of a suite that are of these stages.
+idsOf :: [Stage] -> Suite about -> [String]
+idsOf stages suite = own (suiteOpenings suite) ++ own (suiteLaws suite) ++ own (suiteTouch suite)
+  where
+    own :: [Law a] -> [String]
+    own some = [lawId law | law <- some, lawStage law `elem` stages]
 
 -- | All that was chosen, in the order in which it is tried; given what is offered.
 workOf :: Settings -> [Operation] -> Suite about -> [Work]
@@ -112,6 +136,7 @@ workOf settings offers suite =
              Just about <- [suiteAbout suite (snd profile)],
              law <- suiteLaws suite
          ]
+      ++ map (`plain` ()) (suiteTouch suite)
   where
     restricted work = work {workLeftOut = reason work}
     reason work
@@ -124,17 +149,18 @@ workOf settings offers suite =
 
 chosen :: Settings -> Work -> Bool
 chosen settings work =
-  (null (settingStages settings) || workStage work `elem` settingStages settings)
+  workStage work `elem` stagesTried settings
     && (null (settingRun settings) || any (`matches` workId work) (settingRun settings))
 
 -- | The work that a token names; 'Nothing' where there is no such law.
 workFor :: Suite about -> Token -> Maybe Work
 workFor suite token = case tokenProfile token of
-  Nothing -> found (opening suite) (suiteOpenings suite)
+  Nothing -> found (opening suite) (suiteOpenings suite) <|> found (`plain` ()) (suiteTouch suite)
   Just profile -> do
     about <- suiteAbout suite profile
     found (under suite (nameOf profile, profile) about) (suiteLaws suite)
   where
+    found :: (Law a -> Work) -> [Law a] -> Maybe Work
     found work some = case filter ((== tokenLaw token) . lawId) some of
       law : _ -> Just (work law)
       [] -> Nothing

@@ -122,6 +122,9 @@ flagsOf profile several question =
     Posterior patch -> chanceFlags q patch
     Prove mask -> maskFlags mask
     Distance mask -> maskFlags mask
+    Register _ -> []
+    Stitch _ _ -> []
+    Segment _ -> []
     Raw _ _ -> [Malformed]
   where
     q = profileOrder profile

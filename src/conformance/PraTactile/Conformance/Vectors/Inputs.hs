@@ -182,6 +182,9 @@ edges k operation = case operation of
   OfPosterior -> map (SomeQuestion . Posterior) (chanceEdges k)
   OfProve -> map (SomeQuestion . Prove) masks
   OfDistance -> map (SomeQuestion . Distance) masks
+  OfRegister -> []
+  OfStitch -> []
+  OfSegment -> []
   where
     profile = knownProfile k
     q = profileOrder profile
@@ -333,5 +336,8 @@ typical k operation = case operation of
   OfInverse -> [SomeQuestion (Inverse 1)]
   OfLogarithm -> [SomeQuestion (Logarithm 1)]
   OfTrace -> [SomeQuestion (Trace 1)]
+  OfRegister -> []
+  OfStitch -> []
+  OfSegment -> []
   where
     window = patchAt k 1 1 (profileWindow (knownProfile k))

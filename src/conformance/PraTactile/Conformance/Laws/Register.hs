@@ -1,0 +1,250 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Registration of two frames: where both show one relief is where they lie, and where they do not
+-- tell that, it is refused for the right reason.
+module PraTactile.Conformance.Laws.Register
+  ( registerLaws,
+  )
+where
+
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Relief
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Question.Touch
+import PraTactile.Format.Json.Codec (Codec, int, integer, key, object, pairOf)
+import PraTactile.Symmetry (onOffset)
+import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral)
+
+-- | The laws of registration.
+registerLaws :: [Law ()]
+registerLaws = placeLaws ++ refusalLaws ++ [invalidLaw]
+
+-- | Two frames of a relief: from which seed it is, the frames' width and height, the step that the
+-- robot was to make, its error, and a number that says how the frames are changed.
+data Press = Press
+  { pressSeed :: Int,
+    pressSize :: WholeTaxels,
+    pressStep :: WholeTaxels,
+    pressError :: WholeTaxels,
+    pressChange :: Int
+  }
+
+pressForm :: Codec Press
+pressForm =
+  object $
+    Press
+      <$> key "relief" int pressSeed
+      <*> key "size" (pairOf integer) pressSize
+      <*> key "step" (pairOf integer) pressStep
+      <*> key "error" (pairOf integer) pressError
+      <*> key "change" int pressChange
+
+genPress :: Gen Press
+genPress =
+  Press <$> genSeed
+    <*> elements [(16, 16), (20, 16), (16, 20)]
+    <*> elements [(8, 0), (0, 8), (8, 2), (3, 8)]
+    <*> genError 2
+    <*> chooseInt (0, 999)
+
+-- | Less of an error, a frame of 16 x 16, a step to the right, less of a change.
+smallerPress :: Press -> [Press]
+smallerPress press =
+  [press {pressError = e} | e <- smallerWhole (pressError press)]
+    ++ [press {pressSize = (16, 16)} | pressSize press /= (16, 16)]
+    ++ [press {pressStep = (8, 0)} | pressStep press /= (8, 0)]
+    ++ [press {pressChange = c} | c <- shrinkIntegral (pressChange press), c >= 0]
+
+-- | The displacement, and the pair with a search of 3 taxels.
+pressed :: Press -> (WholeTaxels, Pair)
+pressed (Press seed size (sx, sy) (ex, ey) _) =
+  (shift, Pair (cut (0, 0)) (cut shift) (sx, sy) 3)
+  where
+    shift = (sx + ex, sy + ey)
+    cut = frameOf size (bumpy seed)
+
+placeLaws :: [Law ()]
+placeLaws =
+  [ placed
+      "known-displacement"
+      "two frames cut from one relief are registered where they were cut, to half a taxel"
+      "both show the same relief there, and within the search nowhere else"
+      (const id),
+    placed
+      "gain-and-offset"
+      "a gain and an offset of each frame's grey values change nothing"
+      "what is affine in the grey values is no relief"
+      ( \n (shift, Pair a b step search) ->
+          let change k = affinely (Affine (fromIntegral (1 + k `mod` 3)) (fromIntegral (k * 5)))
+           in (shift, Pair (change n a) (change (n `div` 3) b) step search)
+      ),
+    placed
+      "exchanged"
+      "the second frame in the place of the first lies as far the other way"
+      "if B lies at d in A, A lies at -d in B"
+      (\_ (shift, Pair a b step search) -> (back shift, Pair b a (back step) search)),
+    placed
+      "turned-and-mirrored"
+      "with both frames turned or mirrored, the displacement is so too"
+      "the displacement is that of the scene, however it is seen"
+      ( \n (shift, Pair a b step search) ->
+          let (symmetry, rows) = seen n
+           in ( onOffset symmetry shift,
+                Pair (rows a) (rows b) (onOffset symmetry step) search
+              )
+      ),
+    placed
+      "another-step"
+      "another step from which the displacement is within the search changes nothing"
+      "the step says where to search, the frames where they lie"
+      ( \n (shift, Pair a b (sx, sy) search) ->
+          let toward t d = if t + 1 - d > 3 then t - 1 else t + 1
+           in if even n
+                then (shift, Pair a b (toward sx (fst shift), sy) search)
+                else (shift, Pair a b (sx, toward sy (snd shift)) search)
+      )
+  ]
+  where
+    back (x, y) = (negate x, negate y)
+
+-- | A law that a pair, changed in a way, is registered where it lies.
+placed ::
+  String -> String -> String -> (Int -> (WholeTaxels, Pair) -> (WholeTaxels, Pair)) -> Law ()
+placed what sentence reason change =
+  law OnRegister what [OfRegister] sentence theCut $ \() ->
+    Cases pressForm (Some genPress smallerPress) $ \press ->
+      let (shift@(x, y), pair) = change (pressChange press) (pressed press)
+          wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
+          fits came = registeredReason came == Nothing && near 0.5 shift (registeredBest came)
+       in if telling pair shift then asking pair wanted fits reason else pure NotMeant
+
+-- | Where all of this is from.
+theCut :: String
+theCut = "how the frames were cut; the protocol, register"
+
+asking :: Pair -> Registered -> (Registered -> Bool) -> String -> Ask Verdict
+asking pair wanted fits reason =
+  judge (Register pair) (Right wanted) fits "the scene" reason <$> ask (Register pair)
+
+near :: Double -> WholeTaxels -> Taxels -> Bool
+near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y - y')) <= most
+
+-- | A law that a pair of a press, if it is meant, is refused so; and what else must fit.
+refusal ::
+  String -> String -> String -> (Press -> Maybe (Pair, Registered, Registered -> Bool)) -> Law ()
+refusal what sentence reason scene =
+  law OnRegister what [OfRegister] sentence theCut $ \() ->
+    Cases pressForm (Some genPress smallerPress) $ \press ->
+      case scene press of
+        Nothing -> pure NotMeant
+        Just (pair, wanted, fits) ->
+          asking pair wanted (\c -> registeredReason c == registeredReason wanted && fits c) reason
+
+refusalLaws :: [Law ()]
+refusalLaws =
+  [ refusal
+      "blank"
+      "where one of the frames, or both, show nothing, it is refused: blank"
+      "a frame of one grey value shows nothing"
+      $ \press ->
+        let (_, Pair a b step search) = pressed press
+            change = pressChange press
+            flat k = map (map (const (fromIntegral (k * 20))))
+            pair = case change `mod` 3 of
+              0 -> Pair (flat change a) b step search
+              1 -> Pair a (flat change b) step search
+              _ -> Pair (flat change a) (flat (change `div` 3) b) step search
+         in Just (pair, unknown "blank" step (False, False), const True),
+    refusal
+      "one-axis"
+      "where all edges are straight and parallel, it is refused: one-axis, with the displacement \
+      \across them, and the axis that is across them"
+      "all that is shown is alike along the edges"
+      oneAxis,
+    refusal
+      "periodic"
+      "where the relief repeats itself within the search along both axes, it is refused: ambiguous"
+      "a period further on both frames show the same again"
+      $ \press ->
+        let change = pressChange press
+            periods = (period change, period (change `div` 3))
+            period k = 4 + toInteger (k `mod` 3)
+            phases = (pressSeed press `mod` 60, pressSeed press `div` 60 `mod` 60)
+            (w, h) = pressSize press
+            cut = frameOf (w + 8, h + 8) (periodic periods phases)
+            step = pressStep press
+            pair = Pair (cut (0, 0)) (cut (within step (pressError press))) step 6
+         in Just (pair, unknown "ambiguous" step (False, False), const True),
+    refusal
+      "no-overlap"
+      "where the frames meet nowhere in the search, it is refused: no-overlap"
+      "every displacement within the search is at least as long as the frame"
+      $ \press ->
+        let (_, Pair a b _ search) = pressed press
+            (w, h) = pressSize press
+            beyond = toInteger (pressChange press `mod` 7) + 3
+            step = case pressChange press `mod` 4 of
+              0 -> (w + beyond, 0)
+              1 -> (negate w - beyond, 1)
+              2 -> (0, h + beyond)
+              _ -> (2, negate h - beyond)
+         in Just (Pair a b step search, unknown "no-overlap" step (False, False), const True)
+  ]
+  where
+    unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
+    within (x, y) (i, j) = (x + i, y + j)
+
+-- | Up to three edges that both frames show wherever within the search they lie.
+oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)
+oneAxis press
+  -- Edges that undo each other show nothing.
+  | maximum profile < minimum profile + 4000 = Nothing
+  | otherwise = Just (pair, Registered (Just "one-axis") at (across, not across), fits)
+  where
+    profile = [relief (t, t) | t <- [first' .. last']]
+    change = pressChange press
+    across = even change
+    axis = if across then fst else snd
+    (sx, sy) = pressStep press
+    (ex, ey) = pressError press
+    (x, y) = (sx + ex, sy + ey)
+    -- What is seen by both if the second lies as far as 3 taxels from its step.
+    first' = axis (sx, sy) + 3
+    last' = axis (pressSize press) - 4
+    edges =
+      [ (fromInteger (10 * first') + place k * fromInteger (last' - first') `div` 10, odd (sign k))
+        | k <- [0 .. change `div` 2 `mod` 3]
+      ]
+    place k = pressSeed press `div` (97 ^ k) `mod` 97
+    sign k = pressSeed press `div` (2 ^ k) `mod` 2
+    relief = edged axis edges
+    cut = frameOf (pressSize press) relief
+    pair = Pair (cut (0, 0)) (cut (x, y)) (sx, sy) 3
+    at = (fromInteger x, fromInteger y)
+    fits came =
+      registeredFixed came == (across, not across)
+        && abs (axisOf (registeredBest came) - axisOf at) <= 0.5
+    axisOf = if across then fst else snd
+
+invalidLaw :: Law ()
+invalidLaw =
+  invalid OnRegister "refuses-what-is-invalid" OfRegister $ \() ->
+    [ SomeQuestion (Register pair)
+      | pair <-
+          [ Pair a (frameOf (16, 15) relief (8, 0)) (8, 0) 3,
+            Pair (take 3 a) (take 3 b) (0, 0) 1,
+            Pair (map (take 3) a) (map (take 3) b) (0, 0) 1,
+            Pair [] [] (0, 0) 1,
+            Pair [[]] [[]] (0, 0) 1,
+            Pair (drop 1 a ++ [[1, 2]]) b (8, 0) 3,
+            Pair a (drop 1 b ++ [replicate 16 (fullScale + 1)]) (8, 0) 3
+          ]
+    ]
+      ++ malformed (Register (Pair a b (8, 0) 3))
+  where
+    relief = bumpy 1
+    a = frameOf (16, 16) relief (0, 0)
+    b = frameOf (16, 16) relief (8, 0)

@@ -1,0 +1,141 @@
+-- | Scenes of which the truth is known because they are drawn here: reliefs without end, of which
+-- frames are cut, and composites with symbols at known places.
+module PraTactile.Conformance.Laws.Relief
+  ( -- * Reliefs
+    Relief,
+    bumpy,
+    edged,
+    periodic,
+    frameOf,
+
+    -- * Whether frames tell where they are
+    telling,
+
+    -- * Changes
+    Affine (..),
+    affinely,
+    seen,
+
+    -- * Drawn cases
+    genSeed,
+    genError,
+    smallerWhole,
+  )
+where
+
+import Data.List (foldl')
+import Numeric.Natural (Natural)
+import PraTactile.Conformance.Question.Touch
+import PraTactile.Symmetry (Symmetry, onRows, symmetries)
+import System.Random (mkStdGen, randomRs)
+import Test.QuickCheck (Gen, chooseInt, chooseInteger, shrinkIntegral)
+
+-- | The grey value at a whole place of a surface without end: 0 to 'highest'.
+type Relief = WholeTaxels -> Natural
+
+-- | What a relief has at most, so that there is room for gain and offset.
+highest :: Double
+highest = 20000
+
+-- | A height, 0 being the middle, as a grey value.
+grey :: Double -> Natural
+grey height = fromInteger (max 0 (min (round highest) (round (highest / 2 + 4000 * height))))
+
+-- | Round bumps and dents at random places between (-24, -24) and (48, 48), about one on 28 square
+-- taxels, of radii of 1 to 3 taxels; from a seed.
+bumpy :: Int -> Relief
+bumpy seed = \(x, y) -> grey (sum [rise (fromInteger x) (fromInteger y) bump | bump <- bumps])
+  where
+    bumps = take 184 (fours (randomRs (0, 1) (mkStdGen seed)))
+    fours numbers = case numbers of
+      a : b : c : d : rest -> (72 * a - 24, 72 * b - 24, 1 + 2 * c, 2 * d - 1) : fours rest
+      _ -> []
+
+-- | How high a bump is at a place: a bell, cut off at four radii.
+rise :: Double -> Double -> (Double, Double, Double, Double) -> Double
+rise x y (bx, by, radius, height)
+  | abs (x - bx) > 4 * radius || abs (y - by) > 4 * radius = 0
+  | otherwise = height * exp (negate ((x - bx) ^ two + (y - by) ^ two) / (2 * radius * radius))
+  where
+    two = 2 :: Int
+
+-- | Straight edges at right angles to one axis, alike all along the other: where each is, in tenths
+-- of a taxel, and whether it rises.
+edged :: (WholeTaxels -> Integer) -> [(Int, Bool)] -> Relief
+edged axis edges place = grey (sum [height edge | edge <- edges])
+  where
+    height (at, rises) =
+      (if rises then 1 else -1) * tanh (fromInteger (axis place) - fromIntegral at / 10 :: Double)
+
+-- | The same again after so many taxels to the right, and after so many down; where it is highest,
+-- in tenths of a taxel.
+periodic :: WholeTaxels -> (Int, Int) -> Relief
+periodic (p, q) (i, j) (x, y) = grey (wave p i x + wave q j y)
+  where
+    wave :: Integer -> Int -> Integer -> Double
+    wave period at t = cos (2 * pi * (fromInteger t - fromIntegral at / 10) / fromInteger period)
+
+-- | The frame of a width and height whose upper left taxel is at a place.
+frameOf :: (Integer, Integer) -> Relief -> WholeTaxels -> Rows
+frameOf (w, h) relief (x, y) = [[relief (x + i, y + j) | i <- [0 .. w - 1]] | j <- [0 .. h - 1]]
+
+-- | Whether a pair shows by itself where the second frame lies: at every other whole displacement
+-- within the search, what both have in common correlates by less than 0.9; one taxel away, by less
+-- than 0.97.
+telling :: Pair -> WholeTaxels -> Bool
+telling (Pair a b (sx, sy) search) (dx, dy) =
+  and
+    [ correlation (common (x, y) a b) < if away == 1 then 0.97 else 0.9
+      | x <- [sx - r .. sx + r],
+        y <- [sy - r .. sy + r],
+        let away = max (abs (x - dx)) (abs (y - dy)),
+        away > 0
+    ]
+  where
+    r = toInteger search
+
+-- | What two frames have in common where the second's upper left taxel lies there in the first.
+common :: WholeTaxels -> Rows -> Rows -> [(Double, Double)]
+common (dx, dy) a b =
+  [ (fromIntegral u, fromIntegral v)
+    | (rowA, rowB) <- zip (from dy a) (from (negate dy) b),
+      (u, v) <- zip (from dx rowA) (from (negate dx) rowB)
+  ]
+  where
+    from n = drop (fromInteger (max 0 n))
+
+-- | The normalised correlation; 1 where one side does not change, because then anything fits.
+correlation :: [(Double, Double)] -> Double
+correlation pairs
+  | n < 2 || varianceA <= 0 || varianceB <= 0 = 1
+  | otherwise = (ab - a * b / n) / sqrt (varianceA * varianceB)
+  where
+    (n, a, b, aa, bb, ab) = foldl' with (0, 0, 0, 0, 0, 0) pairs
+    with (k, s, t, ss, tt, st) (u, v) = (k + 1, s + u, t + v, ss + u * u, tt + v * v, st + u * v)
+    varianceA = aa - a * a / n
+    varianceB = bb - b * b / n
+
+-- | Grey values times a gain, and an offset more.
+data Affine = Affine Natural Natural
+  deriving stock (Eq, Show)
+
+affinely :: Affine -> Rows -> Rows
+affinely (Affine gain offset) = map (map (\v -> gain * v + offset))
+
+-- | The symmetry of that number, and rows as they are seen in it.
+seen :: Int -> (Symmetry, Rows -> Rows)
+seen number = (symmetry, onRows symmetry)
+  where
+    symmetry = cycle symmetries !! (number `mod` 8)
+
+-- | A seed of a relief.
+genSeed :: Gen Int
+genSeed = chooseInt (0, 999999)
+
+-- | An error of at most so many taxels along each axis.
+genError :: Integer -> Gen WholeTaxels
+genError most = (,) <$> chooseInteger (-most, most) <*> chooseInteger (-most, most)
+
+-- | Nearer to nothing.
+smallerWhole :: WholeTaxels -> [WholeTaxels]
+smallerWhole (x, y) = [(x', y) | x' <- shrinkIntegral x] ++ [(x, y') | y' <- shrinkIntegral y]

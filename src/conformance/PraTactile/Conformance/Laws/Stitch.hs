@@ -1,0 +1,196 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Stitching: frames cut from one relief are found where they were cut, whatever their order and
+-- whatever the robot takes for its origin.
+module PraTactile.Conformance.Laws.Stitch
+  ( stitchLaws,
+  )
+where
+
+import Data.List (sortOn)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Laws.Judge
+import PraTactile.Conformance.Laws.Malformed
+import PraTactile.Conformance.Laws.Relief
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Question.Touch
+import PraTactile.Format.Json.Codec (Codec, int, integer, key, listOf, object, pairOf)
+import PraTactile.Symmetry (onOffset)
+import System.Random (mkStdGen, randoms)
+import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral, vectorOf)
+
+-- | A survey of a relief: from which seed that is, how many frames across and down, each 8 taxels
+-- from the next, the robot's error for each, row by row, and a number that says how the survey is
+-- changed.
+data Survey = Survey
+  { surveySeed :: Int,
+    surveySize :: WholeTaxels,
+    surveyErrors :: [WholeTaxels],
+    surveyChange :: Int
+  }
+
+surveyForm :: Codec Survey
+surveyForm =
+  object $
+    Survey
+      <$> key "relief" int surveySeed
+      <*> key "size" (pairOf integer) surveySize
+      <*> key "errors" (listOf (pairOf integer)) surveyErrors
+      <*> key "change" int surveyChange
+
+genSurvey :: Gen Survey
+genSurvey = do
+  size@(columns, rows) <- elements [(2, 1), (1, 2), (2, 2), (3, 2), (2, 3)]
+  Survey <$> genSeed
+    <*> pure size
+    <*> vectorOf (fromInteger (columns * rows)) (genError 1)
+    <*> chooseInt (0, 999)
+
+-- | Fewer frames, smaller errors, and less of a change.
+smallerSurvey :: Survey -> [Survey]
+smallerSurvey survey =
+  [ survey {surveySize = size, surveyErrors = take (fromInteger (c * r)) (surveyErrors survey)}
+    | size@(c, r) <- [(2, 1), (1, 2), (2, 2)],
+      c * r < uncurry (*) (surveySize survey)
+  ]
+    ++ [ survey {surveyErrors = before ++ less : after}
+         | (before, one : after) <- map (`splitAt` errors) [0 .. length errors - 1],
+           less <- smallerWhole one
+       ]
+    ++ [survey {surveyChange = c} | c <- shrinkIntegral (surveyChange survey), c >= 0]
+  where
+    errors = surveyErrors survey
+
+-- | A frame as it is placed, and how far it is from there.
+type Truth = [(Placed, WholeTaxels)]
+
+surveyed :: Survey -> Truth
+surveyed (Survey seed (columns, rows) errors _) =
+  [ (Placed (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
+    | ((x, y), (i, j)) <- zip places errors
+  ]
+  where
+    places = [(8 * c, 8 * r) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
+    relief = bumpy seed
+
+-- | The laws of stitching.
+stitchLaws :: [Law ()]
+stitchLaws =
+  [ found
+      "truth-stays"
+      "frames that are where they should be stay there"
+      "the robot made no error"
+      0.25
+      (\survey -> survey {surveyErrors = map (const (0, 0)) (surveyErrors survey)})
+      (const id),
+    found
+      "known-displacements"
+      "the displacements of frames cut from one relief are found to half a taxel, up to a shift of \
+      \all"
+      "each frame was cut as far from its place"
+      0.5
+      id
+      (const id),
+    found
+      "order"
+      "the order of the frames changes nothing"
+      "each frame lies where it lies, whichever comes first"
+      0.5
+      id
+      (\n truth -> map snd (sortOn fst (zip (randoms (mkStdGen n) :: [Int]) truth))),
+    found
+      "moved"
+      "all places moved alike change nothing"
+      "where the robot counts from is no displacement"
+      0.5
+      id
+      ( \n truth ->
+          let (i, j) = (toInteger (n `mod` 31) * 7 - 100, toInteger (n `div` 31) * 9 - 140)
+           in [(Placed rows (x + i, y + j), e) | (Placed rows (x, y), e) <- truth]
+      ),
+    found
+      "gain-and-offset"
+      "a gain and an offset of all grey values change nothing"
+      "what is affine in the grey values is no relief"
+      0.5
+      id
+      ( \n truth ->
+          let change = affinely (Affine (fromIntegral (1 + n `mod` 3)) (fromIntegral (n * 5)))
+           in [(Placed (change rows) place, e) | (Placed rows place, e) <- truth]
+      ),
+    found
+      "turned-and-mirrored"
+      "with frames and places turned or mirrored, the displacements are so too"
+      "they are those of the scene, however it is seen"
+      0.5
+      id
+      ( \n truth ->
+          let (symmetry, onRows') = seen n
+           in [ (Placed (onRows' rows) (onOffset symmetry place), onOffset symmetry e)
+                | (Placed rows place, e) <- truth
+              ]
+      ),
+    invalidLaw
+  ]
+
+-- | A law that the frames of a survey, changed in a way, are found where they are, to so many
+-- taxels.
+found ::
+  String ->
+  String ->
+  String ->
+  Double ->
+  (Survey -> Survey) ->
+  (Int -> Truth -> Truth) ->
+  Law ()
+found what sentence reason most before change =
+  law OnStitch what [OfStitch] sentence "how the frames were cut; the protocol, stitch" $ \() ->
+    Cases surveyForm (Some genSurvey smallerSurvey) $ \survey ->
+      let truth = change (surveyChange survey) (surveyed (before survey))
+          errors = map (real . snd) truth
+          question = Stitch 2 (map fst truth)
+          fits came = length came == length errors && alike most errors came
+       in if allTelling truth
+            then judge question (Right errors) fits "the scene" reason <$> ask question
+            else pure NotMeant
+  where
+    real (x, y) = (fromInteger x, fromInteger y)
+
+-- | Whether displacements are the same to so many taxels, up to a shift of all.
+alike :: Double -> [Taxels] -> [Taxels] -> Bool
+alike most wanted came = within fst && within snd
+  where
+    within axis =
+      let differences = zipWith (\a b -> axis b - axis a) wanted came
+          mean = sum differences / fromIntegral (max 1 (length differences))
+       in all ((<= most) . abs . subtract mean) differences
+
+-- | Whether any two frames that should be neighbours tell by themselves how they lie.
+allTelling :: Truth -> Bool
+allTelling truth =
+  and
+    [ telling (Pair a b step 2) (fst step + i' - i, snd step + j' - j)
+      | (Placed a (x, y), (i, j)) <- truth,
+        (Placed b (x', y'), (i', j')) <- truth,
+        let step = (x' - x, y' - y),
+        abs (fst step) + abs (snd step) == 8
+    ]
+
+invalidLaw :: Law ()
+invalidLaw =
+  invalid OnStitch "refuses-what-is-invalid" OfStitch $ \() ->
+    [ SomeQuestion (Stitch 2 frames)
+      | frames <-
+          [ [],
+            [a, Placed (frameOf (16, 15) relief (8, 0)) (8, 0)],
+            [Placed (frameOf (3, 3) relief (0, 0)) (0, 0)],
+            [a, Placed [] (8, 0)],
+            [a, Placed ([1, 2] : frameOf (16, 15) relief (8, 0)) (8, 0)],
+            [a, Placed (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
+          ]
+    ]
+      ++ malformed (Stitch 2 [a, Placed (frameOf (16, 16) relief (8, 0)) (8, 0)])
+  where
+    relief = bumpy 1
+    a = Placed (frameOf (16, 16) relief (0, 0)) (0, 0)
