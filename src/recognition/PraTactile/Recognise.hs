@@ -52,7 +52,7 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segment (Segmentation (..), SymbolImage (..))
+import PraTactile.Segment (Segmentation (..), SymbolImage (..), cleaned)
 import PraTactile.Segment.Tilt (setUpright, tilt)
 import PraTactile.Stitch (Composite)
 import PraTactile.Symmetry
@@ -132,7 +132,7 @@ recogniseWith ::
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseWith tolerance reader composites = case tilt composites of
+recogniseWith tolerance reader given = case tilt composites of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- recogniseUpright tolerance reader composites
@@ -145,6 +145,8 @@ recogniseWith tolerance reader composites = case tilt composites of
           then if answeredBy asGiven then asGiven else setRight
           else if certainty turnedBack > certainty asGiven then setRight else asGiven
   _ -> recogniseUpright tolerance reader composites
+  where
+    composites = map (fst . cleaned) given
 
 -- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
 -- those that are not turned at all, and the estimate of the angle is less certain than that.

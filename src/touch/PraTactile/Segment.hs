@@ -14,6 +14,9 @@ module PraTactile.Segment
     onComposite,
     segmentAlong,
 
+    -- * What is none of the symbols'
+    cleaned,
+
     -- * Parts of symbols
     Part (..),
     partAt,
@@ -41,7 +44,9 @@ import PraTactile.Image
 import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
+import PraTactile.Segment.Foreign (withoutForeign)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, threshold)
+import PraTactile.Segment.Reject
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import PraTactile.Stitch.Composite (Composite (..), weighted)
 import PraTactile.Symmetry
@@ -60,19 +65,6 @@ data SymbolImage = SymbolImage
     symbolSize :: !(Double, Double)
   }
   deriving stock (Eq, Show)
-
--- | Something embossed that is no complete symbol: its box (left, top, right, bottom, in pixels),
--- and why.
-data Reject = Reject !(Double, Double, Double, Double) !Cause
-  deriving stock (Eq, Show)
-
--- | Why something embossed is no complete symbol.
-data Cause
-  = -- | It is too small and reaches the edge of what was touched.
-    CutOff
-  | -- | Its box is not of a symbol's size.
-    WrongSize
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a composite holds.
 data Segmentation = Segmentation
@@ -109,6 +101,11 @@ segment composite = case levelled noise touched of
           (rejects, symbols) =
             partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
        in Segmentation symbols rejects (levelBackground found) (contrast found)
+
+-- | The composite with what is none of the symbols' making taken for untouched, and what that is:
+-- what is longer than any symbol, and what is sunk beside it. Most composites are as they were.
+cleaned :: Composite -> (Composite, [Reject])
+cleaned = withoutForeign leastCoverage
 
 -- | The standard deviation of the pixels' noise: the larger of what changes along the rows and
 -- along the columns show, for a row may have noise in common, or a column.
