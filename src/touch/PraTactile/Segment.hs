@@ -25,7 +25,7 @@ module PraTactile.Segment
 where
 
 import Control.Applicative ((<|>))
-import Data.Either (partitionEithers)
+import Data.Either (isRight, partitionEithers)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
@@ -96,10 +96,12 @@ segment composite = case levelled noise touched of
     levelled noiseThere = levels noiseThere . V.fromList . Map.elems
     cut pixels found =
       let scene = Scene (`Map.lookup` pixels) (threshold found)
+          upper = levelBackground found + upperShare * contrast found
           embossed = Map.keysSet (Map.filter (>= threshold found) pixels)
           whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
           (rejects, symbols) =
-            partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
+            partitionEithers
+              (concatMap (judgedAgain (judged (weighted composite) found) scene upper) whole)
        in Segmentation symbols rejects (levelBackground found) (contrast found)
 
 -- | The composite with what is none of the symbols' making taken for untouched, and what that is:
@@ -219,6 +221,35 @@ partAt composite found = look
 -- | The fewest taxels of a symbol's 96 that are looked at.
 leastSeen :: Int
 leastSeen = 16
+
+-- | A component as a symbol, or why it is none, given the scene and a higher threshold. If it is too
+-- large for one, it may be a symbol with something near it, or a blurred one: then its connected
+-- pieces are judged, first all but the smallest of them together, then each by itself; then what of
+-- it is above the higher threshold.
+judgedAgain ::
+  (Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)) ->
+  Scene ->
+  Double ->
+  Set Pixel ->
+  [Either Reject SymbolImage]
+judgedAgain judge scene upper component = case judge scene component of
+  Nothing -> []
+  Just (Left (Reject box WrongSize))
+    | Set.size component >= leastPixels * leastPixels,
+      found : _ <- filter (any isRight) others ->
+      found
+    | otherwise -> [Left (Reject box WrongSize)]
+  Just found -> [found]
+  where
+    others = [judges scene [Set.unions pieces], judges scene pieces, judges raised [high]]
+    judges = mapMaybe . judge
+    pieces = filter ((>= leastPixels) . Set.size) (components 0 component)
+    raised = scene {sceneThreshold = upper}
+    high = Set.filter (any (>= upper) . sceneAt scene) component
+
+-- | Where a blurred symbol is cut off, as a share of the contrast above the background.
+upperShare :: Double
+upperShare = 0.65
 
 -- | A component as a symbol, or why it is none.
 judged :: Reference -> Levels -> Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)

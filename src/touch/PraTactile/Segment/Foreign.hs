@@ -22,12 +22,12 @@ import PraTactile.Segment.Reject
 import PraTactile.Stitch.Composite (Composite (..))
 
 -- | The composite with what is foreign taken for untouched, given the least weight with which a
--- pixel counts as touched, and what that is. Where nothing embossed is longer than a symbol at any
--- angle, or nothing is a symbol, the composite stays as it is.
+-- pixel counts as touched, and what that is. Where all that is embossed is like symbols, or nothing
+-- is, the composite stays as it is.
 withoutForeign :: Double -> Composite -> (Composite, [Reject])
 withoutForeign least composite = case levels noise seen of
   Just found
-    | any (tooLong field) (regions field 0 (above (share 0.5 found))),
+    | any (unlikeSymbols field) (regions field 0 (above (share 0.5 found))),
       Just (own, symbols) <- symbolLevels field noise ->
       removed composite field (foreignIn field own symbols)
   _ -> (composite, [])
@@ -65,6 +65,23 @@ removed composite field strange
     without image =
       generate (fieldWidth field) (fieldHeight field) $ \x y ->
         if gone V.! (y * fieldWidth field + x) then 0 else maybe 0 id (index image x y)
+
+-- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
+unlikeSymbols :: Field -> Region -> Bool
+unlikeSymbols field region =
+  tooLong field region
+    || (length region >= leastWhole && not atEdge && not (symbolSized field region))
+  where
+    atEdge =
+      or
+        [ maybe True (not . (fieldTouched field V.!)) (beside field p by)
+          | p <- region,
+            by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
+        ]
+
+-- | What has fewer pixels may be a piece of a symbol.
+leastWhole :: Int
+leastWhole = 36
 
 -- | Is a region longer than a symbol at any angle?
 tooLong :: Field -> Region -> Bool

@@ -7,6 +7,7 @@ module PraTactile.Segment.Region
     fieldOf,
     pixelNoise,
     placeOf,
+    beside,
     around,
     grown,
 
@@ -51,15 +52,18 @@ fieldOf least (Composite image coverage _ _) = Field w h touched (V.generate (w 
         near =
           [ (k, k * (values V.! p'))
             | (i, j) <- [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1]],
-              Just p' <- [beside w h p (i, j)],
+              Just p' <- [shifted w h p (i, j)],
               touched V.! p',
               let k = (if i == 0 then 2 else 1) * (if j == 0 then 2 else 1)
           ]
 
--- | The number of the pixel so far right of and below another one, in an image of that width and
--- height.
-beside :: Int -> Int -> Int -> (Int, Int) -> Maybe Int
-beside w h p (i, j)
+-- | The number of the pixel so far right of and below another one.
+beside :: Field -> Int -> (Int, Int) -> Maybe Int
+beside field = shifted (fieldWidth field) (fieldHeight field)
+
+-- | The same in an image of that width and height.
+shifted :: Int -> Int -> Int -> (Int, Int) -> Maybe Int
+shifted w h p (i, j)
   | x >= 0 && x < w && y >= 0 && y < h = Just (y * w + x)
   | otherwise = Nothing
   where
@@ -77,9 +81,9 @@ pixelNoise field image = max (noiseFrom (differences 1 0)) (noiseFrom (differenc
         [ values V.! a - 2 * values V.! p + values V.! b
           | p <- [0 .. V.length values - 1],
             fieldTouched field V.! p,
-            Just a <- [beside (fieldWidth field) (fieldHeight field) p (negate i, negate j)],
+            Just a <- [beside field p (negate i, negate j)],
             fieldTouched field V.! a,
-            Just b <- [beside (fieldWidth field) (fieldHeight field) p (i, j)],
+            Just b <- [beside field p (i, j)],
             fieldTouched field V.! b
         ]
 
@@ -100,7 +104,7 @@ around field distance pixels = V.create $ do
   marks <- M.replicate (fieldWidth field * fieldHeight field) False
   forM_ pixels $ \p ->
     forM_ [(i, j) | j <- [-distance .. distance], i <- [-distance .. distance]] $ \by ->
-      mapM_ (\p' -> M.write marks p' True) (beside (fieldWidth field) (fieldHeight field) p by)
+      mapM_ (\p' -> M.write marks p' True) (beside field p by)
   pure marks
 
 -- | The pixels of a connected region.
@@ -130,7 +134,7 @@ regions field gap marked = runST (V.thaw marked >>= go 0)
       near <- newAround left p reach queue
       flood left near (p : found)
     newAround _ _ [] queue = pure queue
-    newAround left p (by : others) queue = case beside (fieldWidth field) (fieldHeight field) p by of
+    newAround left p (by : others) queue = case beside field p by of
       Nothing -> newAround left p others queue
       Just p' -> do
         isNew <- M.read left p'
