@@ -193,16 +193,20 @@ middle :: [Double] -> Double
 middle = ranked 0.5
 
 -- | The foreign regions, given the symbols' levels and pixels: each with a rim, but for what is a
--- symbol's and its rim.
+-- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to it
+-- is not parted from it at a lower level.
 foreignIn :: Field -> Levels -> [Region] -> [(Region, Cause)]
 foreignIn field own symbols =
-  [(widened 1 region, TooLarge) | region <- raised, tooLong field region]
+  map (\region -> (region, TooLarge)) (high ++ map (widened 1) raised)
     ++ [(widened 2 region, Hollow) | region <- sunken, length region >= leastHollow]
   where
     kept = around field 1 (concat symbols)
     free = V.zipWith (\keep m -> m && not keep) kept
-    raised = regions field 0 (free (marked field (>= share 0.35 own)))
+    high = map (widened 2) (long (free (marked field (>= share 1.5 own))))
+    rest = V.zipWith (\gone m -> m && not gone) (around field 0 (concat high))
+    raised = long (rest (free (marked field (>= share 0.35 own))))
     sunken = regions field 0 (free (marked field (<= share (-0.35) own)))
+    long = filter (tooLong field) . regions field 0
     widened by region = [p | p <- grown field by region, not (kept V.! p)]
 
 -- | Fewer sunken pixels are noise.
