@@ -52,7 +52,7 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segment (Segmentation (..), SymbolImage (..), cleaned)
+import PraTactile.Segment (Cleaned (..), Segmentation (..), SymbolImage (..), cleaned)
 import PraTactile.Segment.Tilt (setUpright, tilt)
 import PraTactile.Stitch (Composite)
 import PraTactile.Symmetry
@@ -132,11 +132,11 @@ recogniseWith ::
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseWith tolerance reader given = case tilt composites of
+recogniseWith tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- recogniseUpright tolerance reader composites
-      let (upright, places) = unzip (map (setUpright angle) composites)
+      let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader upright
       let setRight = relocated angle places turnedBack
           answeredBy = isRight . recognisedAnswer
@@ -146,7 +146,14 @@ recogniseWith tolerance reader given = case tilt composites of
           else if certainty turnedBack > certainty asGiven then setRight else asGiven
   _ -> recogniseUpright tolerance reader composites
   where
-    composites = map (fst . cleaned) given
+    composites = map cleaned given
+
+-- | 'setUpright' of a composite without what is foreign.
+cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
+cleanedUpright angle (Cleaned composite forParts foreignThings) =
+  (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
+  where
+    (upright, back) = setUpright angle composite
 
 -- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
 -- those that are not turned at all, and the estimate of the angle is less certain than that.
@@ -212,7 +219,7 @@ recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  [Composite] ->
+  [Cleaned] ->
   Either NetworkError Recognition
 recogniseUpright tolerance reader composites = do
   upright <- readSymbols symbolReader identity 0 composites

@@ -16,6 +16,7 @@ module PraTactile.Segment
 
     -- * What is none of the symbols'
     cleaned,
+    Cleaned (..),
 
     -- * Parts of symbols
     Part (..),
@@ -44,7 +45,7 @@ import PraTactile.Image
 import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
-import PraTactile.Segment.Foreign (withoutForeign)
+import PraTactile.Segment.Foreign (Cleaned (..), withoutForeign)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, threshold)
 import PraTactile.Segment.Reject
 import PraTactile.Shape (symbolHeight, symbolWidth)
@@ -106,7 +107,7 @@ segment composite = case levelled noise touched of
 
 -- | The composite with what is none of the symbols' making taken for untouched, and what that is:
 -- what is longer than any symbol, and what is sunk beside it. Most composites are as they were.
-cleaned :: Composite -> (Composite, [Reject])
+cleaned :: Composite -> Cleaned
 cleaned = withoutForeign leastCoverage
 
 -- | The standard deviation of the pixels' noise: the larger of what changes along the rows and
@@ -222,10 +223,10 @@ partAt composite found = look
 leastSeen :: Int
 leastSeen = 16
 
--- | A component as a symbol, or why it is none, given the scene and a higher threshold. If it is too
--- large for one, it may be a symbol with something near it, or a blurred one: then its connected
--- pieces are judged, first all but the smallest of them together, then each by itself; then what of
--- it is above the higher threshold.
+-- | A component as a symbol, or why it is none, given the scene and a higher threshold. If it is
+-- too large for one, it may be a symbol with something near it, or a blurred one: then its
+-- connected pieces are judged, first all but the smallest of them together, then each by itself;
+-- then what of it is above the higher threshold.
 judgedAgain ::
   (Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)) ->
   Scene ->

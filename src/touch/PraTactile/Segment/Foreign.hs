@@ -3,15 +3,17 @@
 -- of the angle, for the whole composite.
 --
 -- How high the symbols stand is taken from the symbols alone: what is of a symbol's size where it
--- is cut off at half its own height above its own surroundings. By these levels, what is longer than
--- any symbol is foreign, and so is what is sunk; it is taken out of the composite, as if it had not
--- been touched. The symbols beside it stay.
+-- is cut off at half its own height above its own surroundings. By these levels, what is longer
+-- than any symbol is foreign, and so is what is sunk; it is taken out of the composite, as if it
+-- had not been touched. The symbols beside it stay.
 module PraTactile.Segment.Foreign
-  ( withoutForeign,
+  ( Cleaned (..),
+    withoutForeign,
   )
 where
 
 import Data.List (sort, sortOn)
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (symbolHeight, symbolWidth)
@@ -21,21 +23,33 @@ import PraTactile.Segment.Region
 import PraTactile.Segment.Reject
 import PraTactile.Stitch.Composite (Composite (..))
 
+-- | A composite without what is foreign.
+data Cleaned = Cleaned
+  { -- | what symbols are cut out of
+    cleanedComposite :: !Composite,
+    -- | what parts of symbols are read from, if that is another: with what is foreign but of the
+    -- symbols' height left in, for what of a symbol lies beside it still shows which it is
+    cleanedForParts :: !(Maybe Composite),
+    cleanedRejects :: ![Reject]
+  }
+  deriving stock (Eq, Show)
+
 -- | The composite with what is foreign taken for untouched, given the least weight with which a
 -- pixel counts as touched, and what that is. Where all that is embossed is like symbols, or nothing
--- is, the composite stays as it is.
-withoutForeign :: Double -> Composite -> (Composite, [Reject])
+-- is, and nothing is sunk, the composite stays as it is.
+withoutForeign :: Double -> Composite -> Cleaned
 withoutForeign least composite = case levels noise seen of
   Just found
-    | any (unlikeSymbols field) (regions field 0 (above (share 0.5 found))),
+    | any (unlikeSymbols field) (regions field 0 (marked field (>= share 0.5 found)))
+        || not (null (hollows (marked field (<= share (-0.35) found)))),
       Just (own, symbols) <- symbolLevels field noise ->
       removed composite field (foreignIn field own symbols)
-  _ -> (composite, [])
+  _ -> Cleaned composite Nothing []
   where
     field = fieldOf least composite
     seen = V.ifilter (\p _ -> fieldTouched field V.! p) (fieldValues field)
     noise = smoothedNoise * pixelNoise field (compositeImage composite)
-    above t = marked field (>= t)
+    hollows = filter ((>= leastHollow) . length) . regions field 0
 
 -- | The touched pixels whose values are so.
 marked :: Field -> (Double -> Bool) -> V.Vector Bool
@@ -50,21 +64,33 @@ smoothedNoise :: Double
 smoothedNoise = 6 / 16
 
 -- | A composite without some regions.
-removed :: Composite -> Field -> [(Region, Cause)] -> (Composite, [Reject])
+removed :: Composite -> Field -> [Strange] -> Cleaned
 removed composite field strange
-  | null strange = (composite, [])
+  | null strange = Cleaned composite Nothing []
   | otherwise =
-    ( composite
-        { compositeImage = without (compositeImage composite),
-          compositeCoverage = without (compositeCoverage composite)
-        },
-      [Reject (regionBox field region) cause | (region, cause) <- strange]
-    )
+    Cleaned
+      (without strange)
+      (Just (without (filter strangeHeight strange)))
+      [Reject (regionBox field region) cause | Strange region cause _ <- strange]
   where
-    gone = around field 0 (concatMap fst strange)
-    without image =
-      generate (fieldWidth field) (fieldHeight field) $ \x y ->
-        if gone V.! (y * fieldWidth field + x) then 0 else maybe 0 id (index image x y)
+    without some =
+      composite
+        { compositeImage = blank (compositeImage composite),
+          compositeCoverage = blank (compositeCoverage composite)
+        }
+      where
+        gone = around field 0 (concatMap strangePixels some)
+        blank image =
+          generate (fieldWidth field) (fieldHeight field) $ \x y ->
+            if gone V.! (y * fieldWidth field + x) then 0 else fromMaybe 0 (index image x y)
+
+-- | A foreign region.
+data Strange = Strange
+  { strangePixels :: !Region,
+    _strangeCause :: !Cause,
+    -- | whether no symbol is so high, or so low
+    strangeHeight :: !Bool
+  }
 
 -- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
 unlikeSymbols :: Field -> Region -> Bool
@@ -193,21 +219,47 @@ middle :: [Double] -> Double
 middle = ranked 0.5
 
 -- | The foreign regions, given the symbols' levels and pixels: each with a rim, but for what is a
--- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to it
--- is not parted from it at a lower level.
-foreignIn :: Field -> Levels -> [Region] -> [(Region, Cause)]
+-- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to
+-- it is not parted from it at a lower level.
+foreignIn :: Field -> Levels -> [Region] -> [Strange]
 foreignIn field own symbols =
-  map (\region -> (region, TooLarge)) (high ++ map (widened 1) raised)
-    ++ [(widened 2 region, Hollow) | region <- sunken, length region >= leastHollow]
+  [Strange region TooLarge True | region <- high]
+    ++ [Strange (widened 1 region) TooLarge False | region <- raised]
+    ++ [Strange (widened 2 region) Hollow True | region <- sunken, length region >= leastHollow]
   where
     kept = around field 1 (concat symbols)
     free = V.zipWith (\keep m -> m && not keep) kept
-    high = map (widened 2) (long (free (marked field (>= share 1.5 own))))
+    high = map (widened 2) (filter (tooLong field) (found (free (marked field (>= share 1.5 own)))))
     rest = V.zipWith (\gone m -> m && not gone) (around field 0 (concat high))
-    raised = long (rest (free (marked field (>= share 0.35 own))))
-    sunken = regions field 0 (free (marked field (<= share (-0.35) own)))
-    long = filter (tooLong field) . regions field 0
+    raised = concatMap (straight field) (filter (tooLong field) (found level))
+    level = rest (free (marked field (>= share 0.35 own)))
+    sunken = found (free (marked field (<= share (-0.35) own)))
+    found = regions field 0
     widened by region = [p | p <- grown field by region, not (kept V.! p)]
+
+-- | The parts of a region that lie on straight lines within it, longer than any symbol has: without
+-- the symbols that touch a bar.
+straight :: Field -> Region -> [Region]
+straight field region = regions field 0 (around field 0 onLines)
+  where
+    within = around field 0 region
+    onLines =
+      concat
+        [ map fst line
+          | p <- region,
+            angle <- [0, 11.25 .. 168.75],
+            let line = [(p', within V.! p') | Just p' <- map (beside field p) (steps angle)],
+            length (filter snd line) >= longestLine - 1
+        ]
+    steps :: Double -> [(Int, Int)]
+    steps angle =
+      [ (round (t * cos (angle * pi / 180)), round (t * sin (angle * pi / 180)))
+        | t <- map fromIntegral [0 .. longestLine - 1]
+      ]
+
+-- | No line of so many pixels, but for one of them, lies within a symbol.
+longestLine :: Int
+longestLine = 17
 
 -- | Fewer sunken pixels are noise.
 leastHollow :: Int

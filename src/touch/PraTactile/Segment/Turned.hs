@@ -11,7 +11,7 @@ where
 
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (listToMaybe)
+import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
@@ -64,6 +64,8 @@ data Reading = Reading
     readingAxis :: !Double,
     -- | the composite set upright, and its segmentation
     readingView :: !Composite,
+    -- | the same to read parts from
+    readingForParts :: Composite,
     readingFound :: !Segmentation,
     -- | where its pixels are on the composite as given
     readingBack :: !((Double, Double) -> (Double, Double))
@@ -74,9 +76,9 @@ data Reading = Reading
 segmentTurned :: Composite -> Sighted
 segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
   where
-    (own, foreign') = cleaned composite
+    Cleaned own forParts foreign' = cleaned composite
     best = listToMaybe (sortOn (negate . length . segmentedSymbols . readingFound) readings)
-    readings = concatMap (readingsAt own) (angles (tilt [own]))
+    readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
     angles found = case found of
       Just angle | abs angle > leastTilt -> [angle, 0]
       _ -> [0]
@@ -95,15 +97,22 @@ segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
 leastTilt :: Double
 leastTilt = 3
 
--- | A composite read at an angle, along both axes.
-readingsAt :: Composite -> Double -> [Reading]
-readingsAt composite angle =
-  [ Reading (angle + degreesClockwise axis) view found (back . onPixel axis (sizeOf view))
+-- | A composite, and what parts are read from, read at an angle, along both axes.
+readingsAt :: Composite -> Composite -> Double -> [Reading]
+readingsAt composite forParts angle =
+  [ Reading
+      { readingAxis = angle + degreesClockwise axis,
+        readingView = view,
+        readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
+        readingFound = found,
+        readingBack = back . onPixel axis (sizeOf view)
+      }
     | axis <- [identity, turned 1],
       let (view, found, _) = segmentAlong axis upright
   ]
   where
-    (upright, back) = if angle == 0 then (composite, id) else setUpright angle composite
+    (upright, back) = atAngle composite
+    atAngle given = if angle == 0 then (given, id) else setUpright angle given
     sizeOf view =
       ( fromIntegral (rasterWidth (compositeImage view)),
         fromIntegral (rasterHeight (compositeImage view))
@@ -120,7 +129,9 @@ featured reading =
     symbols = segmentedSymbols (readingFound reading)
     place = readingBack reading . symbolCentre
     steps = [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
-    to s cell = listToMaybe [place other `minus` place s | (s', cell', other) <- steps, s' == s, cell' == cell]
+    to s cell =
+      listToMaybe
+        [place other `minus` place s | (s', cell', other) <- steps, s' == s, cell' == cell]
     axis = readingAxis reading + atan2 (total across) (total along) * 180 / pi
     -- In the view's pixels, where the symbols are upright.
     total part =
@@ -151,7 +162,7 @@ incomplete reading =
       fromIntegral raised >= leastRaised * seen
   ]
   where
-    look = partAt (readingView reading) (readingFound reading)
+    look = partAt (readingForParts reading) (readingFound reading)
     symbols = segmentedSymbols (readingFound reading)
     apart (x, y) (x', y') = abs (x - x') > columnPitch / 2 || abs (y - y') > rowPitch / 2
     centroid places = (sum (map fst places) / count, sum (map snd places) / count)
