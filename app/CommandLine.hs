@@ -27,6 +27,7 @@ import qualified Command.Profile
 import qualified Command.Prove
 import qualified Command.Rates
 import qualified Command.Register
+import qualified Command.Segment
 import qualified Command.Sensor
 import qualified Command.Sequence
 import qualified Command.Serve
@@ -145,6 +146,7 @@ commands =
             [ Command.Probe.command,
               Command.Register.command,
               Command.Stitch.command,
+              Command.Segment.command,
               Command.Decode.command,
               Command.Compare.command,
               Command.Evaluate.command,

@@ -98,6 +98,7 @@ import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
+import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.SensorConstants
 import qualified Test.Touch.Shape
@@ -167,6 +168,7 @@ specs = do
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
     describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
     describe "The network" Test.Touch.Network.spec

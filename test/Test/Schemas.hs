@@ -158,6 +158,8 @@ touching =
   [ ("decode", "pra decode --json " ++ worked ++ " data/worked-example/composite.pgm"),
     ("decode", "pra decode --json --together " ++ worked ++ " " ++ worked),
     ("decode", "{ echo P2 40 52 255; yes 0 | head -2080; } > b.pgm; pra decode --json b.pgm"),
+    ("segment", "pra segment --json " ++ worked ++ " data/worked-example/composite.pgm"),
+    ("segment", "{ echo P2 40 52 255; yes 0 | head -2080; } > e.pgm; pra segment --json e.pgm"),
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 8,0 --json"),
     ("register", "pra register " ++ frame "000" ++ frame "001" ++ "--step 40,0 --json || true"),
     ( "stitch",

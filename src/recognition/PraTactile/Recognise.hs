@@ -43,90 +43,20 @@ where
 import Data.Either (isRight)
 import Data.List (inits, tails)
 import Data.Maybe (isJust, isNothing, mapMaybe)
-import qualified Data.Set as Set
-import PraTactile.Array (Position (..))
 import PraTactile.Classify.Network (NetworkError)
 import PraTactile.Field (KnownField)
-import PraTactile.Locate (Reason (..), reasonName, reasons)
+import PraTactile.Locate (Reason (..))
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
+import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segment (Segmentation (..), SymbolImage (..))
+import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Segment.Tilt (setUpright, tilt)
-import PraTactile.Stitch (Composite (..), Contradiction (..))
+import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry
-
--- | What was recognised, whether or not it led to an answer.
-data Recognition = Recognition
-  { -- | every complete symbol of the composites
-    recognisedSymbols :: [ReadSymbol],
-    -- | symbols beside them that are not complete, or were not cut out, as far as they tell
-    -- anything
-    recognisedParts :: [ReadSymbol],
-    -- | for the likeliest position, where there is one
-    recognisedEvidence :: Maybe Evidence,
-    -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
-    -- quarter turns: the orientations of symbols and answer come on top of it
-    recognisedTilt :: Double,
-    recognisedAnswer :: Either Refusal Answer
-  }
-  deriving stock (Eq, Show)
-
--- | The answer.
-data Answer
-  = Found Finding
-  | -- | The orientation, and the several positions of the patch's upper left cell that fit what was
-    -- recognised (only where the array lacks the window property).
-    Several Symmetry [Position]
-  deriving stock (Eq, Show)
-
--- | Why there is no answer; each has a stable name, 'refusalName'.
-data Refusal
-  = -- | the composite shows no complete symbol
-    NoSymbols
-  | -- | there are symbols, but the network recognised none
-    SymbolsUnclear
-  | -- | the network recognises most symbols in the composite's mirror image, and none as it is
-    Mirrored
-  | -- | symbols disagree about the orientation of the grid
-    OrientationContradicts
-  | -- | the symbols do not lie on one grid of the array's pitch
-    GridContradicts
-  | -- | separate groups of symbols lead to different places
-    WindowsContradict
-  | -- | the frames show different things where they should overlap
-    FramesContradict Contradiction
-  | -- | the recognised cells lead to no position
-    NotLocated Reason
-  deriving stock (Eq, Show)
-
--- | All refusals, that of frames once.
-refusals :: [Refusal]
-refusals =
-  [ NoSymbols,
-    SymbolsUnclear,
-    Mirrored,
-    OrientationContradicts,
-    GridContradicts,
-    WindowsContradict,
-    FramesContradict AgreeingNowhere
-  ]
-    ++ map NotLocated reasons
-
--- | The stable name of a refusal, as JSON has it.
-refusalName :: Refusal -> String
-refusalName refusal = case refusal of
-  NoSymbols -> "no-symbols"
-  SymbolsUnclear -> "symbols-unclear"
-  Mirrored -> "mirrored"
-  OrientationContradicts -> "orientation-contradiction"
-  GridContradicts -> "grid-contradiction"
-  WindowsContradict -> "windows-contradiction"
-  FramesContradict _ -> "frames-contradiction"
-  NotLocated reason -> reasonName reason
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
 -- only what the network refuses.
@@ -164,34 +94,6 @@ putOtherwise composites =
       (p, other) <- compositeOthers composite
   ]
 
--- | Whether composites that were put together otherwise show another place than the one found.
-elsewhere :: Finding -> Recognition -> Bool
-elsewhere found recognition = case recognisedAnswer recognition of
-  Right (Found other) ->
-    foundOrientation other /= foundOrientation found
-      || null (Set.intersection (positions other) (positions found))
-  _ -> False
-  where
-    positions f = Set.fromList (map windowPosition (foundWindow f : foundWindows f))
-
--- | The same where the frames lie otherwise with this probability.
-doubting :: Tolerance -> Double -> Recognition -> Recognition
-doubting _ 0 recognition = recognition
-doubting tolerance stitched recognition =
-  recognition
-    { recognisedEvidence = weighed <$> recognisedEvidence recognition,
-      recognisedAnswer =
-        if maybe True ((> toleratedDoubt tolerance) . evidenceDoubt . weighed) (recognisedEvidence recognition)
-          then Left (NotLocated BelowThreshold)
-          else recognisedAnswer recognition
-    }
-  where
-    weighed evidence =
-      let Doubts position _ foreign' = evidenceDoubts evidence
-       in evidence
-            { evidenceDoubts = Doubts (position * (1 - stitched)) stitched (foreign' * (1 - stitched))
-            }
-
 -- | 'recogniseWith' of composites as their frames were put together. Where the symbols are not
 -- nearly upright by their 'tilt', they are read both as they are and from the composites set
 -- upright, and what leaves less doubt about the symbols holds; where both may be read, an answer
@@ -202,11 +104,11 @@ recogniseAsPut ::
   Recogniser k ->
   [Composite] ->
   Either NetworkError Recognition
-recogniseAsPut tolerance reader composites = case tilt composites of
+recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
       asGiven <- recogniseUpright tolerance reader composites
-      let (upright, places) = unzip (map (setUpright angle) composites)
+      let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader upright
       let setRight = relocated angle places turnedBack
           answeredBy = isRight . recognisedAnswer
@@ -215,6 +117,15 @@ recogniseAsPut tolerance reader composites = case tilt composites of
           then if answeredBy asGiven then asGiven else setRight
           else if certainty turnedBack > certainty asGiven then setRight else asGiven
   _ -> recogniseUpright tolerance reader composites
+  where
+    composites = map cleaned given
+
+-- | 'setUpright' of a composite without what is foreign.
+cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
+cleanedUpright angle (Cleaned composite forParts foreignThings) =
+  (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
+  where
+    (upright, back) = setUpright angle composite
 
 -- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
 -- those that are not turned at all, and the estimate of the angle is less certain than that.
@@ -226,61 +137,12 @@ leastTilt = 3
 mostTilt :: Double
 mostTilt = 7
 
--- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
--- cut out.
-certainty :: Recognition -> Double
-certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
-
--- | What was recognised in composites that were set upright by an angle, as of the composites as
--- they were given, by where the places of the one are on the other.
-relocated :: Double -> [(Double, Double) -> (Double, Double)] -> Recognition -> Recognition
-relocated angle places recognition =
-  recognition
-    { recognisedSymbols = map symbol (recognisedSymbols recognition),
-      recognisedParts = map symbol (recognisedParts recognition),
-      recognisedTilt = angle + recognisedTilt recognition,
-      recognisedAnswer = answer <$> recognisedAnswer recognition
-    }
-  where
-    onFirst = place 0
-    place source = case drop source places of
-      back : _ -> back
-      [] -> id
-    symbol s =
-      s
-        { readAt = onFirst (readAt s),
-          readImage =
-            (readImage s)
-              { symbolCentre = place (readSource s) (symbolCentre (readImage s)),
-                symbolAxis = symbolAxis (readImage s) + angle
-              }
-        }
-    answer found = case found of
-      Several _ _ -> found
-      Found there ->
-        Found
-          there
-            { foundWindow = window (foundWindow there),
-              foundWindows = map window (foundWindows there)
-            }
-    window w = w {windowSeenAt = onFirst (windowSeenAt w)}
-
--- | By how many degrees, clockwise and in [0, 360), the face is turned as the composites show it,
--- given the orientation that was found.
-recognisedAngle :: Recognition -> Symmetry -> Double
-recognisedAngle recognition orientation
-  | angle < 0 = angle + 360
-  | angle >= 360 = angle - 360
-  | otherwise = angle
-  where
-    angle = degreesClockwise orientation + recognisedTilt recognition
-
 -- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
 recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  [Composite] ->
+  [Cleaned] ->
   Either NetworkError Recognition
 recogniseUpright tolerance reader composites = do
   upright <- readSymbols symbolReader identity 0 composites
@@ -303,10 +165,6 @@ recogniseUpright tolerance reader composites = do
   where
     symbolReader = recogniserReader reader
     known = filter (isJust . readClass) . concatMap viewSymbols
-
--- | Symbols without an answer, and why.
-unanswered :: [ReadSymbol] -> Refusal -> Recognition
-unanswered symbols = Recognition symbols [] Nothing 0 . Left
 
 -- | The answer from the symbols of one axis, and from what the network knows of the other.
 answered :: KnownField k => Tolerance -> Recogniser k -> [View] -> [ReadSymbol] -> Recognition

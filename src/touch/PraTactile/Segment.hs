@@ -14,6 +14,10 @@ module PraTactile.Segment
     onComposite,
     segmentAlong,
 
+    -- * What is none of the symbols'
+    cleaned,
+    Cleaned (..),
+
     -- * Parts of symbols
     Part (..),
     partAt,
@@ -22,7 +26,7 @@ module PraTactile.Segment
 where
 
 import Control.Applicative ((<|>))
-import Data.Either (partitionEithers)
+import Data.Either (isRight, partitionEithers)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
@@ -41,7 +45,9 @@ import PraTactile.Image
 import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
+import PraTactile.Segment.Foreign (Cleaned (..), withoutForeign)
 import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, threshold)
+import PraTactile.Segment.Reject
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import PraTactile.Stitch.Composite (Composite (..), weighted)
 import PraTactile.Symmetry
@@ -60,19 +66,6 @@ data SymbolImage = SymbolImage
     symbolSize :: !(Double, Double)
   }
   deriving stock (Eq, Show)
-
--- | Something embossed that is no complete symbol: its box (left, top, right, bottom, in pixels),
--- and why.
-data Reject = Reject !(Double, Double, Double, Double) !Cause
-  deriving stock (Eq, Show)
-
--- | Why something embossed is no complete symbol.
-data Cause
-  = -- | It is too small and reaches the edge of what was touched.
-    CutOff
-  | -- | Its box is not of a symbol's size.
-    WrongSize
-  deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What a composite holds.
 data Segmentation = Segmentation
@@ -104,11 +97,18 @@ segment composite = case levelled noise touched of
     levelled noiseThere = levels noiseThere . V.fromList . Map.elems
     cut pixels found =
       let scene = Scene (`Map.lookup` pixels) (threshold found)
+          upper = levelBackground found + upperShare * contrast found
           embossed = Map.keysSet (Map.filter (>= threshold found) pixels)
           whole = filter ((>= leastPixels) . Set.size) (components largestGap embossed)
           (rejects, symbols) =
-            partitionEithers (mapMaybe (judged (weighted composite) found scene) whole)
+            partitionEithers
+              (concatMap (judgedAgain (judged (weighted composite) found) scene upper) whole)
        in Segmentation symbols rejects (levelBackground found) (contrast found)
+
+-- | The composite with what is none of the symbols' making taken for untouched, and what that is:
+-- what is longer than any symbol, and what is sunk beside it. Most composites are as they were.
+cleaned :: Composite -> Cleaned
+cleaned = withoutForeign leastCoverage
 
 -- | The standard deviation of the pixels' noise: the larger of what changes along the rows and
 -- along the columns show, for a row may have noise in common, or a column.
@@ -222,6 +222,35 @@ partAt composite found = look
 -- | The fewest taxels of a symbol's 96 that are looked at.
 leastSeen :: Int
 leastSeen = 16
+
+-- | A component as a symbol, or why it is none, given the scene and a higher threshold. If it is
+-- too large for one, it may be a symbol with something near it, or a blurred one: then its
+-- connected pieces are judged, first all but the smallest of them together, then each by itself;
+-- then what of it is above the higher threshold.
+judgedAgain ::
+  (Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)) ->
+  Scene ->
+  Double ->
+  Set Pixel ->
+  [Either Reject SymbolImage]
+judgedAgain judge scene upper component = case judge scene component of
+  Nothing -> []
+  Just (Left (Reject box WrongSize))
+    | Set.size component >= leastPixels * leastPixels,
+      found : _ <- filter (any isRight) others ->
+      found
+    | otherwise -> [Left (Reject box WrongSize)]
+  Just found -> [found]
+  where
+    others = [judges scene [Set.unions pieces], judges scene pieces, judges raised [high]]
+    judges = mapMaybe . judge
+    pieces = filter ((>= leastPixels) . Set.size) (components 0 component)
+    raised = scene {sceneThreshold = upper}
+    high = Set.filter (any (>= upper) . sceneAt scene) component
+
+-- | Where a blurred symbol is cut off, as a share of the contrast above the background.
+upperShare :: Double
+upperShare = 0.65
 
 -- | A component as a symbol, or why it is none.
 judged :: Reference -> Levels -> Scene -> Set Pixel -> Maybe (Either Reject SymbolImage)

@@ -84,7 +84,8 @@ data View = View
     viewSource :: Int,
     -- | how the symbols are turned, up to 180 degrees: 'identity' or @turned 1@
     viewAxis :: Symmetry,
-    -- | the composite, turned so that the symbols are upright or upside down
+    -- | the composite, turned so that the symbols are upright or upside down, as parts are read
+    -- from it
     viewComposite :: Composite,
     -- | of the composite so turned
     viewSegmentation :: Segmentation,
@@ -97,14 +98,15 @@ data View = View
 -- other: those that stand upright or upside down ('identity'), or those that lie on their side
 -- (@turned 1@). A blob of one sort is not of the other's size. Numbers the symbols from the number
 -- given.
-readSymbols :: Reader -> Symmetry -> Int -> [Composite] -> Either NetworkError [View]
+readSymbols :: Reader -> Symmetry -> Int -> [Cleaned] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
-    view (i, c) = do
+    view (i, Cleaned c forParts _) = do
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
-      pure (View i axis upright found (shift c) symbols)
-    shift c = case composites of
+      let partly = maybe upright (onComposite (invert axis)) forParts
+      pure (View i axis partly found (shift c) symbols)
+    shift c = case map cleanedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
     apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
@@ -163,12 +165,15 @@ mostKnown views = known >= 3 && 2 * known > length symbols
     known = length (filter (isJust . readClass) symbols)
 
 -- | Does it know them so in the composites' mirror images? Then the images are mirrored.
-readMirrored :: Reader -> [Composite] -> Either NetworkError Bool
+readMirrored :: Reader -> [Cleaned] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
     <$> traverse
-      (\axis -> readSymbols reader axis 0 (map (onComposite mirror) composites))
+      (\axis -> readSymbols reader axis 0 (map mirrored' composites))
       [identity, turned 1]
+  where
+    mirrored' (Cleaned c forParts foreignThings) =
+      Cleaned (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
 
 -- | Symbols that neighbourhood ties together.
 data Group = Group

@@ -11,6 +11,7 @@ module PraTactile.Segment.Lattice
     Cluster (..),
     Conflict (..),
     arrange,
+    neighbour,
 
     -- * The other reading
     halfTurned,

@@ -1,0 +1,99 @@
+-- | @pra-tactile segment@: a composite to its symbols, without recognising them.
+module Command.Segment
+  ( command,
+  )
+where
+
+import Command.Stitch (Assembly, assemble, assemblyOptions)
+import Control.Monad (when)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Maybe (catMaybes)
+import Data.Traversable (for)
+import ExitStatus
+import Frames
+import FramesChoice
+import Options
+import PraTactile.Format.Segmentation
+import PraTactile.Segment.Reject
+import PraTactile.Segment.Turned
+import Text.Printf (printf)
+import Visible
+
+command :: Mod CommandFields (IO ExitStatus)
+command =
+  subcommand
+    "segment"
+    "Find the symbols in tactile images: where each is, which way its axes point and how far its \
+    \neighbours are. Takes what decode takes, but knows neither the array nor the shapes."
+    [ "pra-tactile segment data/worked-example/composite.pgm",
+      "pra-tactile segment data/worked-example/frames --json"
+    ]
+    ( run
+        <$> assemblyOptions
+        <*> framesOptions
+        <*> jsonSwitch "Print one JSON answer a line"
+        <*> some
+          ( strArgument
+              ( metavar "PATH..."
+                  <> action "file"
+                  <> help
+                    "Images, folders of frames, or frames; - is an image on the standard input"
+              )
+          )
+    )
+
+run :: Assembly -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
+run assembly choice form paths = do
+  found <- sources paths
+  prepare <- preparation choice
+  composites <- loadSources prepare (assemble assembly) found
+  let several = not (null (drop 1 found))
+  fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
+    \(path, composite) -> do
+      let sighted = segmentTurned composite
+      case form of
+        AsJson -> Bytes.putStrLn (encodeSighted (nameInJson path) sighted)
+        AsText -> do
+          when several (putStrLn (visibleName path ++ ":"))
+          putStr (unlines (inWords sighted))
+      pure (if null (sightedSymbols sighted) then NotAnswered else Answered)
+
+-- | What was found, a line each.
+inWords :: Sighted -> [String]
+inWords sighted
+  | null everything = ["nothing is embossed"]
+  | otherwise = everything
+  where
+    everything =
+      map symbolText (sightedSymbols sighted)
+        ++ map partText (sightedParts sighted)
+        ++ map rejectText (sightedRejects sighted)
+
+symbolText :: Featured -> String
+symbolText symbol =
+  placed "symbol" (featuredAt symbol)
+    ++ printf ", axis at %.1f degrees" (featuredAxis symbol)
+    ++ concat [", " ++ there | there <- neighbours]
+  where
+    beside = featuredNeighbours symbol
+    neighbours =
+      catMaybes
+        [ towards "right" <$> neighbourRight beside,
+          towards "left" <$> neighbourLeft beside,
+          towards "up" <$> neighbourUp beside,
+          towards "down" <$> neighbourDown beside
+        ]
+    towards :: String -> (Double, Double) -> String
+    towards name (x, y) = printf "%s %.1f" name (sqrt (x * x + y * y))
+
+partText :: Incomplete -> String
+partText part =
+  placed "part" (incompleteAt part)
+    ++ printf ", %.0f %% of it seen" (100 * incompleteSeen part)
+
+rejectText :: Reject -> String
+rejectText (Reject (l, t, r, b) cause) =
+  printf "no symbol (%s) from %.1f, %.1f to %.1f, %.1f" (causeName cause) l t r b
+
+placed :: String -> (Double, Double) -> String
+placed what (x, y) = printf "%-6s at %.1f, %.1f" what x y

@@ -1,0 +1,44 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | The JSON of what segmentation finds in a composite.
+module PraTactile.Format.Segmentation
+  ( encodeSighted,
+  )
+where
+
+import Data.Aeson (Value, object, (.=))
+import Data.ByteString (ByteString)
+import PraTactile.Format.Json (encodeSchema)
+import PraTactile.Segment.Reject
+import PraTactile.Segment.Turned
+
+-- | What the composite of that name shows, on one line, without its end; all keys always.
+encodeSighted :: FilePath -> Sighted -> ByteString
+encodeSighted source sighted =
+  encodeSchema "segment/1" $
+    "source" .= source
+      <> "symbols" .= map symbolValue (sightedSymbols sighted)
+      <> "parts" .= map partValue (sightedParts sighted)
+      <> "rejects" .= map rejectValue (sightedRejects sighted)
+
+symbolValue :: Featured -> Value
+symbolValue (Featured (x, y) axis beside) =
+  object
+    [ "x" .= x,
+      "y" .= y,
+      "axis_deg" .= axis,
+      "neighbours"
+        .= object
+          [ "right" .= neighbourRight beside,
+            "left" .= neighbourLeft beside,
+            "up" .= neighbourUp beside,
+            "down" .= neighbourDown beside
+          ]
+    ]
+
+partValue :: Incomplete -> Value
+partValue (Incomplete (x, y) seen) = object ["x" .= x, "y" .= y, "seen" .= seen]
+
+rejectValue :: Reject -> Value
+rejectValue (Reject (l, t, r, b) cause) =
+  object ["box" .= [l, t, r, b], "reason" .= causeName cause]

@@ -1,0 +1,183 @@
+-- | What comes of recognising composites: symbols, an answer or a refusal, and what is done to all of
+-- them together.
+module PraTactile.Recognise.Recognition
+  ( Recognition (..),
+    unanswered,
+    certainty,
+    recognisedAngle,
+    relocated,
+
+    -- * The answer
+    Answer (..),
+    elsewhere,
+    doubting,
+
+    -- * Refusals
+    Refusal (..),
+    refusals,
+    refusalName,
+  )
+where
+
+import qualified Data.Set as Set
+import PraTactile.Array (Position (..))
+import PraTactile.Locate (Reason (..), reasonName, reasons)
+import PraTactile.Recognise.Finding
+import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Reading
+import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Stitch (Contradiction (..))
+import PraTactile.Symmetry
+
+-- | What was recognised, whether or not it led to an answer.
+data Recognition = Recognition
+  { -- | every complete symbol of the composites
+    recognisedSymbols :: [ReadSymbol],
+    -- | symbols beside them that are not complete, or were not cut out, as far as they tell
+    -- anything
+    recognisedParts :: [ReadSymbol],
+    -- | for the likeliest position, where there is one
+    recognisedEvidence :: Maybe Evidence,
+    -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
+    -- quarter turns: the orientations of symbols and answer come on top of it
+    recognisedTilt :: Double,
+    recognisedAnswer :: Either Refusal Answer
+  }
+  deriving stock (Eq, Show)
+
+-- | The answer.
+data Answer
+  = Found Finding
+  | -- | The orientation, and the several positions of the patch's upper left cell that fit what was
+    -- recognised (only where the array lacks the window property).
+    Several Symmetry [Position]
+  deriving stock (Eq, Show)
+
+-- | Why there is no answer; each has a stable name, 'refusalName'.
+data Refusal
+  = -- | the composite shows no complete symbol
+    NoSymbols
+  | -- | there are symbols, but the network recognised none
+    SymbolsUnclear
+  | -- | the network recognises most symbols in the composite's mirror image, and none as it is
+    Mirrored
+  | -- | symbols disagree about the orientation of the grid
+    OrientationContradicts
+  | -- | the symbols do not lie on one grid of the array's pitch
+    GridContradicts
+  | -- | separate groups of symbols lead to different places
+    WindowsContradict
+  | -- | the frames show different things where they should overlap
+    FramesContradict Contradiction
+  | -- | the recognised cells lead to no position
+    NotLocated Reason
+  deriving stock (Eq, Show)
+
+-- | All refusals, that of frames once.
+refusals :: [Refusal]
+refusals =
+  [ NoSymbols,
+    SymbolsUnclear,
+    Mirrored,
+    OrientationContradicts,
+    GridContradicts,
+    WindowsContradict,
+    FramesContradict AgreeingNowhere
+  ]
+    ++ map NotLocated reasons
+
+-- | The stable name of a refusal, as JSON has it.
+refusalName :: Refusal -> String
+refusalName refusal = case refusal of
+  NoSymbols -> "no-symbols"
+  SymbolsUnclear -> "symbols-unclear"
+  Mirrored -> "mirrored"
+  OrientationContradicts -> "orientation-contradiction"
+  GridContradicts -> "grid-contradiction"
+  WindowsContradict -> "windows-contradiction"
+  FramesContradict _ -> "frames-contradiction"
+  NotLocated reason -> reasonName reason
+
+-- | Symbols without an answer, and why.
+unanswered :: [ReadSymbol] -> Refusal -> Recognition
+unanswered symbols = Recognition symbols [] Nothing 0 . Left
+
+-- | How much the symbols say together, in nats: the fewer doubts they leave, the better they were
+-- cut out.
+certainty :: Recognition -> Double
+certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
+
+-- | What was recognised in composites that were set upright by an angle, as of the composites as
+-- they were given, by where the places of the one are on the other.
+relocated :: Double -> [(Double, Double) -> (Double, Double)] -> Recognition -> Recognition
+relocated angle places recognition =
+  recognition
+    { recognisedSymbols = map symbol (recognisedSymbols recognition),
+      recognisedParts = map symbol (recognisedParts recognition),
+      recognisedTilt = angle + recognisedTilt recognition,
+      recognisedAnswer = answer <$> recognisedAnswer recognition
+    }
+  where
+    onFirst = place 0
+    place source = case drop source places of
+      back : _ -> back
+      [] -> id
+    symbol s =
+      s
+        { readAt = onFirst (readAt s),
+          readImage =
+            (readImage s)
+              { symbolCentre = place (readSource s) (symbolCentre (readImage s)),
+                symbolAxis = symbolAxis (readImage s) + angle
+              }
+        }
+    answer found = case found of
+      Several _ _ -> found
+      Found there ->
+        Found
+          there
+            { foundWindow = window (foundWindow there),
+              foundWindows = map window (foundWindows there)
+            }
+    window w = w {windowSeenAt = onFirst (windowSeenAt w)}
+
+-- | By how many degrees, clockwise and in [0, 360), the face is turned as the composites show it,
+-- given the orientation that was found.
+recognisedAngle :: Recognition -> Symmetry -> Double
+recognisedAngle recognition orientation
+  | angle < 0 = angle + 360
+  | angle >= 360 = angle - 360
+  | otherwise = angle
+  where
+    angle = degreesClockwise orientation + recognisedTilt recognition
+
+-- | Whether something else is recognised than what was found: no window of it.
+elsewhere :: Finding -> Recognition -> Bool
+elsewhere found recognition = case recognisedAnswer recognition of
+  Right (Found other) ->
+    foundOrientation other /= foundOrientation found
+      || null (Set.intersection (positions other) (positions found))
+  _ -> False
+  where
+    positions f = Set.fromList (map windowPosition (foundWindow f : foundWindows f))
+
+-- | The recognition where its frames lie otherwise with this probability, and then show something
+-- else: beyond the doubt that is tolerated, it is refused.
+doubting :: Tolerance -> Double -> Recognition -> Recognition
+doubting _ 0 recognition = recognition
+doubting tolerance stitched recognition =
+  recognition
+    { recognisedEvidence = weighed <$> recognisedEvidence recognition,
+      recognisedAnswer =
+        if maybe True (tooDoubtful . weighed) (recognisedEvidence recognition)
+          then Left (NotLocated BelowThreshold)
+          else recognisedAnswer recognition
+    }
+  where
+    tooDoubtful evidence = evidenceDoubt evidence > toleratedDoubt tolerance
+    weighed evidence =
+      let Doubts position _ foreign' = evidenceDoubts evidence
+       in evidence
+            { evidenceDoubts =
+                Doubts (position * (1 - stitched)) stitched (foreign' * (1 - stitched))
+            }

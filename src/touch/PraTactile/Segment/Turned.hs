@@ -1,0 +1,187 @@
+-- | Segmentation of symbols that lie at any angle, to the three features of the paper (section
+-- II.B): the symbols' positions, their axes, and their distances to their neighbours.
+module PraTactile.Segment.Turned
+  ( segmentTurned,
+    Sighted (..),
+    Featured (..),
+    Neighbours (..),
+    Incomplete (..),
+  )
+where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, listToMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
+import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Segment
+import PraTactile.Segment.Lattice
+import PraTactile.Segment.Tilt (setUpright, tilt)
+import PraTactile.Stitch.Composite (Composite (..))
+import PraTactile.Symmetry
+
+-- | What a composite shows; all places are in its pixels, right and down.
+data Sighted = Sighted
+  { sightedSymbols :: ![Featured],
+    sightedParts :: ![Incomplete],
+    sightedRejects :: ![Reject]
+  }
+  deriving stock (Eq, Show)
+
+-- | A complete symbol.
+data Featured = Featured
+  { -- | the centre of its box
+    featuredAt :: !(Double, Double),
+    -- | the direction of its x axis, degrees clockwise from the composite's, in [-45, 135) but for
+    -- what its neighbours correct: up to a half turn, which only recognising it decides
+    featuredAxis :: !Double,
+    featuredNeighbours :: !Neighbours
+  }
+  deriving stock (Eq, Show)
+
+-- | The displacements to the neighbouring symbols' centres, along a symbol's own axes.
+data Neighbours = Neighbours
+  { neighbourRight :: !(Maybe (Double, Double)),
+    neighbourLeft :: !(Maybe (Double, Double)),
+    neighbourUp :: !(Maybe (Double, Double)),
+    neighbourDown :: !(Maybe (Double, Double))
+  }
+  deriving stock (Eq, Show)
+
+-- | What is touched of a symbol beside complete ones that is not complete itself.
+data Incomplete = Incomplete
+  { -- | where its centre is, by the symbols beside it
+    incompleteAt :: !(Double, Double),
+    -- | the share of it that was touched
+    incompleteSeen :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | A composite as it is read at one angle and along one axis.
+data Reading = Reading
+  { -- | degrees clockwise
+    readingAxis :: !Double,
+    -- | the composite set upright, and its segmentation
+    readingView :: !Composite,
+    -- | the same to read parts from
+    readingForParts :: Composite,
+    readingFound :: !Segmentation,
+    -- | where its pixels are on the composite as given
+    readingBack :: !((Double, Double) -> (Double, Double))
+  }
+
+-- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
+-- show, or along the composite's own axes, whichever shows more.
+segmentTurned :: Composite -> Sighted
+segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
+  where
+    Cleaned own forParts foreign' = cleaned composite
+    best = listToMaybe (sortOn (negate . length . segmentedSymbols . readingFound) readings)
+    readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
+    angles found = case found of
+      Just angle | abs angle > leastTilt -> [angle, 0]
+      _ -> [0]
+    sighted reading =
+      Sighted
+        { sightedSymbols = featured reading,
+          sightedParts = incomplete reading,
+          sightedRejects = foreign' ++ map (back reading) (segmentedRejects (readingFound reading))
+        }
+    back reading (Reject (l, t, r, b) why) =
+      let corners = map (readingBack reading) [(l, t), (r, t), (l, b), (r, b)]
+          (xs, ys) = (map fst corners, map snd corners)
+       in Reject (minimum xs, minimum ys, maximum xs, maximum ys) why
+
+-- | Symbols that are turned by no more than this, in degrees, are cut out as they are.
+leastTilt :: Double
+leastTilt = 3
+
+-- | A composite, and what parts are read from, read at an angle, along both axes.
+readingsAt :: Composite -> Composite -> Double -> [Reading]
+readingsAt composite forParts angle =
+  [ Reading
+      { readingAxis = angle + degreesClockwise axis,
+        readingView = view,
+        readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
+        readingFound = found,
+        readingBack = back . onPixel axis (sizeOf view)
+      }
+    | axis <- [identity, turned 1],
+      let (view, found, _) = segmentAlong axis upright
+  ]
+  where
+    (upright, back) = atAngle composite
+    atAngle given = if angle == 0 then (given, id) else setUpright angle given
+    sizeOf view =
+      ( fromIntegral (rasterWidth (compositeImage view)),
+        fromIntegral (rasterHeight (compositeImage view))
+      )
+
+-- | The symbols with their features. Their common axis is the one that brings their neighbours
+-- closest to where the pitch has them, by least squares.
+featured :: Reading -> [Featured]
+featured reading =
+  [ Featured (place s) axis (Neighbours (to s (0, 1)) (to s (0, -1)) (to s (-1, 0)) (to s (1, 0)))
+    | s <- symbols
+  ]
+  where
+    symbols = segmentedSymbols (readingFound reading)
+    place = readingBack reading . symbolCentre
+    steps = [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
+    to s cell =
+      listToMaybe
+        [place other `minus` place s | (s', cell', other) <- steps, s' == s, cell' == cell]
+    axis = readingAxis reading + atan2 (total across) (total along) * 180 / pi
+    -- In the view's pixels, where the symbols are upright.
+    total part =
+      sum
+        [ part (cellOffset cell) (symbolCentre other `minus` symbolCentre s)
+          | (s, cell, other) <- steps
+        ]
+    along (x, y) (x', y') = x * x' + y * y'
+    across (x, y) (x', y') = x * y' - y * x'
+
+minus :: (Double, Double) -> (Double, Double) -> (Double, Double)
+minus (x, y) (x', y') = (x - x', y - y')
+
+-- | How far a cell lies from the upper left one, in pixels right and down.
+cellOffset :: Cell -> (Double, Double)
+cellOffset (i, j) = (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
+
+-- | What is touched of symbols in the cells around complete ones.
+incomplete :: Reading -> [Incomplete]
+incomplete reading =
+  [ Incomplete (readingBack reading centre) (seen / fromIntegral (symbolWidth * symbolHeight))
+    | Cluster cells <- arrange id symbols,
+      centre <- Map.elems (Map.map centroid (expected cells)),
+      all (apart centre . symbolCentre) symbols,
+      Just part <- [look centre],
+      let seen = V.sum (rasterValues (partSeen part)),
+      let raised = V.length (V.filter (>= 0.5) (rasterValues (partPixels part))),
+      fromIntegral raised >= leastRaised * seen
+  ]
+  where
+    look = partAt (readingForParts reading) (readingFound reading)
+    symbols = segmentedSymbols (readingFound reading)
+    apart (x, y) (x', y') = abs (x - x') > columnPitch / 2 || abs (y - y') > rowPitch / 2
+    centroid places = (sum (map fst places) / count, sum (map snd places) / count)
+      where
+        count = fromIntegral (max 1 (length places))
+    expected cells =
+      Map.fromListWith
+        (++)
+        [ (cell, [(x + dx, y + dy)])
+          | ((i, j), s) <- Map.toList cells,
+            di <- [-1, 0, 1],
+            dj <- [-1, 0, 1],
+            let cell = (i + di, j + dj),
+            Map.notMember cell cells,
+            let (x, y) = symbolCentre s,
+            let (dx, dy) = cellOffset (di, dj)
+        ]
+
+-- | The least share of what was touched of a symbol that is embossed; of whole ones it is about a
+-- half.
+leastRaised :: Double
+leastRaised = 1 / 8
