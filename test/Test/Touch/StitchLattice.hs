@@ -7,18 +7,18 @@ import Data.List (sort, sortOn)
 import Data.Maybe (isNothing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (columnPitch, rowPitch)
-import PraTactile.Image
+import PraTactile.Image hiding (mean)
 import PraTactile.Probe
 import PraTactile.Probe.Manifest
 import PraTactile.Random (normalPair)
-import PraTactile.Shape
+import PraTactile.Shape hiding (alphabet)
 import PraTactile.Stitch
 import PraTactile.Stitch.Noise
 import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
-import Test.QuickCheck hiding (classes, generate)
+import Test.QuickCheck hiding (classes, generate, tables, total)
 
 spec :: Spec
 spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet
