@@ -21,6 +21,7 @@ where
 
 import Control.Monad (forM_, when)
 import Control.Monad.ST (ST, runST)
+import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
@@ -61,6 +62,7 @@ fieldOf least composite = Field w h touched (V.generate (w * h) smooth)
 -- | The number of the pixel so far right of and below another one.
 beside :: Field -> Int -> (Int, Int) -> Maybe Int
 beside field = shifted (fieldWidth field) (fieldHeight field)
+{-# INLINE beside #-}
 
 -- | The same in an image of that width and height.
 shifted :: Int -> Int -> Int -> (Int, Int) -> Maybe Int
@@ -68,7 +70,9 @@ shifted w h p (i, j)
   | x >= 0 && x < w && y >= 0 && y < h = Just (y * w + x)
   | otherwise = Nothing
   where
-    (x, y) = (p `mod` w + i, p `div` w + j)
+    (v, u) = p `quotRem` w
+    (x, y) = (u + i, v + j)
+{-# INLINE shifted #-}
 
 -- | The standard deviation of a composite's noise, of pixels that are not smoothed: the larger of
 -- what changes along the rows and along the columns show, for a row may have noise in common, or a
@@ -95,9 +99,7 @@ placeOf field p = (p `mod` max 1 (fieldWidth field), p `div` max 1 (fieldWidth f
 -- | The pixels whose distance from some, the larger one of that in columns and that in rows, is at
 -- most this. Each once, in order.
 grown :: Field -> Int -> [Int] -> [Int]
-grown field distance pixels = [p | (p, True) <- zip [0 ..] (V.toList marks)]
-  where
-    marks = around field distance pixels
+grown field distance = V.toList . V.elemIndices True . around field distance
 
 -- | Whether each pixel is one of them.
 around :: Field -> Int -> [Int] -> Vector Bool
@@ -114,13 +116,21 @@ type Region = [Int]
 -- | The connected regions of the marked pixels. Two pixels are connected when neither their columns
 -- nor their rows differ by more than the gap and one.
 regions :: Field -> Int -> Vector Bool -> [Region]
-regions field gap marked = runST (V.thaw marked >>= go 0)
+regions field gap marked = runST (V.thaw padded >>= go 0)
   where
-    size = V.length marked
-    reach = [(i, j) | j <- [-gap - 1 .. gap + 1], i <- [-gap - 1 .. gap + 1]]
+    (w, h) = (fieldWidth field, fieldHeight field)
+    -- With a margin around, of pixels that are not marked, as wide as what is looked at from one.
+    margin = gap + 1
+    wide = w + 2 * margin
+    padded = V.generate (wide * (h + 2 * margin)) $ \i ->
+      let (y, x) = i `quotRem` wide
+       in x >= margin && x < w + margin && y >= margin && y < h + margin
+            && marked V.! ((y - margin) * w + x - margin)
+    pixel i = let (y, x) = i `quotRem` wide in (y - margin) * w + x - margin
+    steps = V.fromList [j * wide + i | j <- [-margin .. margin], i <- [-margin .. margin]]
     go :: Int -> M.MVector s Bool -> ST s [Region]
     go !p left
-      | p >= size = pure []
+      | p >= V.length padded = pure []
       | otherwise = do
         isFirst <- M.read left p
         if isFirst
@@ -132,28 +142,29 @@ regions field gap marked = runST (V.thaw marked >>= go 0)
     flood :: M.MVector s Bool -> [Int] -> [Int] -> ST s Region
     flood _ [] found = pure found
     flood left (p : queue) found = do
-      near <- newAround left p reach queue
-      flood left near (p : found)
-    newAround _ _ [] queue = pure queue
-    newAround left p (by : others) queue = case beside field p by of
-      Nothing -> newAround left p others queue
-      Just p' -> do
+      near <- newAround left p 0 queue
+      flood left near (pixel p : found)
+    newAround :: M.MVector s Bool -> Int -> Int -> [Int] -> ST s [Int]
+    newAround left !p !k queue
+      | k >= V.length steps = pure queue
+      | otherwise = do
+        let p' = p + steps V.! k
         isNew <- M.read left p'
         when isNew (M.write left p' False)
-        newAround left p others (if isNew then p' : queue else queue)
+        newAround left p (k + 1) (if isNew then p' : queue else queue)
 
 -- | How far a region extends along a direction, in degrees clockwise from the x axis, in pixels. 0
 -- for an empty one.
 extentAlong :: Field -> Region -> Double -> Double
 extentAlong field region angle
   | null region = 0
-  | otherwise = maximum along - minimum along + 1
+  | otherwise = let (least, most) = foldl' reaching (1 / 0, -1 / 0) region in most - least + 1
   where
     (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
-    along =
-      [ c * fromIntegral x + s * fromIntegral y
-        | (x, y) <- map (placeOf field) region
-      ]
+    reaching (!least, !most) p =
+      let (y, x) = p `quotRem` max 1 (fieldWidth field)
+          t = c * fromIntegral x + s * fromIntegral y
+       in (min least t, max most t)
 
 -- | The box around a region's pixels: left, top, right, bottom. At the origin for an empty one.
 regionBox :: Field -> Region -> (Double, Double, Double, Double)

@@ -1,17 +1,15 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | Whether frames show one relief where they should overlap: what their neighbourhood, which is
 -- claimed by their positions, makes of their images.
 module PraTactile.Stitch.Agreement
   ( contradiction,
-    Agreement (..),
-    agreement,
   )
 where
 
-import Data.List (foldl', maximumBy, sortOn)
+import Data.List (foldl', maximumBy)
 import qualified Data.Map.Strict as Map
 import Data.Ord (comparing)
+import qualified Data.Set as Set
+import qualified Data.Vector as Boxed
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Probe (Pose (..))
@@ -20,6 +18,7 @@ import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Composite (Contradiction (..))
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Search
+import PraTactile.Stitch.Spaced (spacedOut)
 
 -- | Whether frames at these nominal places (taxels) contradict each other where they overlap: along
 -- other axes they would agree beyond doubt better, or they have next to nothing in common although
@@ -34,11 +33,19 @@ contradiction settings frames
     Just AgreeingNowhere
   | otherwise = Nothing
   where
-    given = agreement settings frames
+    given = agreement noise (sharing straight)
     (best, axes) =
       maximumBy
         (comparing (agreed . fst))
-        [(agreement settings (map (along a) frames), a) | (_, a) <- axesNamed, a /= straight]
+        [(agreement noise (sharing a), a) | (_, a) <- axesNamed, a /= straight]
+    noise = max (registrationNoise settings) (frameNoise (map snd frames))
+    -- What pairs tell, each once: many axes have pairs in common.
+    sharing a = [Map.findWithDefault nothing pair told | pair <- pairsAlong a]
+    told =
+      Map.fromSet (sharedBy settings images) (Set.fromList (concatMap (pairsAlong . snd) axesNamed))
+    images = Boxed.fromList (map snd frames)
+    nothing = Shared 0 0 0
+    pairsAlong a = telling (map (along a) frames)
     along a ((x, y), image) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), image)
 
 -- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they tell
@@ -62,73 +69,81 @@ data Agreement = Agreement
     agreeable :: !Double
   }
 
--- | What frames at these places (taxels) tell, by at most 'mostPairs' pairs, those that overlap most,
--- each at its most probable displacement.
-agreement :: Registration -> [(Place, Raster)] -> Agreement
-agreement settings frames
+-- | What overlaps of frames with noise of that standard deviation tell, each at its most probable
+-- displacement.
+agreement :: Double -> [Shared] -> Agreement
+agreement noise pairs
   | unlike <= 0 || total <= 0 = Agreement 0 0
   | otherwise =
     Agreement
       (independent * count / 2 * log (total / unlike))
       (negate independent * count / 2 * log (1 - expected * expected))
   where
-    telling = take mostPairs (sortOn (negate . meeting) (neighbours frames))
-    (count, total, unlike) = foldl' added (0, 0, 0) (map paired telling)
-    added (!n, !t, !u) (n', t', u') = (n + n', t + t', u + u')
-    noise = max (registrationNoise settings) (frameNoise (map snd frames)) ** 2
-    expected = max 0 (min alike (1 - (noise + flat) * count / total))
-    meeting ((x, y), a, b) =
-      (fromIntegral (min (rasterWidth a) (rasterWidth b)) - abs x)
-        * (fromIntegral (min (rasterHeight a) (rasterHeight b)) - abs y) ::
-        Double
-    -- How many pixels overlap, how much they vary, and how much of that the other does not share.
-    paired (step, a, b) =
-      shared (snd (maximumBy (comparing fst) (map (scored step (referenceOf a) b) displacements)))
-    scored (x, y) there b d@(dx, dy) =
+    Shared count total unlike = foldl' added (Shared 0 0 0) pairs
+    added (Shared n t u) (Shared n' t' u') = Shared (n + n') (t + t') (u + u')
+    expected = max 0 (min alike (1 - (noise * noise + flat) * count / total))
+
+-- | How many pixels of two frames overlap, how much they vary in all, and how much of that the
+-- other does not share.
+data Shared = Shared !Double !Double !Double
+
+-- | What two of the frames share, the second's upper left pixel lying there in the first, up to the
+-- difference of their errors.
+sharedBy :: Registration -> Boxed.Vector Raster -> (Int, Int, Place) -> Shared
+sharedBy settings images (k, l, (x, y)) =
+  shared (snd (maximumBy (comparing fst) (map scored displacements)))
+  where
+    there = referenceOf (images Boxed.! k)
+    scored d@(dx, dy) =
       (independent * logLikelihood settings overlap + logPrior prior d, overlap)
       where
-        overlap = overlapAt there b (whole (x + dx)) (whole (y + dy))
-    shared (Overlap n va vb cov) = (n, n * varying, n * varying * (1 - like * like))
+        overlap = overlapAt there (images Boxed.! l) (whole (x + dx)) (whole (y + dy))
+    shared (Overlap n va vb cov) = Shared n (n * varying) (n * varying * (1 - like * like))
       where
         varying = (va + vb) / 2 + flat
         like = max 0 cov / sqrt ((va + flat) * (vb + flat))
-    -- Not quite nothing, so that rounding errors tell nothing.
-    flat = 1e-6
     whole t = fromIntegral (round t :: Int) :: Double
-    -- The difference of two frames' errors.
     sigma = sqrt 2 * registrationSigma settings
     prior = Prior (0, 0) (sigma * sigma)
-    reach = max 1 (min 9 (ceiling (2 * sigma))) :: Int
-    displacements =
-      [ (fromIntegral dx, fromIntegral dy)
-        | dy <- [negate reach .. reach],
-          dx <- [negate reach .. reach]
-      ]
+    reach = max 1 (min 9 (2 * sigma))
+    line = let r = floor reach :: Int in map fromIntegral [negate r .. r]
+    displacements = [(dx, dy) | dy <- line, dx <- line, dx * dx + dy * dy <= reach * reach]
+
+-- | Not quite nothing, so that rounding errors tell nothing: a variance of grey values.
+flat :: Double
+flat = 1e-6
 
 -- | The most pairs that are looked at.
 mostPairs :: Int
-mostPairs = 40
+mostPairs = 24
 
 -- | The correlation that overlapping frames are expected to have at most.
 alike :: Double
 alike = 0.85
 
--- | The pairs of images that overlap at their places: the displacement from the first's upper left
--- pixel to the second's, and both images. Each pair once.
-neighbours :: [(Place, Raster)] -> [(Place, Raster, Raster)]
-neighbours placed =
-  [ ((x' - x, y' - y), a, b)
-    | (k, ((x, y), a)) <- numbered,
-      let (column, row) = square (x, y),
-      j <- [-1 .. 1],
-      i <- [-1 .. 1],
-      (l, ((x', y'), b)) <- Map.findWithDefault [] (column + i, row + j) squares,
-      k < l,
-      abs (x' - x) < fromIntegral (rasterWidth a),
-      abs (y' - y) < fromIntegral (rasterHeight a)
-  ]
+-- | Pairs of images that overlap at their places, by their numbers, with where the second's upper
+-- left pixel lies in the first: those that overlap most, at most 'mostPairs' of them, evenly.
+telling :: [(Place, Raster)] -> [(Int, Int, Place)]
+telling placed = spacedOut mostPairs [pair | (area, pair) <- found, area >= 0.75 * largest]
   where
+    found =
+      [ (area, (k, l, (x' - x, y' - y)))
+        | (k, ((x, y), a)) <- numbered,
+          let (column, row) = square (x, y),
+          j <- [-1 .. 1],
+          i <- [-1 .. 1],
+          (l, ((x', y'), b)) <- Map.findWithDefault [] (column + i, row + j) squares,
+          k < l,
+          let area =
+                max 0 (fromIntegral (min (rasterWidth a) (rasterWidth b)) - abs (x' - x))
+                  * max 0 (fromIntegral (min (rasterHeight a) (rasterHeight b)) - abs (y' - y)),
+          area > 0
+      ]
+    largest = maximum (0 : map fst found) :: Double
     numbered = zip [0 :: Int ..] placed
-    squares = Map.fromListWith (++) [(square place, [f]) | f@(_, (place, _)) <- numbered]
+    -- However many frames lie at one place, few of them are looked at.
+    squares =
+      Map.map (spacedOut 16) $
+        Map.fromListWith (flip (++)) [(square place, [f]) | f@(_, (place, _)) <- numbered]
     square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
     side = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed]))

@@ -62,7 +62,8 @@ data Arrangement = Arrangement
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
 arrange :: Way -> Registration -> [(Place, Raster)] -> Arrangement
 arrange way settings frames = case (way, paperTemplates) of
-  (Nominal, _) -> plain Nominal (map (const ((0, 0), [])) frames)
+  (Nominal, _) -> plain Nominal unmoved
+  _ | all (flat . snd) frames -> plain Incremental unmoved
   (ByLattice, Just tables) -> jointly tables (fromMaybe 0 (angleBy tables))
   (Automatic, Just tables)
     | length frames >= 2 && doubtful,
@@ -70,6 +71,8 @@ arrange way settings frames = case (way, paperTemplates) of
       jointly tables angle
   _ -> plain Incremental (register settings frames)
   where
+    unmoved = map (const ((0, 0), [])) frames
+    flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
     sizes = map (sizeOf . snd) frames
     -- The angle of the lattice, if the frames show it.

@@ -25,6 +25,7 @@ import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
 import PraTactile.Stitch.Posterior (Hypothesis (..), tolerance)
 import PraTactile.Stitch.Search (Registration (..), searchRadius)
+import PraTactile.Stitch.Spaced (spacedOut)
 import PraTactile.Stitch.Spectrum
 import PraTactile.Stitch.Template
 
@@ -83,14 +84,6 @@ latticeAngle (tables, coarse) processes hint images = find shown angles
 -- noise would be likelier to show anything smooth than them.
 misfit :: Double
 misfit = 0.1
-
--- | At most so many of a list, evenly.
-spacedOut :: Int -> [a] -> [a]
-spacedOut most xs
-  | n <= most = xs
-  | otherwise = [x | (k, x) <- zip [0 ..] xs, (k * most) `div` n /= ((k - 1) * most) `div` n]
-  where
-    n = length xs
 
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and the
 -- tables by the frames' width and height, all at one angle, that of the lattice. The displacements

@@ -16,6 +16,9 @@ import Data.IntSet (IntSet)
 import qualified Data.IntSet as IntSet
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
+import Data.Ord (Down (..))
+import Data.Set (Set)
+import qualified Data.Set as Set
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
@@ -58,7 +61,9 @@ data Node = Node
   { nodeKey :: !Int,
     nodePlace :: !Place,
     nodeImage :: !Raster,
-    nodeLinks :: [(Double, Node)]
+    nodeLinks :: [(Double, Node)],
+    -- | How telling all of them are.
+    nodeTelling :: Double
   }
 
 -- | Each frame tied to its neighbours, which are looked for in the squares around its own, of a
@@ -74,11 +79,8 @@ linked reach images = nodes
     squareOf (x, y) = (floor (x / side) :: Integer, floor (y / side) :: Integer)
     squares = Map.fromListWith (flip (++)) [(squareOf (nodePlace n), [n]) | n <- nodes]
     node key place image =
-      Node
-        key
-        place
-        image
-        [(telling (referenceOf image) place n, n) | n <- around place, nodeKey n /= key]
+      let links = [(telling (referenceOf image) place n, n) | n <- around place, nodeKey n /= key]
+       in Node key place image links (sum (map fst links))
     around place =
       concat
         [Map.findWithDefault [] (column + i, row + j) squares | j <- [-1, 0, 1], i <- [-1, 0, 1]]
@@ -97,22 +99,35 @@ telling ref (x, y) other = n * sqrt (vf * vc)
 -- already placed is registered against them. Frames that nothing ties to the placed ones come last,
 -- the most telling first.
 grown :: Registration -> [Node] -> IntMap Place
-grown settings nodes = go IntMap.empty (IntMap.fromList [(nodeKey n, (0, n)) | n <- nodes])
+grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
   where
-    go :: IntMap Place -> IntMap (Double, Node) -> IntMap Place
-    go placed waiting = case IntMap.elems waiting of
-      [] -> placed
-      first : rest ->
-        let node = snd (foldl' (\a b -> if rank b > rank a then b else a) first rest)
-            (mean, count) = centre placed -- Note [The prior while growing]
-            unsure = sqrt (1 + 1 / max 1 count)
-            variance = (unsure * registrationSigma settings) ^ (2 :: Int)
-            window = Window mean (unsure * searchRadius settings)
-            displacement = located settings placed node (Prior mean variance) window (whole mean)
-            gain w (more, n) = IntMap.adjust (\(g, n') -> (g + more, n')) (nodeKey n) w
-            waiting' = foldl' gain (IntMap.delete (nodeKey node) waiting) (nodeLinks node)
-         in go (IntMap.insert (nodeKey node) displacement placed) waiting'
-    rank (gained, node) = (gained, sum (map fst (nodeLinks node)))
+    byKey = IntMap.fromList [(nodeKey n, n) | n <- nodes]
+    -- The frames not yet placed, the next one first: what it has in common with those placed, and
+    -- with all; of equals the first.
+    start = Set.fromList [(rank 0 n, nodeKey n) | n <- nodes]
+    rank gained node = Down (gained, nodeTelling node)
+    go :: IntMap Place -> Place -> IntMap Double -> Set (Down (Double, Double), Int) -> IntMap Place
+    go placed total@(totalX, totalY) gains waiting =
+      case Set.minView waiting of
+        Just ((_, key), rest)
+          | Just node <- IntMap.lookup key byKey ->
+            let (mean, count) = centre (IntMap.size placed) total -- Note [The prior while growing]
+                unsure = sqrt (1 + 1 / max 1 count)
+                variance = (unsure * registrationSigma settings) ^ (2 :: Int)
+                window = Window mean (unsure * searchRadius settings)
+                displacement@(x, y) =
+                  located settings placed node (Prior mean variance) window (whole mean)
+                (gains', rest') = foldl' gain (IntMap.delete key gains, rest) (nodeLinks node)
+             in go (IntMap.insert key displacement placed) (totalX + x, totalY + y) gains' rest'
+        _ -> placed
+    gain (gains, waiting) (more, node) = case IntMap.lookup key gains of
+      Nothing -> (gains, waiting)
+      Just gained ->
+        ( IntMap.insert key (gained + more) gains,
+          Set.insert (rank (gained + more) node, key) (Set.delete (rank gained node, key) waiting)
+        )
+      where
+        key = nodeKey node
 
 {- Note [The prior while growing] Displacements are known only up to a common shift, which is the
    first frame's own error at first. With k frames placed that shift is the mean of their
@@ -157,24 +172,23 @@ sweeps settings nodes first =
           uncurry
             (located settings ds node (Prior (0, 0) (registrationSigma settings ^ (2 :: Int))))
             (looking old)
-    centred ds = let ((mx, my), _) = centre ds in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
+    centred ds =
+      let ((mx, my), _) = centre (IntMap.size ds) (sum (fst <$> ds), sum (snd <$> ds))
+       in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
 
 -- | The nearest whole displacement.
 whole :: Place -> Place
 whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
--- | The mean of the displacements, rounded to the search's finest step, (0, 0) when there are none,
--- and their number. Rounded so, it leaves all displacements multiples of that step, and what is
--- displaced by whole taxels is seen so, without any interpolation.
-centre :: IntMap Place -> (Place, Double)
-centre ds
-  | IntMap.null ds = ((0, 0), 0)
-  | otherwise = ((mean fst, mean snd), count)
+-- | The mean of some displacements, given their number and sums: rounded to the search's finest step,
+-- (0, 0) when there are none; and their number. Rounded so, it leaves all displacements multiples of
+-- that step, and what is displaced by whole taxels is seen so, without any interpolation.
+centre :: Int -> Place -> (Place, Double)
+centre 0 _ = ((0, 0), 0)
+centre n (x, y) = ((mean x, mean y), count)
   where
-    places = IntMap.elems ds
-    count = fromIntegral (length places)
-    mean coordinate =
-      finestStep * fromIntegral (round (sum (map coordinate places) / count / finestStep) :: Int)
+    count = fromIntegral n
+    mean total = finestStep * fromIntegral (round (total / count / finestStep) :: Int)
 
 -- | A frame's most probable displacement given those of other frames, looked for in a window by
 -- whole taxels from a start.
