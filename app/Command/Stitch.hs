@@ -52,8 +52,8 @@ command =
               "METHOD"
               "lattice (by the lattice of symbols), incremental (by the paper's correlation), \
               \nominal (not at all), or auto: incremental, and by the lattice where \
-              \--position-error is above 1.25 or --noise above 0.25 and the frames show symbols \
-              \(default)"
+              \--position-error is above 1.25 or the noise above 0.25 and the frames show symbols, \
+              \at whatever angle (default)"
               mempty
           )
         <*> strArgument (metavar "FOLDER" <> action "directory")

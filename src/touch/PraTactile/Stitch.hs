@@ -103,7 +103,7 @@ data Assembly = Assembly
     assemblyFrames :: ![Arranged],
     -- | The root of the mean squared difference of the frames from what others saw there, as the
     -- noise of one frame; 'Nothing' where no two overlap.
-    assemblyResidual :: !(Maybe Double)
+    assemblyResidual :: Maybe Double
   }
 
 -- | Frames registered in the given way, and blended.

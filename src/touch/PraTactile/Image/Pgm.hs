@@ -35,12 +35,14 @@ module PraTactile.Image.Pgm
 where
 
 import Codec.Picture (Image (..), Pixel8, encodePng)
+import Data.Bits (shiftR)
 import Data.ByteString (ByteString)
+import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as L
 import Data.List (intersperse)
 import qualified Data.Vector.Storable as V
-import Data.Word (Word16)
+import Data.Word (Word16, Word8)
 import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Error (HeaderField (..), ImageError (..))
 import PraTactile.Image.Pgm.Decode (decodePgm, formatName)
@@ -71,11 +73,19 @@ encodePgm format pgm = L.toStrict (Builder.toLazyByteString (magic <> header <> 
             ++ "\n"
         )
     body = case (format, pgm) of
-      (Binary, Pgm8 _ image) -> V.foldr ((<>) . Builder.word8) mempty (imageData image)
-      (Binary, Pgm16 _ image) -> V.foldr ((<>) . Builder.word16BE) mempty (imageData image)
+      (Binary, Pgm8 _ image) ->
+        let samples = imageData image in bytes (V.length samples) (samples V.!)
+      (Binary, Pgm16 _ image) ->
+        let samples = imageData image
+            half k = if even k then (`shiftR` 8) else id
+         in bytes (2 * V.length samples) (\k -> fromIntegral (half k (samples V.! (k `quot` 2))))
       (Plain, Pgm8 _ image) ->
         plain (imageWidth image) (V.toList (V.map fromIntegral (imageData image)))
       (Plain, Pgm16 _ image) -> plain (imageWidth image) (V.toList (imageData image))
+
+-- | So many bytes, given each by its number.
+bytes :: Int -> (Int -> Word8) -> Builder.Builder
+bytes count byte = Builder.byteString (fst (B.unfoldrN count (\k -> Just (byte k, k + 1)) 0))
 
 -- | Numbers in lines: at most eleven of five digits fit the 70 characters that pgm(5) allows.
 plain :: Int -> [Word16] -> Builder.Builder

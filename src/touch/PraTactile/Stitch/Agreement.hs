@@ -122,23 +122,24 @@ alike :: Double
 alike = 0.85
 
 -- | Pairs of images that overlap at their places, by their numbers, with where the second's upper
--- left pixel lies in the first: those that overlap most, at most 'mostPairs' of them, evenly.
+-- left pixel lies in the first: of those around at most 'mostCentres' images the ones that overlap
+-- most, at most 'mostPairs' of them, evenly.
 telling :: [(Place, Raster)] -> [(Int, Int, Place)]
 telling placed = spacedOut mostPairs [pair | (area, pair) <- found, area >= 0.75 * largest]
   where
     found =
       [ (area, (k, l, (x' - x, y' - y)))
-        | (k, ((x, y), a)) <- numbered,
+        | (k, ((x, y), a)) <- spacedOut mostCentres numbered,
           let (column, row) = square (x, y),
           j <- [-1 .. 1],
           i <- [-1 .. 1],
           (l, ((x', y'), b)) <- Map.findWithDefault [] (column + i, row + j) squares,
           k < l,
-          let area =
-                max 0 (fromIntegral (min (rasterWidth a) (rasterWidth b)) - abs (x' - x))
-                  * max 0 (fromIntegral (min (rasterHeight a) (rasterHeight b)) - abs (y' - y)),
+          let area = meeting rasterWidth a b (x' - x) * meeting rasterHeight a b (y' - y),
           area > 0
       ]
+    meeting :: (Raster -> Int) -> Raster -> Raster -> Double -> Double
+    meeting extent a b apart = max 0 (fromIntegral (min (extent a) (extent b)) - abs apart)
     largest = maximum (0 : map fst found) :: Double
     numbered = zip [0 :: Int ..] placed
     -- However many frames lie at one place, few of them are looked at.
@@ -147,3 +148,7 @@ telling placed = spacedOut mostPairs [pair | (area, pair) <- found, area >= 0.75
         Map.fromListWith (flip (++)) [(square place, [f]) | f@(_, (place, _)) <- numbered]
     square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
     side = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed]))
+
+-- | The most images around which pairs are looked for.
+mostCentres :: Int
+mostCentres = 64

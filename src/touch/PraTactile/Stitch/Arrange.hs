@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- | The ways to find where frames were: which, and what is told of each frame.
 module PraTactile.Stitch.Arrange
   ( Way (..),
@@ -7,9 +9,10 @@ module PraTactile.Stitch.Arrange
   )
 where
 
+import Data.List (foldl')
 import qualified Data.Map.Strict as Map
-import qualified Data.Set as Set
 import Data.Maybe (fromMaybe, listToMaybe)
+import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
@@ -56,7 +59,7 @@ data Arrangement = Arrangement
   { arrangedWay :: !Way,
     arrangedFrames :: ![Arranged],
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
-    arrangedResidual :: !(Maybe Double)
+    arrangedResidual :: Maybe Double
   }
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
@@ -142,7 +145,7 @@ compared there x y image = (if n > 0 then total / n else 0, n)
   where
     w = rasterWidth image
     (total, n) = V.ifoldl' step (0, 0) (rasterValues image)
-    step (s, k) i f =
+    step (!s, !k) i f =
       let (v, u) = i `quotRem` w
        in case referenceAt there (x + fromIntegral u) (y + fromIntegral v) of
             Just (c, m) | m > 1.5 -> (s + (f - c) * (f - c) * m / (m - 1), k + 1)
@@ -153,33 +156,37 @@ compared there x y image = (if n > 0 then total / n else 0, n)
 groupsOf :: [(Place, Raster)] -> [Int]
 groupsOf placed = numbered (map (root joined) [0 .. length placed - 1])
   where
+    -- Two images whose corners are in one square overlap, however many there are.
     side =
       fromIntegral
-        (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed])) ::
+        (minimum (maxBound : concat [[rasterWidth i, rasterHeight i] | (_, i) <- placed])) ::
         Double
+    furthest = maximum (1 : concat [[rasterWidth i, rasterHeight i] | (_, i) <- placed])
+    reach = ceiling (fromIntegral furthest / side) :: Int
     square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
     squares =
       Map.fromListWith
-        (++)
-        [(square place, [(k, place, image)]) | (k, (place, image)) <- zip [0 ..] placed]
+        (flip (++))
+        [(square place, [(k, (place, image))]) | (k, (place, image)) <- zip [0 ..] placed]
     joined =
-      foldr
+      foldl'
         union
         (Map.fromList [(k, k) | k <- [0 .. length placed - 1]])
-        [ (a, b)
-          | (a, (place, image)) <- zip [0 ..] placed,
-            let (c, r) = square place,
-            i <- [-1 .. 1],
-            j <- [-1 .. 1],
-            (b, place', image') <- Map.findWithDefault [] (c + i, r + j) squares,
-            a < b,
-            meets (place, image) (place', image')
-        ]
+        ( [(k, l) | (k, _) : others <- Map.elems squares, (l, _) <- others]
+            ++ [ pair
+                 | ((c, r), here) <- Map.toList squares,
+                   j <- [0 .. reach],
+                   i <- [negate reach .. reach],
+                   (j, i) > (0, 0),
+                   Just there <- [Map.lookup (c + i, r + j) squares],
+                   pair <- take 1 [(k, l) | (k, a) <- here, (l, b) <- there, meets a b]
+               ]
+        )
     meets ((x, y), a) ((x', y'), b) =
       x' - x < wide a && x - x' < wide b && y' - y < tall a && y - y' < tall b
     wide = fromIntegral . rasterWidth
     tall = fromIntegral . rasterHeight
-    union (a, b) parents =
+    union parents (a, b) =
       let (ra, rb) = (root parents a, root parents b)
        in if ra == rb then parents else Map.insert (max ra rb) (min ra rb) parents
     root :: Map.Map Int Int -> Int -> Int

@@ -7,14 +7,18 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Segment.Level (medianSize)
+import PraTactile.Stitch.Spaced (spacedOut)
 
 -- | The standard deviation of the noise of frames, grey values: from the median size of the
 -- differences of neighbours' differences, a - b - c + d of the squares of four pixels, in which a
 -- relief has little part but at its corners. That of normal white noise of variance s^2 is 0.6745
 -- times 2 s. Where readings are clipped, which leaves nothing of half of the noise, it is less. 0
--- where there is no square.
+-- where there is no square. By at most 256 of the frames.
 frameNoise :: [Raster] -> Double
-frameNoise frames = medianSize (V.concat (map squares frames)) / (0.6745 * 2)
+frameNoise frames =
+  medianSize (V.concat (map squares (spacedOut mostFrames frames))) / (0.6745 * 2)
+  where
+    mostFrames = 256
 
 -- | The differences of all squares of four pixels.
 squares :: Raster -> V.Vector Double
