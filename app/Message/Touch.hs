@@ -134,12 +134,14 @@ stitchMessage e = case e of
 -- | That frames contradict each other, and what would mend it.
 contradictionMessage :: Contradiction -> String
 contradictionMessage contradiction =
-  "the frames show different things where their positions make them overlap; " ++ case contradiction of
-    AgreeingAlong axes ->
-      "they agree if the positions are taken along " ++ axesName axes ++ ": give --axes "
-        ++ axesName axes
-        ++ " if none is given yet"
-    AgreeingNowhere -> "check the positions, and that all frames are of one object"
+  "the frames show different things where their positions make them overlap; " ++ mended
+  where
+    mended = case contradiction of
+      AgreeingAlong axes ->
+        "they agree if the positions are taken along " ++ axesName axes ++ ": give --axes "
+          ++ axesName axes
+          ++ " if none is given yet"
+      AgreeingNowhere -> "check the positions, and that all frames are of one object"
 
 calibrationMessage :: CalibrationError -> String
 calibrationMessage e = case e of

@@ -71,6 +71,7 @@ titleOf made = counted (length (assemblyFrames made)) "frame" ++ " put together 
     how = case assemblyWay made of
       Nominal -> "as the robot had them"
       ByLattice -> "by the lattice of symbols"
+      Jointly -> "by all pairs that overlap, together"
       Incremental -> "by correlation, one after the other"
       other -> wayName other
 

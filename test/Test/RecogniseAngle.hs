@@ -18,7 +18,7 @@ import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..), onComposite)
 import PraTactile.Segment.Tilt
 import PraTactile.Shape
-import PraTactile.Stitch (Composite (..), compositeOf, compositePosition)
+import PraTactile.Stitch (Composite (..), Contradiction (..), compositeOf, compositePosition)
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
@@ -186,6 +186,30 @@ foreignSpec array reader alphabetOfAll = do
     answered standardTolerance (ours 2 2 (Position 6 5)) `shouldBe` True
     answered standardTolerance {foreignPrior = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
     answered standardTolerance {foreignPrior = 0.5} (ours 3 4 (Position 6 5)) `shouldBe` True
+  it
+    "frames that may lie otherwise weigh as much as that is probable where they then differ"
+    $ do
+      let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
+          there = compositeOf (drawing (ours 3 4 (Position 2 9)))
+          among others =
+            either (const Nothing) Just $
+              recogniseWith standardTolerance reader [here {compositeOthers = others}]
+          told others =
+            fmap doubtOfStitching (among others >>= fmap evidenceDoubts . recognisedEvidence)
+          blank = compositeOf (constant 60 60 0)
+      told [] `shouldBe` Just 0
+      told [(0.004, there)] `shouldBe` Just 0.004
+      told [(0.004, here), (0.3, blank)] `shouldBe` Just 0
+      map (fmap isFound . among) [[], [(0.004, there)], [(0.2, there)]]
+        `shouldBe` [Just True, Just True, Just False]
+  it "frames that contradict each other are refused, whatever they show" $ do
+    let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
+        told =
+          recogniseWith
+            standardTolerance
+            reader
+            [here {compositeContradiction = Just AgreeingNowhere}]
+    fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
   it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $ do
     let drawn = unGen (vectorOf 200 (vectorOf 2 (vectorOf 3 (choose (0, 3))))) (mkQCGen 5) 30
         tolerant = standardTolerance {foreignPrior = 0.5, toleratedDoubt = 0.999}

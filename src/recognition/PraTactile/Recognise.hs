@@ -51,8 +51,8 @@ import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
-import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Recogniser
+import PraTactile.Recognise.Recognition
 import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Segment.Tilt (setUpright, tilt)
 import PraTactile.Stitch (Composite (..))

@@ -137,11 +137,13 @@ compose way settings frames = do
       at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
       together shifts = blended (left, top) (at shifts) shifts
+      others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
+      with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
   pure
     ( (together displacements)
         { compositeOthers =
-            [ (hypothesisProbability h, together (take k displacements ++ hypothesisShift h : drop (k + 1) displacements))
-              | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a])
+            [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
+              | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
             ],
           compositeContradiction = contradiction settings (NonEmpty.toList nominal)
         },

@@ -13,6 +13,7 @@ import PraTactile.Probe.Manifest
 import PraTactile.Random (normalPair)
 import PraTactile.Shape hiding (alphabet)
 import PraTactile.Stitch
+import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
 import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
@@ -28,6 +29,7 @@ shaped alphabet = do
   describe "What a frame is held against" (templatesSpec alphabet)
   describe "Frames on a lattice" (registered alphabet)
   describe "Frames that contradict each other" (contradicting alphabet)
+  describe "Frames registered by all their pairs" (jointly alphabet)
   describe "The noise of frames" noise
 
 -- | The scene around (0, 0): symbols drawn by chance in the cells of a lattice, all turned
@@ -61,7 +63,9 @@ scanned :: ((Double, Double) -> Double) -> [(Double, Double)] -> [Frame]
 scanned relief errors =
   [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 1 (felt relief (x + dx, y + dy)) taxelPitch
     | ((x, y), (dx, dy)) <-
-        zip [(fromIntegral i, fromIntegral j) | j <- [0, 8 .. 24 :: Int], i <- [0, 8 .. 24 :: Int]] errors
+        zip
+          [(fromIntegral i, fromIntegral j) | j <- [0, 8 .. 24 :: Int], i <- [0, 8 .. 24 :: Int]]
+          errors
   ]
 
 -- | Normal errors of that standard deviation.
@@ -79,15 +83,28 @@ templatesSpec alphabet =
             count = templateClasses tables
             (columns, rows) = templateGrid tables
             (firstX, firstY) = templateFirst tables
-         in forAll ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1)) $
-              \(x, y, k) ->
-                let place = (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
+         in forAll
+              ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1))
+              $ \(x, y, k) ->
+                let place =
+                      ( fromIntegral firstX + fromIntegral x / 2,
+                        fromIntegral firstY + fromIntegral y / 2
+                      )
                     drawn = drawing (shapes alphabet !! k) angle place
                     i = cellIndex tables 0 y x * count + k
                     total = V.sum drawn
                     squares = V.sum (V.map (\t -> t * t) drawn)
-                 in counterexample (show (place, k, templateSums tables V.! i, total, templateSquares tables V.! i, squares)) $
-                      abs (templateSums tables V.! i - total) < 0.25 + 0.02 * total
+                 in counterexample
+                      ( show
+                          ( place,
+                            k,
+                            templateSums tables V.! i,
+                            total,
+                            templateSquares tables V.! i,
+                            squares
+                          )
+                      )
+                      $ abs (templateSums tables V.! i - total) < 0.25 + 0.02 * total
                         && abs (templateSquares tables V.! i - squares) < 0.25 + 0.03 * squares
   where
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
@@ -111,24 +128,29 @@ templatesSpec alphabet =
 
 registered :: Alphabet -> Spec
 registered alphabet = do
-  it "are registered to it at any angle, from errors of two taxels: nine tenths surely, and those well" $ do
-    let told =
-          [ assemble Automatic settings (scanned (scene alphabet seed angle) (take 16 (errorsOf 2 seed)))
-            | (seed, angle) <- scenes
-          ]
-        settings = standardRegistration {registrationSigma = 2}
-    [assemblyWay made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
-    let frames =
-          [ (arrangedProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
-            | (Right made, (seed, _)) <- zip told scenes,
-              let ds = zipWith less (map arrangedShift (assemblyFrames made)) (errorsOf 2 seed)
-                  x0 = middle (map fst ds)
-                  y0 = middle (map snd ds),
-              (f, (x, y)) <- zip (assemblyFrames made) ds
-          ]
-        sure = [off | (True, off) <- frames]
-    length sure `shouldSatisfy` (>= (9 * length frames) `quot` 10)
-    length (filter (> 1) sure) `shouldSatisfy` (<= length sure `quot` 50)
+  it
+    "are registered to it at any angle from errors of two taxels, most surely, and those well"
+    $ do
+      let told =
+            [ assemble
+                Automatic
+                settings
+                (scanned (scene alphabet seed angle) (take 16 (errorsOf 2 seed)))
+              | (seed, angle) <- scenes
+            ]
+          settings = standardRegistration {registrationSigma = 2}
+      [assemblyWay made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
+      let frames =
+            [ (arrangedProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
+              | (Right made, (seed, _)) <- zip told scenes,
+                let ds = zipWith less (map arrangedShift (assemblyFrames made)) (errorsOf 2 seed)
+                    x0 = middle (map fst ds)
+                    y0 = middle (map snd ds),
+                (f, (x, y)) <- zip (assemblyFrames made) ds
+            ]
+          sure = [off | (True, off) <- frames]
+      length sure `shouldSatisfy` (>= (9 * length frames) `quot` 10)
+      length (filter (> 1) sure) `shouldSatisfy` (<= length sure `quot` 50)
   it "turned with their places by quarter turns have displacements so turned" $
     for_ [1 .. 3] $ \seed -> do
       let errors = take 16 (errorsOf 2 (100 + seed))
@@ -147,7 +169,10 @@ registered alphabet = do
     spreadOf ds =
       let n = fromIntegral (length ds)
           mean part = sum (map part ds) / n
-       in sqrt (sum [(x - mean fst) ^ (2 :: Int) + (y - mean snd) ^ (2 :: Int) | (x, y) <- ds] / (2 * n))
+       in sqrt
+            ( sum [(x - mean fst) ^ (2 :: Int) + (y - mean snd) ^ (2 :: Int) | (x, y) <- ds]
+                / (2 * n)
+            )
     -- A quarter turn clockwise about the origin, of place and image; the sensor is not turned.
     turnedFrame (Frame (Pose x y r) force image taxel) =
       Frame (Pose (negate y) x r) force (generate 16 16 (\i j -> at image j (15 - i))) taxel
@@ -172,8 +197,15 @@ contradicting alphabet = do
             `shouldBe` Just AgreeingNowhere
   it "do not where they show nothing, or there is one, or they do not overlap" $ do
     let blank = [f {frameImage = constant 16 16 0.4} | f <- scan 1]
-        apart = [f {framePose = (framePose f) {poseX = 5 * poseX (framePose f), poseY = 5 * poseY (framePose f)}} | f <- scan 2]
-    for_ [blank, take 1 (scan 3), apart] $ \frames -> contradictionOf frames `shouldSatisfy` isNothing
+        apart =
+          [ f
+              { framePose =
+                  (framePose f) {poseX = 5 * poseX (framePose f), poseY = 5 * poseY (framePose f)}
+              }
+            | f <- scan 2
+          ]
+    for_ [blank, take 1 (scan 3), apart] $ \frames ->
+      contradictionOf frames `shouldSatisfy` isNothing
   where
     scan seed = scanned (scene alphabet seed (fromIntegral (17 * seed))) (errorsOf 0.8 seed)
     contradictionOf =
@@ -189,6 +221,47 @@ contradicting alphabet = do
             abs (x - poseX pose) < 1e-9 && abs (y - poseY pose) < 1e-9,
             alongAxes axes (alongAxes back (Pose 1 2 0)) == Pose 1 2 0
         ]
+
+jointly :: Alphabet -> Spec
+jointly alphabet = do
+  it "are where they were to half a taxel, from errors of one and a half" $
+    for_ [1 .. 4] $ \seed -> do
+      let errors = take 16 (errorsOf 1.5 seed)
+      away errors (scanned (scene alphabet seed 10) errors) `shouldSatisfy` (< 0.5)
+  it "are there to three quarters of one where one of them shows another place" $
+    for_ [1 .. 4] $ \seed -> do
+      let errors = take 16 (errorsOf 1.5 seed)
+          frames = scanned (scene alphabet seed 10) errors
+          stray = felt (scene alphabet (seed + 50) 33) (200, 100)
+          strayed =
+            [if k == 5 then f {frameImage = stray} else f | (k, f) <- zip [0 :: Int ..] frames]
+      away errors strayed `shouldSatisfy` (< 0.75)
+  prop "neighbours are the pairs whose squares meet, with the share that they have in common" $
+    forAll (vectorOf 7 ((,) <$> choose (0, 40) <*> choose (0, 40))) $ \places ->
+      let images = [((x, y), constant 9 7 0) | (x, y) <- places]
+          told = [(k, l, share) | Neighbours k l _ share <- neighbours images]
+          meeting n a b = max 0 (n - abs (a - b)) / n
+          expected =
+            [ (k, l, meeting 9 x x' * meeting 7 y y')
+              | (k, (x, y)) <- zip [0 ..] places,
+                (l, (x', y')) <- zip [0 ..] places,
+                k < l,
+                meeting 9 x x' * meeting 7 y y' > 0
+            ]
+          close (k, l, a) (k', l', b) = k == k' && l == l' && abs (a - b) < 1e-9
+       in counterexample (show (sort told, expected)) $
+            length told == length expected && and (zipWith close (sort told) expected)
+  where
+    away errors frames =
+      case assemble Jointly standardRegistration {registrationSigma = 1.5} frames of
+        Right made ->
+          -- By the median, since a stray frame is nowhere right.
+          let ds = zipWith minus (compositeDisplacements (assemblyComposite made)) errors
+              (x0, y0) = (middle (map fst ds), middle (map snd ds))
+           in middle [max (abs (x - x0)) (abs (y - y0)) | (x, y) <- ds]
+        Left _ -> 1 / 0
+    minus (x, y) (x', y') = (x - x', y - y')
+    middle ts = sort ts !! (length ts `quot` 2)
 
 noise :: Spec
 noise = do

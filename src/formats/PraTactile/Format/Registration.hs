@@ -128,5 +128,6 @@ wayName :: Way -> String
 wayName way = case way of
   Automatic -> "auto"
   ByLattice -> "lattice"
+  Jointly -> "joint"
   Incremental -> "incremental"
   Nominal -> "nominal"

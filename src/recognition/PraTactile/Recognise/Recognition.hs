@@ -1,5 +1,5 @@
--- | What comes of recognising composites: symbols, an answer or a refusal, and what is done to all of
--- them together.
+-- | What comes of recognising composites: symbols, an answer or a refusal, and what is done to all
+-- of them together.
 module PraTactile.Recognise.Recognition
   ( Recognition (..),
     unanswered,

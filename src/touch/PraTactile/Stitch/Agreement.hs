@@ -10,12 +10,13 @@ import qualified Data.Map.Strict as Map
 import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
-import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Probe (Pose (..))
 import PraTactile.Probe.Manifest (alongAxes, axesNamed, straight)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Composite (Contradiction (..))
+import PraTactile.Stitch.Neighbours (Neighbours (..), neighboursAround)
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Search
 import PraTactile.Stitch.Spaced (spacedOut)
@@ -48,8 +49,8 @@ contradiction settings frames
     pairsAlong a = telling (map (along a) frames)
     along a ((x, y), image) = let Pose x' y' _ = alongAxes a (Pose x y 0) in ((x', y'), image)
 
--- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they tell
--- at all, which pixels that resemble their neighbours make uncertain.
+-- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they
+-- tell at all, which pixels that resemble their neighbours make uncertain.
 decisive :: Double
 decisive = 20
 
@@ -61,11 +62,12 @@ clearShare = 0.5
 
 -- | What overlaps tell, as natural logarithms.
 data Agreement = Agreement
-  { -- | How much likelier the frames are if those that overlap show one relief there, up to noise of
-    -- one variance for all, than if each shows a relief of its own.
+  { -- | How much likelier the frames are if those that overlap show one relief there, up to noise
+    -- of one variance for all, than if each shows a relief of its own.
     agreed :: !Double,
-    -- | What that would be if the frames were alike up to the noise that they are told to have or show, and to a correlation of 'alike'
-    -- at most: frames that were pressed otherwise are not quite alike.
+    -- | What that would be if the frames were alike up to the noise that they are told to have or
+    -- show, and to a correlation of 'alike' at most: frames that were pressed otherwise are not
+    -- quite alike.
     agreeable :: !Double
   }
 
@@ -121,33 +123,15 @@ mostPairs = 24
 alike :: Double
 alike = 0.85
 
--- | Pairs of images that overlap at their places, by their numbers, with where the second's upper
--- left pixel lies in the first: of those around at most 'mostCentres' images the ones that overlap
--- most, at most 'mostPairs' of them, evenly.
+-- | Pairs of images that overlap at their places: of those around at most 'mostCentres' images the
+-- ones that overlap most, at most 'mostPairs' of them, evenly; by their numbers, with where the
+-- second's upper left pixel lies in the first.
 telling :: [(Place, Raster)] -> [(Int, Int, Place)]
-telling placed = spacedOut mostPairs [pair | (area, pair) <- found, area >= 0.75 * largest]
+telling placed =
+  spacedOut mostPairs [(k, l, step) | Neighbours k l step share <- found, share >= 0.75 * largest]
   where
-    found =
-      [ (area, (k, l, (x' - x, y' - y)))
-        | (k, ((x, y), a)) <- spacedOut mostCentres numbered,
-          let (column, row) = square (x, y),
-          j <- [-1 .. 1],
-          i <- [-1 .. 1],
-          (l, ((x', y'), b)) <- Map.findWithDefault [] (column + i, row + j) squares,
-          k < l,
-          let area = meeting rasterWidth a b (x' - x) * meeting rasterHeight a b (y' - y),
-          area > 0
-      ]
-    meeting :: (Raster -> Int) -> Raster -> Raster -> Double -> Double
-    meeting extent a b apart = max 0 (fromIntegral (min (extent a) (extent b)) - abs apart)
-    largest = maximum (0 : map fst found) :: Double
-    numbered = zip [0 :: Int ..] placed
-    -- However many frames lie at one place, few of them are looked at.
-    squares =
-      Map.map (spacedOut 16) $
-        Map.fromListWith (flip (++)) [(square place, [f]) | f@(_, (place, _)) <- numbered]
-    square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
-    side = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | (_, i) <- placed]))
+    found = neighboursAround mostCentres placed
+    largest = maximum (0 : map neighboursShare found)
 
 -- | The most images around which pairs are looked for.
 mostCentres :: Int

@@ -20,6 +20,7 @@ import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (compositeOf)
 import PraTactile.Stitch.Joint
+import PraTactile.Stitch.Pairwise (registerPairwise)
 import PraTactile.Stitch.Posterior (Hypothesis)
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..))
@@ -33,6 +34,8 @@ data Way
     Automatic
   | -- | by the lattice of cells
     ByLattice
+  | -- | by all pairs that overlap, together, by what they show alone
+    Jointly
   | -- | frame by frame, by the paper's cross-correlation
     Incremental
   | -- | not at all
@@ -67,6 +70,12 @@ arrange :: Way -> Registration -> [(Place, Raster)] -> Arrangement
 arrange way settings frames = case (way, paperTemplates) of
   (Nominal, _) -> plain Nominal unmoved
   _ | all (flat . snd) frames -> plain Incremental unmoved
+  (Jointly, _) ->
+    arranged
+      Jointly
+      [ Arranged d (Just (sd, sd)) Nothing []
+        | (d, sd) <- registerPairwise settings (madeFor (uncurry spectra)) frames
+      ]
   (ByLattice, Just tables) -> jointly tables (fromMaybe 0 (angleBy tables))
   (Automatic, Just tables)
     | length frames >= 2 && doubtful,
@@ -96,11 +105,13 @@ arrange way settings frames = case (way, paperTemplates) of
             (Just (locatedDeviation l))
             (Just (locatedProbability l))
             (locatedOthers l)
-          | l <- registerJointly settings angle madeOnce frames
+          | l <- registerJointly settings angle (madeFor (paperTables tables angle)) frames
         ]
+    -- Tables by the frames' size, each made once.
+    madeFor :: ((Int, Int) -> tables) -> (Int, Int) -> tables
+    madeFor make = \size -> Map.findWithDefault (make size) size made
       where
-        madeOnce size = Map.findWithDefault (paperTables tables angle size) size made
-        made = Map.fromSet (paperTables tables angle) (Set.fromList sizes)
+        made = Map.fromSet make (Set.fromList sizes)
     plain used ds = arranged used [Arranged d Nothing Nothing instead | (d, instead) <- ds]
     arranged used told =
       Arrangement

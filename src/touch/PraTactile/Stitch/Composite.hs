@@ -50,7 +50,9 @@ data Contradiction
 -- | A single image, such as one read from a file, as a composite that was touched once everywhere,
 -- with its pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
-compositeOf image = Composite image (constant (rasterWidth image) (rasterHeight image) 1) (0, 0) [] [] Nothing
+compositeOf image = Composite image everywhere (0, 0) [] [] Nothing
+  where
+    everywhere = constant (rasterWidth image) (rasterHeight image) 1
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)
@@ -77,8 +79,8 @@ weighted composite =
     coverage = compositeCoverage composite
 
 -- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
--- displacements given, and no other way to put them together. Its grid is the origin's, moved by whole taxels so that it holds all the
--- images.
+-- displacements given, and no other way to put them together. Its grid is the origin's, moved by
+-- whole taxels so that it holds all the images.
 blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
 blended (left, top) images displacements =
   Composite

@@ -180,9 +180,10 @@ sweeps settings nodes first =
 whole :: Place -> Place
 whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
--- | The mean of some displacements, given their number and sums: rounded to the search's finest step,
--- (0, 0) when there are none; and their number. Rounded so, it leaves all displacements multiples of
--- that step, and what is displaced by whole taxels is seen so, without any interpolation.
+-- | The mean of some displacements, given their number and sums: rounded to the search's finest
+-- step, (0, 0) when there are none; and their number. Rounded so, it leaves all displacements
+-- multiples of that step, and what is displaced by whole taxels is seen so, without any
+-- interpolation.
 centre :: Int -> Place -> (Place, Double)
 centre 0 _ = ((0, 0), 0)
 centre n (x, y) = ((mean x, mean y), count)

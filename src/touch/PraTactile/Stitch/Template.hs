@@ -5,9 +5,9 @@
 --
 -- A symbol at (x, y), the place of the centre of its upper left taxel, makes a taxel at (u, v) read
 -- the sum over its embossed taxels (i, j) of g (u - x - i) g (v - y - j), where g is the share of a
--- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel. The
--- symbols' axes may be turned from the frame's: then places are turned with them, and the blur, which
--- is nearly the same in all directions, is not.
+-- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel.
+-- The symbols' axes may be turned from the frame's: then places are turned with them, and the blur,
+-- which is nearly the same in all directions, is not.
 module PraTactile.Stitch.Template
   ( Templates (..),
     templates,
@@ -158,8 +158,8 @@ data PaperTables = PaperTables
     paperCoarse :: Double -> (Int, Int) -> Templates
   }
 
--- | The tables for the shipped alphabet, those for upright frames of the sensor's size made once for
--- all. 'Nothing' where that alphabet cannot be read, which a test excludes.
+-- | The tables for the shipped alphabet, those for upright frames of the sensor's size made once
+-- for all. 'Nothing' where that alphabet cannot be read, which a test excludes.
 paperTemplates :: Maybe PaperTables
 paperTemplates = either (const Nothing) (Just . made) paperAlphabet
   where
