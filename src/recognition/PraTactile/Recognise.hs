@@ -107,7 +107,7 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- recogniseUpright tolerance reader composites
+      asGiven <- axesTilted <$> recogniseUpright tolerance reader composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader upright
       let setRight = relocated angle places turnedBack

@@ -6,6 +6,7 @@ module PraTactile.Recognise.Recognition
     certainty,
     recognisedAngle,
     relocated,
+    axesTilted,
 
     -- * The answer
     Answer (..),
@@ -140,6 +141,17 @@ relocated angle places recognition =
               foundWindows = map window (foundWindows there)
             }
     window w = w {windowSeenAt = onFirst (windowSeenAt w)}
+
+-- | The symbols with the tilt of their grid in their axes, which were cut out along the composites'.
+axesTilted :: Recognition -> Recognition
+axesTilted recognition =
+  recognition
+    { recognisedSymbols = map tilted (recognisedSymbols recognition),
+      recognisedParts = map tilted (recognisedParts recognition)
+    }
+  where
+    tilted s = s {readImage = (readImage s) {symbolAxis = symbolAxis (readImage s) + by}}
+    by = recognisedTilt recognition
 
 -- | By how many degrees, clockwise and in [0, 360), the face is turned as the composites show it,
 -- given the orientation that was found.

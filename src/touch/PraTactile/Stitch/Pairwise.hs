@@ -21,13 +21,9 @@ import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Search (Registration (..))
 import PraTactile.Stitch.Spectrum
 
--- | What a pair says: by how much the second frame's displacement exceeds the first's, in a few
--- hypotheses with their probabilities.
-data Link = Link
-  { linkFirst :: !Int,
-    linkSecond :: !Int,
-    linkHypotheses :: ![Hypothesis]
-  }
+-- | What the pair of two frames, by their numbers, says: by how much the second's displacement
+-- exceeds the first's, in a few hypotheses with their probabilities.
+data Link = Link !Int !Int ![Hypothesis]
 
 -- | The displacement of each image, x and y in taxels, given the tables by the images' width and
 -- height and the nominal places (taxels) of their upper left pixels; and the standard deviation of
