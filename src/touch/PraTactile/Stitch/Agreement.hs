@@ -29,7 +29,7 @@ contradiction settings frames
   | agreed best > 13 / 12 * agreed given + decisive,
     agreed best >= clearShare * agreeable best =
     Just (AgreeingAlong axes)
-  | agreeable given > decisive / leastShare,
+  | agreeable given > clear,
     agreed given < leastShare * agreeable given =
     Just AgreeingNowhere
   | otherwise = Nothing
@@ -52,7 +52,11 @@ contradiction settings frames
 -- | How much likelier, as a natural logarithm, other axes must be, beside a twelfth of what they
 -- tell at all, which pixels that resemble their neighbours make uncertain.
 decisive :: Double
-decisive = 20
+decisive = 100
+
+-- | How much frames must have to tell before it counts that they tell it not.
+clear :: Double
+clear = 60
 
 -- | Of what frames of one relief would tell, how much must be there, and how much other axes must
 -- bring to be named: symbols resemble each other, and so do frames of different ones.
