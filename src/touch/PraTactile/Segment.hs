@@ -46,7 +46,7 @@ import PraTactile.Image.Correlate (Reference, referenceAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Component (Pixel, components)
 import PraTactile.Segment.Foreign (Cleaned (..), withoutForeign)
-import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, threshold)
+import PraTactile.Segment.Level (Levels (..), contrast, levels, noiseFrom, smoothing, threshold)
 import PraTactile.Segment.Reject
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import PraTactile.Stitch.Composite (Composite (..), weighted)
@@ -136,10 +136,6 @@ smoothed pixels = Map.mapWithKey (\(x, y) _ -> around x y) pixels
           Just v <- [Map.lookup (x + i, y + j) pixels]
       ]
     weight i = if i == 0 then 2 else 1 :: Double
-
--- | What is left of white noise by 'smoothed': the root of the sum of its squared weights.
-smoothing :: Double
-smoothing = 6 / 16
 
 -- | A contrast of fewer standard deviations of the noise is not clear enough for single pixels.
 leastClear :: Double

@@ -231,18 +231,13 @@ weighedPosterior made query decoder possible seen = do
           ((probabilities b Primitive.!) . toCode)
           (symbolAt (querySurface query) array (patchShape seen) candidate offset)
       alien = do
-        share <- queryForeign query
         best <- posteriorBest found
-        places <- sphereCentres <$> spheresOf made query {querySymmetries = possible} seen
-        Just $
-          foreignChance
-            ForeignComparison
-              { foreignShare = share,
-                foreignSymbols = fieldOrder array,
-                foreignPlaces = places,
-                foreignExpected = map (chanceAt best) (observedCells seen),
-                foreignElsewhere = maybe (posteriorDoubt found) (const 0) (posteriorUnlisted found)
-              }
+        foreignGiven
+          made
+          query {querySymmetries = possible}
+          seen
+          (map (chanceAt best) (observedCells seen))
+          (maybe (posteriorDoubt found) (const 0) (posteriorUnlisted found))
       doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found (`weighed` found) alien)
 
@@ -250,28 +245,34 @@ weighedPosterior made query decoder possible seen = do
 foreignSymbolsAt ::
   KnownField k => Locator k -> Query k -> Patch (GF k) -> Outcome Candidate -> Maybe Double
 foreignSymbolsAt made query seen outcome = do
-  share <- queryForeign query
-  places <- sphereCentres <$> spheresOf made query seen
   (expected, count) <- case outcome of
     Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
     Ambiguous candidates@(first' : _) _ ->
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), fromIntegral count)
     _ -> Nothing
+  foreignGiven made query seen expected (1 - 1 / count)
+  where
+    chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
+    symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
+
+-- | The probability that a patch is foreign, if the question weighs that, given how likely each
+-- cell is at the likeliest candidate, and the probability that among all candidates it is another
+-- one.
+foreignGiven ::
+  KnownField k => Locator k -> Query k -> Patch symbol -> [Double] -> Double -> Maybe Double
+foreignGiven made query seen expected another = do
+  share <- queryForeign query
+  places <- sphereCentres <$> spheresOf made query seen
   Just $
     foreignChance
       ForeignComparison
         { foreignShare = share,
-          foreignSymbols = fieldOrder array,
+          foreignSymbols = fieldOrder (locatorArray made),
           foreignPlaces = places,
           foreignExpected = expected,
-          foreignElsewhere = 1 - 1 / count
+          foreignElsewhere = another
         }
-  where
-    array = locatorArray made
-    chanceAt candidate (offset, a)
-      | symbolAt (querySurface query) array (patchShape seen) candidate offset == Just a = 1
-      | otherwise = 0
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.
 outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate

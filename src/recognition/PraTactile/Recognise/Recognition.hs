@@ -142,7 +142,8 @@ relocated angle places recognition =
             }
     window w = w {windowSeenAt = onFirst (windowSeenAt w)}
 
--- | The symbols with the tilt of their grid in their axes, which were cut out along the composites'.
+-- | The symbols with the tilt of their grid in their axes, which were cut out along the
+-- composites'.
 axesTilted :: Recognition -> Recognition
 axesTilted recognition =
   recognition

@@ -48,7 +48,7 @@ withoutForeign least composite = case levels noise seen of
   where
     field = fieldOf least composite
     seen = V.ifilter (\p _ -> fieldTouched field V.! p) (fieldValues field)
-    noise = smoothedNoise * pixelNoise field (compositeImage composite)
+    noise = smoothing * pixelNoise field (compositeImage composite)
     hollows = filter ((>= leastHollow) . length) . regions field 0
 
 -- | The touched pixels whose values are so.
@@ -58,10 +58,6 @@ marked field test = V.zipWith (\t v -> t && test v) (fieldTouched field) (fieldV
 -- | A share of the way from the background's level to the embossing's.
 share :: Double -> Levels -> Double
 share part found = levelBackground found + part * contrast found
-
--- | What is left of white noise where it is smoothed: the root of the sum of the squared weights.
-smoothedNoise :: Double
-smoothedNoise = 6 / 16
 
 -- | A composite without some regions.
 removed :: Composite -> Field -> [Strange] -> Cleaned

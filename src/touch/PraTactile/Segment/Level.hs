@@ -5,6 +5,7 @@ module PraTactile.Segment.Level
     levels,
     noiseFrom,
     medianSize,
+    smoothing,
     threshold,
     contrast,
   )
@@ -65,6 +66,12 @@ medianSize numbers
   where
     sizes = V.map abs numbers
     largest = V.maximum sizes
+
+-- | What is left of white noise where each pixel becomes the mean of those around it, those beside
+-- it with half its weight and those across with a quarter: the root of the sum of the squared
+-- weights.
+smoothing :: Double
+smoothing = 6 / 16
 
 bins :: Int
 bins = 512
