@@ -40,10 +40,13 @@ import PraTactile.Stitch.Composite
     Contradiction (..),
     blended,
     compositeOf,
+    compositePixel,
     compositePosition,
   )
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Posterior (Hypothesis (..))
+import PraTactile.Stitch.Rest (alignedToRest)
+import PraTactile.Stitch.Rotation (rotationPrior, telltale)
 import PraTactile.Stitch.Search (Registration (..), standardRegistration, usable)
 import PraTactile.Stitch.Turn (turnedBack)
 import PraTactile.Symmetry
@@ -103,25 +106,30 @@ data Assembly = Assembly
     assemblyFrames :: ![Arranged],
     -- | The root of the mean squared difference of the frames from what others saw there, as the
     -- noise of one frame; 'Nothing' where no two overlap.
-    assemblyResidual :: Maybe Double
+    assemblyResidual :: Maybe Double,
+    -- | By how many degrees each frame is turned, clockwise, beyond what its pose states, where the
+    -- other frames tell that to 'telltaleRotation'.
+    assemblyTurns :: [Maybe Double]
   }
 
 -- | Frames registered in the given way, and blended.
 assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
 assemble way settings frames
   | usable settings = do
-    (composite, arrangement) <- compose way settings frames
+    (composite, turns, arrangement) <- compose way settings frames
     pure
-      ( Assembly
-          composite
-          (arrangedWay arrangement)
-          (arrangedFrames arrangement)
-          (arrangedResidual arrangement)
-      )
+      Assembly
+        { assemblyComposite = composite,
+          assemblyWay = arrangedWay arrangement,
+          assemblyFrames = arrangedFrames arrangement,
+          assemblyResidual = arrangedResidual arrangement,
+          assemblyTurns = turns
+        }
   | otherwise = Left (UnusableRegistration settings)
 
--- | Check the frames, place them in taxels, arrange them, and blend.
-compose :: Way -> Registration -> [Frame] -> Either StitchError (Composite, Arrangement)
+-- | Check the frames, place them in taxels, arrange them, and blend; and how each is turned.
+compose ::
+  Way -> Registration -> [Frame] -> Either StitchError (Composite, [Maybe Double], Arrangement)
 compose way settings frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
@@ -139,14 +147,19 @@ compose way settings frames = do
       together shifts = blended (left, top) (at shifts) shifts
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
+      made = together displacements
+      turnOf ((x, y), image) =
+        let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
+         in alignedToRest rotationPrior made (u, v) image >>= telltale
   pure
-    ( (together displacements)
+    ( made
         { compositeOthers =
             [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
               | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
             ],
           compositeContradiction = contradiction settings (NonEmpty.toList nominal)
         },
+      map turnOf (NonEmpty.toList (at displacements)),
       arrangement
     )
 

@@ -10,6 +10,8 @@ import PraTactile.Shape (Alphabet, embossedAt, paperAlphabet, shapes)
 import PraTactile.Stitch.Pair
 import System.Random (mkStdGen)
 import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (Blind, generate)
 
 spec :: Spec
 spec = do
@@ -21,6 +23,8 @@ spec = do
         level = found (clean (\_ y -> if y < 7 then 0 else 1))
     (matchRefusal upright, matchFixed upright) `shouldBe` (Just OneAxis, (True, False))
     (matchRefusal level, matchFixed level) `shouldBe` (Just OneAxis, (False, True))
+  modifyMaxSuccess (const 60) straight
+  modifyMaxSuccess (const 30) rotations
   it "ambiguous: a pattern that repeats within the search fixes neither axis" $
     refusalOf (\x y -> if even (x `div` 2 + y `div` 2) then 0 else 1) `shouldBe` Just Ambiguous
   it "no overlap: frames further apart than they are wide" $
@@ -59,16 +63,63 @@ spec = do
             && abs (hypothesisProbability (matchBest m) - hypothesisProbability (matchBest n))
               < 1e-3
 
+straight :: Spec
+straight = do
+  prop "one axis: a straight edge with noise up to a tenth of it, wherever both frames show it" $
+    \seed -> forAll ((,) <$> choose (11, 13) <*> choose (0, 0.1)) $ \(edge, sd) ->
+      let match = found' Blind (noisyBy seed sd (\x _ -> if x < edge then 0 else 1))
+       in (matchRefusal match, matchFixed match) === (Just OneAxis, (True, False))
+  prop "a straight edge askew, with noise, is refused: it may lie anywhere along itself" $
+    \seed -> forAll (choose (20, 70)) $ \degrees ->
+      let (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180)) :: (Double, Double)
+          edge x y = 1 / (1 + exp (-2 * (c * (fromIntegral x - 12) + s * (fromIntegral y - 7))))
+       in matchRefusal (found' Blind (noisyBy seed 0.03 edge)) =/= Nothing
+
+rotations :: Spec
+rotations =
+  prop "a rotation is found to a degree, and that of the frames exchanged is the opposite" $
+    \seed -> forAll (choose (-6, 6)) $ \degrees ->
+      let (a, b) = turnedPair seed degrees
+          turn step frames =
+            ask (standardPairing step) {pairingMethod = Blind} frames >>= told
+          told match = maybe (Left (show match)) Right (matchRotation match)
+       in case (turn (6, 0) (a, b), turn (-6, 0) (b, a)) of
+            (Right there, Right back) ->
+              counterexample (show (there, back)) $
+                abs (there - degrees) < 1 .&&. abs (there + back) < 1
+            other -> counterexample (show other) False
+
+-- | Two frames of round bumps, of which the second lies 6 to the right of the first and is turned
+-- about its centre by that many degrees clockwise.
+turnedPair :: Int -> Double -> (Raster, Raster)
+turnedPair seed degrees = (frame (7.5, 7.5) 0, frame (13.5, 7.5) (degrees * pi / 180))
+  where
+    frame (cx, cy) angle =
+      generate 16 16 $ \i j ->
+        let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 7.5)
+         in relief (cx + cos angle * u - sin angle * v) (cy + sin angle * u + cos angle * v)
+    relief x y =
+      sum [h * exp (negate ((x - p) * (x - p) + (y - r) * (y - r)) / 6) | (p, r, h) <- bumps]
+    bumps =
+      [ (fromIntegral i * 5 + 1.5 * drawn V.! k, fromIntegral j * 5 + 1.5 * drawn V.! (k + 1), 1)
+        | (i, j, k) <-
+            zip3 (concatMap (replicate 6) [-1 .. 5 :: Int]) (cycle [-1 .. 4 :: Int]) [0, 2 ..]
+      ]
+    (drawn, _) = normals 84 (mkStdGen seed)
+
 -- | Frames of a relief, the second 9 right and 1 up of the first.
 clean :: (Int -> Int -> Double) -> (Raster, Raster)
 clean relief = (generate 16 16 relief, generate 16 16 (\x y -> relief (x + 9) (y - 1)))
 
 -- | The same with noise of that standard deviation.
 noisy :: Double -> (Int -> Int -> Double) -> (Raster, Raster)
-noisy sd relief = (with 0 a, with 256 b)
+noisy = noisyBy 5
+
+noisyBy :: Int -> Double -> (Int -> Int -> Double) -> (Raster, Raster)
+noisyBy seed sd relief = (with 0 a, with 256 b)
   where
     (a, b) = clean relief
-    (drawn, _) = normals 512 (mkStdGen 5)
+    (drawn, _) = normals 512 (mkStdGen seed)
     with from image =
       generate 16 16 (\x y -> fromMaybe 0 (index image x y) + sd * drawn V.! (from + y * 16 + x))
 
@@ -99,6 +150,6 @@ found = found' Auto
 found' :: Method -> (Raster, Raster) -> Match
 found' method frames =
   either
-    (const (Match (Just NoOverlap) (Hypothesis (0, 0) 0) (0, 0) (False, False) Auto []))
+    (const (Match (Just NoOverlap) (Hypothesis (0, 0) 0) (0, 0) (False, False) Nothing Auto []))
     id
     (ask (standardPairing (8, 0)) {pairingMethod = method} frames)

@@ -77,6 +77,8 @@ errorsOf sigma seed = go (mkStdGen seed)
 templatesSpec :: Alphabet -> Spec
 templatesSpec alphabet =
   modifyMaxSuccess (const 6) $
+    -- A taxel at the frame's edge counts for the share of it that is on the frame, which is not
+    -- quite the share of its square: at half a taxel over the edge, along all of a symbol, 0.85.
     prop "is by its sums and squares what a drawn symbol is, at any angle" $
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
         let tables = templates alphabet angle 16 16
@@ -104,8 +106,8 @@ templatesSpec alphabet =
                             squares
                           )
                       )
-                      $ abs (templateSums tables V.! i - total) < 0.25 + 0.02 * total
-                        && abs (templateSquares tables V.! i - squares) < 0.25 + 0.03 * squares
+                      $ abs (templateSums tables V.! i - total) < 0.1
+                        && abs (templateSquares tables V.! i - squares) < 0.9
   where
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
     drawing shape angle (x, y) =

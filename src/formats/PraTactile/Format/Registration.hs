@@ -16,9 +16,9 @@ where
 
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
-import Data.List (sort)
+import Data.List (sort, zipWith4)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isNothing)
 import PraTactile.Format.Error
 import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Format.Json.Codec hiding (named, object)
@@ -38,7 +38,7 @@ encodeMatch match =
       <> "probability" .= hypothesisProbability (matchBest match)
       <> "sd" .= matchDeviations match
       <> "axes" .= [axis | (axis, True) <- [("x" :: String, fst fixed), ("y", snd fixed)]]
-      <> "rotation_deg" .= (Nothing :: Maybe Double)
+      <> "rotation_deg" .= matchRotation match
       <> "method" .= methodName (matchMethod match)
       <> "hypotheses" .= map hypothesisValue (matchHypotheses match)
   where
@@ -89,18 +89,19 @@ encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
 encodeAssembly files made =
   encodeSchema "stitch/1" $
     "method" .= wayName (assemblyWay made)
-      <> "frames" .= zipWith3 frameValue files (assemblyFrames made) (reasonsOf made)
+      <> "frames"
+        .= zipWith4 frameValue files (assemblyFrames made) (assemblyTurns made) (reasonsOf made)
       <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
       <> "size" .= (rasterWidth image, rasterHeight image)
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
       <> "residual" .= assemblyResidual made
   where
     image = compositeImage (assemblyComposite made)
-    frameValue (file, pose) frame reason =
+    frameValue (file, pose) frame turn reason =
       object
         [ "file" .= file,
           "correction" .= arrangedShift frame,
-          "rotation_deg" .= poseRotation pose,
+          "rotation_deg" .= (poseRotation pose + fromMaybe 0 turn),
           "sd" .= arrangedDeviation frame,
           "probability" .= arrangedProbability frame,
           "group" .= arrangedGroup frame,

@@ -27,6 +27,7 @@ import PraTactile.Stitch.Pair.Blind
 import PraTactile.Stitch.Pair.Correlation
 import PraTactile.Stitch.Pair.Lattice
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Rotation
 import PraTactile.Stitch.Spectrum
 import PraTactile.Stitch.Template
 
@@ -81,6 +82,9 @@ data Match = Match
     matchDeviations :: !Place,
     -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
     matchFixed :: !(Bool, Bool),
+    -- | By how many degrees the second frame is turned against the first, clockwise, where the
+    -- frames tell that to 'telltaleRotation'; 'Nothing' where they do not, or were refused.
+    matchRotation :: Maybe Double,
     -- | The method that was used; never 'Auto'.
     matchMethod :: !Method,
     -- | The best and others.
@@ -136,7 +140,7 @@ sensible (Pairing (x, y) search _ confidence) =
 
 matched :: Tables -> Pairing -> Raster -> Raster -> Match
 matched tables (Pairing step search method confidence) a b =
-  Match refusal best (deviations found) fixed used (hypotheses 5 0.001 found)
+  Match refusal best (deviations found) fixed rotation used (hypotheses 5 0.001 found)
   where
     (w, h) = (rasterWidth a, rasterHeight a)
     coefficients = map (cosineTransform (tablesSpectra tables) w h . rasterValues) [a, b]
@@ -153,6 +157,10 @@ matched tables (Pairing step search method confidence) a b =
     best = case hypotheses 1 0 found of
       first : _ -> first
       [] -> Hypothesis step 0
+    rotation = case refusal of
+      Nothing -> telltale =<< aligned rotationPrior (within (smooth a)) shift (smooth b)
+      Just _ -> Nothing
+    shift = hypothesisShift best
     (severalX, severalY) = apart (agreements step search a b)
     fixed =
       let (x, y) = marginals found

@@ -9,7 +9,7 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Stitch.Blend (Place)
-import PraTactile.Stitch.Pair.Blind (displacementGrid, overlapOf)
+import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
 
 -- | The whole displacements within the search at which what both frames show is the same, but for
 -- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or

@@ -1,25 +1,24 @@
 -- | Two frames registered by what they show alone, whatever it is.
 module PraTactile.Stitch.Pair.Blind
   ( blindPosterior,
-    Patch,
-    overlapOf,
-    displacementGrid,
   )
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Stitch.Blend (Place)
+import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Stitch.Pair.Straight (alongStraight)
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Spectrum
 
 -- | The posterior of the place of the second image's upper left pixel in the first, from the
 -- nominal one and how far around it to search, taxels. The process is that of the two frames. Gains
 -- may differ: the ratio of the scales that the frames show is put right by a factor that is normal
--- as a logarithm, and summed over.
+-- as a logarithm, and summed over. Along straight edges it is the prior's ('alongStraight').
 blindPosterior :: Spectra -> Process -> Place -> Double -> Raster -> Raster -> Posterior
 blindPosterior tables process step search a b =
-  posterior origin 1 size (V.generate (columns * rows) at)
+  alongStraight step search a b (posterior origin 1 size (V.generate (columns * rows) at))
   where
     (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
     (scaleA, scaleB) = case processScales process of
@@ -53,33 +52,3 @@ blindPosterior tables process step search a b =
         top = maximum logs
     ratios =
       [(exp r, negate (r * r) / (2 * 0.16)) | k <- [-2 .. 2 :: Int], let r = 0.4 * fromIntegral k]
-
--- | The whole displacements within the search around the nominal one: the first, and how many
--- across and down.
-displacementGrid :: Place -> Double -> (Place, (Int, Int))
-displacementGrid (x, y) search = ((fromIntegral x0, fromIntegral y0), (x1 - x0 + 1, y1 - y0 + 1))
-  where
-    (x0, x1) = span' x
-    (y0, y1) = span' y
-    span' :: Double -> (Int, Int)
-    span' t =
-      (ceiling (t - search - 1e-9), max (ceiling (t - search - 1e-9)) (floor (t + search + 1e-9)))
-
--- | A part of an image, row by row.
-type Patch = V.Vector Double
-
--- | What two images have in common where the second's upper left pixel lies at that place in the
--- first: its width, its height, and what each shows there; nothing if they do not meet.
-overlapOf :: Raster -> Raster -> Int -> Int -> Maybe (Int, Int, Patch, Patch)
-overlapOf a b dx dy
-  | w <= 0 || h <= 0 = Nothing
-  | otherwise = Just (w, h, part a x0 y0, part b (x0 - dx) (y0 - dy))
-  where
-    x0 = max 0 dx
-    y0 = max 0 dy
-    w = min (rasterWidth a) (dx + rasterWidth b) - x0
-    h = min (rasterHeight a) (dy + rasterHeight b) - y0
-    part image x y =
-      let wide = rasterWidth image
-          values = rasterValues image
-       in V.concat [V.slice ((y + r) * wide + x) w values | r <- [0 .. h - 1]]

@@ -8,7 +8,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Stitch.Blend (Place)
-import PraTactile.Stitch.Pair.Blind (displacementGrid)
+import PraTactile.Stitch.Pair.Overlap (displacementGrid)
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Search (independent)
 

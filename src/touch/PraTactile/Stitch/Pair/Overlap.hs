@@ -1,0 +1,41 @@
+-- | What two frames have in common, at each displacement that is looked at.
+module PraTactile.Stitch.Pair.Overlap
+  ( displacementGrid,
+    Patch,
+    overlapOf,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Stitch.Blend (Place)
+
+-- | The whole displacements within the search around the nominal one: the first, and how many
+-- across and down.
+displacementGrid :: Place -> Double -> (Place, (Int, Int))
+displacementGrid (x, y) search = ((fromIntegral x0, fromIntegral y0), (x1 - x0 + 1, y1 - y0 + 1))
+  where
+    (x0, x1) = span' x
+    (y0, y1) = span' y
+    span' :: Double -> (Int, Int)
+    span' t =
+      (ceiling (t - search - 1e-9), max (ceiling (t - search - 1e-9)) (floor (t + search + 1e-9)))
+
+-- | A part of an image, row by row.
+type Patch = V.Vector Double
+
+-- | What two images have in common where the second's upper left pixel lies at that place in the
+-- first: its width, its height, and what each shows there; nothing if they do not meet.
+overlapOf :: Raster -> Raster -> Int -> Int -> Maybe (Int, Int, Patch, Patch)
+overlapOf a b dx dy
+  | w <= 0 || h <= 0 = Nothing
+  | otherwise = Just (w, h, part a x0 y0, part b (x0 - dx) (y0 - dy))
+  where
+    x0 = max 0 dx
+    y0 = max 0 dy
+    w = min (rasterWidth a) (dx + rasterWidth b) - x0
+    h = min (rasterHeight a) (dy + rasterHeight b) - y0
+    part image x y =
+      let wide = rasterWidth image
+          values = rasterValues image
+       in V.concat [V.slice ((y + r) * wide + x) w values | r <- [0 .. h - 1]]
