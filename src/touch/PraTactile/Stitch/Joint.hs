@@ -65,10 +65,18 @@ latticeAngle (tables, coarse) processes hint images = find shown angles
         (upright . nearby . likeliest 5)
         [0 : concat [[a, a + 90] | Just a <- [hint]], [-90, -81 .. 81]]
     upright angle = if abs angle <= 1 then 0 else angle
-    nearby angle = foldl' (\a step -> likeliest 16 [a - step, a, a + step]) angle [4, 2, 1]
+    nearby angle = folded (topped (foldl' finer (scored 12 angle) [4, 2, 1]))
+    finer best@(_, a) step = maximum [best, scored 12 (a - step), scored 12 (a + step)]
+    -- That of the parabola through a degree before, the angle and a degree after.
+    topped (best, a)
+      | bend > 0 = a + max (-0.5) (min 0.5 ((after - before) / (2 * bend)))
+      | otherwise = a
+      where
+        (before, after) = (fst (scored 12 (a - 1)), fst (scored 12 (a + 1)))
+        bend = 2 * best - before - after
+    likeliest count candidates = folded (snd (maximum (map (scored count) candidates)))
     -- By so many frames, those that show most.
-    likeliest count candidates =
-      folded (snd (maximum [(seenBy (take count telling) (coarse a), a) | a <- candidates]))
+    scored count angle = (seenBy (take count telling) (coarse angle), angle)
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown angle = seenBy few (tables angle) > blind
     seenBy some at = sum [evidenceLog (evidence at i) | i <- some]

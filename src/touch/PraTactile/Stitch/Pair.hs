@@ -26,6 +26,7 @@ import PraTactile.Stitch.Pair.Alike
 import PraTactile.Stitch.Pair.Blind
 import PraTactile.Stitch.Pair.Correlation
 import PraTactile.Stitch.Pair.Lattice
+import PraTactile.Stitch.Pair.Straight
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Rotation
 import PraTactile.Stitch.Spectrum
@@ -140,7 +141,7 @@ sensible (Pairing (x, y) search _ confidence) =
 
 matched :: Tables -> Pairing -> Raster -> Raster -> Match
 matched tables (Pairing step search method confidence) a b =
-  Match refusal best (deviations found) fixed rotation used (hypotheses 5 0.001 found)
+  Match refusal best (deviations sure) fixed rotation used (map surely (hypotheses 5 0.001 found))
   where
     (w, h) = (rasterWidth a, rasterHeight a)
     coefficients = map (cosineTransform (tablesSpectra tables) w h . rasterValues) [a, b]
@@ -148,14 +149,23 @@ matched tables (Pairing step search method confidence) a b =
     evidences = map (evidence (tablesTemplates tables)) [a, b]
     used
       | method /= Auto = method
-      | sum (map evidenceLog evidences) > sum (processLogs process) = Lattice
+      | latticed = Lattice
       | otherwise = Blind
+    -- Whether the frames are likelier to show the lattice than any other relief.
+    latticed = sum (map evidenceLog evidences) > sum (processLogs process)
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b
       _ -> blindPosterior (tablesSpectra tables) process step search a b
+    -- The best guess may be what noise seems to tell along straight edges, or the place of a
+    -- lattice that is not there; but it is not sure.
+    sure = case used of
+      Blind -> alongStraight step search a b found
+      Lattice | not latticed -> priorAlone search step found
+      _ -> found
+    surely (Hypothesis shift' _) = Hypothesis shift' (probabilityAround sure shift')
     best = case hypotheses 1 0 found of
-      first : _ -> first
+      first : _ -> surely first
       [] -> Hypothesis step 0
     rotation = case refusal of
       Nothing -> telltale =<< aligned rotationPrior (within (smooth a)) shift (smooth b)
@@ -163,7 +173,7 @@ matched tables (Pairing step search method confidence) a b =
     shift = hypothesisShift best
     (severalX, severalY) = apart (agreements step search a b)
     fixed =
-      let (x, y) = marginals found
+      let (x, y) = marginals sure
        in (x >= confidence && not severalX, y >= confidence && not severalY)
     refusal
       | not (meeting (w, h) step search) = Just NoOverlap

@@ -17,6 +17,7 @@ import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Stitch.Pair.Blind (blindPosterior)
+import PraTactile.Stitch.Pair.Straight (alongStraight)
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Search (Registration (..))
 import PraTactile.Stitch.Spectrum
@@ -63,7 +64,7 @@ linkOf settings tables images (Neighbours k l step@(x, y) _)
     (w, h) = sizeOf a
     -- The prior of a pair is normal, of half the search as standard deviation.
     search = min 12 (2 * sqrt 2 * registrationSigma settings)
-    found = blindPosterior known process step search a b
+    found = alongStraight step search a b (blindPosterior known process step search a b)
     relative g = let (u, v) = hypothesisShift g in g {hypothesisShift = (u - x, v - y)}
 
 -- | The displacements that fit best, with their standard deviations, of that many frames with

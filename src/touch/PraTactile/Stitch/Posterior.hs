@@ -7,6 +7,8 @@ module PraTactile.Stitch.Posterior
     posterior,
     Hypothesis (..),
     hypotheses,
+    probabilityAround,
+    priorAlone,
     deviations,
     marginals,
     tolerance,
@@ -69,6 +71,17 @@ hypotheses most least given = case go most (posteriorMasses given) of
       | otherwise = best : go (n - 1) (V.imap (\i m -> if inside i then 0 else m) masses)
       where
         (best, inside) = bestOf given {posteriorMasses = masses}
+
+-- | The probability that the true displacement lies within 'tolerance' of one on both axes.
+probabilityAround :: Posterior -> Place -> Double
+probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
+  V.sum (V.ifilter (const . near) masses)
+  where
+    near i =
+      let (row, column) = i `quotRem` columns
+       in within (ox + spacing * fromIntegral column - x)
+            && within (oy + spacing * fromIntegral row - y)
+    within t = abs t <= tolerance + 1e-6
 
 -- | The displacement with the most probability around it, and the grid points that count there: the
 -- stretches of points that hold the most; within them the mean, as near as the tolerance lets it be
@@ -155,3 +168,13 @@ priorAround search (x, y)
   | otherwise = negate (x * x + y * y) / (2 * sigma * sigma)
   where
     sigma = search / 2
+
+-- | What is known of the displacements on a grid before anything is seen: 'priorAround' the nominal
+-- one, with that search.
+priorAlone :: Double -> Place -> Posterior -> Posterior
+priorAlone search (stepX, stepY) (Posterior origin@(ox, oy) spacing size@(columns, rows) _) =
+  posterior origin spacing size $
+    V.generate (columns * rows) $ \i ->
+      let (row, column) = i `quotRem` columns
+          along from k = from + spacing * fromIntegral k
+       in priorAround search (along ox column - stepX, along oy row - stepY)

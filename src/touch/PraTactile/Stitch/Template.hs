@@ -295,13 +295,15 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
           (row, x) = cell `quotRem` columns
           (o, y) = row `quotRem` rows
           start = y * wide + x
-       in -- Note [Bounds of squares]
-          V.sum
-            ( V.zipWith
-                (\d t -> t * V.unsafeIndex there (start + d))
-                steps
-                (Boxed.unsafeIndex drawn (o * count + k))
-            )
+       in summed start (Boxed.unsafeIndex drawn (o * count + k))
+    -- Note [Bounds of squares]
+    summed start (steps, values) = go 0 0
+      where
+        go !j !s
+          | j >= V.length steps = s :: Double
+          | otherwise =
+            let t = V.unsafeIndex there (start + V.unsafeIndex steps j)
+             in go (j + 1) (s + V.unsafeIndex values j * t)
     -- How much of a taxel the frame has at each place, of a grid that begins the margin before.
     wide = columns + (boxWide - 1) * q
     high = rows + (boxHigh - 1) * q
@@ -311,8 +313,12 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
             (u, v) = onFrame tables (x - margin * q) (y - margin * q)
          in within w u * within h v
     within n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
-    steps = V.fromList [(b * wide + a) * q | b <- [0 .. boxHigh - 1], a <- [0 .. boxWide - 1]]
-    drawn = fmap rendered bitmaps
+    drawn = fmap (sparse . rendered) bitmaps
+    -- Only where there is anything, and each step on the grid.
+    sparse values =
+      let kept = V.findIndices (> 1e-4) values
+       in (V.map stepTo kept, V.map (values V.!) kept)
+    stepTo i = let (b, a) = i `quotRem` boxWide in (b * wide + a) * q
     rendered embossed =
       V.generate (boxWide * boxHigh) $ \i ->
         let (v, u) = i `quotRem` boxWide
@@ -324,13 +330,18 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
                       embossed a b
                   ]
               )
-    share :: Int -> Double
-    share distance = seenAt (fromIntegral distance)
+    -- Of whole taxels apart, at most the margin.
+    share distance = V.unsafeIndex wholeShares (distance + margin)
     squared t = t * t
 
 {- Note [Bounds of squares] A place's column is below the grid's width and a step reaches at most
    the box's width less one further, which the grid of what the frame has there holds; likewise for
-   rows. There are 2 * count drawn templates. -}
+   rows. There are 2 * count drawn templates. A pixel of the box is at most the margin from the
+   taxels that are looked at for it. -}
+
+-- | What of a taxel is seen at whole taxels from it, from the margin before it on.
+wholeShares :: Vector Double
+wholeShares = V.generate (2 * margin + 1) (\i -> seenAt (fromIntegral (i - margin)))
 
 -- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
 margin, boxWide, boxHigh :: Int

@@ -8,17 +8,16 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
-import PraTactile.Stitch.Pair.Straight (alongStraight)
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Spectrum
 
 -- | The posterior of the place of the second image's upper left pixel in the first, from the
 -- nominal one and how far around it to search, taxels. The process is that of the two frames. Gains
 -- may differ: the ratio of the scales that the frames show is put right by a factor that is normal
--- as a logarithm, and summed over. Along straight edges it is the prior's ('alongStraight').
+-- as a logarithm, and summed over.
 blindPosterior :: Spectra -> Process -> Place -> Double -> Raster -> Raster -> Posterior
 blindPosterior tables process step search a b =
-  alongStraight step search a b (posterior origin 1 size (V.generate (columns * rows) at))
+  posterior origin 1 size (V.generate (columns * rows) at)
   where
     (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
     (scaleA, scaleB) = case processScales process of

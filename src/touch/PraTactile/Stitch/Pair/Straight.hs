@@ -28,15 +28,10 @@ alongStraight step search a b found = case straightness at a b of
     at =
       let (row, column) = place (V.maxIndex masses)
        in (round ox + column, round oy + row)
-    prior i =
-      let (row, column) = place i
-       in exp
-            ( priorAround
-                search
-                (ox + fromIntegral column - fst step, oy + fromIntegral row - snd step)
-            )
+    priors = posteriorMasses (priorAlone search step found)
     -- What all displacements along the line have together, shared out by the prior.
-    along (dx, dy) i = log (prior i * sum (map (masses V.!) line) / sum (map prior line))
+    along (dx, dy) i =
+      log (priors V.! i * sum (map (masses V.!) line) / sum (map (priors V.!) line))
       where
         (row, column) = place i
         reach = max columns rows
