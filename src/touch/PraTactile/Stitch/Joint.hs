@@ -58,25 +58,31 @@ latticeAngle ::
   Maybe Double ->
   [Raster] ->
   Maybe Double
-latticeAngle (tables, coarse) processes hint images = find shown angles
+latticeAngle (tables, coarse) processes hint images
+  | shown 0 && all (\a -> finely a < finely 0) [-3, 3] = Just 0
+  | otherwise = find shown angles
   where
     angles =
       map
-        (upright . nearby . likeliest 5)
+        (upright . folded . settled . nearby . likeliest)
         [0 : concat [[a, a + 90] | Just a <- [hint]], [-90, -81 .. 81]]
     upright angle = if abs angle <= 1 then 0 else angle
-    nearby angle = folded (topped (foldl' finer (scored 12 angle) [4, 2, 1]))
-    finer best@(_, a) step = maximum [best, scored 12 (a - step), scored 12 (a + step)]
-    -- That of the parabola through a degree before, the angle and a degree after.
-    topped (best, a)
-      | bend > 0 = a + max (-0.5) (min 0.5 ((after - before) / (2 * bend)))
-      | otherwise = a
+    -- At whole taxels only it is told to a few degrees.
+    likeliest candidates = snd (maximum [(roughly 5 a, a) | a <- candidates])
+    nearby angle = snd (foldl' nearer (roughly 8 angle, angle) [4, 2])
+    nearer best@(_, a) step = maximum (best : [(roughly 8 b, b) | b <- [a - step, a + step]])
+    settled angle = climbed (3 :: Int) (finely (angle - 2)) (finely angle) (finely (angle + 2)) angle
+    -- The vertex of the parabola through three, of which the middle one is the highest.
+    climbed n before here after angle
+      | n > 0 && before > here = climbed (n - 1) (finely (angle - 4)) before here (angle - 2)
+      | n > 0 && after > here = climbed (n - 1) here after (finely (angle + 4)) (angle + 2)
+      | bend > 0 = angle + max (-1) (min 1 ((after - before) / bend))
+      | otherwise = angle
       where
-        (before, after) = (fst (scored 12 (a - 1)), fst (scored 12 (a + 1)))
-        bend = 2 * best - before - after
-    likeliest count candidates = folded (snd (maximum (map (scored count) candidates)))
+        bend = 2 * here - before - after
     -- By so many frames, those that show most.
-    scored count angle = (seenBy (take count telling) (coarse angle), angle)
+    roughly count angle = seenBy (take count telling) (coarse angle)
+    finely angle = seenBy (take 8 telling) (tables angle)
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown angle = seenBy few (tables angle) > blind
     seenBy some at = sum [evidenceLog (evidence at i) | i <- some]
