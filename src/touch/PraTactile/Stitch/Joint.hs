@@ -71,7 +71,7 @@ latticeAngle (tables, coarse) processes hint images
     likeliest candidates = snd (maximum [(roughly 5 a, a) | a <- candidates])
     nearby angle = snd (foldl' nearer (roughly 8 angle, angle) [4, 2])
     nearer best@(_, a) step = maximum (best : [(roughly 8 b, b) | b <- [a - step, a + step]])
-    settled angle = climbed (3 :: Int) (finely (angle - 2)) (finely angle) (finely (angle + 2)) angle
+    settled a = climbed (3 :: Int) (finely (a - 2)) (finely a) (finely (a + 2)) a
     -- The vertex of the parabola through three, of which the middle one is the highest.
     climbed n before here after angle
       | n > 0 && before > here = climbed (n - 1) (finely (angle - 4)) before here (angle - 2)
