@@ -56,7 +56,9 @@ import qualified Test.Conform
 import qualified Test.Conform.Run
 import qualified Test.Conform.Serve
 import qualified Test.Conformance
+import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
+import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
@@ -196,6 +198,8 @@ specs = do
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
+  describe "Conformance: what is asked" Test.Conformance.Cases.spec
+  describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
