@@ -67,7 +67,7 @@ hunt choice suite home mutantsFile resultsFile state = do
   earlier <- readResults resultsFile
   let holds r = unchanged r && all (`Names.member` examples) (noticedIn (resultOutcome r))
   done <- newMVar (latest (filter holds earlier))
-  let stages = [Quick] ++ [Slow | not (choiceQuick choice)]
+  let stages = Quick : [Slow | not (choiceQuick choice)]
   forM_ stages $ \pace -> do
     groups <- measured (suite (folder </> "scratch")) state pace (folder </> "groups.jsonl")
     known <- readMVar done

@@ -95,7 +95,7 @@ spec = for_ under $ \(name, p) -> describe name $ do
   it "radii: 0 to 5; as many as there are cells, and more than any machine word has" $ do
     drawn p "damage/stated-radius" "radius" >>= (`are` [0 .. 5 :: Natural])
     radii <- drawn p "damage/large-radius" "radius" >>= wholes
-    sizes <- map length . map concat <$> (drawn p "damage/large-radius" "patch" :: IO [[[Value]]])
+    sizes <- map (length . concat) <$> (drawn p "damage/large-radius" "patch" :: IO [[[Value]]])
     [r | (r, size) <- zip radii sizes, r /= fromIntegral size] `are` ends
     [() | (r, size) <- zip radii sizes, r == fromIntegral size] `shouldSatisfy` (not . null)
   it "probabilities: in 64ths, of all symbols; one symbol mostly, and another" $ do
