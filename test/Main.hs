@@ -7,6 +7,7 @@ import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
 import qualified Test.Code.Census
 import qualified Test.Code.Certificate
+import qualified Test.Code.CertificateSteps
 import qualified Test.Code.Distance
 import qualified Test.Code.Exhaustive
 import qualified Test.Code.Extension
@@ -140,6 +141,7 @@ specs = do
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
     describe "Certificates" Test.Code.Certificate.spec
+    describe "Certificates step by step" Test.Code.CertificateSteps.spec
     describe "Forged certificates" Test.ForgedCertificates.spec
     describe "Census" Test.Code.Census.spec
     describe "Exhaustive proofs" Test.Code.Exhaustive.spec
