@@ -142,7 +142,7 @@ readResults file = do
 
 -- | Seconds of processor time that a mutant may take at the quick pace.
 quickly :: Double
-quickly = 20
+quickly = 10
 
 fits :: Pace -> Group -> Bool
 fits pace group = pace == Slow || groupTook group <= quickly
