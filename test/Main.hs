@@ -60,6 +60,7 @@ import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawn
+import qualified Test.Conformance.Reports
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
@@ -68,6 +69,7 @@ import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
+import qualified Test.Formats.Registration
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
@@ -193,6 +195,7 @@ specs = do
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
   describe "Formats: rates" Test.Formats.Rates.spec
+  describe "Formats: registrations" Test.Formats.Registration.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Pictures of assemblies" Test.PictureAssembly.spec
@@ -203,6 +206,7 @@ specs = do
   describe "Conformance: what is asked" Test.Conformance.Cases.spec
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
+  describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
   describe "Conformance: processes" Test.Conform.spec

@@ -129,7 +129,7 @@ foundSpec = do
   it "leave no law that finds none" $ \these ->
     [law | (law, Nothing) <- foundByLaws these] `shouldBe` []
 
--- | Each impostor is wrong in its own way alone. Under the smallest profile, for all laws are tried.
+-- | Each impostor is wrong in its own way alone. The smallest profile, for all laws are tried.
 ownKillers :: [Stage] -> Spec
 ownKillers stages =
   it "are found by no law but those that are listed for them" $ do

@@ -71,8 +71,9 @@ hunt choice suite home mutantsFile resultsFile state = do
   forM_ stages $ \pace -> do
     groups <- measured (suite (folder </> "scratch")) state pace (folder </> "groups.jsonl")
     known <- readMVar done
-    -- First those of the modules that are tried as a whole.
-    let left = sortOn mutantDrawn (filter (stillOpen pace groups known) ours)
+    -- First those of the modules that are tried as a whole, and last those that were tried before.
+    let order m = (mutantDrawn m, Map.member (mutantName m) known)
+        left = sortOn order (filter (stillOpen pace groups known) ours)
     unless (null left) $
       stage (choiceJobs choice) suite folder pace groups (length ours) left earlier done resultsFile
   known <- readMVar done
@@ -142,7 +143,7 @@ readResults file = do
 
 -- | Seconds of processor time that a mutant may take at the quick pace.
 quickly :: Double
-quickly = 10
+quickly = 6
 
 fits :: Pace -> Group -> Bool
 fits pace group = pace == Slow || groupTook group <= quickly
