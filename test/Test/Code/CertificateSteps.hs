@@ -111,6 +111,13 @@ spec = do
     forM_ [31, 27, 8] $ \count -> do
       m <- right (maskFrom (take count zeros))
       digestOfWindows MostSignificantFirst TwistedTorus grid m `shouldBe` Nothing
+  it "to 2^26 contents by a table, beyond them 2^20 windows by sorting" $
+    [ roadOf contents positions
+      | contents <- [1, 2 ^ (26 :: Int), 2 ^ (26 :: Int) + 1, 2 ^ (100 :: Int)],
+        positions <- [1, 2 ^ (20 :: Int), 2 ^ (20 :: Int) + 1, 2 ^ (40 :: Int)]
+    ]
+      `shouldBe` replicate 8 (Just ByTable)
+        ++ concat (replicate 2 [Just BySorting, Just BySorting, Nothing, Nothing])
   it "windows that there are not have none, by a table or by sorting" $ do
     grid <- lineOf 4
     forM_ [(1, 16), (2, 1), (1, 40), (2, 14)] $ \(high, wide) -> do
