@@ -1,11 +1,14 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of registrations of pairs, of answers made by hand.
+-- | The JSON of registrations of pairs and of segmentation, of answers made by hand.
 module Test.Formats.Registration (spec) where
 
 import Data.Aeson (Value, decodeStrict, object, (.=))
 import Data.Foldable (for_)
 import PraTactile.Format.Registration
+import PraTactile.Format.Segmentation
+import PraTactile.Segment.Reject
+import PraTactile.Segment.Turned
 import PraTactile.Stitch.Pair
 import Test.Hspec
 
@@ -29,6 +32,45 @@ spec = do
     groupsOf [] `shouldBe` []
     groupsOf [0, 0, 1, 0, 2, 1] `shouldBe` [[0, 1, 3], [2, 5], [4]]
     groupsOf [1, 0] `shouldBe` [[1], [0]]
+
+  it "segmentation: symbols with their axes and neighbours, parts, and what is none" $
+    decodeStrict
+      ( encodeSighted
+          "f.pgm"
+          ( Sighted
+              [Featured (1.5, 2) 30 (Neighbours (Just (1, 0)) Nothing (Just (0, -2)) (Just (3, 4)))]
+              [Incomplete (5, 6.5) 0.25]
+              [Reject (1, 2, 3, 4) CutOff]
+          )
+      )
+      `shouldBe` Just
+        ( object
+            [ "schema" .= ("pra-tactile/segment/1" :: String),
+              "source" .= ("f.pgm" :: String),
+              "symbols"
+                .= [ object
+                       [ "x" .= (1.5 :: Double),
+                         "y" .= (2 :: Double),
+                         "axis_deg" .= (30 :: Double),
+                         "neighbours"
+                           .= object
+                             [ "right" .= [1, 0 :: Double],
+                               "left" .= (Nothing :: Maybe [Double]),
+                               "up" .= [0, -2 :: Double],
+                               "down" .= [3, 4 :: Double]
+                             ]
+                       ]
+                   ],
+              "parts"
+                .= [ object
+                       ["x" .= (5 :: Double), "y" .= (6.5 :: Double), "seen" .= (0.25 :: Double)]
+                   ],
+              "rejects"
+                .= [ object
+                       ["box" .= [1, 2, 3, 4 :: Double], "reason" .= causeName CutOff]
+                   ]
+            ]
+        )
 
 reasons :: [(Refusal, String)]
 reasons =
