@@ -60,6 +60,7 @@ import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawn
+import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
 import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
@@ -208,6 +209,7 @@ specs = do
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
+  describe "Conformance: lines" Test.Conformance.Lines.spec
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec

@@ -103,7 +103,7 @@ spec = describe "create" $ do
       when (user == 0) $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True
-  it "uses up what an interrupted run left behind, its journals too, and nothing else of that name" $
+  it "uses up what an interrupted run left behind, with journals, and nothing else of that name" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"
           part = path ++ ".part"

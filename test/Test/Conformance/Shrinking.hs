@@ -31,7 +31,12 @@ spec = do
               | law <- laws,
                 lawId law `notElem` ofOwnForm
             ]
-          asked = [name | (_, cases) <- drawnLaws, (Array one, _) <- cases, String name <- toList one]
+          asked =
+            [ name
+              | (_, cases) <- drawnLaws,
+                (Array one, _) <- cases,
+                String name <- toList one
+            ]
       sort (nub asked)
         `shouldBe` ["cell", "distance", "locate", "nearest", "posterior", "power"]
           ++ ["primitive", "prove", "term", "terms"]
