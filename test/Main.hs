@@ -7,6 +7,7 @@ import qualified Test.Code.Array
 import qualified Test.Code.ArrayCode
 import qualified Test.Code.Census
 import qualified Test.Code.Certificate
+import qualified Test.Code.CertificateSteps
 import qualified Test.Code.Distance
 import qualified Test.Code.Exhaustive
 import qualified Test.Code.Extension
@@ -56,7 +57,12 @@ import qualified Test.Conform
 import qualified Test.Conform.Run
 import qualified Test.Conform.Serve
 import qualified Test.Conformance
+import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
+import qualified Test.Conformance.Drawn
+import qualified Test.Conformance.Lines
+import qualified Test.Conformance.Reports
+import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
@@ -65,6 +71,7 @@ import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
+import qualified Test.Formats.Registration
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
@@ -138,6 +145,7 @@ specs = do
     describe "Proofs" Test.Code.Proof.spec
     describe "Distances" Test.Code.Distance.spec
     describe "Certificates" Test.Code.Certificate.spec
+    describe "Certificates step by step" Test.Code.CertificateSteps.spec
     describe "Forged certificates" Test.ForgedCertificates.spec
     describe "Census" Test.Code.Census.spec
     describe "Exhaustive proofs" Test.Code.Exhaustive.spec
@@ -189,6 +197,7 @@ specs = do
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
   describe "Formats: rates" Test.Formats.Rates.spec
+  describe "Formats: registrations" Test.Formats.Registration.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Pictures of assemblies" Test.PictureAssembly.spec
@@ -196,7 +205,12 @@ specs = do
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
+  describe "Conformance: what is asked" Test.Conformance.Cases.spec
+  describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
+  describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
+  describe "Conformance: lines" Test.Conformance.Lines.spec
+  describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
   describe "Conformance: processes" Test.Conform.spec

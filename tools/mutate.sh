@@ -4,7 +4,7 @@
 # then on in a run of the tests that come to its place. What was tried stands in dist-newstyle/mutate/results.jsonl and
 # is not tried again unless the sources changed in a way that matters to it (tools/mutate/Hunt.hs). It needs GHC 9.0:
 # another one writes about the sources in another form.
-# usage: tools/mutate.sh [--count N] [--seed N] [--only MODULE] [--shard I/N] [--jobs N]    (600, 1, all, 1/1, 2)
+# usage: tools/mutate.sh [--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--quick]    (600, 1, all, none, 1/1, 2)
 set -eu
 cd "$(dirname "$0")/.."
 case $(ghc --numeric-version) in
@@ -13,7 +13,7 @@ case $(ghc --numeric-version) in
 esac
 
 # What decides the sample; the other options change nothing in what is built.
-sample=$(printf '%s ' "$@" | sed 's/--shard [^ ]*//; s/--jobs [^ ]*//' | tr -s ' ')
+sample=$(printf '%s ' "$@" | sed 's/--shard [^ ]*//; s/--jobs [^ ]*//; s/--quick//' | tr -s ' ')
 work=$PWD/dist-newstyle/mutate
 mkdir -p "$work"
 # What is copied: what git has of this folder, as it stands here.
@@ -25,7 +25,7 @@ libraries="pra-tactile:lib:recognition-internal pra-tactile:lib:simulation pra-t
 cabal="cabal --config-file=$PWD/cabal/offline.config"
 
 if [ "$(cat "$work/state" 2>/dev/null)" != "$state $sample" ]; then
-  rm -rf "$work/state" "$work/home" "$work/groups.jsonl"
+  rm -rf "$work/state" "$work/home"
   mkdir -p "$work/home" "$work/tree"
   sources | tar -cf "$work/sources.tar" -T -
   tar -xf "$work/sources.tar" -C "$work/home"
@@ -79,4 +79,6 @@ if [ "$(cat "$work/state" 2>/dev/null)" != "$state $sample" ]; then
   echo "$state $sample" > "$work/state"
 fi
 
-exec "$work/hunt" "$work/spec" "$work/bin" "$work/home" "$work/mutants.jsonl" "$work/results.jsonl" "$state" "$@"
+# What groups of examples come to is measured again when the sources or what is planted in them are others.
+measured=$(of_sources ^src | sha256sum - "$work/mutants.jsonl" | sha256sum | cut -c 1-16)
+exec "$work/hunt" "$work/spec" "$work/bin" "$work/home" "$work/mutants.jsonl" "$work/results.jsonl" "$measured" "$@"

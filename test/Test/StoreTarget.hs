@@ -103,7 +103,7 @@ spec = describe "create" $ do
       when (user == 0) $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True
-  it "uses up what an interrupted run left behind, its journal too, and nothing else of that name" $
+  it "uses up what an interrupted run left behind, with journals, and nothing else of that name" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"
           part = path ++ ".part"
@@ -111,7 +111,8 @@ spec = describe "create" $ do
       store <- Bytes.readFile (folder </> "b.sqlite")
       forM_ ["", "SQLite form", Bytes.take 9000 store, store] $ \content -> do
         Bytes.writeFile part content
-        Bytes.writeFile (part ++ "-journal") (Bytes8.replicate 600 'j')
+        forM_ ["-journal", "-wal", "-shm"] $ \ending ->
+          Bytes.writeFile (part ++ ending) (Bytes8.replicate 600 'j')
         create path "new" place `shouldReturn` Right ()
         profileIn path `shouldReturn` Right "new"
         sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "b.sqlite"]

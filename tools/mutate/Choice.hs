@@ -21,17 +21,21 @@ data Choice = Choice
     choiceSeed :: Int,
     -- | The modules whose names begin with one of these; all, if there are none.
     choiceOnly :: [String],
+    -- | All mutants of the modules whose names begin with one of these are tried, too.
+    choiceWhole :: [String],
     -- | The part of the sample that is tried here, from 1, and how many parts there are.
     choiceShard :: (Int, Int),
-    choiceJobs :: Int
+    choiceJobs :: Int,
+    -- | Whether only groups of examples run that do not take long.
+    choiceQuick :: Bool
   }
 
 usage :: String
-usage = "[--count N] [--seed N] [--only MODULE] [--shard I/N] [--jobs N]"
+usage = "[--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--quick]"
 
 -- | The options in words; without them 600 mutants of seed 1, two at a time.
 chooseFrom :: [String] -> Maybe Choice
-chooseFrom = go (Choice 600 1 [] (1, 1) 2)
+chooseFrom = go (Choice 600 1 [] [] (1, 1) 2 False)
   where
     go choice options = case options of
       [] -> Just choice
@@ -39,6 +43,8 @@ chooseFrom = go (Choice 600 1 [] (1, 1) 2)
       "--seed" : n : more -> readMaybe n >>= \i -> go choice {choiceSeed = i} more
       "--jobs" : n : more -> readMaybe n >>= \i -> go choice {choiceJobs = i} more
       "--only" : name : more -> go choice {choiceOnly = name : choiceOnly choice} more
+      "--whole" : name : more -> go choice {choiceWhole = name : choiceWhole choice} more
+      "--quick" : more -> go choice {choiceQuick = True} more
       "--shard" : text : more -> case break (== '/') text of
         (i, '/' : n) -> do
           shard <- (,) <$> readMaybe i <*> readMaybe n
@@ -48,20 +54,24 @@ chooseFrom = go (Choice 600 1 [] (1, 1) 2)
 
 -- | Mutants of these sites in an order drawn from the seed, of each module three at least where it
 -- has as many; those come first. The order is that of numbers drawn from the mutants' names, so
--- that other sources have the same sample but for what is new in them or gone.
+-- that other sources have the same sample but for what is new in them or gone. After the sample
+-- stand the other mutants of those modules that are tried as a whole.
 sample :: Choice -> [Site] -> [Mutant]
-sample choice sites = take (max (choiceCount choice) (length first)) (first ++ others)
+sample choice sites =
+  drawn ++ [one {mutantDrawn = False} | one <- rest, among (choiceWhole choice) (moduleOf one)]
   where
-    possible = filter (among . siteModule) sites
-    among name = null (choiceOnly choice) || any (`isPrefixOf` name) (choiceOnly choice)
-    shuffled = map snd (sortOn fst [(drawn one, one) | one <- concatMap mutantsOf possible])
-    drawn one = (fst (random (mkStdGen (digest (mutantName one)))) :: Int, mutantName one)
+    (drawn, rest) = splitAt (max (choiceCount choice) (length first)) (first ++ others)
+    moduleOf = siteModule . mutantSite
+    possible = filter (asked . siteModule) sites
+    asked name = null (choiceOnly choice) || among (choiceOnly choice) name
+    among names name = any (`isPrefixOf` name) names
+    shuffled = map snd (sortOn fst [(number one, one) | one <- concatMap mutantsOf possible])
+    number one = (fst (random (mkStdGen (digest (mutantName one)))) :: Int, mutantName one)
     digest = foldl' (\hash c -> (hash * 16777619) `xor` ord c) (choiceSeed choice)
     (first, others) = go (Map.empty :: Map.Map String Int) shuffled
     go seen mutants = case mutants of
       [] -> ([], [])
       one : more ->
-        let key = siteModule (mutantSite one)
-            early = Map.findWithDefault 0 key seen < 3
-            (a, b) = go (Map.insertWith (+) key 1 seen) more
+        let early = Map.findWithDefault 0 (moduleOf one) seen < 3
+            (a, b) = go (Map.insertWith (+) (moduleOf one) 1 seen) more
          in if early then (one : a, b) else (a, one : b)

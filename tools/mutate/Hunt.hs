@@ -1,33 +1,36 @@
 -- | Hunts mutants: @hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE [OPTIONS]@ ("Choice" has
 -- the options). Each mutant is on while the groups of examples run that come to its site, the
--- quickest group first, up to the first that fails. A line of JSON each is appended to @RESULTS@.
--- What stands there already is not run again if it was found in this @STATE@ of the sources, or if
--- the mutant's file is the same and what noticed it still is in the suite. Mutants that change
--- nothing that could be observed, by @tools/mutate/equivalent.txt@ in HOME, are not run. At the end
--- the table by module is printed.
+-- nearest group first, up to the first that fails. A line of JSON each is appended to @RESULTS@.
+-- What stands there already is used where the mutant's file is the same: what noticed it, if that
+-- example still is in the suite; else the groups that did not notice it, which do not run again.
+-- Mutants that change nothing that could be observed, by @tools/mutate/equivalent.txt@ in HOME, are
+-- not run. At the end the table by module is printed ("Table").
 module Main (main) where
 
 import Choice
 import Control.Concurrent
-import Control.Monad (forM, forM_)
+import Control.Exception (throwIO)
+import Control.Monad (forM, forM_, unless)
 import Data.Aeson (decodeStrict, encode)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isSpace)
 import qualified Data.IntSet as Set
-import Data.List (partition, sortOn)
+import Data.List (isPrefixOf, partition, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import qualified Data.Set as Names
 import Data.Time.Clock (UTCTime, diffUTCTime, getCurrentTime)
 import Group
+import Run
 import Site
 import System.Directory
 import System.Environment (getArgs, getEnvironment)
 import System.Exit (ExitCode (..), exitWith)
 import System.FilePath (takeDirectory, (</>))
 import System.IO
-import Text.Printf (hPrintf, printf)
+import Table
+import Text.Printf (hPrintf)
 
 main :: IO ()
 main = do
@@ -46,187 +49,187 @@ main = do
         ("usage: hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE " ++ usage)
       exitWith (ExitFailure 2)
 
+-- | First all mutants with the groups that do not take long; then, with those that take long, what
+-- these did not notice.
 hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> FilePath -> String -> IO ()
 hunt choice suite home mutantsFile resultsFile state = do
   mutants <- readMutants mutantsFile
-  let folder = takeDirectory resultsFile
-      (shard, shards) = choiceShard choice
   equivalent <- readEquivalent (home </> "tools" </> "mutate" </> "equivalent.txt")
-  let (same, ours) =
+  let (shard, shards) = choiceShard choice
+      (same, ours) =
         partition
-          ((`Map.member` equivalent) . mutantName)
+          ((`Names.member` equivalent) . mutantName)
           [m | (i, m) <- zip [0 ..] mutants, i `mod` shards == shard - 1]
       bySource = Map.fromList [(mutantName m, siteSource (mutantSite m)) | m <- ours]
+      unchanged r = Map.lookup (resultName r) bySource == Just (siteSource (resultSite r))
   createDirectoryIfMissing True (folder </> "scratch")
-  examples <- Names.fromList <$> examplesOf (suite (folder </> "scratch"))
-  groups <- measured (suite (folder </> "scratch")) (folder </> "groups.jsonl")
-  let holds r =
-        Map.lookup (resultName r) bySource == Just (siteSource (resultSite r))
-          && (resultState r == state || any (`Names.member` examples) (noticedIn (resultOutcome r)))
-  known <-
-    Map.elems . Map.fromList . map (\r -> (resultName r, r)) . filter holds
-      <$> readResults resultsFile
-  let left = [m | m <- ours, mutantName m `Names.notMember` Names.fromList (map resultName known)]
+  examples <- Names.fromList . concatMap pathsIn <$> headings (suite (folder </> "scratch"))
+  earlier <- readResults resultsFile
+  let holds r = unchanged r && all (`Names.member` examples) (noticedIn (resultOutcome r))
+  done <- newMVar (latest (filter holds earlier))
+  let stages = Quick : [Slow | not (choiceQuick choice)]
+  forM_ stages $ \pace -> do
+    groups <- measured (suite (folder </> "scratch")) state pace (folder </> "groups.jsonl")
+    known <- readMVar done
+    -- First those of the modules that are tried as a whole, and last those that were tried before.
+    let order m = (mutantDrawn m, Map.member (mutantName m) known)
+        left = sortOn order (filter (stillOpen pace groups known) ours)
+    unless (null left) $
+      stage (choiceJobs choice) suite folder pace groups (length ours) left earlier done resultsFile
+  known <- readMVar done
+  putStr (tables same ours known)
+  where
+    folder = takeDirectory resultsFile
+    latest results = Map.fromList [(resultName r, r) | r <- results]
+    stillOpen pace groups known m = case Map.lookup (mutantName m) known of
+      Nothing -> True
+      Just r
+        | noticedBy (resultOutcome r) -> False
+        | otherwise ->
+          pace == Slow && resultOutcome r == Open
+            || any (fits pace) (untried groups m (resultTried r))
+
+-- | All of these mutants, each by one of the workers.
+stage ::
+  Int ->
+  (FilePath -> Suite) ->
+  FilePath ->
+  Pace ->
+  [Group] ->
+  Int ->
+  [Mutant] ->
+  [Result] ->
+  MVar (Map.Map String Result) ->
+  FilePath ->
+  IO ()
+stage jobs suite folder pace groups whole left earlier done resultsFile = do
   begun <- getCurrentTime
-  -- Those that quick groups do not notice wait until all others have been tried.
-  queue <- newMVar [(mutant, Quick) | mutant <- left]
-  done <- newMVar known
-  ended <- forM [1 .. choiceJobs choice] $ \worker -> do
+  queue <- newMVar left
+  count <- newMVar (0 :: Int)
+  ended <- forM [1 .. jobs] $ \worker -> do
     end <- newEmptyMVar
     let scratch = folder </> ("scratch-" ++ show worker)
         work = do
           next <- modifyMVar queue $ \waiting -> pure $ case waiting of
             [] -> ([], Nothing)
             one : more -> (more, Just one)
-          forM_ next $ \(mutant, pace) -> do
-            tried <- try' (suite scratch) state pace groups mutant
-            case tried of
-              Nothing -> do
-                hPutStrLn stderr ("not noticed by quick tests: " ++ mutantName mutant)
-                modifyMVar_ queue (\waiting -> pure (waiting ++ [(mutant, Slow)]))
-              Just result -> modifyMVar_ done $ \results -> do
-                Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
-                progress begun (length ours) (length left) (result : results)
-                pure (result : results)
+          forM_ next $ \mutant -> do
+            known <- readMVar done
+            let before = maybe [] resultTried (Map.lookup (mutantName mutant) known)
+                near = noticedNear (Map.elems known ++ earlier) mutant
+            result <- tryMutant (suite scratch) pace groups near before mutant
+            modifyMVar_ done $ \results -> do
+              Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
+              let now = Map.insert (mutantName mutant) result results
+              number <- modifyMVar count (\n -> pure (n + 1, n + 1))
+              progress begun whole (length left) number (Map.elems now)
+              pure now
             work
     createDirectoryIfMissing True scratch
-    end <$ forkFinally work (const (putMVar end ()))
-  mapM_ takeMVar ended
-  readMVar done >>= putStr . table same
+    end <$ forkFinally work (putMVar end)
+  mapM_ (\end -> takeMVar end >>= either throwIO pure) ended
 
 -- | The names of mutants in a file, each on a line of its own; the reason follows, indented.
-readEquivalent :: FilePath -> IO (Map.Map String String)
+readEquivalent :: FilePath -> IO (Names.Set String)
 readEquivalent file = do
   there <- doesFileExist file
   text <- if there then readFile file else pure ""
-  pure (Map.fromList (entries (filter (not . all isSpace) (lines text))))
-  where
-    entries rows = case rows of
-      [] -> []
-      name : more ->
-        let (reason, others) = span ((== " ") . take 1) more
-         in (name, unwords (concatMap words reason)) : entries others
+  pure (Names.fromList [row | row@(c : _) <- lines text, not (isSpace c)])
 
 readResults :: FilePath -> IO [Result]
 readResults file = do
   there <- doesFileExist file
   if there then mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file else pure []
 
--- | Which groups run: those that take at most 'quickly' in all, from the quickest on; or the
--- others.
-data Pace = Quick | Slow
-
--- | Seconds.
+-- | Seconds of processor time that a mutant may take at the quick pace.
 quickly :: Double
-quickly = 20
+quickly = 6
 
--- | Run the tests that come to a mutant's site, or 'Nothing' if slow ones are left.
-try' :: Suite -> String -> Pace -> [Group] -> Mutant -> IO (Maybe Result)
-try' suite state pace groups mutant = do
+fits :: Pace -> Group -> Bool
+fits pace group = pace == Slow || groupTook group <= quickly
+
+-- | The groups that come to a mutant's site and have not been tried, by their keys.
+untried :: [Group] -> Mutant -> [String] -> [Group]
+untried groups mutant before =
+  [ g
+    | g <- groups,
+      Set.member (siteNumber (mutantSite mutant)) (groupSites g),
+      groupKey g `notElem` before
+  ]
+
+-- | How often a group noticed mutants of the same file.
+noticedNear :: [Result] -> Mutant -> Group -> Int
+noticedNear results mutant = \group -> length (filter (groupPath group `isPrefixOf`) examples)
+  where
+    examples =
+      [ example
+        | r <- results,
+          siteFile (resultSite r) == siteFile (mutantSite mutant),
+          example <- noticedIn (resultOutcome r)
+      ]
+
+-- | Run the tests that come to a mutant's site, but for those of these keys. The nearest come
+-- first: those that are quick, come to few other sites, and noticed other mutants of the file.
+tryMutant :: Suite -> Pace -> [Group] -> (Group -> Int) -> [String] -> Mutant -> IO Result
+tryMutant suite pace groups near before mutant = do
   begun <- getCurrentTime
-  outcome <- case pace of
-    Quick -> go (map fst quick)
-    Slow -> go (map fst slow)
+  (outcome, tried) <- through before chosen
   now <- getCurrentTime
-  pure $ case (pace, outcome) of
-    (Quick, Survived) | not (null slow) -> Nothing
-    _ ->
-      Just
-        Result
-          { resultMutant = mutant,
-            resultState = state,
-            resultOutcome = outcome,
-            resultTook = realToFrac (diffUTCTime now begun)
-          }
+  pure
+    Result
+      { resultMutant = mutant,
+        resultOutcome = outcome,
+        resultTried = tried,
+        resultTook = realToFrac (diffUTCTime now begun)
+      }
   where
     site = mutantSite mutant
     variables =
       [("PRA_TACTILE_MUTANT", show (siteNumber site) ++ "." ++ show (mutantVariant mutant))]
-    reached = sortOn groupTook [g | g <- groups, Set.member (siteNumber site) (groupSites g)]
-    (quick, slow) =
-      span ((<= quickly) . snd) (zip reached (drop 1 (scanl (+) 0 (map groupTook reached))))
-    go of' = if null reached then pure Unreached else through of'
-    through left = case left of
-      [] -> pure Survived
+    chosen = affordable quickly (sortOn distance (untried groups mutant before))
+    distance group =
+      (0.1 + groupTook group) * fromIntegral (Set.size (groupSites group))
+        / fromIntegral (1 + near group) ^ (2 :: Int)
+    affordable left those = case those of
+      [] -> []
+      group : more
+        | pace == Slow || took <= left -> group : affordable (left - took) more
+        | otherwise -> affordable left more
+        where
+          took = groupTook group
+    through tried left = case left of
+      []
+        | pace == Quick -> pure (Open, tried)
+        | null tried -> pure (Unreached, tried)
+        | otherwise -> pure (Survived, tried)
       group : more -> do
-        ended <-
-          run
-            suite
-            (20 + ceiling (4 * groupTook group))
-            variables
-            (groupPath group)
-            (suiteScratch suite </> "log")
+        ended <- run suite (limitsOf group) variables (groupPath group)
         case ended of
           _
-            | runTimedOut ended -> pure (TimedOut (groupPath group))
-            | runPassed ended -> through more
-            | otherwise -> pure (Killed (fromMaybe (groupPath group) (runFailed ended)))
+            | runTimedOut ended -> pure (TimedOut (groupPath group), [])
+            | runPassed ended -> through (groupKey group : tried) more
+            | otherwise -> pure (Killed (fromMaybe (groupPath group) (runFailed ended)), [])
+    limitsOf group =
+      Limits (10 + ceiling (4 * groupTook group)) (60 + ceiling (8 * groupWaited group))
 
 -- | How far it is, on the standard error: a line that is written over, on a terminal.
-progress :: UTCTime -> Int -> Int -> [Result] -> IO ()
-progress begun whole left results = do
+progress :: UTCTime -> Int -> Int -> Int -> [Result] -> IO ()
+progress begun whole left ended results = do
   now <- getCurrentTime
   terminal <- hIsTerminalDevice stderr
-  let ended = length results
-      fresh = ended - (whole - left)
-      rate = realToFrac (diffUTCTime now begun) / fromIntegral (max 1 fresh) :: Double
-      minutes = ceiling (rate * fromIntegral (whole - ended) / 60) :: Int
-      bar = take 30 (replicate (30 * ended `div` max 1 whole) '#' ++ repeat '.')
+  let rate = realToFrac (diffUTCTime now begun) / fromIntegral ended :: Double
+      minutes = ceiling (rate * fromIntegral (left - ended) / 60) :: Int
+      at = whole - left + ended
+      bar = take 30 (replicate (30 * at `div` max 1 whole) '#' ++ repeat '.')
       noticed = length (filter (noticedBy . resultOutcome) results)
   hPrintf
     stderr
     "%s[%s] %d of %d, %d noticed, %d min left%s"
     (if terminal then "\r\ESC[K" else "")
     bar
-    ended
+    at
     whole
     noticed
     minutes
     (if terminal then "" else "\n")
   hFlush stderr
-
-noticedBy :: Outcome -> Bool
-noticedBy = not . null . noticedIn
-
--- | The example that failed, or the group that took too long.
-noticedIn :: Outcome -> [String]
-noticedIn outcome = case outcome of
-  Killed example -> [example]
-  TimedOut group -> [group]
-  Survived -> []
-  Unreached -> []
-
--- | How many were noticed of each part of the library and of each module, as a table of Markdown,
--- beside those that change nothing; then those that were not noticed.
-table :: [Mutant] -> [Result] -> String
-table same results =
-  unlines $
-    [ "| part or module | mutants | change nothing | noticed | by the time | % of the others |",
-      "|---|--:|--:|--:|--:|--:|"
-    ]
-      ++ map row (Map.toList (Map.unionWith (<>) ran equal))
-      ++ ["", "Not noticed:"]
-      ++ [ printf "%s:%d:%d: %s" (siteFile site) (siteLine site) (siteColumn site) (resultName r)
-             ++ unreached r
-           | r <- sortOn (\r -> (siteFile (resultSite r), siteLine (resultSite r))) results,
-             not (noticedBy (resultOutcome r)),
-             let site = resultSite r
-         ]
-  where
-    ran = Map.fromListWith (<>) [(key, ([r], [])) | r <- results, key <- keys (resultSite r)]
-    equal = Map.fromListWith (<>) [(key, ([], [m])) | m <- same, key <- keys (mutantSite m)]
-    keys site = ["all", part (siteFile site), part (siteFile site) ++ " " ++ siteModule site]
-    part = takeWhile (/= '/') . drop 4
-    unreached r = if resultOutcome r == Unreached then " (no test comes to it)" else ""
-    row :: (String, ([Result], [Mutant])) -> String
-    row (key, (those, without)) =
-      let noticed = length (filter (noticedBy . resultOutcome) those)
-          late = length [() | r <- those, TimedOut _ <- [resultOutcome r]]
-       in printf
-            "| %s | %d | %d | %d | %d | %.1f |"
-            key
-            (length those + length without)
-            (length without)
-            noticed
-            late
-            (100 * fromIntegral noticed / fromIntegral (max 1 (length those)) :: Double)

@@ -5,7 +5,8 @@
 -- is a file with the numbers of sites that are not to be planted, because there the function that
 -- is planted does not type-check.
 --
--- Numbers of sites depend on the sources alone, not on the sample and not on what is left out.
+-- The number of a site is made of its name, so that a module in which nothing changed is planted
+-- with the same text whatever changes in others.
 module Main (main) where
 
 import Choice
@@ -55,11 +56,11 @@ plant choice hie root mutants leftOut = do
   without <- Set.fromList . map read . lines <$> readFile leftOut
   files <- filter (".hie" `isSuffixOf`) <$> filesUnder hie
   modules <- sortOn moduleFile <$> traverse readModule files
-  let found = numbered (map sitesOf modules)
+  let found = [(one, numbered one (sitesOf one)) | one <- modules]
       possible =
         [ describe one site
           | (one, sites) <- found,
-            site@((number', _), _) <- named sites,
+            site@(number', _, _) <- sites,
             number' `Set.notMember` without
         ]
       drawn = sample choice possible
@@ -67,7 +68,7 @@ plant choice hie root mutants leftOut = do
   forM_ found $ \(one, sites) ->
     writeFile
       (root </> moduleFile one)
-      (planted (filter ((`Set.member` wanted) . fst) sites) (moduleText one))
+      (planted [(n, site) | (n, site, _) <- sites, n `Set.member` wanted] (moduleText one))
   Lazy.writeFile mutants (Lazy.unlines (map encode drawn))
   printf
     "%d sites for %d mutants; %d are drawn, at %d sites\n"
@@ -75,10 +76,6 @@ plant choice hie root mutants leftOut = do
     (length (concatMap mutantsOf possible))
     (length drawn)
     (Set.size wanted)
-  where
-    numbered = snd . foldl next (1, [])
-    next (first, before) (one, sites) =
-      (first + length sites, before ++ [(one, zip [first ..] sites)])
 
 -- | A module as the compiler saw it.
 data Module = Module
@@ -115,8 +112,8 @@ data Site = Site
     siteWithin :: String
   }
 
-sitesOf :: Module -> (Module, [Site])
-sitesOf one = (one, concatMap top (moduleTrees one >>= nodeChildren))
+sitesOf :: Module -> [Site]
+sitesOf one = concatMap top (moduleTrees one >>= nodeChildren)
   where
     top tree = visit (binding tree) (Nothing, tree)
     visit within (parent, tree)
@@ -218,20 +215,22 @@ textAt one place
   where
     slice = take (srcSpanEndCol place - srcSpanStartCol place) . drop (srcSpanStartCol place - 1)
 
--- | The name that stays while other parts of the sources change: the module, the definition, the
--- kind, which site of that kind it is there.
-named :: [(Int, Site)] -> [((Int, Site), String)]
-named = go Map.empty
+-- | Each site with its number and the name that stays while other parts of the sources change: the
+-- definition, the kind, which site of that kind it is there.
+numbered :: Module -> [Site] -> [(Int, Site, String)]
+numbered one = go Map.empty
   where
     go seen sites = case sites of
       [] -> []
-      one@(_, site) : others ->
+      site : others ->
         let key = siteWithin site ++ " " ++ kindName (siteKind site)
             count = Map.findWithDefault (0 :: Int) key seen + 1
-         in (one, key ++ " " ++ show count) : go (Map.insert key count seen) others
+            name = key ++ " " ++ show count
+         in (number' name, site, name) : go (Map.insert key count seen) others
+    number' name = read ("0x" ++ take 12 (digest (moduleTitle one ++ " " ++ name)))
 
-describe :: Module -> ((Int, Site), String) -> Site.Site
-describe one ((number', site), name) =
+describe :: Module -> (Int, Site, String) -> Site.Site
+describe one (number', site, name) =
   Site.Site
     { Site.siteNumber = number',
       Site.siteModule = moduleTitle one,

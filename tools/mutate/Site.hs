@@ -8,6 +8,8 @@ module Site
     mutantName,
     mutantsOf,
     Outcome (..),
+    noticedIn,
+    noticedBy,
     Result (..),
     resultName,
     resultSite,
@@ -20,7 +22,8 @@ import Data.Maybe (mapMaybe)
 
 -- | A place in the sources where mistakes are planted.
 data Site = Site
-  { siteNumber :: Int,
+  { -- | Made of the module's and the site's name, so that it stays while others change.
+    siteNumber :: Int,
     siteModule :: String,
     siteFile :: FilePath,
     siteLine :: Int,
@@ -49,14 +52,16 @@ instance FromJSON Site where
 -- | A mistake: a site, and which of its variants, from 1.
 data Mutant = Mutant
   { mutantSite :: Site,
-    mutantVariant :: Int
+    mutantVariant :: Int,
+    -- | Whether it is of the sample, and not of a module that is tried as a whole.
+    mutantDrawn :: Bool
   }
 
 instance ToJSON Mutant where
   toJSON = Object . mutantKeys
 
 mutantKeys :: Mutant -> Object
-mutantKeys (Mutant site variant) =
+mutantKeys (Mutant site variant drawn) =
   "site" .= siteNumber site
     <> "module" .= siteModule site
     <> "file" .= siteFile site
@@ -67,10 +72,11 @@ mutantKeys (Mutant site variant) =
     <> "variants" .= siteVariants site
     <> "source" .= siteSource site
     <> "variant" .= variant
+    <> "drawn" .= drawn
 
 instance FromJSON Mutant where
-  parseJSON value =
-    Mutant <$> parseJSON value <*> withObject "mutant" (.: "variant") value
+  parseJSON = withObject "mutant" $ \o ->
+    Mutant <$> parseJSON (Object o) <*> o .: "variant" <*> o .:? "drawn" .!= True
 
 -- | The mutants of a file, one JSON object a line.
 readMutants :: FilePath -> IO [Mutant]
@@ -78,11 +84,11 @@ readMutants file = mapMaybe decodeStrict . Bytes.lines <$> Bytes.readFile file
 
 -- | A name that stays while other definitions change.
 mutantName :: Mutant -> String
-mutantName (Mutant site variant) =
+mutantName (Mutant site variant _) =
   unwords [siteModule site, siteName site ++ ":", siteVariants site !! (variant - 1)]
 
 mutantsOf :: Site -> [Mutant]
-mutantsOf site = [Mutant site i | i <- [1 .. length (siteVariants site)]]
+mutantsOf site = [Mutant site i True | i <- [1 .. length (siteVariants site)]]
 
 -- | What became of a mutant.
 data Outcome
@@ -93,15 +99,29 @@ data Outcome
   | Survived
   | -- | No test comes to the site.
     Unreached
+  | -- | Not noticed by what was tried, and not all was.
+    Open
   deriving stock (Eq, Show)
+
+-- | The example that failed, or the group that took too long.
+noticedIn :: Outcome -> [String]
+noticedIn outcome = case outcome of
+  Killed example -> [example]
+  TimedOut group -> [group]
+  Survived -> []
+  Unreached -> []
+  Open -> []
+
+noticedBy :: Outcome -> Bool
+noticedBy = not . null . noticedIn
 
 -- | A mutant, and what became of it.
 data Result = Result
   { resultMutant :: Mutant,
-    -- | A digest of all files.
-    resultState :: String,
     resultOutcome :: Outcome,
-    -- | Seconds.
+    -- | The groups of examples that did not notice it, by their keys.
+    resultTried :: [String],
+    -- | Seconds by the clock.
     resultTook :: Double
   }
 
@@ -117,7 +137,7 @@ instance ToJSON Result where
     Object $
       mutantKeys (resultMutant r)
         <> "mutant" .= resultName r
-        <> "state" .= resultState r
+        <> "tried" .= resultTried r
         <> "outcome" .= (name :: String)
         <> "by" .= by
         <> "seconds" .= resultTook r
@@ -127,6 +147,7 @@ instance ToJSON Result where
         TimedOut group -> ("timeout", Just group)
         Survived -> ("survived", Nothing)
         Unreached -> ("unreached", Nothing)
+        Open -> ("open", Nothing)
 
 instance FromJSON Result where
   parseJSON value = flip (withObject "result") value $ \o -> do
@@ -137,5 +158,6 @@ instance FromJSON Result where
       ("timeout", Just group) -> pure (TimedOut group)
       ("survived", Nothing) -> pure Survived
       ("unreached", Nothing) -> pure Unreached
+      ("open", Nothing) -> pure Open
       _ -> fail "no such outcome"
-    Result <$> parseJSON value <*> o .: "state" <*> pure outcome <*> o .: "seconds"
+    Result <$> parseJSON value <*> pure outcome <*> o .:? "tried" .!= [] <*> o .: "seconds"

@@ -19,7 +19,8 @@ where
 
 import Control.Monad (unless)
 import Data.Bifunctor (first)
-import Data.List (find)
+import Data.Function (on)
+import Data.List (find, nubBy)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Certificate.Digest
@@ -148,7 +149,7 @@ certifyArray ::
   Mask ->
   Either CertificateError Certificate
 certifyArray method profile array mask = do
-  (verdict, _) <- first CertificateProof (prove on array mask)
+  (verdict, _) <- first CertificateProof (prove (profileSurface profile) array mask)
   unless (proved verdict) (Left (NotDistinct verdict))
   evidence <- evidenceBy method profile array mask verdict
   factors <-
@@ -158,20 +159,17 @@ certifyArray method profile array mask = do
     Certificate
       { certificateProfile = profile,
         certificateMask = maskOffsets mask,
-        certificateWindows = area (visitedShape on (arrayShape array) mask),
+        certificateWindows = area (visitedShape (profileSurface profile) (arrayShape array) mask),
         certificatePeriod = period h,
         certificateFactors = [OrderFactor l e (residueAt (period h `div` l)) | (l, e) <- factors],
-        certificatePrimes = withoutRepetition primes,
+        certificatePrimes = nubBy ((==) `on` shownPrime) primes,
         certificateEvidence = evidence
       }
   where
-    on = profileSurface profile
     h = arrayPrimitive array
     p = fromIntegral (fieldCharacteristic array)
     m = fromIntegral (fieldDegree array)
     residueAt = codes . residueCoefficients h . powerOfRoot h
-    withoutRepetition shown =
-      [x | (i, x) <- zip [0 ..] shown, shownPrime x `notElem` map shownPrime (take i shown)]
 
 -- | Why all windows of an array are distinct, by a method, given the verdict that they are.
 evidenceBy ::
@@ -195,11 +193,10 @@ evidenceBy method profile array mask verdict = case method of
       True <- rankDecision verdict
       ByRank <$> rankEvidence array mask
 
--- | The evidence that a mask has rank n; 'Nothing' if it has not.
+-- | The evidence that a mask has rank n, which is known of it.
 rankEvidence :: KnownField k => PseudorandomArray k -> Mask -> Maybe RankEvidence
-rankEvidence array mask = do
-  inverse' <- inverseMatrix [x | (i, x) <- zip [0 ..] vectors, i `elem` cells]
-  if length cells == n then Just (evidence inverse') else Nothing
+rankEvidence array mask =
+  evidence <$> inverseMatrix [x | (i, x) <- zip [0 ..] vectors, i `elem` cells]
   where
     n = primitiveDegree (arrayPrimitive array)
     vectors = windowVectors array mask

@@ -17,6 +17,7 @@ import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates.Formulas
+import PraTactile.Rates.Noise
 import PraTactile.Window
 import PraTactile.Window.Distance
 import Test.Code.Generators
@@ -34,6 +35,21 @@ spec = do
           counted =
             sum [chance e | e <- vectors, length (filter id (zipWith (/=) e word)) <= t] :: Double
       abs (reachProbability q n t p w - counted) `shouldSatisfy` (< 1e-12)
+  it "of two symbols one is misread as often as a normal variable is beyond 1 / (sqrt 2 sigma)" $
+    -- The upper tails of the normal distribution, from tables.
+    forM_
+      [ (0.1, 0.46017216272297101),
+        (0.5, 0.30853753872598690),
+        (1, 0.15865525393145705),
+        (2, 0.02275013194817921),
+        (3, 0.00134989803163010),
+        (4, 0.00003167124183312),
+        (5, 0.00000028665157188)
+      ]
+      $ \(x, tail') -> abs (errorRate 2 (1 / (x * sqrt 2)) - tail') `shouldSatisfy` (< 1e-14)
+  it "of readings that are nothing but noise all but one in q are wrong" $
+    forM_ [2, 3, 4, 16, 256] $ \q ->
+      abs (errorRate q 1e9 - (1 - 1 / fromIntegral q)) `shouldSatisfy` (< 1e-8)
   it "on the paper's array: right, wrong and refused in %, as computed elsewhere" $
     forM_ figures $ \((side, t, p), figure) -> do
       weights <- weightsOf (Shape side side)

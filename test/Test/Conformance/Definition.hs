@@ -12,7 +12,7 @@ import Data.Foldable (for_)
 import Data.List (sort, tails)
 import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..), Surface (..), naturalsBelow)
+import PraTactile.Array (Position (Position), Shape (..), Surface (..), naturalsBelow)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation (Implementation (..), Session, answerOf)
 import PraTactile.Conformance.Library (library)
@@ -36,6 +36,21 @@ spec = describe "the definition and the library agree" $ do
       for_ (underName name) $ \k ->
         for_ [["##", "##"], ["###"], ["#.#", ".#."], ["##", "##", "##"], ["#", "#", "#"]] $ \mask ->
           expected k (Distance mask) `shouldBe` Right (leastOfPairs k mask)
+  it "the probabilities of a patch as large as the array are numbers that add up to 1" $
+    for_ (underName "paper") $ \k -> do
+      -- The products of 255 of these, in 64ths, are beyond all doubles.
+      let felt r c =
+            Probably
+              [ if Right code == expected k (Cell r c) then 61 / 64 else 1 / 64
+                | code <- [0 .. 3]
+              ]
+          array = [[felt r c | c <- [0 .. 16]] | r <- [0 .. 14]]
+      case expected k (Posterior array) of
+        Left refusal -> expectationFailure (show refusal)
+        Right chances -> do
+          abs (sum (map snd chances) - 1) `shouldSatisfy` (< 1e-12)
+          [p | (Position 0 0, p) <- chances] `shouldSatisfy` all (> 0.999999)
+          length [() | (Position 0 0, _) <- chances] `shouldBe` 1
   it "which profiles are possible" (openedOtherwise `shouldReturn` [])
 
 underName :: String -> [Known]

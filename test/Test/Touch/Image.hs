@@ -183,6 +183,12 @@ correlation = do
         let fast = (\ref -> overlapAt ref image dx dy) <$> reference sums weights
          in counterexample (show (fast, naive sums weights image (dx, dy))) $
               either (const False) (`agrees` naive sums weights image (dx, dy)) fast
+  it "far away, and where a displacement is no number, nothing meets" $
+    forAll (genRasterOf 5 4) $ \image ->
+      forAll (elements [1e9, -1e9, 1e300, 0 / 0, 1 / 0]) $ \far ->
+        let ref = referenceOf image
+         in map (\(dx, dy) -> overlapAt ref image dx dy) [(far, 0), (0, far), (far, far)]
+              === replicate 3 (Overlap 0 0 0 0)
   it "an image matches itself with zncc 1, its negative with -1" $
     forAll (genRasterOf 5 4) $ \image ->
       let ref = referenceOf image

@@ -42,6 +42,20 @@ spec = do
                    | (column, name) <- zip [0 ..] (drop 1 manifestHeader),
                      digits <- [399 .. 402]
                  ]
+  it "axes: first x before y, and upright before turned; each is what its name says" $ do
+    map fst axesNamed
+      `shouldBe` ["x,y", "x,-y", "-x,y", "-x,-y", "y,x", "y,-x", "-y,x", "-y,-x"]
+    map (axesName . snd) axesNamed `shouldBe` map fst axesNamed
+    [alongAxes axes (Pose 3 5 7) | (_, axes) <- axesNamed]
+      `shouldBe` [ Pose 3 5 7,
+                   Pose 3 (-5) 7,
+                   Pose (-3) 5 7,
+                   Pose (-3) (-5) 7,
+                   Pose 5 3 7,
+                   Pose (-5) 3 7,
+                   Pose 5 (-3) 7,
+                   Pose (-5) (-3) 7
+                 ]
 
 header :: ByteString
 header = encodeUtf8 (T.intercalate "," manifestHeader)

@@ -106,6 +106,28 @@ spreading = do
       let point = generate 41 41 (\x y -> if (x, y) == (20, 20) then 3 else 0)
        in near 1e-9 (V.sum (rasterValues (spreadForces 1.5875 t point))) 3
             .&&. near 1e-9 (at (spreadForces 1.5875 t (constant 41 41 0.2)) 20 20) 0.2
+  prop "what an element feels is the sum over all forces that reach it, at the edges too" $
+    forAll ((,,,) <$> choose (1, 9) <*> choose (1, 9) <*> choose (0.1, 3) <*> arbitrary) $
+      \(w, h, t, seed) ->
+        let forces = generate w h (\x y -> fromIntegral ((x * 7 + y * 13 + seed * 3) `mod` 11))
+            reach = min (max w h) (floor (6.2 * t / 1.5875)) :: Int
+            share i j =
+              (1 + 1.5875 * 1.5875 * fromIntegral (i * i + j * j) / (t * t)) ** (-2.5) :: Double
+            all' = sum [share i j | i <- [-reach .. reach], j <- [-reach .. reach]]
+            felt x y =
+              sum
+                [ at forces u v * share (u - x) (v - y) / all'
+                  | u <- [0 .. w - 1],
+                    v <- [0 .. h - 1],
+                    abs (u - x) <= reach,
+                    abs (v - y) <= reach
+                ]
+            spread = spreadForces 1.5875 t forces
+         in conjoin
+              [ near 1e-9 (at spread x y) (felt x y)
+                | x <- [0 .. w - 1],
+                  y <- [0 .. h - 1]
+              ]
   it "at depth 0 nothing is spread" $
     spreadForces 1.5875 0 (constant 3 3 0.5) `shouldBe` constant 3 3 0.5
 

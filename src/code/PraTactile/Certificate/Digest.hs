@@ -7,6 +7,8 @@ module PraTactile.Certificate.Digest
 
     -- * Of the windows of an array
     digestOfWindows,
+    Road (..),
+    roadOf,
   )
 where
 
@@ -57,13 +59,28 @@ digestOfWindows packing surface grid mask = do
 -- | The positions of all windows by increasing packed content, if they are distinct and not too
 -- many.
 positionsByContent :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
-positionsByContent packing surface grid mask
-  | spanned <= 2 ^ (26 :: Int) = visit packing surface grid mask >>= byTable (gridWidth grid)
-  | area visited <= 2 ^ (20 :: Int) = bySorting packing surface grid mask
-  | otherwise = Nothing
+positionsByContent packing surface grid mask = case roadOf spanned (area visited) of
+  Just ByTable -> visit packing surface grid mask >>= byTable (gridWidth grid)
+  Just BySorting -> bySorting packing surface grid mask
+  Nothing -> Nothing
   where
     spanned = fromIntegral (gridAlphabet grid) ^ maskSize mask :: Natural
     visited = visitedShape surface (gridShape grid) mask
+
+-- | How positions are put in the order of their contents.
+data Road
+  = -- | By a table of all possible contents, at most 2^26.
+    ByTable
+  | -- | By sorting at most 2^20 positions.
+    BySorting
+  deriving stock (Eq, Show)
+
+-- | Which road there is for so many possible contents, and so many positions.
+roadOf :: Natural -> Natural -> Maybe Road
+roadOf contents positions
+  | contents <= 67108864 = Just ByTable
+  | positions <= 1048576 = Just BySorting
+  | otherwise = Nothing
 
 -- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most
 -- 2^28 cells.

@@ -1,0 +1,48 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Lines of the protocol: what is written as a whole number is one, and nothing else; all else is
+-- as any reader of JSON has it.
+module Test.Conformance.Lines (spec) where
+
+import Data.Aeson (decodeStrict)
+import qualified Data.ByteString.Char8 as Bytes
+import Data.Char (isDigit)
+import Data.Foldable (for_)
+import Data.Maybe (isJust)
+import PraTactile.Conformance.Wire (readWhole)
+import PraTactile.Conformance.Wire.Line
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "a number is whole if it is written so: of all up to three digits, a point and an exponent" $
+    for_ numbers $ \text ->
+      (text, whole <$> either (const Nothing) Just (readLine text))
+        `shouldBe` (text, Just (Bytes.all isDigit (Bytes.dropWhile (== '-') text)))
+  it "numbers are what they are to others, alone, among others, beside texts that look like them" $
+    for_ (numbers ++ concatMap within numbers) $ \text ->
+      (text, either (const Nothing) Just (readLine text)) `shouldBe` (text, decodeStrict text)
+  it "texts stay as they are, whatever quotes, escapes, digits and exponents they have" $
+    for_
+      [ "{\"a\\\"2e0\":\"x\\\\\",\"3e0\":2e0}",
+        "[\"2e0\",\"\\\"2.0e0\",2.0e0,\"\",\"e\",\"1E5\\\\\",1E5]",
+        "{\"e\":{\"1e1\":[1e1,\"\\u0022e1\"]}}",
+        "[\"no number\",\"e1\",true]"
+      ]
+      $ \text -> either (const Nothing) Just (readLine text) `shouldBe` decodeStrict text
+  where
+    whole = isJust . readWhole
+    within text =
+      [ "[" <> text <> ",\"" <> text <> "\"," <> text <> "]",
+        "{\"" <> text <> "\":[" <> text <> "]}"
+      ]
+
+-- | Numbers as JSON has them.
+numbers :: [Bytes.ByteString]
+numbers =
+  [ sign <> digits <> fraction <> exponent'
+    | sign <- ["", "-"],
+      digits <- ["0", "1", "20", "305"],
+      fraction <- ["", ".0", ".5", ".25", ".250"],
+      exponent' <- ["", "e0", "E0", "e1", "e+1", "e-1", "E2", "e+2", "e3", "e-3"]
+  ]
