@@ -86,7 +86,7 @@ rotations =
        in case (turn (6, 0) (a, b), turn (-6, 0) (b, a)) of
             (Right there, Right back) ->
               counterexample (show (there, back)) $
-                abs (there - degrees) < 1 .&&. abs (there + back) < 1
+                abs (there - degrees) < 1 .&&. abs (back + degrees) < 1
             other -> counterexample (show other) False
 
 -- | Two frames of round bumps, of which the second lies 6 to the right of the first and is turned

@@ -77,7 +77,7 @@ errorsOf sigma seed = go (mkStdGen seed)
 templatesSpec :: Alphabet -> Spec
 templatesSpec alphabet =
   modifyMaxSuccess (const 6) $
-    -- A taxel at the frame's edge counts for the share of it that is on the frame, which is not
+    -- Along the frame's axes they are exact; turned, a taxel at the frame's edge counts for the share of it that is on the frame, which is not
     -- quite the share of its square: at half a taxel over the edge, along all of a symbol, 0.85.
     prop "is by its sums and squares what a drawn symbol is, at any angle" $
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
@@ -107,7 +107,8 @@ templatesSpec alphabet =
                           )
                       )
                       $ abs (templateSums tables V.! i - total) < 0.1
-                        && abs (templateSquares tables V.! i - squares) < 0.9
+                        && abs (templateSquares tables V.! i - squares)
+                          < (if angle == 0 then 0.05 else 0.9)
   where
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
     drawing shape angle (x, y) =

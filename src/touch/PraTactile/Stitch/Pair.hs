@@ -19,7 +19,7 @@ where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
-import PraTactile.Shape (Alphabet)
+import PraTactile.Shape (Alphabet, symbolWidth)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
 import PraTactile.Stitch.Pair.Alike
@@ -151,8 +151,10 @@ matched tables (Pairing step search method confidence) a b =
       | method /= Auto = method
       | latticed = Lattice
       | otherwise = Blind
-    -- Whether the frames are likelier to show the lattice than any other relief.
-    latticed = sum (map evidenceLog evidences) > sum (processLogs process)
+    -- Whether the frames are likelier to show the lattice than any other relief, if they are large
+    -- enough for a symbol.
+    latticed =
+      min w h >= symbolWidth && sum (map evidenceLog evidences) > sum (processLogs process)
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b

@@ -280,9 +280,9 @@ partsOfTaxel = 32
 {- Note [Bounds of shares] A row or column lies within 0 .. side - 1 of the frame and at most three
    before and four behind the place's own; the shares of each of the 33 parts are eight. -}
 
--- | The sum over the frame of the squares of each template at each place: what the template is at
--- whole taxels from its place, each counted for as much of a taxel as the frame has there, which
--- differs at the frame's edge only.
+-- | The sum over the frame of the squares of each template at each place. Along the frame's axes it
+-- is that at its pixels. Turned, it is that at whole taxels from the template's place, each counted
+-- for as much of a taxel as the frame has there, which differs at the frame's edge only.
 squaresOf :: Templates -> Boxed.Vector (Int -> Int -> Bool) -> Vector Double
 squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
   where
@@ -290,12 +290,17 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
     (columns, rows) = templateGrid tables
     count = templateClasses tables
     q = templatePlaces tables
+    -- Of how many places to the taxel each is drawn by itself.
+    parts = if templateAngle tables == 0 then q else 1
     at i =
       let (cell, k) = i `quotRem` count
           (row, x) = cell `quotRem` columns
           (o, y) = row `quotRem` rows
-          start = y * wide + x
-       in summed start (Boxed.unsafeIndex drawn (o * count + k))
+          (partX, partY) = (x `rem` parts, y `rem` parts)
+          start = (y - partY) * wide + x - partX
+       in summed
+            start
+            (Boxed.unsafeIndex drawn (((o * count + k) * parts + partY) * parts + partX))
     -- Note [Bounds of squares]
     summed start (steps, values) = go 0 0
       where
@@ -313,35 +318,43 @@ squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
             (u, v) = onFrame tables (x - margin * q) (y - margin * q)
          in within w u * within h v
     within n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
-    drawn = fmap (sparse . rendered) bitmaps
+    drawn =
+      Boxed.fromList
+        [ sparse (rendered embossed (part x) (part y))
+          | embossed <- Boxed.toList bitmaps,
+            y <- [0 .. parts - 1],
+            x <- [0 .. parts - 1]
+        ]
+    part :: Int -> Double
+    part t = fromIntegral t / fromIntegral q
     -- Only where there is anything, and each step on the grid.
     sparse values =
       let kept = V.findIndices (> 1e-4) values
        in (V.map stepTo kept, V.map (values V.!) kept)
     stepTo i = let (b, a) = i `quotRem` boxWide in (b * wide + a) * q
-    rendered embossed =
+    -- At whole taxels from the margin before the symbol on, if it lies that part of one further.
+    rendered embossed partX partY =
       V.generate (boxWide * boxHigh) $ \i ->
         let (v, u) = i `quotRem` boxWide
          in squared
               ( sum
-                  [ share (u - margin - a) * share (v - margin - b)
+                  [ V.unsafeIndex acrossShares (u - a) * V.unsafeIndex downShares (v - b)
                     | b <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v],
                       a <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
                       embossed a b
                   ]
               )
-    -- Of whole taxels apart, at most the margin.
-    share distance = V.unsafeIndex wholeShares (distance + margin)
+      where
+        acrossShares = sharesAround partX
+        downShares = sharesAround partY
+    sharesAround t =
+      V.generate (2 * margin + 1) (\d -> seenAt (fromIntegral (d - margin) - t)) :: Vector Double
     squared t = t * t
 
 {- Note [Bounds of squares] A place's column is below the grid's width and a step reaches at most
    the box's width less one further, which the grid of what the frame has there holds; likewise for
-   rows. There are 2 * count drawn templates. A pixel of the box is at most the margin from the
-   taxels that are looked at for it. -}
-
--- | What of a taxel is seen at whole taxels from it, from the margin before it on.
-wholeShares :: Vector Double
-wholeShares = V.generate (2 * margin + 1) (\i -> seenAt (fromIntegral (i - margin)))
+   rows. There are as many drawn templates as classes, orientations and parts. A pixel of the box is
+   at most the margin from the taxels that are looked at for it. -}
 
 -- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
 margin, boxWide, boxHigh :: Int
