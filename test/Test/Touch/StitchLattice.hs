@@ -77,8 +77,9 @@ errorsOf sigma seed = go (mkStdGen seed)
 templatesSpec :: Alphabet -> Spec
 templatesSpec alphabet =
   modifyMaxSuccess (const 6) $
-    -- Along the frame's axes they are exact; turned, a taxel at the frame's edge counts for the share of it that is on the frame, which is not
-    -- quite the share of its square: at half a taxel over the edge, along all of a symbol, 0.85.
+    -- Along the frame's axes they are exact; turned, a taxel at the frame's edge counts for the
+    -- share of it that is on the frame, which is not quite the share of its square: at half a
+    -- taxel over the edge, along all of a symbol, 0.85.
     prop "is by its sums and squares what a drawn symbol is, at any angle" $
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
         let tables = templates alphabet angle 16 16
