@@ -122,7 +122,7 @@ cells value = case value of
 
 smallerRows :: (a -> [a]) -> [[a]] -> [[[a]]]
 smallerRows less rows =
-  filter (not . null . concat) (fewer rows ++ map transpose (fewer (transpose rows)))
+  filter (not . all null) (fewer rows ++ map transpose (fewer (transpose rows)))
     ++ each (each less) rows
 
 -- | Without the first, and without the last, of two or more.
