@@ -92,7 +92,7 @@ measured suite state pace file = do
   known <- if there then mapMaybe decodeStrict . Lines.lines <$> Bytes.readFile file else pure []
   listed <- headings suite
   let current = Map.fromList [(groupKey g, g) | g <- known, groupState g == state]
-      before = Map.fromList [(groupPath g, groupTook g) | g <- known]
+      before = Map.fromList [(groupKey g, groupTook g) | g <- known]
   concat <$> traverse (walk current before) (concatMap units listed)
   where
     -- First those of the second rank.
@@ -114,7 +114,7 @@ measured suite state pace file = do
             Lazy.appendFile file (encode g <> "\n")
             walk (Map.insert (groupKeyOf heading) g current) before heading
       where
-        earlier h = Map.lookup (rootLabel h) before
+        earlier h = Map.lookup (groupKeyOf h) before
         parts = case pace of
           Quick -> pure []
           Slow -> concat <$> traverse (walk current before) (subForest heading)

@@ -9,7 +9,9 @@ import PraTactile.Certificate
 import PraTactile.Certificate.Check
 import PraTactile.Certificate.Digest
 import PraTactile.Factorisation (isPrime)
+import PraTactile.Field
 import PraTactile.Grid (Grid)
+import PraTactile.Polynomial
 import PraTactile.Polynomial.Certificate
 import PraTactile.Profile
 import PraTactile.Window
@@ -155,6 +157,38 @@ spec = do
                    Left (FactorsDoNotMultiply 441 63)
                  ]
 
+  it "a primitive polynomial is monic, not constant, and has a constant term" $ do
+    h <- firstOver gf3 4
+    let genuine = certifyPrimitive h
+        said codes = do
+          given <- right (elementsFromCodes codes)
+          pure (() <$ verifyPrimitive genuine {certifiedPrimitive = polynomial given})
+    mapM said [[2, 1, 0, 0, 2], [0, 1, 0, 0, 1], [0, 1, 0, 0, 2], [1], []]
+      `shouldReturn` replicate 5 (Left PolynomialUnfit)
+  it "an irreducible polynomial: a witness for each prime, and that it divides x^(q^n) - x" $ do
+    h <- firstOver gf2 6
+    Just genuine <- pure (certifyIrreducible (primitivePolynomial h))
+    let witnesses = certifiedWitnesses genuine
+        with changed = verifyIrreducible genuine {certifiedWitnesses = changed}
+        of' codes = do
+          given <- right (elementsFromCodes codes)
+          pure (verifyIrreducible genuine {certifiedIrreducible = polynomial given})
+    map fst witnesses `shouldBe` [2, 3]
+    verifyIrreducible genuine `shouldBe` Right ()
+    with (drop 1 witnesses) `shouldBe` Left (EntryMissing 2)
+    with (take 1 witnesses) `shouldBe` Left (EntryMissing 3)
+    with [(l, (v, u)) | (l, (u, v)) <- witnesses] `shouldBe` Left (EntryWrong 2)
+    with [if l == 3 then (l, (u + 1, v)) else (l, (u, v)) | (l, (u, v)) <- witnesses]
+      `shouldBe` Left (EntryWrong 3)
+    -- (x^3 + x + 1)^2, which does not; x^6 + ... = (x^3 + x + 1)(x^3 + x^2 + 1), which does.
+    of' [1, 0, 1, 0, 0, 0, 1] `shouldReturn` Left PowerDoesNotClose
+    of' [1, 1, 1, 1, 1, 1, 1] `shouldReturn` Left (EntryWrong 2)
+    of' [] `shouldReturn` Left PolynomialUnfit
+  it "of windows that repeat there is no certificate, by whatever method" $ do
+    window <- right (rectangle (Shape 1 2))
+    forM_ [minBound .. maxBound] $ \method ->
+      [() | Left (NotDistinct _) <- [certify method canonicalProfile window]] `shouldBe` [()]
+
 -- | x to a power modulo a polynomial over GF(2), by as many shifts.
 timesRoot :: [Natural] -> Int -> [Natural]
 timesRoot h count = iterate shift (1 : replicate (n - 1) 0) !! count
@@ -202,11 +236,11 @@ primesSpec = describe "a number is shown to be prime" $ do
         (l, take 1 (filter (shows' n l) [2 ..])) `shouldBe` (l, [a])
   where
     shows' n l a =
-      power n a (n - 1) == 1 && gcd n (power n a ((n - 1) `div` l) + n - 1) == 1
-    power n a e
+      raised n a (n - 1) == 1 && gcd n (raised n a ((n - 1) `div` l) + n - 1) == 1
+    raised n a e
       | e == 0 = 1
-      | even e = power n (a * a `mod` n) (e `div` 2)
-      | otherwise = a * power n (a * a `mod` n) (e `div` 2) `mod` n
+      | even e = raised n (a * a `mod` n) (e `div` 2)
+      | otherwise = a * raised n (a * a `mod` n) (e `div` 2) `mod` n
     proofs =
       [[w] | w <- witnesses] ++ [[v, w] | v <- witnesses, w <- witnesses, sameBase v w] ++ [[]]
     witnesses =

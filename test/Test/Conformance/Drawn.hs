@@ -28,7 +28,19 @@ import Test.QuickCheck.Random (mkQCGen)
 import Text.Read (readMaybe)
 
 spec :: Spec
-spec = for_ under $ \(name, p) -> describe name $ do
+spec = do
+  it "masks: of arrays of more than 1024 cells up to 2 rows and columns" $
+    for_ [p | ("gf4-63x65", p) <- defaultProfiles] $ \p ->
+      for_ ["proof/prove-drawn-masks", "proof/distance-drawn-masks"] $ \law -> do
+        masks <- drawn p law "mask"
+        (masks :: [String])
+          `are` ( ["#", "##", "#.", ".#", "#/#", "#/.", "./#"]
+                    ++ drop 1 [[a, b, '/', c, d] | a <- ".#", b <- ".#", c <- ".#", d <- ".#"]
+                )
+  ofProfiles
+
+ofProfiles :: Spec
+ofProfiles = for_ under $ \(name, p) -> describe name $ do
   let q = profileOrder p
       period = q ^ length (profileState p) - 1
       codes = [0 .. q - 1]
@@ -80,7 +92,8 @@ spec = for_ under $ \(name, p) -> describe name $ do
       ]
       $ \(law, high, wide) -> do
         masks <- map splitted <$> drawn p law "mask"
-        map sides masks `are` [(a, b) | a <- [1 .. high], b <- [1 .. wide]]
+        map sides masks
+          `are` [(a, b) | a <- [1 .. high], b <- [1 .. wide]]
         filter (notElem '#' . concat) masks `shouldBe` []
         concatMap concat masks `are` "#."
   it "patches: of all shapes around the window, of at most 24 cells" $ do

@@ -4,11 +4,12 @@
 -- as any reader of JSON has it.
 module Test.Conformance.Lines (spec) where
 
-import Data.Aeson (decodeStrict)
+import Data.Aeson (Value (..), decodeStrict)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
 import Data.Foldable (for_)
 import Data.Maybe (isJust)
+import qualified Data.Text as Text
 import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Conformance.Wire.Line
 import Test.Hspec
@@ -30,6 +31,14 @@ spec = do
         "[\"no number\",\"e1\",true]"
       ]
       $ \text -> either (const Nothing) Just (readLine text) `shouldBe` decodeStrict text
+  it "a text is a whole number if it is written in digits, at most 4096, behind a sign or none" $ do
+    [readWhole (String text) | text <- ["0", "7", "007", "-5", "12345678901234567890123"]]
+      `shouldBe` map Just [0, 7, 7, -5, 12345678901234567890123]
+    [readWhole (String text) | text <- ["", "-", "--5", "+5", "1.0", "1e3", " 1", "1 ", "x", "0x1"]]
+      `shouldBe` replicate 10 Nothing
+    [isJust (readWhole (String (Text.replicate n "9"))) | n <- [4095, 4096, 4097]]
+      `shouldBe` [True, True, False]
+    map readWhole [Null, Bool True] `shouldBe` [Nothing, Nothing]
   where
     whole = isJust . readWhole
     within text =
