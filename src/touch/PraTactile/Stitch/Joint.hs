@@ -360,7 +360,7 @@ locatedAt (place, _) options =
   Located
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)
-    mass
+    (min 1 mass)
     (take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held))))
   where
     instead found = case found of

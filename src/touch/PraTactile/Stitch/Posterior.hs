@@ -75,7 +75,7 @@ hypotheses most least given = case go most (posteriorMasses given) of
 -- | The probability that the true displacement lies within 'tolerance' of one on both axes.
 probabilityAround :: Posterior -> Place -> Double
 probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
-  V.sum (V.ifilter (const . near) masses)
+  min 1 (V.sum (V.ifilter (const . near) masses))
   where
     near i =
       let (row, column) = i `quotRem` columns

@@ -65,10 +65,10 @@ aligned sigma known (x, y) image = go (8 :: Int) (Estimate 0 0 0)
       let (gx, gy) = (right - left, below - above)
       pure (Pixel value expected gx gy (gx * (negate s * u - c * v) + gy * (c * u - s * v)))
 
--- | The standard deviation of a rotation before anything is known, degrees: about that between two
--- presses each of which is turned by 2.
+-- | The standard deviation of a rotation before anything is known, degrees. Assumption: a little
+-- more than that between two presses each of which is turned by 1.
 rotationPrior :: Double
-rotationPrior = 3
+rotationPrior = 2
 
 -- | A rotation of a larger standard deviation, degrees, is not told.
 telltaleRotation :: Double
