@@ -115,21 +115,11 @@ data Assembly = Assembly
 -- | Frames registered in the given way, and blended.
 assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
 assemble way settings frames
-  | usable settings = do
-    (composite, turns, arrangement) <- compose way settings frames
-    pure
-      Assembly
-        { assemblyComposite = composite,
-          assemblyWay = arrangedWay arrangement,
-          assemblyFrames = arrangedFrames arrangement,
-          assemblyResidual = arrangedResidual arrangement,
-          assemblyTurns = turns
-        }
+  | usable settings = compose way settings frames
   | otherwise = Left (UnusableRegistration settings)
 
--- | Check the frames, place them in taxels, arrange them, and blend; and how each is turned.
-compose ::
-  Way -> Registration -> [Frame] -> Either StitchError (Composite, [Maybe Double], Arrangement)
+-- | Check the frames, place them in taxels, arrange them, and blend.
+compose :: Way -> Registration -> [Frame] -> Either StitchError Assembly
 compose way settings frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
@@ -152,16 +142,20 @@ compose way settings frames = do
         let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
          in alignedToRest rotationPrior made (u, v) image >>= telltale
   pure
-    ( made
-        { compositeOthers =
-            [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
-              | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
-            ],
-          compositeContradiction = contradiction settings (NonEmpty.toList nominal)
-        },
-      map turnOf (NonEmpty.toList (at displacements)),
-      arrangement
-    )
+    Assembly
+      { assemblyComposite =
+          made
+            { compositeOthers =
+                [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
+                  | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
+                ],
+              compositeContradiction = contradiction settings (NonEmpty.toList nominal)
+            },
+        assemblyWay = arrangedWay arrangement,
+        assemblyFrames = arranged,
+        assemblyResidual = arrangedResidual arrangement,
+        assemblyTurns = map turnOf (NonEmpty.toList (at displacements))
+      }
 
 -- | The most other ways to put frames together that are told.
 mostOthers :: Int

@@ -29,39 +29,17 @@ spec = do
   for_ under $ \(name, p) ->
     it ("is all that there is, where a law says so: " ++ name) $ do
       Right about <- pure (known p)
-      let asked =
-            [ (lawId law, found)
-              | law <- laws,
-                not ("-refuses-what-is-invalid" `isSuffixOf` lawId law),
-                Just found <- [every (lawCases law about)]
-            ]
-          wanted = domains p
-      sort (map fst asked) `shouldBe` sort (map fst wanted)
-      for_ wanted $ \(law, cases) ->
-        (law, sorted <$> lookup law asked) `shouldBe` (law, Just (sorted cases))
+      everyCase (filter (not . ofInvalid) laws) about `isExactly` domains p
   for_ under $ \(name, p) ->
     it ("is of what is no input all that is wrong in one place: " ++ name) $ do
       Right about <- pure (known p)
-      let asked =
-            [ (lawId law, found)
-              | law <- laws,
-                "-refuses-what-is-invalid" `isSuffixOf` lawId law,
-                Just found <- [every (lawCases law about)]
-            ]
-          wanted = spoilt p
-      sort (map fst asked) `shouldBe` sort (map fst wanted)
-      for_ wanted $ \(law, cases) ->
-        (law, sorted <$> lookup law asked) `shouldBe` (law, Just (sorted cases))
-  it "is of profiles each of them, and each with every change that leaves no array" $ do
-    let asked =
-          [ (lawId law, found)
-            | law <- openingLaws,
-              Just found <- [every (lawCases law (map snd defaultProfiles))]
-          ]
-        wanted = ("profile/possible-ones-are-opened", map snd defaultProfiles) : impossible
-    sort (map fst asked) `shouldBe` sort (map fst wanted)
-    for_ wanted $ \(law, cases) ->
-      (law, sorted <$> lookup law asked) `shouldBe` (law, Just (sorted (map profileValue cases)))
+      everyCase (filter ofInvalid laws) about `isExactly` spoilt p
+  it "is of profiles each of them, and each with every change that leaves no array" $
+    everyCase openingLaws (map snd defaultProfiles)
+      `isExactly` [ (law, map profileValue cases)
+                    | (law, cases) <-
+                        ("profile/possible-ones-are-opened", map snd defaultProfiles) : impossible
+                  ]
   it "smaller patches and polynomials come before larger ones" $
     for_ under $ \(_, p) -> do
       Right about <- pure (known p)
@@ -75,8 +53,22 @@ spec = do
           name
             `elem` ["gf2-3x5", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16", "paper", "paper-sheet"]
       ]
-    sorted = sort . map encode
+    ofInvalid law = "-refuses-what-is-invalid" `isSuffixOf` lawId law
     cellsIn value = length [() | c <- show (encode value), c == ',']
+
+-- | The cases of the laws that exhaust them, by the laws' ids.
+everyCase :: [Law known] -> known -> [(String, [Value])]
+everyCase those about =
+  [(lawId law, found) | law <- those, Just found <- [every (lawCases law about)]]
+
+-- | The same laws, each with the same cases, in any order.
+isExactly :: [(String, [Value])] -> [(String, [Value])] -> Expectation
+asked `isExactly` wanted = do
+  sort (map fst asked) `shouldBe` sort (map fst wanted)
+  for_ wanted $ \(law, cases) ->
+    (law, sorted <$> lookup law asked) `shouldBe` (law, Just (sorted cases))
+  where
+    sorted = sort . map encode
 
 every :: Cases -> Maybe [Value]
 every (Cases form domain _) = case domain of

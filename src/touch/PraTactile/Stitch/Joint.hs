@@ -59,7 +59,7 @@ latticeAngle ::
   [Raster] ->
   Maybe Double
 latticeAngle (tables, coarse) processes hint images
-  | shown 0 && all (\a -> finely a < finely 0) [-3, 3] = Just 0
+  | shown 0 && all (\a -> finely a < finelyUpright) [-3, 3] = Just 0
   | otherwise = find shown angles
   where
     angles =
@@ -83,6 +83,7 @@ latticeAngle (tables, coarse) processes hint images
     -- By so many frames, those that show most.
     roughly count angle = seenBy (take count telling) (coarse angle)
     finely angle = seenBy (take 8 telling) (tables angle)
+    finelyUpright = finely 0
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown angle = seenBy few (tables angle) > blind
     seenBy some at = sum [evidenceLog (evidence at i) | i <- some]

@@ -11,29 +11,27 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Noise (frameNoise)
-import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Stitch.Pair.Overlap (overlapOf)
 import PraTactile.Stitch.Posterior
 
 -- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
 -- along a direction in which the relief that both frames show does not change only the prior is
--- left; else the same. The grid is 'displacementGrid'.
+-- left; else the same. The grid is of whole taxels.
 alongStraight :: Place -> Double -> Raster -> Raster -> Posterior -> Posterior
-alongStraight step search a b found = case straightness at a b of
+alongStraight step search a b found = case straightness best a b of
   Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
   Nothing -> found
   where
-    (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
-    masses = posteriorMasses found
-    place i = let (row, column) = i `quotRem` columns in (row, column)
-    at =
-      let (row, column) = place (V.maxIndex masses)
+    Posterior origin@(ox, oy) _ size@(columns, rows) masses = found
+    best =
+      let (row, column) = V.maxIndex masses `quotRem` columns
        in (round ox + column, round oy + row)
     priors = posteriorMasses (priorAlone search step found)
     -- What all displacements along the line have together, shared out by the prior.
     along (dx, dy) i =
       log (priors V.! i * sum (map (masses V.!) line) / sum (map (priors V.!) line))
       where
-        (row, column) = place i
+        (row, column) = i `quotRem` columns
         reach = max columns rows
         line =
           [ y * columns + x
