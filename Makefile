@@ -5,7 +5,9 @@ PREFIX = /usr/local
 DESTDIR =
 # Only the tests whose path has this in it, as in: make test MATCH="/The command line: census/"
 MATCH =
-export PREFIX DESTDIR
+# What random cases are drawn from, as in: make test SEED=7
+SEED =
+export PREFIX DESTDIR SEED
 .PHONY: all help setup build demo test lint format fuzz mutants mutate prove bench evaluate figures house shapes network check-network \
         check-newer-ghc \
         install uninstall clean

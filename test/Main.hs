@@ -95,6 +95,7 @@ import qualified Test.Symmetry
 import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
+import qualified Test.Touch.Cosine
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
@@ -173,6 +174,7 @@ specs = do
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
+    describe "Cosine transforms" Test.Touch.Cosine.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec

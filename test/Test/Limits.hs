@@ -54,5 +54,5 @@ spec = do
   it "of images, composites and files" $ do
     [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Files.largestInput]
       `shouldBe` [16777216, 4194304, 10000, 268435456]
-    Segment.leastSeen `shouldBe` 16
+    Segment.leastSeen `shouldBe` 6
     Estimate.leastDoubt `shouldBe` 1e-7

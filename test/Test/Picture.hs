@@ -26,6 +26,7 @@ import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.Summary (shownTilt)
 import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Shape (Alphabet, paperAlphabet)
@@ -171,13 +172,16 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                               (fromRational (spotRight (laidExtent face)))
                           sideways = exchangesAxes (foundOrientation found)
                           (x, y) = windowSeenAt (foundWindow found)
+                          -- The frame lies as the face does.
+                          turn = abs (shownTilt recognition) * pi / 180
+                          box (w, h) = (w * cos turn + h * sin turn, w * sin turn + h * cos turn)
                        in counterexample
                             "on the composite"
                             ( close
                                 0.01
                                 (onComposite' (only "window" (pageComposite page)))
                                 ( around
-                                    (if sideways then (40, 32) else (32, 40))
+                                    (box (if sideways then (40, 32) else (32, 40)))
                                     (x + 0.5, y + 0.5)
                                 )
                             )

@@ -107,16 +107,16 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- axesTilted <$> recogniseUpright tolerance reader composites
+      asGiven <- axesTilted <$> recogniseUpright tolerance reader Nothing composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- recogniseUpright tolerance reader upright
+      turnedBack <- recogniseUpright tolerance reader (Just 0) upright
       let setRight = relocated angle places turnedBack
           answeredBy = isRight . recognisedAnswer
       pure $
         if abs angle <= mostTilt && answeredBy asGiven /= answeredBy turnedBack
           then if answeredBy asGiven then asGiven else setRight
           else if certainty turnedBack > certainty asGiven then setRight else asGiven
-  _ -> recogniseUpright tolerance reader composites
+  shown -> recogniseUpright tolerance reader shown composites
   where
     composites = map cleaned given
 
@@ -137,14 +137,16 @@ leastTilt = 3
 mostTilt :: Double
 mostTilt = 7
 
--- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
+-- | 'recogniseWith' of composites whose symbols' axes are nearly theirs: turned from them by this
+-- angle, in degrees clockwise, as far as the images show it.
 recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
+  Maybe Double ->
   [Cleaned] ->
   Either NetworkError Recognition
-recogniseUpright tolerance reader composites = do
+recogniseUpright tolerance reader shown composites = do
   upright <- readSymbols symbolReader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -161,14 +163,22 @@ recogniseUpright tolerance reader composites = do
   pure $
     if isMirrored
       then unanswered (concatMap viewSymbols views ++ known others) Mirrored
-      else answered tolerance reader views (known others)
+      else answered tolerance reader shown views (known others)
   where
     symbolReader = recogniserReader reader
     known = filter (isJust . readClass) . concatMap viewSymbols
 
--- | The answer from the symbols of one axis, and from what the network knows of the other.
-answered :: KnownField k => Tolerance -> Recogniser k -> [View] -> [ReadSymbol] -> Recognition
-answered tolerance reader views dissenters
+-- | The answer from the symbols of one axis, turned from the composites' by about this angle if it
+-- is known, and from what the network knows of the other.
+answered ::
+  KnownField k =>
+  Tolerance ->
+  Recogniser k ->
+  Maybe Double ->
+  [View] ->
+  [ReadSymbol] ->
+  Recognition
+answered tolerance reader shown views dissenters
   | null symbols = unanswered everything NoSymbols
   | all (isNothing . readClass) symbols = unanswered everything SymbolsUnclear
   | otherwise = maybe (unanswered everything GridContradicts) located (faceGrid (groups symbols))
@@ -184,7 +194,7 @@ answered tolerance reader views dissenters
             everything
             parts
             (locationEvidence location)
-            (gridTilt grid)
+            (gridTilt shown grid)
             (answerAt reader location)
 
 -- | The answer where a grid is located.

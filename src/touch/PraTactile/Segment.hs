@@ -217,7 +217,7 @@ partAt composite found = look
 
 -- | The fewest taxels of a symbol's 96 that are looked at.
 leastSeen :: Int
-leastSeen = 16
+leastSeen = 6
 
 -- | A component as a symbol, or why it is none, given the scene and a higher threshold. If it is
 -- too large for one, it may be a symbol with something near it, or a blurred one: then its

@@ -103,7 +103,7 @@ progressSpec = do
     it (name ++ " tells it on a terminal") $
       inFolder $ \folder -> do
         let command =
-              "timeout 4 pra-tactile "
+              "timeout 8 pra-tactile "
                 ++ arguments
                 ++ " --output "
                 ++ folder </> "out > "

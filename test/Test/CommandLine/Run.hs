@@ -67,13 +67,13 @@ complains arguments about = do
   err `shouldSatisfy` (about `isInfixOf`)
   length (lines err) `shouldBe` 1
 
--- | A script in a folder of its own, within 20 seconds: nothing hangs. The program is @pra@ there.
+-- | A script in a folder of its own, within a minute: nothing hangs. The program is @pra@ there.
 scripted :: FilePath -> String -> IO Outcome
 scripted folder script = do
   (code, out, err) <-
     readProcessWithExitCode
       "timeout"
-      ["20", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
+      ["60", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
       ""
   pure (case code of ExitSuccess -> 0; ExitFailure n -> n, out, err)
 

@@ -57,13 +57,30 @@ faceGrid found = do
     once = Map.map pure
 
 -- | By how many degrees, clockwise, the grid is turned from where the symbols' orientations have
--- it: the rotation that brings their cells closest to their centres, by least squares. 0 where they
--- do not say, for there are fewer than two.
-gridTilt :: FaceGrid -> Double
-gridTilt grid
-  | length placed < 2 = 0
-  | otherwise = atan2 (total turning) (total along) * 180 / pi
+-- it: the rotation that brings their cells closest to their centres, by least squares, weighed with
+-- the angle that the image itself shows, if it is given. Without either it is 0.
+--
+-- Few symbols tell little, and two neighbours of which one is a taxel off are turned by four
+-- degrees; the image is nearly always right, and now and then off by some degrees.
+gridTilt :: Maybe Double -> FaceGrid -> Double
+gridTilt shown grid = case shown of
+  Nothing | length placed < 2 -> 0
+  Nothing -> turn
+  Just angle -> sum [p * estimate | (p, estimate) <- told] / sum (map fst told)
+    where
+      told = [weighed angle share sd | (share, sd) <- shownErrors]
   where
+    turn = atan2 (total turning) (total along) * degree
+    variance = (degree * placeSd) * (degree * placeSd) / max 1e-9 (total along)
+    degree = 180 / pi
+    -- If the image errs with that standard deviation: how likely the grid's angle is then, and what
+    -- is most probable.
+    weighed angle share sd =
+      ( share / sqrt both * exp (negate (turn - angle) * (turn - angle) / (2 * both)),
+        angle + sd * sd / both * (turn - angle)
+      )
+      where
+        both = sd * sd + variance
     placed =
       [ (onOffset (axisOf s) (columnPitch * fromIntegral j, rowPitch * fromIntegral i), readAt s)
         | ((i, j), here) <- Map.toList (gridCells grid),
@@ -76,6 +93,15 @@ gridTilt grid
       sum [part (x - cellX, y - cellY) (x' - seenX, y' - seenY) | ((x, y), (x', y')) <- placed]
     along (x, y) (x', y') = x * x' + y * y'
     turning (x, y) (x', y') = x * y' - y * x'
+
+-- | The standard deviation of a symbol's place in a composite, in taxels (assumption).
+placeSd :: Double
+placeSd = 0.5
+
+-- | The standard deviation of the angle that an image shows, in degrees, for most images and for
+-- the rest, each with its share ("PraTactile.Segment.Tilt"; the shares are an assumption).
+shownErrors :: [(Double, Double)]
+shownErrors = [(0.99, 0.5), (0.01, 4)]
 
 movedBy :: Cell -> Map Cell a -> Map Cell a
 movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))

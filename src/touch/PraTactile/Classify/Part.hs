@@ -21,13 +21,15 @@ estimatePart shapesSeen part = Estimate best [(what, chance d) | (what, d) <- di
   where
     -- What is flat, or rubbish, is any of the shapes alike.
     chance d = (1 - rubbish) * (weight d + weight flat / n) / total + rubbish / n
+    taxels = V.sum (rasterValues (partSeen part))
+    (correlated, rubbish) = if taxels < 16 then fewTaxels else manyTaxels
     (distances, flat) = partDistances shapesSeen part
     (best, nearest) = case sortOn snd distances of
       first : _ -> first
       [] -> ((0, identity), 0)
     n = fromIntegral (length distances)
     least = min flat nearest
-    variance = max leastVariance (least / max 1 (V.sum (rasterValues (partSeen part))))
+    variance = max leastVariance (least / max 1 taxels)
     weight d = exp ((least - d) / (2 * variance * correlated))
     total = sum (map (weight . snd) distances) + weight flat
 
@@ -48,22 +50,21 @@ partDistances shapesSeen part =
         (onRaster symmetry (partPixels part))
         (onRaster symmetry (partSeen part))
 
--- The least variance of a taxel, how many neighbouring taxels err alike, and the probability of an
--- image that is nothing of the kind.
-leastVariance, correlated, rubbish :: Double
+-- The least variance of a taxel.
+leastVariance :: Double
 leastVariance = 0.01
-correlated = 4
-rubbish = 0.001
+
+-- How many neighbouring taxels err alike, and the probability of an image that is nothing of the
+-- kind: where 16 taxels or more were seen, and where fewer. Of fewer, frames that were put together
+-- a taxel wrong may make another symbol, so that they are never beyond a hundredth of doubt.
+manyTaxels, fewTaxels :: (Double, Double)
+manyTaxels = (4, 0.001)
+fewTaxels = (2.5, 0.012)
 
 {- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
-   strokes. So the exponent of the normal law is divided by a number that was fitted to 7886 parts,
-   the half of them with 45 taxels or less, from 2100 simulated explorations with a position error
-   of one taxel:
-
-     noise                         0.1     0.2     0.3
-     parts                        2566    2562    2758
-     likeliest wrong, expected      36      49     105
-     likeliest wrong, counted       18      35      83
-
-   A divisor of 2 would expect 18, 26 and 57. The variance is that of the best of the shapes, or the
-   square of a tenth of the contrast if that is more. -}
+   strokes. So the exponent of the normal law is divided by a number, and the variance is that of
+   the best of the shapes, or the square of a tenth of the contrast if that is more. The numbers
+   were chosen so that, of the parts of presses by every sensor, upright and at any angle, and with
+   position errors to three taxels, about as many are wrong as are told to be; where nothing but
+   noise disturbs, fewer are. bench/calibration.py counts them, and docs/evaluation.md has what it
+   counted. -}

@@ -92,7 +92,7 @@ latticeAngle (tables, coarse) processes hint images
     spreadOf v =
       let n = fromIntegral (V.length v) in V.sum (V.map (\t -> t * t) v) - V.sum v * V.sum v / n
     blind = sum (concat [processLogs (processOf processes misfit [coefficients i]) | i <- few])
-    coefficients i = cosineTransform processes (rasterWidth i) (rasterHeight i) (rasterValues i)
+    coefficients = coefficientsOf processes
 
 -- | The least share of noise that relief of any kind is supposed to have where frames are asked
 -- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without

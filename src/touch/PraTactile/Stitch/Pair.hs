@@ -144,7 +144,7 @@ matched tables (Pairing step search method confidence) a b =
   Match refusal best (deviations sure) fixed rotation used (map surely (hypotheses 5 0.001 found))
   where
     (w, h) = (rasterWidth a, rasterHeight a)
-    coefficients = map (cosineTransform (tablesSpectra tables) w h . rasterValues) [a, b]
+    coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
     process = processOf (tablesSpectra tables) 0 coefficients
     evidences = map (evidence (tablesTemplates tables)) [a, b]
     used

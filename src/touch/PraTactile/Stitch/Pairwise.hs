@@ -60,8 +60,7 @@ linkOf settings tables images (Neighbours k l step@(x, y) _)
     (a, b) = (images Boxed.! k, images Boxed.! l)
     sizeOf image = (rasterWidth image, rasterHeight image)
     known = tables (sizeOf a)
-    process = processOf known 0 [cosineTransform known w h (rasterValues i) | i <- [a, b]]
-    (w, h) = sizeOf a
+    process = processOf known 0 (map (coefficientsOf known) [a, b])
     -- The prior of a pair is normal, of half the search as standard deviation.
     search = min 12 (2 * sqrt 2 * registrationSigma settings)
     found = alongStraight step search a b (blindPosterior known process step search a b)

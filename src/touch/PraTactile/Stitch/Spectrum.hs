@@ -7,18 +7,17 @@
 -- The spectra are those of Matern's family (Stein, Interpolation of Spatial Data, 1999): smoothness
 -- and range are found from the frames, and so is the share of the noise.
 module PraTactile.Stitch.Spectrum
-  ( -- * The transform
-    cosineTransform,
-
-    -- * Processes
+  ( -- * Processes
     Spectra,
     spectra,
+    spectraCosines,
+    coefficientsOf,
     Process (..),
     processOf,
     whiteness,
 
     -- * Pairs
-    Shared (..),
+    Shared,
     shared,
     sharedLog,
   )
@@ -27,36 +26,14 @@ where
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-
--- | The first coefficients of the orthonormal two-dimensional cosine transform (DCT-II) of a patch
--- of that width and height, row by row, without the first, the mean: at most 'highest' a side.
-cosineTransform :: Spectra -> Int -> Int -> Vector Double -> Vector Double
-cosineTransform tables w h values = V.generate (m * k - 1) (coefficient . (+ 1))
-  where
-    k = min highest w
-    m = min highest h
-    rowsOf = basis tables w
-    columnsOf = basis tables h
-    across = V.generate (h * k) $ \i ->
-      let (y, u) = i `quotRem` k in dot w (u * w) rowsOf (y * w) 1 values
-    coefficient i = let (v, u) = i `quotRem` k in dot h (v * h) columnsOf u k across
-    dot :: Int -> Int -> Vector Double -> Int -> Int -> Vector Double -> Double
-    dot n i xs j stride ys = go 0 0
-      where
-        go !t !s
-          | t >= n = s
-          | otherwise =
-            go (t + 1) (s + V.unsafeIndex xs (i + t) * V.unsafeIndex ys (j + t * stride))
-    {-# INLINE dot #-}
-
--- | How many frequencies a side are looked at.
-highest :: Int
-highest = 32
+import PraTactile.Image (Raster)
+import PraTactile.Stitch.Cosine
+import PraTactile.Stitch.Product
 
 -- | Tables for patches of up to a size; each is made when it is first looked at.
 data Spectra = Spectra
   { spectraWidth :: !Int,
-    spectraBases :: !(Boxed.Vector (Vector Double)),
+    spectraCosines :: !Cosines,
     -- | By width and height of a patch: the variances of its coefficients for each shape of the
     -- spectrum, and their 'coherence'.
     spectraPatches :: !(Boxed.Vector (Boxed.Vector (Vector Double), Vector Double)),
@@ -65,15 +42,12 @@ data Spectra = Spectra
     spectraWhole :: !(Boxed.Vector (Vector Double, Double))
   }
 
-basis :: Spectra -> Int -> Vector Double
-basis tables n = spectraBases tables Boxed.! n
-
 -- | The tables for frames of that width and height.
 spectra :: Int -> Int -> Spectra
 spectra w h =
   Spectra
     w
-    (Boxed.generate (max w h + 1) cosines)
+    (cosinesUpTo (max w h))
     (Boxed.generate ((w + 1) * (h + 1)) bySize)
     ( Boxed.fromList
         [whole s (noiseShares !! n) | s <- [0 .. shapeCount - 1], n <- [0 .. noiseCount - 1]]
@@ -86,13 +60,9 @@ spectra w h =
       let variances = V.map (+ noise) (powers w h s)
        in (V.map (1 /) variances, V.sum (V.map log variances))
 
-cosines :: Int -> Vector Double
-cosines n = V.generate (min highest n * n) $ \i ->
-  let (u, t) = i `quotRem` n
-      c = if u == 0 then sqrt (1 / size) else sqrt (2 / size)
-   in c * cos (pi * fromIntegral u * (fromIntegral t + 0.5) / size)
-  where
-    size = fromIntegral n
+-- | A frame's coefficients.
+coefficientsOf :: Spectra -> Raster -> Vector Double
+coefficientsOf = cosineTransform . spectraCosines
 
 -- | How much of the relief's variance a patch may have: relief is not alike everywhere, and two
 -- patches of a gap are alike without saying much.
@@ -169,22 +139,21 @@ data Process = Process
 processOf :: Spectra -> Double -> [Vector Double] -> Process
 processOf tables least frames = Process best (noiseShares !! (best `rem` noiseCount)) scales logs
   where
-    squares = map (V.map (\c -> c * c)) frames
+    powersSeen = map (\c -> let squares = V.map (\x -> x * x) c in (squares, V.sum squares)) frames
     scores = V.generate (shapeCount * noiseCount) score
     score i
       | noiseShares !! (i `rem` noiseCount) < least = -1 / 0
-      | otherwise = sum (map (fst . fit i) squares)
+      | otherwise = sum (map (fst . fit i) powersSeen)
     best = V.maxIndex scores
-    (logs, scales) = unzip (map (fit best) squares)
-    fit i c
-      | V.sum c <= 0 = (0, 0)
+    (logs, scales) = unzip (map (fit best) powersSeen)
+    fit i (squares, total)
+      | total <= 0 = (0, 0)
       | otherwise =
-        (negate (logs' + n * log scale) / 2 - n / 2 * (1 + log (2 * pi)) + n / 2 * log total, scale)
+        (n / 2 * (log (total / n) - log scale - 1 - log (2 * pi)) - logs' / 2, scale)
       where
         (inverses, logs') = spectraWhole tables Boxed.! i
-        n = fromIntegral (V.length c)
-        scale = V.sum (V.zipWith (*) c inverses) / n
-        total = V.sum c / n
+        n = fromIntegral (V.length squares)
+        scale = dot squares inverses / n
 
 -- | The logarithm of the probability density of a standardised frame with that many coefficients if
 -- it is white noise and nothing else.
@@ -193,96 +162,59 @@ whiteness c = negate n / 2 * (1 + log (2 * pi))
   where
     n = fromIntegral (V.length c)
 
--- | What two patches tell at one scale: the weighted sums of the squares of either, with half the
--- logarithm of the determinant; and for each way of showing one relief, lying exactly so and only
--- to half a taxel, those of the squares and of the products.
+-- | What two patches tell at one scale of the relief: of two reliefs, of one that lies exactly so,
+-- and of one that lies so to half a taxel.
 data Shared = Shared !Sums !Sums !Sums
 
--- | Sums of the first's squares, of the products and of the second's squares, and half the
--- logarithm of the determinant.
+-- | What two patches tell under a normal law of the pairs of their coefficients: the sums of the
+-- first's squares, of the products and of the second's squares, each weighed by the inverse of
+-- their covariance, and half the logarithm of its determinant.
 data Sums = Sums !Double !Double !Double !Double
 
 -- | What two patches of that width and height tell at each of 'reliefScales', from their
 -- coefficients, each divided by the root of its frame's scale.
 shared :: Spectra -> Process -> Int -> Int -> Vector Double -> Vector Double -> [Shared]
-shared tables process w h a b = map summed reliefScales
+shared tables process w h a b =
+  [ Shared
+      (sums scale (\_ _ -> 0))
+      (sums scale const)
+      (sums scale (\p i -> p * V.unsafeIndex coherent i))
+    | scale <- reliefScales
+  ]
   where
     (shapesHere, coherent) = spectraPatches tables Boxed.! (h * (spectraWidth tables + 1) + w)
     power = shapesHere Boxed.! (processIndex process `quot` noiseCount)
     noise = processNoise process
-    n = V.length a
-    summed scale = whole 0 0 0 0 0 0 0 0 0 0 0 0
+    n = minimum (map V.length [a, b, power, coherent])
+    -- Given the covariance of the patches by the relief's variance at a coefficient. Sixteen
+    -- determinants at a time have one logarithm.
+    sums :: Double -> (Double -> Int -> Double) -> Sums
+    sums !scale covariance = from 0 0 0 0 0
       where
-        -- Sixteen factors at a time, so that there is one logarithm for all of them.
-        whole ::
-          Int ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Shared
-        whole !from !x0 !z0 !l0 !x1 !y1 !z1 !l1 !x2 !y2 !z2 !l2
-          | from >= n =
-            Shared (Sums x0 0 z0 (l0 / 2)) (Sums x1 y1 z1 (l1 / 2)) (Sums x2 y2 z2 (l2 / 2))
-          | otherwise = part from (min n (from + 16)) x0 z0 1 l0 x1 y1 z1 1 l1 x2 y2 z2 1 l2
-        part ::
-          Int ->
-          Int ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Double ->
-          Shared
-        part !i !to !x0 !z0 !p0 !l0 !x1 !y1 !z1 !p1 !l1 !x2 !y2 !z2 !p2 !l2
-          | i >= to = whole to x0 z0 (l0 + log p0) x1 y1 z1 (l1 + log p1) x2 y2 z2 (l2 + log p2)
+        from :: Int -> Double -> Double -> Double -> Double -> Sums
+        from !i !x !y !z !l
+          | i >= n = Sums x y z (l / 2)
+          | otherwise = block i (min n (i + 16)) x y z 1 l
+        block :: Int -> Int -> Double -> Double -> Double -> Double -> Double -> Sums
+        block !i !to !x !y !z !product' !l
+          | i >= to = from to x y z (l + log product')
           | otherwise =
             let p = scale * V.unsafeIndex power i
                 v = p + noise
-                c = p * V.unsafeIndex coherent i
+                c = covariance p i
+                determinant = v * v - c * c
+                squares = v / determinant
                 ca = V.unsafeIndex a i
                 cb = V.unsafeIndex b i
-                d1 = v * v - p * p
-                d2 = v * v - c * c
-                r0 = 1 / v
-                r1 = 1 / d1
-                r2 = 1 / d2
-                aa = ca * ca
-                bb = cb * cb
-                ab = ca * cb
-             in part
+             in block
                   (i + 1)
                   to
-                  (x0 + aa * r0)
-                  (z0 + bb * r0)
-                  (p0 * v)
-                  l0
-                  (x1 + aa * v * r1)
-                  (y1 + ab * p * r1)
-                  (z1 + bb * v * r1)
-                  (p1 * d1)
-                  l1
-                  (x2 + aa * v * r2)
-                  (y2 + ab * c * r2)
-                  (z2 + bb * v * r2)
-                  (p2 * d2)
-                  l2
+                  (x + ca * ca * squares)
+                  (y + ca * cb * (c / determinant))
+                  (z + cb * cb * squares)
+                  (product' * determinant)
+                  l
+    {-# INLINE sums #-}
 
 -- | How much likelier, as a natural logarithm, the patches are of one relief than of two, if the
 -- second reads that many times what the first does, beyond the scales. Relief is no normal process,
@@ -291,8 +223,8 @@ sharedLog :: Double -> [Shared] -> Double
 sharedLog ratio scales =
   tempering
     * ( meanOf (concat [[one exactly, one nearly] | Shared _ exactly nearly <- scales])
-          - meanOf [negate l - x * ratio / 2 | Shared (Sums x _ _ l) _ _ <- scales]
-          - meanOf [negate l - z / ratio / 2 | Shared (Sums _ _ z l) _ _ <- scales]
+          - meanOf [negate (l / 2) - x * ratio / 2 | Shared (Sums x _ _ l) _ _ <- scales]
+          - meanOf [negate (l / 2) - z / ratio / 2 | Shared (Sums _ _ z l) _ _ <- scales]
       )
   where
     one (Sums x y z l) = negate l - (x * ratio + z / ratio) / 2 + y

@@ -10,6 +10,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Stitch.Product
 
 -- | The whole displacements within the search at which what both frames show is the same, but for
 -- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or
@@ -26,16 +27,14 @@ agreements step search a b =
   where
     ((ox, oy), (columns, rows)) = displacementGrid step search
     same pa pb =
-      va > 0.01 * variance (rasterValues a)
-        && vb > 0.01 * variance (rasterValues b)
-        && cov > 0
-        && cov * cov >= 0.9999 * 0.9999 * va * vb
+      va > 0.01 * wholeA && vb > 0.01 * wholeB && cov > 0 && cov * cov >= 0.9999 * 0.9999 * va * vb
       where
-        (va, vb) = (variance pa, variance pb)
-        cov = V.sum (V.zipWith (\u v -> (u - mean pa) * (v - mean pb)) pa pb) / count pa
-    count v = fromIntegral (V.length v) :: Double
-    mean v = V.sum v / count v
-    variance v = let m = mean v in V.sum (V.map (\x -> (x - m) * (x - m)) v) / count v
+        (da, db) = (centred pa, centred pb)
+        (va, vb, cov) = (meanProduct da da, meanProduct db db, meanProduct da db)
+    (wholeA, wholeB) = (whole a, whole b)
+    whole image = let d = centred (rasterValues image) in meanProduct d d
+    meanProduct u v = dot u v / fromIntegral (V.length u)
+    centred v = let m = V.sum v / fromIntegral (V.length v) in V.map (subtract m) v
 
 -- | Whether places differ by more than a taxel along x, and along y.
 apart :: [Place] -> (Bool, Bool)

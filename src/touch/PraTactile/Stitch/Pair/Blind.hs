@@ -4,10 +4,12 @@ module PraTactile.Stitch.Pair.Blind
   )
 where
 
+import qualified Data.Vector as Boxed
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, mapRaster)
+import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Stitch.Blend (Place)
-import PraTactile.Stitch.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Stitch.Cosine
+import PraTactile.Stitch.Pair.Overlap
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Spectrum
 
@@ -20,31 +22,38 @@ blindPosterior tables process step search a b =
   posterior origin 1 size (V.generate (columns * rows) at)
   where
     (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
+    cosines = spectraCosines tables
     (scaleA, scaleB) = case processScales process of
       [s, t] -> (s, t)
       _ -> (1, 1)
     scaled scale = mapRaster (* (if scale > 0 then 1 / sqrt scale else 0))
     a' = scaled scaleA a
     b' = scaled scaleB b
-    at i = case overlapOf a' b' (round x) (round y) of
-      Just (w, h, pa, pb)
-        | w * h > 1 ->
-          prior
-            + fair (w * h)
-              * together (shared tables process w h (transform w h pa) (transform w h pb))
-      _ -> prior
+    -- What both have in common at each displacement along x; its rows are transformed once.
+    strips = Boxed.generate columns $ \column ->
+      let Common xa xb w = across (round ox + column)
+       in (w, strip cosines a' xa w, strip cosines b' xb w)
+    across = inCommon (rasterWidth a) (rasterWidth b)
+    down = inCommon (rasterHeight a) (rasterHeight b)
+    at i
+      | w * h > 1 =
+        prior + fair (w * h) * together (shared tables process w h (patch ya inA) (patch yb inB))
+      | otherwise = prior
       where
         (row, column) = i `quotRem` columns
+        (w, inA, inB) = strips Boxed.! column
+        Common ya yb h = down (round oy + row)
+        patch from there = patchTransform cosines there from h
         x = ox + fromIntegral column
         y = oy + fromIntegral row
         prior = priorAround search (x - fst step, y - snd step)
     -- An overlap counts as much as the nominal one, however large: one relief alike everywhere
     -- along an axis must not be drawn to where more of it is seen.
     fair n = max 0.5 (min 2 (nominal / fromIntegral n)) :: Double
-    nominal = case overlapOf a b (round (fst step)) (round (snd step)) of
-      Just (w, h, _, _) -> fromIntegral (w * h)
-      Nothing -> 1
-    transform w h p = cosineTransform tables w h p
+    nominal = fromIntegral (max 1 (w * h))
+      where
+        Common _ _ w = across (round (fst step))
+        Common _ _ h = down (round (snd step))
     together sums = top + log (sum (map (\l -> exp (l - top)) logs) / fromIntegral (length logs))
       where
         logs = [sharedLog r sums + l | (r, l) <- ratios]

@@ -1,6 +1,8 @@
 -- | What two frames have in common, at each displacement that is looked at.
 module PraTactile.Stitch.Pair.Overlap
   ( displacementGrid,
+    Common (..),
+    inCommon,
     Patch,
     overlapOf,
   )
@@ -21,6 +23,17 @@ displacementGrid (x, y) search = ((fromIntegral x0, fromIntegral y0), (x1 - x0 +
     span' t =
       (ceiling (t - search - 1e-9), max (ceiling (t - search - 1e-9)) (floor (t + search + 1e-9)))
 
+-- | What two stretches have in common along an axis: from where on in the first, from where on in
+-- the second, and how much.
+data Common = Common !Int !Int !Int
+
+-- | What stretches of those lengths have in common where the second starts at that place of the
+-- first; 0 if nothing.
+inCommon :: Int -> Int -> Int -> Common
+inCommon m n d = Common from (from - d) (max 0 (min m (d + n) - from))
+  where
+    from = max 0 d
+
 -- | A part of an image, row by row.
 type Patch = V.Vector Double
 
@@ -29,12 +42,10 @@ type Patch = V.Vector Double
 overlapOf :: Raster -> Raster -> Int -> Int -> Maybe (Int, Int, Patch, Patch)
 overlapOf a b dx dy
   | w <= 0 || h <= 0 = Nothing
-  | otherwise = Just (w, h, part a x0 y0, part b (x0 - dx) (y0 - dy))
+  | otherwise = Just (w, h, part a xa ya, part b xb yb)
   where
-    x0 = max 0 dx
-    y0 = max 0 dy
-    w = min (rasterWidth a) (dx + rasterWidth b) - x0
-    h = min (rasterHeight a) (dy + rasterHeight b) - y0
+    Common xa xb w = inCommon (rasterWidth a) (rasterWidth b) dx
+    Common ya yb h = inCommon (rasterHeight a) (rasterHeight b) dy
     part image x y =
       let wide = rasterWidth image
           values = rasterValues image
