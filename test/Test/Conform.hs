@@ -95,7 +95,7 @@ faultSpec = describe "in a session" $ do
 -- that it never ends, for a busy machine may take its time to start one.
 patience :: String -> String
 patience fault
-  | fault `elem` ["hang", "stays"] = "5"
+  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = "5"
   | otherwise = "60"
 
 oneShotSpec :: Spec

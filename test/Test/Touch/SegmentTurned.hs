@@ -143,7 +143,7 @@ anyAngle = do
         let at = incompleteAt part
         (k, at, minimum (map (apart at . snd) (centres scene)))
           `shouldSatisfy` (\(_, _, d) -> d < 1)
-        (k, at, incompleteSeen part) `shouldSatisfy` (\(_, _, seen) -> seen >= 1 / 6 && seen <= 1)
+        (k, at, incompleteSeen part) `shouldSatisfy` (\(_, _, seen) -> seen >= 1 / 16 && seen <= 1)
         (k, whole scene at && all ((> 2) . apart at . featuredAt) (sightedSymbols sighted))
           `shouldBe` (k, False)
   where
