@@ -70,5 +70,6 @@ tables same others results = unlines (sampled ++ whole ++ missed)
       Nothing -> " (not tried)"
       Just r -> case resultOutcome r of
         Unreached -> " (no test comes to it)"
-        Open -> " (not tried by all tests)"
+        Unfelt -> " (the same value wherever tests come to it)"
+        Open -> printf " (not tried by all tests; %.0f s were spent)" (resultSpent r)
         _ -> ""
