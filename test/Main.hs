@@ -105,6 +105,7 @@ import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
+import qualified Test.Touch.SegmentParts
 import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.SensorConstants
@@ -176,6 +177,7 @@ specs = do
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
     describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
