@@ -62,6 +62,7 @@ import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
+import qualified Test.Conformance.Scenes
 import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
@@ -209,6 +210,7 @@ specs = do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: what is asked" Test.Conformance.Cases.spec
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
+  describe "Conformance: the scenes of touch" Test.Conformance.Scenes.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec
