@@ -11,7 +11,6 @@ import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Segment.Box
-import PraTactile.Segment.Component
 import PraTactile.Segment.Lattice
 import PraTactile.Segment.Level
 import PraTactile.Segment.Region
@@ -48,12 +47,6 @@ regionSpec = modifyMaxSuccess (const 200) $ do
           near p p' = distance w p p' <= gap + 1
        in sort (map sort (regions (plain w h) gap (V.fromList marks)))
             === sort (map sort (connected near pixels))
-  it "are the components of the set of pixels, from the least pixel on" $
-    property $ \(Marked (w, h, marks)) -> forAll (choose (0, 2)) $ \gap ->
-      let places = [(p `mod` w, p `div` w) | (p, True) <- zip [0 ..] marks]
-          near (x, y) (x', y') = max (abs (x - x')) (abs (y - y')) <= gap + 1
-       in map Set.toList (components gap (Set.fromList places))
-            === sort (map sort (connected near places)) .&&. length (show h) =/= 0
   it "grow by what is near" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 3)) $ \far ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
@@ -193,15 +186,6 @@ sideSpec = do
   it "are none of no pixels" $
     (horizontalExtent nowhere Set.empty, verticalExtent nowhere Set.empty)
       `shouldBe` (Nothing, Nothing)
-  it "of a known length have the centre between them, or that length from a closed one" $ do
-    let extent open open' to = Extent (Side 2 open) (Side to open')
-    [fitted 1 8 (extent False False to) | to <- [8.99, 9, 10, 11, 11.01]]
-      `shouldBe` [Nothing, Just 5.5, Just 6, Just 6.5, Nothing]
-    -- Half a pixel is missing, and more.
-    [fitted 1 8 (extent True False to) | to <- [9.5, 9.25]] `shouldBe` [Just 5.75, Just 5.25]
-    [fitted 1 8 (extent False True to) | to <- [9.5, 9.25]] `shouldBe` [Just 5.75, Just 6]
-    [fitted 1 8 (extent True True to) | to <- [9.5, 9.25]] `shouldBe` [Just 5.75, Just 5.625]
-    extentLength (extent False False 9) `shouldBe` 7
   where
     nowhere = Scene (const Nothing) 0.5
 
