@@ -47,8 +47,10 @@ data Group = Group
     -- | Seconds of processor time, without a mutant, and of the clock.
     groupTook :: Double,
     groupWaited :: Double,
-    -- | Not where an example fails, or the time for a group of several examples was over.
+    -- | Not where an example fails, or the time was over.
     groupPasses :: Bool,
+    -- | Whether the time was over; what was recorded until then stands.
+    groupCut :: Bool,
     -- | What its processes recorded, by 'mark'.
     groupMarks :: Set.IntSet
   }
@@ -76,6 +78,7 @@ instance ToJSON Group where
         "seconds" .= groupTook g,
         "waited" .= groupWaited g,
         "passes" .= groupPasses g,
+        "cut" .= groupCut g,
         "marks" .= Set.toList (groupMarks g)
       ]
 
@@ -88,6 +91,7 @@ instance FromJSON Group where
       <*> o .: "seconds"
       <*> o .: "waited"
       <*> o .: "passes"
+      <*> o .:? "cut" .!= False
       <*> (Set.fromList <$> o .: "marks")
 
 -- | A group as it is named where it is said what was tried: with its examples.
@@ -105,9 +109,11 @@ long = 2
 -- | The groups that pass without a mutant, as far as they are known from the file, where those that
 -- are not are added, an object a line. A group that takes long, or fails, is divided; examples that
 -- fail take no part, and are named on the standard error. At the quick pace the parts of what takes
--- long are left out; so is what took long when other sources were tried, by the same file.
-measured :: Suite -> String -> [Site] -> Pace -> FilePath -> IO [Group]
-measured suite state sites pace file = do
+-- long are left out; so is what took long when other sources were tried, by the same file. An
+-- example that takes more than this many seconds of processor time is cut off; it stands among the
+-- groups, with what it came to.
+measured :: Suite -> String -> [Site] -> Double -> Pace -> FilePath -> IO [Group]
+measured suite state sites most pace file = do
   there <- doesFileExist file
   known <- if there then mapMaybe decodeStrict . Lines.lines <$> Bytes.readFile file else pure []
   listed <- headings suite
@@ -124,16 +130,18 @@ measured suite state sites pace file = do
       case Map.lookup (groupKeyOf heading) current of
         Just g
           | groupPasses g && (groupTook g <= long || single heading) -> pure [g]
-          | single heading -> pure []
+          | single heading && groupCut g && groupTook g <= most -> anew
+          | single heading -> pure [g | groupCut g]
           | groupPasses g || groupTook g > long -> parts
           | otherwise -> concat <$> traverse (walk current before) (subForest heading)
         Nothing
           | not (single heading), maybe False (> long) (earlier heading) -> parts
-          | otherwise -> do
-            g <- measure heading
-            Lazy.appendFile file (encode g <> "\n")
-            walk (Map.insert (groupKeyOf heading) g current) before heading
+          | otherwise -> anew
       where
+        anew = do
+          g <- measure heading
+          Lazy.appendFile file (encode g <> "\n")
+          walk (Map.insert (groupKeyOf heading) g current) before heading
         earlier h = Map.lookup (groupKeyOf h) before
         parts = case pace of
           Quick -> pure []
@@ -142,11 +150,11 @@ measured suite state sites pace file = do
     measure heading = do
       let path = rootLabel heading
           record = suiteScratch suite ++ "/marks"
-          limits = if single heading then Limits 1200 3600 else Limits (ceiling long + 1) 600
+          limit = ceiling (if single heading then max long most else long) + 1
       withBinaryFile record WriteMode (`hSetFileSize` (8 * fromIntegral places))
-      ended <- run suite limits [("PRA_TACTILE_MARKS", record)] path
+      ended <- run suite (Limits limit 3600) [("PRA_TACTILE_MARKS", record)] path
       marks <- recordedIn sites <$> Bytes.readFile record
-      let took = if runTimedOut ended then max (long + 1) (runTook ended) else runTook ended
+      let took = if runTimedOut ended then max (fromIntegral limit) (runTook ended) else runTook ended
           group =
             Group
               { groupPath = path,
@@ -155,11 +163,12 @@ measured suite state sites pace file = do
                 groupTook = took,
                 groupWaited = runWaited ended,
                 groupPasses = runPassed ended,
+                groupCut = runTimedOut ended,
                 groupMarks = marks
               }
       hPutStrLn stderr $
         printf "%s: %d values, %.1f s" path (Set.size marks) took
-          ++ (if runPassed ended then "" else if runTimedOut ended then ", divided" else ", FAILS")
+          ++ (if runPassed ended then "" else if runTimedOut ended then ", cut off" else ", FAILS")
       pure group
 
 -- | What stands in a file of records: "Mutant" has its form.

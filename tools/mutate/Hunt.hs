@@ -78,7 +78,14 @@ hunt choice suite home mutantsFile resultsFile state = do
         budget = case pace of
           Quick -> quickly
           Slow -> choiceSeconds choice
-    groups <- measured (suite (folder </> "scratch")) state sites pace (folder </> "groups.jsonl")
+    groups <-
+      measured
+        (suite (folder </> "scratch"))
+        state
+        sites
+        (choiceSeconds choice)
+        pace
+        (folder </> "groups.jsonl")
     known <- readMVar done
     -- First those of the modules that are tried as a whole, and last those that were tried before.
     let order m = (mutantDrawn m, Map.member (mutantName m) known)

@@ -8,9 +8,9 @@ import Text.Printf (printf)
 
 -- | What came of the sample, and of the modules that were tried as a whole, if there are any: how
 -- many were noticed of each part of the library and of each module, beside those that change
--- nothing, those that were not noticed by any test, and those that are open, which were not tried
--- or not by all tests that might notice them; then those that were not noticed. The arguments are the mutants that change nothing, the others, and the results by
--- the mutants' names.
+-- nothing, those that no test notices, and those that are open, which were not tried or not by all
+-- tests that might notice them; then those that were not noticed. The arguments are the mutants
+-- that change nothing, the others, and the results by the mutants' names.
 tables :: [Mutant] -> [Mutant] -> Map.Map String Result -> String
 tables same others results = unlines (sampled ++ whole ++ missed)
   where
