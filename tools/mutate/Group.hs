@@ -154,7 +154,8 @@ measured suite state sites most pace file = do
       withBinaryFile record WriteMode (`hSetFileSize` (8 * fromIntegral places))
       ended <- run suite (Limits limit 3600) [("PRA_TACTILE_MARKS", record)] path
       marks <- recordedIn sites <$> Bytes.readFile record
-      let took = if runTimedOut ended then max (fromIntegral limit) (runTook ended) else runTook ended
+      let least = if runTimedOut ended then fromIntegral limit else 0
+          took = max least (runTook ended)
           group =
             Group
               { groupPath = path,
@@ -168,7 +169,10 @@ measured suite state sites most pace file = do
               }
       hPutStrLn stderr $
         printf "%s: %d values, %.1f s" path (Set.size marks) took
-          ++ (if runPassed ended then "" else if runTimedOut ended then ", cut off" else ", FAILS")
+          ++ case (runPassed ended, runTimedOut ended) of
+            (True, _) -> ""
+            (_, True) -> ", cut off"
+            _ -> ", FAILS"
       pure group
 
 -- | What stands in a file of records: "Mutant" has its form.

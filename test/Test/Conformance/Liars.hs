@@ -75,12 +75,13 @@ spec = do
       causes `shouldMatchList` [Just Nothing, Just (Just "keeps-the-second-summand")]
   it "windows and masks have 1 to 4096 cells, arrays at most 2^20" $ do
     Just paper <- pure (lookup "paper" defaultProfiles)
-    let sized shape = either (Just . refusalReason) (const Nothing) (known paper {profileWindow = shape})
+    let why' answer = either (Just . refusalReason) (const Nothing) answer
+        sized shape = why' (known paper {profileWindow = shape})
     map sized [Shape 64 64, Shape 4096 1, Shape 1 1] `shouldBe` [Nothing, Nothing, Nothing]
     map sized [Shape 4097 1, Shape 64 65, Shape 0 5, Shape 5 0]
       `shouldBe` replicate 4 (Just "impossible-profile")
     Right about <- pure (known paper)
-    let asked mask = either (Just . refusalReason) (const Nothing) (expected about (Prove mask))
+    let asked mask = why' (expected about (Prove mask))
     asked [replicate 4096 '#'] `shouldBe` Nothing
     asked [replicate 4097 '#'] `shouldBe` Just "invalid"
     asked (replicate 64 (replicate 64 '#')) `shouldBe` Nothing
@@ -102,7 +103,8 @@ spec = do
   where
     wrong = Violated (Violation [] (RefusedFor "") "" "")
     -- Nothing is asked.
-    told most verdicts = fmap fst <$> firstViolated (openingAnswers library) most (map pure verdicts)
+    told most verdicts =
+      fmap fst <$> firstViolated (openingAnswers library) most (map pure verdicts)
 
 -- | The trials of a law, and how many are judged.
 trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)

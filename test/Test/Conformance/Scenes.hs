@@ -13,7 +13,8 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (parseMaybe)
 import Data.Foldable (for_)
 import Data.List (nub, sort, transpose)
-import Data.Maybe (fromMaybe, isJust, listToMaybe, mapMaybe)
+import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
+import Data.Traversable (for)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
@@ -67,8 +68,8 @@ under key value = case value of
 
 -- * Reliefs, by what is said of them
 
--- | 184 bumps and dents, of radii of 1 to 3 taxels, between (-24, -24) and (48, 48), each a bell cut
--- off at four radii; 10000 is the middle, 4000 the highest bump.
+-- | 184 bumps and dents, of radii of 1 to 3 taxels, between (-24, -24) and (48, 48), each a bell
+-- cut off at four radii; 10000 is the middle, 4000 the highest bump.
 relief :: Int -> WholeTaxels -> Natural
 relief seed = \(x, y) ->
   let heights =
@@ -154,7 +155,7 @@ pairSpec = do
       cases <- drawn 24 ("register/" ++ name)
       those <- traverse (judged name way) cases
       -- Some tell, and not all.
-      [those' | Just those' <- those] `shouldSatisfy` ((> 8) . length)
+      catMaybes those `shouldSatisfy` ((> 8) . length)
   it "gains are 1 to 3, and symmetries all eight" $ do
     gains <- drawn 40 "register/gain-and-offset"
     sort (nub [gain | (value, trial) <- gains, Just (gain, _) <- [gainOf value trial]])
@@ -246,60 +247,23 @@ refusedSpec :: Spec
 refusedSpec = do
   it "blank: of the relief's two frames one, or both, in one grey value" $ do
     cases <- drawn 30 "register/blank"
-    shown <-
-      traverse
-        ( \(value, trial) -> do
-            let Press step _ a b = press value
-            pair <- only "blank" trial
-            (pairStep pair, pairSearch pair) `shouldBe` (step, 3)
-            let kept = (pairFirst pair == a, pairSecond pair == b)
-            [flat (pairFirst pair) | not (fst kept)] `shouldSatisfy` and
-            [flat (pairSecond pair) | not (snd kept)] `shouldSatisfy` and
-            [passes (registering (Registered r (9, 9) (True, True))) trial | r <- others "blank"]
-              `shouldSatisfy` not . or
-            passes (registering (Registered (Just "blank") (9, 9) (True, True))) trial
-              `shouldBe` True
-            pure kept
-        )
-        cases
+    shown <- for cases $ \(value, trial) -> do
+      let Press step _ a b = press value
+      pair <- only "blank" trial
+      (pairStep pair, pairSearch pair) `shouldBe` (step, 3)
+      let kept = (pairFirst pair == a, pairSecond pair == b)
+          verdict reason = passes (registering (Registered reason (9, 9) (True, True))) trial
+      [flat (pairFirst pair) | not (fst kept)] `shouldSatisfy` and
+      [flat (pairSecond pair) | not (snd kept)] `shouldSatisfy` and
+      map verdict (others "blank") `shouldSatisfy` not . or
+      verdict (Just "blank") `shouldBe` True
+      pure kept
     sort (nub shown) `shouldBe` [(False, False), (False, True), (True, False)]
   it "one-axis: alike along the other axis; the displacement across the edges counts alone" $ do
     cases <- drawn 40 "register/one-axis"
-    shown <-
-      traverse
-        ( \(value, trial) -> case pairsIn (snd (asked (registering (none "one-axis")) trial)) of
-            [] -> pure Nothing
-            pair : _ -> do
-              let step = under "step" value
-                  shift = step `plus` under "error" value
-                  across = all flat' (transpose (pairFirst pair))
-                  frame = if across then id else transpose
-                  part (x, y) = if across then x else y
-                  fixed = (across, not across)
-                  at by = real shift `plus` (if across then by else (snd by, fst by))
-                  verdict reason d fixed' =
-                    passes (registering (Registered reason (at d) fixed')) trial
-              (pairStep pair, pairSearch pair) `shouldBe` (step, 3)
-              -- Both show the same edges, alike along them.
-              let lines' = map frame [pairFirst pair, pairSecond pair]
-                  (rowA, rowB) = (concatMap head' (take 1 lines'), concatMap head' (drop 1 lines'))
-                  by = fromInteger (part shift)
-              map (length . nub) lines' `shouldBe` [1, 1]
-              and (zipWith (==) (drop by rowA) (drop (negate by) rowB)) `shouldBe` True
-              [maximum row >= minimum row + 4000 | row <- [rowA, rowB]] `shouldBe` [True, True]
-              [verdict (Just "one-axis") d fixed | d <- [(0, 0), (0.49, 0), (-0.49, 99)]]
-                `shouldSatisfy` and
-              [verdict (Just "one-axis") d fixed | d <- [(0.51, 0), (-0.51, 0)]]
-                `shouldSatisfy` not . or
-              [verdict r (0, 0) fixed | r <- others "one-axis"] `shouldSatisfy` not . or
-              [ verdict (Just "one-axis") (0, 0) f
-                | f <- [(True, True), (False, False), (not across, across)]
-                ]
-                `shouldSatisfy` not . or
-              pure (Just across)
-        )
-        cases
-    sort (nub (mapMaybe id shown)) `shouldBe` [False, True]
+    shown <- for cases $ \(value, trial) ->
+      for (pairsIn (snd (asked (registering (none "one-axis")) trial))) (oneAxis value trial)
+    sort (nub (concat shown)) `shouldBe` [False, True]
   it "periodic: the same again after 4 to 6 taxels along both axes, within the search" $ do
     cases <- drawn 30 "register/periodic"
     for_ cases $ \(value, trial) -> do
@@ -308,7 +272,7 @@ refusedSpec = do
           again rows = [p | p <- [4 .. 6], and (zipWith (==) (drop p rows) rows)]
           frames = [pairFirst pair, pairSecond pair]
       (pairStep pair, pairSearch pair) `shouldBe` (under "step" value, 6)
-      map (\rows -> (length (head' rows), length rows)) frames
+      map (\rows -> (length (concat (take 1 rows)), length rows)) frames
         `shouldBe` [(w + 8, h + 8), (w + 8, h + 8)]
       map (null . again) frames `shouldBe` [False, False]
       map (null . again . transpose) frames `shouldBe` [False, False]
@@ -316,25 +280,18 @@ refusedSpec = do
       verdicts "ambiguous" trial
   it "no-overlap: every displacement within the search is as long as the frame, or longer" $ do
     cases <- drawn 40 "register/no-overlap"
-    sides <-
-      traverse
-        ( \(value, trial) -> do
-            pair <- only "no-overlap" trial
-            let Press _ _ a b = press value
-                (w, h) = under "size" value
-                (x, y) = pairStep pair
-            (pairFirst pair, pairSecond pair, pairSearch pair) `shouldBe` (a, b, 3)
-            (abs x - 3 >= w || abs y - 3 >= h) `shouldBe` True
-            (abs x <= w + 9 && abs y <= h + 9) `shouldBe` True
-            verdicts "no-overlap" trial
-            pure (abs x > abs y, signum (if abs x > abs y then x else y))
-        )
-        cases
+    sides <- for cases $ \(value, trial) -> do
+      pair <- only "no-overlap" trial
+      let Press _ _ a b = press value
+          (w, h) = under "size" value
+          (x, y) = pairStep pair
+      (pairFirst pair, pairSecond pair, pairSearch pair) `shouldBe` (a, b, 3)
+      (abs x - 3 >= w || abs y - 3 >= h) `shouldBe` True
+      (abs x <= w + 9 && abs y <= h + 9) `shouldBe` True
+      verdicts "no-overlap" trial
+      pure (abs x > abs y, signum (if abs x > abs y then x else y))
     length (nub sides) `shouldBe` 4
   where
-    none reason = Registered (Just reason) (0, 0) (False, False)
-    others reason =
-      Nothing : map Just (filter (/= reason) ["blank", "one-axis", "ambiguous", "no-overlap"])
     only reason trial = case pairsIn (snd (asked (registering (none reason)) trial)) of
       [pair] -> pure pair
       several -> fail (show (length several) ++ " questions")
@@ -343,8 +300,46 @@ refusedSpec = do
       [passes (registering (Registered r (0, 0) (False, False))) trial | r <- others reason]
         `shouldSatisfy` not . or
     flat rows = flat' (concat rows)
-    flat' values = length (nub values) <= 1
-    head' = concat . take 1
+
+-- | A refusal for this reason.
+none :: String -> Registered
+none reason = Registered (Just reason) (0, 0) (False, False)
+
+-- | What is answered instead of this reason.
+others :: String -> [Maybe String]
+others reason =
+  Nothing : map Just (filter (/= reason) ["blank", "one-axis", "ambiguous", "no-overlap"])
+
+flat' :: [Natural] -> Bool
+flat' values = length (nub values) <= 1
+
+-- | A pair of edges all along one axis, and what is taken for right of it; whether the axis across
+-- the edges is x.
+oneAxis :: Value -> Ask Verdict -> Pair -> IO Bool
+oneAxis value trial pair = do
+  (pairStep pair, pairSearch pair) `shouldBe` (step, 3)
+  -- Both show the same edges, alike along them.
+  map (length . nub) edges `shouldBe` [1, 1]
+  and (zipWith (==) (drop by rowA) (drop (negate by) rowB)) `shouldBe` True
+  [maximum row >= minimum row + 4000 | row <- [rowA, rowB]] `shouldBe` [True, True]
+  [verdict (Just "one-axis") d fixed | d <- [(0, 0), (0.49, 0), (-0.49, 99)]]
+    `shouldSatisfy` and
+  [verdict (Just "one-axis") d fixed | d <- [(0.51, 0), (-0.51, 0)]] `shouldSatisfy` not . or
+  [verdict r (0, 0) fixed | r <- others "one-axis"] `shouldSatisfy` not . or
+  map (verdict (Just "one-axis") (0, 0)) [(True, True), (False, False), (not across, across)]
+    `shouldSatisfy` not . or
+  pure across
+  where
+    step = under "step" value
+    shift = step `plus` under "error" value
+    across = all flat' (transpose (pairFirst pair))
+    edges = map (if across then id else transpose) [pairFirst pair, pairSecond pair]
+    (rowA, rowB) = (line (take 1 edges), line (drop 1 edges))
+    line = concat . concatMap (take 1)
+    by = fromInteger (if across then fst shift else snd shift)
+    fixed = (across, not across)
+    at d = real shift `plus` (if across then d else (snd d, fst d))
+    verdict reason d fixed' = passes (registering (Registered reason (at d) fixed')) trial
 
 -- * Several frames
 
@@ -390,7 +385,7 @@ surveySpec = do
             [ errors
               | length frames == length truth,
                 Just errors <- [traverse (`lookup'` truth) frames],
-                all (`elem` frames) (map fst truth)
+                all ((`elem` frames) . fst) truth
             ]
         ),
         ( "moved",
@@ -463,7 +458,7 @@ drawingSpec = do
             wanted : _ -> do
               let verdict answers = passes (segmenting answers) trial
                   first change = case wanted of
-                    one : rest -> [change one : rest | True]
+                    one : rest -> [change one : rest]
                     [] -> []
                   byPlace d one = one {symbolPlace = symbolPlace one `plus` d}
                   byAngle d one = one {symbolDegrees = symbolDegrees one + d}
@@ -475,7 +470,7 @@ drawingSpec = do
                 `shouldSatisfy` and
               map verdict ([5.1, -5.1, 90, 174.9, -185.1] >>= first . byAngle)
                 `shouldSatisfy` not . or
-              map verdict ([Symbol (1, 1) 0 : wanted] ++ [drop 1 wanted | not (null wanted)])
+              map verdict ((Symbol (1, 1) 0 : wanted) : [drop 1 wanted | not (null wanted)])
                 `shouldSatisfy` not . or
             [] -> expectationFailure (name ++ ": another drawing for " ++ show value)
           several -> expectationFailure (show (length several) ++ " questions")
@@ -542,13 +537,13 @@ drawingSpec = do
           rows == composite d places
       ]
       where
-        step (k, place) others =
+        step (k, place) more =
           [ (k, moved) : rest
             | i <- [0 .. 2],
               j <- [0 .. 2],
               let moved = place `plus` (i, j),
               shownAt k moved,
-              rest <- others
+              rest <- more
           ]
         -- What stands there in the rows is what this symbol would be.
         shownAt k (x, y) =
@@ -587,14 +582,13 @@ symbolsOf d =
 -- weights 1 2 1 along both axes; 4 taxels more to the right and below than cells of the lattice.
 composite :: Drawing -> [(Int, WholeTaxels)] -> Rows
 composite d symbols =
-  [ [8000 + 750 * (if drawingBlurred d then blurred x y else 16 * embossed x y) | x <- [0 .. w - 1]]
-    | y <- [0 .. h - 1]
-  ]
+  [[8000 + 750 * weight x y | x <- [0 .. w - 1]] | y <- [0 .. h - 1]]
   where
     (x0, y0) = drawingOrigin d
     w = x0 + 16 * maximum (0 : map count (drawingClasses d)) + 4
     h = y0 + 20 * count (drawingClasses d) + 4
     count list = fromIntegral (length list) :: Integer
+    weight x y = if drawingBlurred d then blurred x y else 16 * embossed x y
     blurred x y =
       sum
         [ k * k' * embossed (x + i) (y + j)

@@ -64,8 +64,8 @@ regionSpec = modifyMaxSuccess (const 200) $ do
                 | y <- [0 .. h - 1],
                   x <- [0 .. w - 1]
               ]
-            .&&. map (placeOf (plain w h)) [0 .. w * h - 1]
-            === [(x, y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
+          .&&. map (placeOf (plain w h)) [0 .. w * h - 1]
+          === [(x, y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
   it "extend from the first to the last of their pixels, each of which is one wide" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (-180, 180)) $ \angle ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
@@ -106,7 +106,7 @@ regionSpec = modifyMaxSuccess (const 200) $ do
     sine angle = sin (angle * pi / 180)
 
 -- | The classes of what chains of pairs connect.
-connected :: Eq a => (a -> a -> Bool) -> [a] -> [[a]]
+connected :: (a -> a -> Bool) -> [a] -> [[a]]
 connected near = foldr add []
   where
     add p others =
@@ -213,8 +213,9 @@ levelSpec = do
                 let (below, above) = splitAt i bins
             ]
           close (a, b) (Levels low high) = abs (a - low) < 1e-9 && abs (b - high) < 1e-9
-       in counterexample (show (candidates, found)) (maybe False (\l -> any (`close` l) candidates) found)
-  it "are none where all is alike, or nothing, or too little for the noise or an image of 8 bits" $ do
+          medians = maybe False (\l -> any (`close` l) candidates) found
+       in counterexample (show (candidates, found)) medians
+  it "are none where all is alike, or nothing, or too little for the noise or for 8 bits" $ do
     let two noise high = levels noise (V.fromList (replicate 10 0 ++ replicate 30 high))
         -- Half a bin from the ends.
         apart high = high * 511 / 512
@@ -273,7 +274,8 @@ noiseSpec = do
           coverage = generate 9 8 (\x y -> if untouched x y then 0 else 1)
           part = fieldOf 1 (composed spoilt coverage)
           wanted = 2 * max a b / (0.6745 * sqrt 6)
-          close came = counterexample (show (wanted, came)) (abs (came - wanted) <= wanted / 500 + 1e-9)
+          close came =
+            counterexample (show (wanted, came)) (abs (came - wanted) <= wanted / 500 + 1e-9)
        in close (pixelNoise whole image) .&&. close (pixelNoise part spoilt)
   it "is what the weights of a mean leave: the root of the sum of their squares" $ do
     let weights = [k * k' / 16 | k <- [1, 2, 1], k' <- [1, 2, 1]]
