@@ -115,6 +115,7 @@ import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.StitchLattice
+import qualified Test.Touch.StitchParts
 import qualified Test.Touch.Train
 import qualified Test.Truth
 
@@ -176,6 +177,7 @@ specs = do
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
+    describe "What stitching is made of" Test.Touch.StitchParts.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
