@@ -53,7 +53,7 @@ posteriorSpec = do
          in conjoin
               ( zipWith
                   near
-                  (if null finite then map (const (1 / genericLength logs)) logs else map share logs)
+                  (map (if null finite then const (1 / genericLength logs) else share) logs)
                   (V.toList masses)
               )
   it "around a place is the sum of what lies within three quarters of a taxel, on both axes" $
@@ -91,7 +91,7 @@ posteriorSpec = do
                 ]
             earlier = scanl (flip ((:) . hypothesisShift)) [] found
          in conjoin
-              ( property (length found >= 1 && length found <= count) :
+              ( property (not (null found) && length found <= count) :
                 property (all ((>= least) . hypothesisProbability) (drop 1 found)) :
                   [ -- A point at the edge of a place may round either way.
                     counterexample (show (h, left firsts (hypothesisShift h))) $
