@@ -97,6 +97,7 @@ import qualified Test.Symmetry
 import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
+import qualified Test.Touch.ClassifyParts
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
@@ -185,6 +186,7 @@ specs = do
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
     describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
+    describe "What recognising is made of" Test.Touch.ClassifyParts.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
     describe "Training images and parts" Test.Touch.Specimens.spec
