@@ -1,7 +1,7 @@
 #!/bin/sh
 # Plants mistakes in a copy of src and finds which of them the test suite notices. A sample of all possible ones
 # (tools/mutate/Kind.hs has the kinds) is drawn and the copy built once, with the whole sample in it; each mistake is
-# then on in a run of the tests that come to its place. What was tried stands in dist-newstyle/mutate/results.jsonl and
+# then on in a run of the tests in which it makes a difference there. What was tried stands in dist-newstyle/mutate/results.jsonl and
 # is not tried again unless the sources changed in a way that matters to it (tools/mutate/Hunt.hs). It needs GHC 9.0:
 # another one writes about the sources in another form.
 # usage: tools/mutate.sh [--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--seconds N] [--quick]    (600, 1, all, none, 1/1, 2, 60)
