@@ -98,8 +98,8 @@ failingWith settings profiles implementation = do
     `shouldBe` []
 
 -- | Each impostor is wrong in its own way: the laws that are listed for it find it, and no others
--- do. All laws are tried under the smallest profile; those that find nothing there under the others,
--- with a few seeds.
+-- do. All laws are tried under the smallest profile; those listed that find nothing there, under
+-- the others, with a few seeds.
 ownKillers :: [Stage] -> Spec
 ownKillers stages =
   for_ (filter (any (`elem` stages) . impostorTouches) impostors) $ \one ->
