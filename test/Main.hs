@@ -60,6 +60,7 @@ import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawn
+import qualified Test.Conformance.Failures
 import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
@@ -219,6 +220,7 @@ specs = do
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
+  describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec

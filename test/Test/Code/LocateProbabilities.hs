@@ -90,10 +90,12 @@ codebookSpec = do
     d <- on Torus
     d `shouldSatisfy` (> 0)
     mapM on [Sheet, TwistedTorus] `shouldReturn` [d, 0]
-  it "an array can be impossible" $ do
+  it "an array can be impossible, by comparison with all positions" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
     decide 0.5 (posterior codebook p) `shouldBe` Refused Contradiction
+    -- Where all positions are compared there is no list of words.
+    posteriorWords (posterior codebook p) `shouldBe` 0
   it "numbers that are no probabilities are refused" $ do
     let over4 = belief :: [Double] -> Either BeliefError (Belief GF4)
         refused = either Just (const Nothing) . over4

@@ -6,12 +6,15 @@ import Data.List (sortOn)
 import Data.Maybe (fromMaybe, isJust)
 import Data.Ord (Down (..))
 import PraTactile.Classify.Estimate
+import PraTactile.Classify.Regimen
+import PraTactile.Classify.Specimens
 import PraTactile.Classify.Templates
 import PraTactile.Image hiding (mean)
 import PraTactile.Shape
 import PraTactile.Steps
 import PraTactile.Stitch.Rotation
 import PraTactile.Symmetry
+import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, within)
 import Test.Support
@@ -22,6 +25,11 @@ spec = do
   describe "Likeness" likenessSpec
   describe "Estimates" estimateSpec
   describe "How a frame lies" rotationSpec
+  it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
+    known <- drawnAlphabet
+    let made noises = fst (roundImages [(Upright, 2), (Bare, 3)] noises known (mkStdGen 7))
+    made [] `shouldBe` made [0]
+    map snd (made []) `shouldBe` concat [[Just k, Just k] | k <- [0 .. 3]] ++ replicate 12 Nothing
   it "steps are counted from 1, and come to the same result" $
     property $ \steps ->
       let those = foldr Step (Done 'r') (steps :: [Int])

@@ -100,6 +100,10 @@ posteriorSpec = do
                     | (firsts, h) <- zip earlier found
                   ]
               )
+  it "has one at least, however few are asked for and however probable" $
+    forAll genPosterior $ \known ->
+      map length [hypotheses 0 0 known, hypotheses 1 1.5 known, hypotheses 3 1.5 known]
+        === [1, 1, 1]
   it "has the deviations of its axes, with that of a cell of the grid" $
     forAll genPosterior $ \known ->
       let cell = posteriorSpacing known ^ (2 :: Int) / 12
