@@ -143,7 +143,8 @@ spec = do
               low <- [1 .. d],
               let text = Bytes.pack (show low ++ ".." ++ show d)
           ]
-        lastly text = Bytes.intercalate "," . reverse . (text :) . drop 1 . reverse . Bytes.split ','
+        lastly text = Bytes.intercalate "," . reverse . (text :) . drop 1 . reverse . columnsOf
+        columnsOf = Bytes.split ','
         found = concat [limits body | (_, Right body) <- wantedInOrder (wantedOf 2 6)]
     length found `shouldSatisfy` (> 20)
     [one | one@(came, wanted) <- found, came /= Right wanted] `shouldBe` []
