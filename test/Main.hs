@@ -60,8 +60,11 @@ import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawn
+import qualified Test.Conformance.Failures
+import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
+import qualified Test.Conformance.Scenes
 import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
@@ -95,6 +98,7 @@ import qualified Test.Symmetry
 import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
+import qualified Test.Touch.ClassifyParts
 import qualified Test.Touch.Cosine
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
@@ -106,6 +110,7 @@ import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
+import qualified Test.Touch.SegmentParts
 import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.SensorConstants
@@ -113,6 +118,7 @@ import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.StitchLattice
+import qualified Test.Touch.StitchParts
 import qualified Test.Touch.Train
 import qualified Test.Truth
 
@@ -175,12 +181,15 @@ specs = do
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
+    describe "What stitching is made of" Test.Touch.StitchParts.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
     describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
+    describe "What recognising is made of" Test.Touch.ClassifyParts.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
     describe "Training images and parts" Test.Touch.Specimens.spec
@@ -209,8 +218,11 @@ specs = do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: what is asked" Test.Conformance.Cases.spec
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
+  describe "Conformance: the scenes of touch" Test.Conformance.Scenes.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
+  describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
+  describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec

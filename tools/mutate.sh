@@ -1,10 +1,10 @@
 #!/bin/sh
 # Plants mistakes in a copy of src and finds which of them the test suite notices. A sample of all possible ones
 # (tools/mutate/Kind.hs has the kinds) is drawn and the copy built once, with the whole sample in it; each mistake is
-# then on in a run of the tests that come to its place. What was tried stands in dist-newstyle/mutate/results.jsonl and
+# then on in a run of the tests in which it makes a difference there. What was tried stands in dist-newstyle/mutate/results.jsonl and
 # is not tried again unless the sources changed in a way that matters to it (tools/mutate/Hunt.hs). It needs GHC 9.0:
 # another one writes about the sources in another form.
-# usage: tools/mutate.sh [--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--quick]    (600, 1, all, none, 1/1, 2)
+# usage: tools/mutate.sh [--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--seconds N] [--quick]    (600, 1, all, none, 1/1, 2, 60)
 set -eu
 cd "$(dirname "$0")/.."
 case $(ghc --numeric-version) in
@@ -13,7 +13,7 @@ case $(ghc --numeric-version) in
 esac
 
 # What decides the sample; the other options change nothing in what is built.
-sample=$(printf '%s ' "$@" | sed 's/--shard [^ ]*//; s/--jobs [^ ]*//; s/--quick//' | tr -s ' ')
+sample=$(printf '%s ' "$@" | sed 's/--shard [^ ]*//; s/--jobs [^ ]*//; s/--seconds [^ ]*//; s/--quick//' | tr -s ' ')
 work=$PWD/dist-newstyle/mutate
 mkdir -p "$work"
 # What is copied: what git has of this folder, as it stands here.
@@ -47,7 +47,7 @@ if [ "$(cat "$work/state" 2>/dev/null)" != "$state $sample" ]; then
   mkdir -p "$work/new/mutant"
   tar -xf "$work/sources.tar" -C "$work/new"
   cp tools/mutate/Mutant.hs tools/mutate/Original.hs "$work/new/mutant/"
-  awk '/^common shared/ { print "library mutant\n  default-language: Haskell2010\n  hs-source-dirs: mutant\n  build-depends: base, containers\n  exposed-modules: Mutant, Original\n" }
+  awk '/^common shared/ { print "library mutant\n  default-language: Haskell2010\n  hs-source-dirs: mutant\n  build-depends: base, unix\n  exposed-modules: Mutant, Original\n" }
        { print }
        /^  build-depends:    base/ { print "    , pra-tactile:mutant" }' pra-tactile.cabal > "$work/new/pra-tactile.cabal"
 

@@ -101,6 +101,15 @@ spec = do
        in counterexample (show right) $
             regionSymmetry region `elem` right
               && length right == (if abs (regionAngle region) < 40 then 1 else 2)
+  prop "exactly 50 degrees off is as near, and more is not" $
+    forAll askewTruth $ \truth ->
+      let tilted angle = truth {truthRegion = (truthRegion truth) {regionAngle = angle}}
+          symmetry = regionSymmetry (truthRegion truth)
+          said angle =
+            compared canonicalPitch (tilted angle) $
+              Claim (truthFace truth) symmetry (truePlace (tilted angle) (1, 2)) (1, 2) Nothing
+       in map ((== Left OtherWayUp) . said) [50, -50, 50.001, -50.001]
+            === [False, False, True, True]
   prop "an angle is its nearest quarter turn and the rest" $
     forAll (choose (-1000, 1000)) $ \degrees ->
       let (symmetry, rest) = nearestQuarter degrees

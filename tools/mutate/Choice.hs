@@ -26,22 +26,27 @@ data Choice = Choice
     -- | The part of the sample that is tried here, from 1, and how many parts there are.
     choiceShard :: (Int, Int),
     choiceJobs :: Int,
+    -- | Seconds of processor time that may be spent on a mutant by examples that take long.
+    choiceSeconds :: Double,
     -- | Whether only groups of examples run that do not take long.
     choiceQuick :: Bool
   }
 
 usage :: String
-usage = "[--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--quick]"
+usage =
+  "[--count N] [--seed N] [--only MODULE] [--whole MODULE] [--shard I/N] [--jobs N] [--seconds N] \
+  \[--quick]"
 
--- | The options in words; without them 600 mutants of seed 1, two at a time.
+-- | The options in words; without them 600 mutants of seed 1, two at a time, 60 seconds each.
 chooseFrom :: [String] -> Maybe Choice
-chooseFrom = go (Choice 600 1 [] [] (1, 1) 2 False)
+chooseFrom = go (Choice 600 1 [] [] (1, 1) 2 60 False)
   where
     go choice options = case options of
       [] -> Just choice
       "--count" : n : more -> readMaybe n >>= \i -> go choice {choiceCount = i} more
       "--seed" : n : more -> readMaybe n >>= \i -> go choice {choiceSeed = i} more
       "--jobs" : n : more -> readMaybe n >>= \i -> go choice {choiceJobs = i} more
+      "--seconds" : n : more -> readMaybe n >>= \i -> go choice {choiceSeconds = i} more
       "--only" : name : more -> go choice {choiceOnly = name : choiceOnly choice} more
       "--whole" : name : more -> go choice {choiceWhole = name : choiceWhole choice} more
       "--quick" : more -> go choice {choiceQuick = True} more

@@ -1,13 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Groups of examples of the test suite, how long each takes and which sites it comes to. What
--- takes long is measured in smaller parts, down to single examples.
+-- | Groups of examples of the test suite, how long each takes, which sites it comes to, and which
+-- mutants would have had other values there. What takes long is measured in smaller parts, down to
+-- single examples.
 module Group
   ( Group (..),
     Pace (..),
     measured,
     groupKey,
+    comesTo,
+    feels,
     pathsIn,
+    digestOf,
     Heading,
     headings,
   )
@@ -27,8 +31,9 @@ import Data.Text (pack)
 import Data.Text.Encoding (encodeUtf8)
 import Data.Tree (Tree (..), flatten)
 import Run
-import System.Directory (doesFileExist, removeFile)
-import System.IO (hPutStrLn, stderr)
+import Site
+import System.Directory (doesFileExist)
+import System.IO (IOMode (..), hPutStrLn, hSetFileSize, stderr, withBinaryFile)
 import Text.Printf (printf)
 
 -- | Examples under one heading of the suite, or a single one.
@@ -42,10 +47,27 @@ data Group = Group
     -- | Seconds of processor time, without a mutant, and of the clock.
     groupTook :: Double,
     groupWaited :: Double,
-    -- | Not where an example fails, or the time for a group of several examples was over.
+    -- | Not where an example fails, or the time was over.
     groupPasses :: Bool,
-    groupSites :: Set.IntSet
+    -- | Whether the time was over; what was recorded until then stands.
+    groupCut :: Bool,
+    -- | What its processes recorded, by 'mark'.
+    groupMarks :: Set.IntSet
   }
+
+-- | What is recorded of a site: that it is reached, by 0, and for which of its variants it ever had
+-- another value than theirs.
+mark :: Site -> Int -> Int
+mark site variant = 8 * siteNumber site + variant
+
+-- | Whether examples of the group come to the site.
+comesTo :: Group -> Site -> Bool
+comesTo group site = Set.member (mark site 0) (groupMarks group)
+
+-- | Whether the mutant would have had another value in examples of the group; without that none of
+-- them can notice it.
+feels :: Group -> Mutant -> Bool
+feels group (Mutant site variant _) = Set.member (mark site variant) (groupMarks group)
 
 instance ToJSON Group where
   toJSON g =
@@ -56,7 +78,8 @@ instance ToJSON Group where
         "seconds" .= groupTook g,
         "waited" .= groupWaited g,
         "passes" .= groupPasses g,
-        "sites" .= Set.toList (groupSites g)
+        "cut" .= groupCut g,
+        "marks" .= Set.toList (groupMarks g)
       ]
 
 instance FromJSON Group where
@@ -68,7 +91,8 @@ instance FromJSON Group where
       <*> o .: "seconds"
       <*> o .: "waited"
       <*> o .: "passes"
-      <*> (Set.fromList <$> o .: "sites")
+      <*> o .:? "cut" .!= False
+      <*> (Set.fromList <$> o .: "marks")
 
 -- | A group as it is named where it is said what was tried: with its examples.
 groupKey :: Group -> String
@@ -80,14 +104,16 @@ data Pace = Quick | Slow
 
 -- | Seconds of processor time beyond which a group of several examples is divided.
 long :: Double
-long = 10
+long = 2
 
 -- | The groups that pass without a mutant, as far as they are known from the file, where those that
 -- are not are added, an object a line. A group that takes long, or fails, is divided; examples that
 -- fail take no part, and are named on the standard error. At the quick pace the parts of what takes
--- long are left out; so is what took long when other sources were tried, by the same file.
-measured :: Suite -> String -> Pace -> FilePath -> IO [Group]
-measured suite state pace file = do
+-- long are left out; so is what took long when other sources were tried, by the same file. An
+-- example that takes more than this many seconds of processor time is cut off; it stands among the
+-- groups, with what it came to.
+measured :: Suite -> String -> [Site] -> Double -> Pace -> FilePath -> IO [Group]
+measured suite state sites most pace file = do
   there <- doesFileExist file
   known <- if there then mapMaybe decodeStrict . Lines.lines <$> Bytes.readFile file else pure []
   listed <- headings suite
@@ -104,44 +130,64 @@ measured suite state pace file = do
       case Map.lookup (groupKeyOf heading) current of
         Just g
           | groupPasses g && (groupTook g <= long || single heading) -> pure [g]
-          | single heading -> pure []
+          | single heading && groupCut g && groupTook g <= most -> anew
+          | single heading -> pure [g | groupCut g]
           | groupPasses g || groupTook g > long -> parts
           | otherwise -> concat <$> traverse (walk current before) (subForest heading)
         Nothing
           | not (single heading), maybe False (> long) (earlier heading) -> parts
-          | otherwise -> do
-            g <- measure heading
-            Lazy.appendFile file (encode g <> "\n")
-            walk (Map.insert (groupKeyOf heading) g current) before heading
+          | otherwise -> anew
       where
+        anew = do
+          g <- measure heading
+          Lazy.appendFile file (encode g <> "\n")
+          walk (Map.insert (groupKeyOf heading) g current) before heading
         earlier h = Map.lookup (groupKeyOf h) before
         parts = case pace of
           Quick -> pure []
           Slow -> concat <$> traverse (walk current before) (subForest heading)
-    groupKeyOf heading = rootLabel heading ++ "#" ++ digestOf heading
+    groupKeyOf heading = rootLabel heading ++ "#" ++ digestOf (pathsIn heading)
     measure heading = do
       let path = rootLabel heading
-          trace = suiteScratch suite ++ "/sites"
-          limits = if single heading then Limits 1200 3600 else Limits (ceiling long + 1) 600
-      ended <- run suite limits [("PRA_TACTILE_SITES", trace)] path
-      traced <- doesFileExist trace
-      sites <- if traced then map read . lines <$> readFile trace else pure []
-      length sites `seq` if traced then removeFile trace else pure ()
-      let took = if runTimedOut ended then max (long + 1) (runTook ended) else runTook ended
+          record = suiteScratch suite ++ "/marks"
+          limit = ceiling (if single heading then max long most else long) + 1
+      withBinaryFile record WriteMode (`hSetFileSize` (8 * fromIntegral places))
+      ended <- run suite (Limits limit 3600) [("PRA_TACTILE_MARKS", record)] path
+      marks <- recordedIn sites <$> Bytes.readFile record
+      let least = if runTimedOut ended then fromIntegral limit else 0
+          took = max least (runTook ended)
           group =
             Group
               { groupPath = path,
-                groupExamples = digestOf heading,
+                groupExamples = digestOf (pathsIn heading),
                 groupState = state,
                 groupTook = took,
                 groupWaited = runWaited ended,
                 groupPasses = runPassed ended,
-                groupSites = Set.fromList sites
+                groupCut = runTimedOut ended,
+                groupMarks = marks
               }
       hPutStrLn stderr $
-        printf "%s: %d sites, %.1f s" path (Set.size (groupSites group)) took
-          ++ (if runPassed ended then "" else if runTimedOut ended then ", divided" else ", FAILS")
+        printf "%s: %d values, %.1f s" path (Set.size marks) took
+          ++ case (runPassed ended, runTimedOut ended) of
+            (True, _) -> ""
+            (_, True) -> ", cut off"
+            _ -> ", FAILS"
       pure group
+
+-- | What stands in a file of records: "Mutant" has its form.
+recordedIn :: [Site] -> Bytes.ByteString -> Set.IntSet
+recordedIn sites file =
+  Set.fromList
+    [ mark site i
+      | site <- sites,
+        i <- [0 .. length (siteVariants site)],
+        Bytes.index file (8 * (siteNumber site `mod` places) + i) /= 0
+    ]
+
+-- | For how many sites there is room in a file of records.
+places :: Int
+places = 2 ^ (20 :: Int)
 
 -- | A heading of the suite or an example, by its path, over those below it.
 type Heading = Tree String
@@ -153,11 +199,11 @@ single = null . subForest
 pathsIn :: Heading -> [String]
 pathsIn = flatten
 
--- | A digest of what stands below a heading.
-digestOf :: Heading -> String
+-- | A digest of the paths of examples.
+digestOf :: [String] -> String
 digestOf = concatMap (printf "%02x") . Bytes.unpack . Bytes.take 4 . SHA256.hash . bytes
   where
-    bytes = encodeUtf8 . pack . unlines . flatten
+    bytes = encodeUtf8 . pack . unlines
 
 -- | The suite's headings of the first rank.
 headings :: Suite -> IO [Heading]

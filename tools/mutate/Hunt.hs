@@ -1,10 +1,11 @@
 -- | Hunts mutants: @hunt SPEC PROGRAM-FOLDER HOME MUTANTS RESULTS STATE [OPTIONS]@ ("Choice" has
--- the options). Each mutant is on while the groups of examples run that come to its site, the
--- nearest group first, up to the first that fails. A line of JSON each is appended to @RESULTS@.
--- What stands there already is used where the mutant's file is the same: what noticed it, if that
--- example still is in the suite; else the groups that did not notice it, which do not run again.
--- Mutants that change nothing that could be observed, by @tools/mutate/equivalent.txt@ in HOME, are
--- not run. At the end the table by module is printed ("Table").
+-- the options). Each mutant is on while the groups of examples run in which it would have had
+-- another value, the nearest group first, up to the first that fails. A line of JSON each is
+-- appended to @RESULTS@. What stands there already is used where the mutant's file is the same:
+-- what noticed it, if that example still is in the suite; else the groups that did not notice it,
+-- which do not run again. Mutants that change nothing that could be observed, by
+-- @tools/mutate/equivalent.txt@ in HOME, are not run. At the end the table by module is printed
+-- ("Table").
 module Main (main) where
 
 import Choice
@@ -50,7 +51,7 @@ main = do
       exitWith (ExitFailure 2)
 
 -- | First all mutants with the groups that do not take long; then, with those that take long, what
--- these did not notice.
+-- these did not notice, for the seconds that each may take.
 hunt :: Choice -> (FilePath -> Suite) -> FilePath -> FilePath -> FilePath -> String -> IO ()
 hunt choice suite home mutantsFile resultsFile state = do
   mutants <- readMutants mutantsFile
@@ -63,46 +64,63 @@ hunt choice suite home mutantsFile resultsFile state = do
       bySource = Map.fromList [(mutantName m, siteSource (mutantSite m)) | m <- ours]
       unchanged r = Map.lookup (resultName r) bySource == Just (siteSource (resultSite r))
   createDirectoryIfMissing True (folder </> "scratch")
-  examples <- Names.fromList . concatMap pathsIn <$> headings (suite (folder </> "scratch"))
+  paths <- concatMap pathsIn <$> headings (suite (folder </> "scratch"))
   earlier <- readResults resultsFile
-  let holds r = unchanged r && all (`Names.member` examples) (noticedIn (resultOutcome r))
-  done <- newMVar (latest (filter holds earlier))
+  let examples = Names.fromList paths
+      now = digestOf paths
+      holds r = unchanged r && all (`Names.member` examples) (noticedIn (resultOutcome r))
+      -- With other examples the seconds begin anew.
+      anew r = if resultSuite r == now then r else r {resultSpent = 0}
+  done <- newMVar (latest (map anew (filter holds earlier)))
   let stages = Quick : [Slow | not (choiceQuick choice)]
   forM_ stages $ \pace -> do
-    groups <- measured (suite (folder </> "scratch")) state pace (folder </> "groups.jsonl")
+    let sites = Map.elems (Map.fromList [(siteNumber s, s) | s <- map mutantSite mutants])
+        budget = case pace of
+          Quick -> quickly
+          Slow -> choiceSeconds choice
+    groups <-
+      measured
+        (suite (folder </> "scratch"))
+        state
+        sites
+        (choiceSeconds choice)
+        pace
+        (folder </> "groups.jsonl")
     known <- readMVar done
     -- First those of the modules that are tried as a whole, and last those that were tried before.
     let order m = (mutantDrawn m, Map.member (mutantName m) known)
-        left = sortOn order (filter (stillOpen pace groups known) ours)
+        tries scratch near before m =
+          (\r -> r {resultSuite = now}) <$> tryMutant pace budget groups scratch near before m
+        left = sortOn order (filter (stillOpen pace budget groups known) ours)
     unless (null left) $
-      stage (choiceJobs choice) suite folder pace groups (length ours) left earlier done resultsFile
+      stage (choiceJobs choice) suite folder tries (length ours) left earlier done resultsFile
   known <- readMVar done
   putStr (tables same ours known)
   where
     folder = takeDirectory resultsFile
     latest results = Map.fromList [(resultName r, r) | r <- results]
-    stillOpen pace groups known m = case Map.lookup (mutantName m) known of
+    stillOpen pace budget groups known m = case Map.lookup (mutantName m) known of
       Nothing -> True
       Just r
         | noticedBy (resultOutcome r) -> False
-        | otherwise ->
-          pace == Slow && resultOutcome r == Open
-            || any (fits pace) (untried groups m (resultTried r))
+        | null left -> pace == Slow && resultOutcome r == Open
+        | otherwise -> any ((<= budget - resultSpent r) . groupTook) left
+        where
+          left = untried groups m (resultTried r)
 
 -- | All of these mutants, each by one of the workers.
 stage ::
   Int ->
   (FilePath -> Suite) ->
   FilePath ->
-  Pace ->
-  [Group] ->
+  (Suite -> (Group -> Int) -> Maybe Result -> Mutant -> IO Result) ->
   Int ->
   [Mutant] ->
   [Result] ->
   MVar (Map.Map String Result) ->
   FilePath ->
   IO ()
-stage jobs suite folder pace groups whole left earlier done resultsFile = do
+stage jobs suite folder tries whole left earlier done resultsFile = do
   begun <- getCurrentTime
   queue <- newMVar left
   count <- newMVar (0 :: Int)
@@ -115,9 +133,9 @@ stage jobs suite folder pace groups whole left earlier done resultsFile = do
             one : more -> (more, Just one)
           forM_ next $ \mutant -> do
             known <- readMVar done
-            let before = maybe [] resultTried (Map.lookup (mutantName mutant) known)
+            let before = Map.lookup (mutantName mutant) known
                 near = noticedNear (Map.elems known ++ earlier) mutant
-            result <- tryMutant (suite scratch) pace groups near before mutant
+            result <- tries (suite scratch) near before mutant
             modifyMVar_ done $ \results -> do
               Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
               let now = Map.insert (mutantName mutant) result results
@@ -145,17 +163,11 @@ readResults file = do
 quickly :: Double
 quickly = 6
 
-fits :: Pace -> Group -> Bool
-fits pace group = pace == Slow || groupTook group <= quickly
-
--- | The groups that come to a mutant's site and have not been tried, by their keys.
+-- | The groups in which a mutant would have another value, and that have not been tried, by their
+-- keys.
 untried :: [Group] -> Mutant -> [String] -> [Group]
 untried groups mutant before =
-  [ g
-    | g <- groups,
-      Set.member (siteNumber (mutantSite mutant)) (groupSites g),
-      groupKey g `notElem` before
-  ]
+  [g | g <- groups, feels g mutant, groupKey g `notElem` before]
 
 -- | How often a group noticed mutants of the same file.
 noticedNear :: [Result] -> Mutant -> Group -> Int
@@ -168,47 +180,54 @@ noticedNear results mutant = \group -> length (filter (groupPath group `isPrefix
           example <- noticedIn (resultOutcome r)
       ]
 
--- | Run the tests that come to a mutant's site, but for those of these keys. The nearest come
--- first: those that are quick, come to few other sites, and noticed other mutants of the file.
-tryMutant :: Suite -> Pace -> [Group] -> (Group -> Int) -> [String] -> Mutant -> IO Result
-tryMutant suite pace groups near before mutant = do
+-- | Run the tests in which a mutant would have another value, as long as they take no more than
+-- this many seconds, but for those that were tried before. The nearest come first: those that are
+-- quick, come to few other sites, and noticed other mutants of the file.
+tryMutant ::
+  Pace -> Double -> [Group] -> Suite -> (Group -> Int) -> Maybe Result -> Mutant -> IO Result
+tryMutant pace budget groups suite near known mutant = do
   begun <- getCurrentTime
-  (outcome, tried) <- through before chosen
+  (outcome, tried, spent) <- through before already (affordable (budget - already) left)
   now <- getCurrentTime
   pure
     Result
       { resultMutant = mutant,
         resultOutcome = outcome,
         resultTried = tried,
+        resultSpent = spent,
+        resultSuite = "",
         resultTook = realToFrac (diffUTCTime now begun)
       }
   where
     site = mutantSite mutant
     variables =
       [("PRA_TACTILE_MUTANT", show (siteNumber site) ++ "." ++ show (mutantVariant mutant))]
-    chosen = affordable quickly (sortOn distance (untried groups mutant before))
+    before = maybe [] resultTried known
+    already = maybe 0 resultSpent known
+    left = sortOn distance (untried groups mutant before)
     distance group =
-      (0.1 + groupTook group) * fromIntegral (Set.size (groupSites group))
+      (0.1 + groupTook group) * fromIntegral (Set.size (groupMarks group))
         / fromIntegral (1 + near group) ^ (2 :: Int)
-    affordable left those = case those of
+    affordable seconds those = case those of
       [] -> []
       group : more
-        | pace == Slow || took <= left -> group : affordable (left - took) more
-        | otherwise -> affordable left more
-        where
-          took = groupTook group
-    through tried left = case left of
+        | groupTook group <= seconds -> group : affordable (seconds - groupTook group) more
+        | otherwise -> affordable seconds more
+    through tried spent those = case those of
       []
-        | pace == Quick -> pure (Open, tried)
-        | null tried -> pure (Unreached, tried)
-        | otherwise -> pure (Survived, tried)
+        | pace == Quick || any ((`notElem` tried) . groupKey) left -> pure (Open, tried, spent)
+        | not (any (`comesTo` site) groups) -> pure (Unreached, tried, spent)
+        | null tried -> pure (Unfelt, tried, spent)
+        | otherwise -> pure (Survived, tried, spent)
       group : more -> do
         ended <- run suite (limitsOf group) variables (groupPath group)
         case ended of
           _
-            | runTimedOut ended -> pure (TimedOut (groupPath group), [])
-            | runPassed ended -> through (groupKey group : tried) more
-            | otherwise -> pure (Killed (fromMaybe (groupPath group) (runFailed ended)), [])
+            | runTimedOut ended -> pure (TimedOut (groupPath group), [], spent)
+            | runPassed ended ->
+              through (groupKey group : tried) (spent + groupTook group) more
+            | otherwise ->
+              pure (Killed (fromMaybe (groupPath group) (runFailed ended)), [], spent)
     limitsOf group =
       Limits (10 + ceiling (4 * groupTook group)) (60 + ceiling (8 * groupWaited group))
 

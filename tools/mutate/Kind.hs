@@ -2,6 +2,7 @@
 -- instead.
 module Kind
   ( Kind (..),
+    Variant (..),
     Form (..),
     operators,
     functions,
@@ -21,11 +22,24 @@ data Kind = Kind
     kindArguments :: String,
     -- | What stands there, over the arguments.
     kindOriginal :: String,
-    -- | What may stand there instead: its name, and the expression.
-    kindVariants :: [(String, String)],
+    -- | What may stand there instead.
+    kindVariants :: [Variant],
     -- | The fixity that the planted function is declared with, if it is an operator.
     kindFixity :: Maybe String
   }
+
+-- | A mistake at a site. Where it can be told at once that the value there is the same with it, no
+-- test can notice it by this value. What tells it evaluates nothing that the original does not.
+data Variant = Variant
+  { variantName :: String,
+    variantText :: String,
+    -- | Whether the value is another one than the original's, as an expression over the arguments;
+    -- true, too, where that could not be told.
+    variantDiffers :: String
+  }
+
+always :: String
+always = "Original.True"
 
 -- | How a planted function takes the place of what stands at a site.
 data Form
@@ -38,95 +52,95 @@ data Form
 -- | Operators of the Prelude.
 operators :: [(String, Kind)]
 operators =
-  [ (name, operator "comparison" "Original.Ord a => a -> a -> Original.Bool" name others "infix 4")
+  [ (name, operator "comparison" compared "infix 4" name [(o, unlike name o) | o <- others])
     | (name, others) <-
         [("<", ["<=", ">="]), ("<=", ["<", ">"]), (">", [">=", "<="]), (">=", [">", "<"])]
   ]
-    ++ [ ( "==",
-           operator "equality" "Original.Eq a => a -> a -> Original.Bool" "==" ["/="] "infix 4"
-         ),
-         ( "/=",
-           operator "equality" "Original.Eq a => a -> a -> Original.Bool" "/=" ["=="] "infix 4"
-         ),
-         ("+", operator "addition" "Original.Num a => a -> a -> a" "+" ["-"] "infixl 6"),
-         ("-", operator "addition" "Original.Num a => a -> a -> a" "-" ["+"] "infixl 6"),
-         ( "&&",
-           operator
-             "connective"
-             "Original.Bool -> Original.Bool -> Original.Bool"
-             "&&"
-             ["||"]
-             "infixr 3"
-         ),
-         ( "||",
-           operator
-             "connective"
-             "Original.Bool -> Original.Bool -> Original.Bool"
-             "||"
-             ["&&"]
-             "infixr 2"
-         )
+    ++ [ ("==", operator "equality" equated "infix 4" "==" [("/=", always)]),
+         ("/=", operator "equality" equated "infix 4" "/=" [("==", always)]),
+         ("+", operator "addition" added "infixl 6" "+" [("-", always)]),
+         ("-", operator "addition" added "infixl 6" "-" [("+", always)]),
+         -- Whether the second one holds is known where the first one leaves it open.
+         ("&&", operator "connective" joined "infixr 3" "&&" [("||", implied "Original.not y")]),
+         ("||", operator "connective" joined "infixr 2" "||" [("&&", implied' "y")])
        ]
-
-operator :: String -> String -> String -> [String] -> String -> Kind
-operator name signature original others =
-  Kind name signature "x y" (applied original) [(other, applied other) | other <- others] . Just
   where
-    applied symbol = "x Original." ++ symbol ++ " y"
+    compared = "Original.Ord a => a -> a -> Original.Bool"
+    equated = "Original.Eq a => a -> a -> Original.Bool"
+    added = "Original.Num a => a -> a -> a"
+    joined = "Original.Bool -> Original.Bool -> Original.Bool"
+    unlike name other = unwords ["(x", original name, "y) Original./= (x", original other, "y)"]
+    implied second = "if x then " ++ second ++ " else " ++ always
+    implied' second = "if x then " ++ always ++ " else " ++ second
+
+original :: String -> String
+original = ("Original." ++)
+
+operator :: String -> String -> String -> String -> [(String, String)] -> Kind
+operator name signature fixity symbol others =
+  Kind
+    { kindName = name,
+      kindType = signature,
+      kindArguments = "x y",
+      kindOriginal = applied symbol,
+      kindVariants = [Variant other (applied other) differs | (other, differs) <- others],
+      kindFixity = Just fixity
+    }
+  where
+    applied one = unwords ["x", original one, "y"]
 
 -- | Functions of base.
 functions :: [(String, Kind)]
 functions =
-  [ ("not", function "negation" "Original.Bool -> Original.Bool" "x" "not x" [("dropped", "x")]),
-    ( "min",
-      function
-        "extreme"
-        "Original.Ord a => a -> a -> a"
-        "x y"
-        "min x y"
-        [("max", "Original.max x y")]
-    ),
-    ( "max",
-      function
-        "extreme"
-        "Original.Ord a => a -> a -> a"
-        "x y"
-        "max x y"
-        [("min", "Original.min x y")]
-    ),
+  [ ("not", function "negation" "Original.Bool -> Original.Bool" "x" "not x" negated),
+    ("min", function "extreme" extremes "x y" "min x y" [other "max x y"]),
+    ("max", function "extreme" extremes "x y" "max x y" [other "min x y"]),
     ("minimum", extreme "minimum" "maximum"),
     ("maximum", extreme "maximum" "minimum"),
-    ("take", prefix "take"),
-    ("drop", prefix "drop"),
-    ("when", check "when"),
-    ("unless", check "unless")
+    ("take", prefix "take" (takes "0") (takes "1")),
+    ("drop", prefix "drop" (drops "0" "x") (drops "1" "(x Original.- 1)")),
+    ("when", check "when" "x"),
+    ("unless", check "unless" "Original.not x")
   ]
   where
-    function name signature arguments original variants =
-      Kind name signature arguments ("Original." ++ original) variants Nothing
-    extreme name other =
+    function name signature arguments text variants =
+      Kind name signature arguments (original text) variants Nothing
+    negated = [Variant "dropped" "x" always]
+    extremes = "Original.Ord a => a -> a -> a"
+    other text = Variant (takeWhile (/= ' ') text) (original text) "x Original./= y"
+    extreme name opposite =
       function
         "extreme"
         "(Original.Foldable t, Original.Ord a) => t a -> a"
         "x"
         (name ++ " x")
-        [(other, "Original." ++ other ++ " x")]
-    prefix name =
+        [ Variant
+            opposite
+            (original opposite ++ " x")
+            (unwords [original name, "x Original./=", original opposite, "x"])
+        ]
+    prefix name more less =
       function
         "prefix"
         "Original.Int -> [a] -> [a]"
         "x y"
         (name ++ " x y")
-        [ ("one more", "Original." ++ name ++ " (x Original.+ 1) y"),
-          ("one less", "Original." ++ name ++ " (x Original.- 1) y")
+        [ Variant "one more" (original name ++ " (x Original.+ 1) y") more,
+          Variant "one less" (original name ++ " (x Original.- 1) y") less
         ]
-    check name =
+    -- Of what is taken only the first element is known to be evaluated, if any is taken; of what is
+    -- dropped it is known what is left.
+    takes least = reaches least ++ "(x Original.== 0 Original.|| Original.not (Original.null y))"
+    drops least count = reaches least ++ "Original.not (Original.null (" ++ dropped count ++ "))"
+    reaches least = "x Original.>= " ++ least ++ " Original.&& "
+    dropped count = "Original.drop " ++ count ++ " y"
+    check name differs =
       function
         "check"
         "Original.Applicative f => Original.Bool -> f () -> f ()"
         "x y"
         (name ++ " x y")
-        [("passed over", "Original.pure ()")]
+        [Variant "passed over" "Original.pure ()" differs]
 
 -- | A whole number.
 number :: Kind
@@ -136,7 +150,9 @@ number =
     "Original.Num a => a -> a"
     "x"
     "x"
-    [("one more", "x Original.+ 1"), ("one less", "x Original.- 1")]
+    [ Variant "one more" "x Original.+ 1" always,
+      Variant "one less" "x Original.- 1" always
+    ]
     Nothing
 
 -- | A guard, or the condition of an @if@.
@@ -147,13 +163,21 @@ condition =
     "Original.Bool -> Original.Bool"
     "x"
     "x"
-    [("always", "Original.True"), ("never", "Original.False")]
+    [ Variant "always" "Original.True" "Original.not x",
+      Variant "never" "Original.False" "x"
+    ]
     Nothing
 
 -- | A function two of whose arguments are of one type, and stand side by side.
 exchanged :: Kind
 exchanged =
-  Kind "exchange" "(a -> a -> b) -> a -> a -> b" "f x y" "f x y" [("exchanged", "f y x")] Nothing
+  Kind
+    "exchange"
+    "(a -> a -> b) -> a -> a -> b"
+    "f x y"
+    "f x y"
+    [Variant "exchanged" "f y x" always]
+    Nothing
 
 -- | A list of this many elements, each of which may be dropped.
 elements :: Int -> Kind
@@ -163,9 +187,10 @@ elements count =
     "[a] -> [a]"
     "x"
     "x"
-    [ ( "without the element " ++ show i,
-        "Original.take " ++ show (i - 1) ++ " x Original.++ Original.drop " ++ show i ++ " x"
-      )
+    [ Variant
+        ("without the element " ++ show i)
+        ("Original.take " ++ show (i - 1) ++ " x Original.++ Original.drop " ++ show i ++ " x")
+        always
       | i <- [1 .. min 6 count]
     ]
     Nothing

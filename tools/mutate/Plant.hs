@@ -17,7 +17,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Char (isDigit, isLetter)
 import Data.IORef (atomicModifyIORef', newIORef)
-import Data.List (isPrefixOf, isSuffixOf, sortOn)
+import Data.List (intercalate, isPrefixOf, isSuffixOf, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
@@ -239,7 +239,7 @@ describe one (number', site, name) =
       Site.siteColumn = srcSpanStartCol (siteSpan site),
       Site.siteKind = kindName (siteKind site),
       Site.siteName = name,
-      Site.siteVariants = map fst (kindVariants (siteKind site)),
+      Site.siteVariants = map variantName (kindVariants (siteKind site)),
       Site.siteSource = digest (moduleText one)
     }
 
@@ -303,23 +303,31 @@ editsOf (number', site) = case siteForm site of
     -- Of spans that begin or end at one place the larger one is outside.
     extent = (srcSpanEndLine place - srcSpanStartLine place) * 1000 + width
 
+-- | What a site calls: the variant that is on, or the original, of which it may be recorded that it
+-- was evaluated and which variants would have been others.
 definition :: (Int, Site) -> [String]
 definition (number', site) =
   [""]
     ++ [fixity ++ " `" ++ name ++ "`" | Just fixity <- [kindFixity kind]]
     ++ [ name ++ " :: " ++ kindType kind,
-         name ++ " " ++ kindArguments kind ++ " = case Mutant.chosen " ++ show number' ++ " of",
+         name ++ " " ++ kindArguments kind ++ " = case Mutant.chosen " ++ here ++ " of",
          "  {"
            ++ concat
-             [ show i ++ " -> " ++ text ++ "; "
-               | (i, (_, text)) <- zip [1 :: Int ..] (kindVariants kind)
+             [ show i ++ " -> " ++ variantText variant ++ "; "
+               | (i, variant) <- zip [1 :: Int ..] (kindVariants kind)
              ],
-         "  _ -> " ++ kindOriginal kind ++ "}",
-         "{-# INLINE " ++ name ++ " #-}"
+         "  0 -> " ++ kindOriginal kind ++ ";",
+         "  _ -> Mutant.recorded " ++ here ++ " [" ++ differ ++ "] (" ++ kindOriginal kind ++ ")}",
+         "{-# INLINE " ++ name ++ " #-}",
+         here ++ " :: Mutant.Site",
+         here ++ " = Mutant.site " ++ show number',
+         "{-# NOINLINE " ++ here ++ " #-}"
        ]
   where
     kind = siteKind site
     name = "mutant" ++ show number'
+    here = "site" ++ show number'
+    differ = intercalate ", " (map variantDiffers (kindVariants kind))
 
 filesUnder :: FilePath -> IO [FilePath]
 filesUnder folder = do

@@ -99,6 +99,8 @@ data Outcome
   | Survived
   | -- | No test comes to the site.
     Unreached
+  | -- | Where tests come to the site the value is always the same as without the mistake.
+    Unfelt
   | -- | Not noticed by what was tried, and not all was.
     Open
   deriving stock (Eq, Show)
@@ -110,6 +112,7 @@ noticedIn outcome = case outcome of
   TimedOut group -> [group]
   Survived -> []
   Unreached -> []
+  Unfelt -> []
   Open -> []
 
 noticedBy :: Outcome -> Bool
@@ -121,6 +124,10 @@ data Result = Result
     resultOutcome :: Outcome,
     -- | The groups of examples that did not notice it, by their keys.
     resultTried :: [String],
+    -- | Seconds of processor time that these take without a mistake.
+    resultSpent :: Double,
+    -- | A digest of the names of all examples that there were.
+    resultSuite :: String,
     -- | Seconds by the clock.
     resultTook :: Double
   }
@@ -138,6 +145,8 @@ instance ToJSON Result where
       mutantKeys (resultMutant r)
         <> "mutant" .= resultName r
         <> "tried" .= resultTried r
+        <> "spent" .= resultSpent r
+        <> "suite" .= resultSuite r
         <> "outcome" .= (name :: String)
         <> "by" .= by
         <> "seconds" .= resultTook r
@@ -147,6 +156,7 @@ instance ToJSON Result where
         TimedOut group -> ("timeout", Just group)
         Survived -> ("survived", Nothing)
         Unreached -> ("unreached", Nothing)
+        Unfelt -> ("unfelt", Nothing)
         Open -> ("open", Nothing)
 
 instance FromJSON Result where
@@ -158,6 +168,13 @@ instance FromJSON Result where
       ("timeout", Just group) -> pure (TimedOut group)
       ("survived", Nothing) -> pure Survived
       ("unreached", Nothing) -> pure Unreached
+      ("unfelt", Nothing) -> pure Unfelt
       ("open", Nothing) -> pure Open
       _ -> fail "no such outcome"
-    Result <$> parseJSON value <*> pure outcome <*> o .:? "tried" .!= [] <*> o .: "seconds"
+    Result
+      <$> parseJSON value
+      <*> pure outcome
+      <*> o .:? "tried" .!= []
+      <*> o .:? "spent" .!= 0
+      <*> o .:? "suite" .!= ""
+      <*> o .: "seconds"

@@ -8,9 +8,9 @@ import Text.Printf (printf)
 
 -- | What came of the sample, and of the modules that were tried as a whole, if there are any: how
 -- many were noticed of each part of the library and of each module, beside those that change
--- nothing and those that are open, which were not tried or not by all tests; then those that were
--- not noticed. The arguments are the mutants that change nothing, the others, and the results by
--- the mutants' names.
+-- nothing, those that no test notices, and those that are open, which were not tried or not by all
+-- tests that might notice them; then those that were not noticed. The arguments are the mutants
+-- that change nothing, the others, and the results by the mutants' names.
 tables :: [Mutant] -> [Mutant] -> Map.Map String Result -> String
 tables same others results = unlines (sampled ++ whole ++ missed)
   where
@@ -25,9 +25,9 @@ tables same others results = unlines (sampled ++ whole ++ missed)
          in ["", "Of the modules that were tried as a whole:", ""]
               ++ table (filter ours wholly) (filter (not . ours) wholly)
     table equal tried =
-      [ "| part or module | mutants | change nothing | noticed | by the time | open \
+      [ "| part or module | mutants | change nothing | noticed | by the time | not noticed | open \
         \| % of the others |",
-        "|---|--:|--:|--:|--:|--:|--:|"
+        "|---|--:|--:|--:|--:|--:|--:|--:|"
       ]
         ++ map
           row
@@ -50,12 +50,13 @@ tables same others results = unlines (sampled ++ whole ++ missed)
           late = length [() | TimedOut _ <- outcomes]
           open = count (== Open)
        in printf
-            "| %s | %d | %d | %d | %d | %d | %.1f |"
+            "| %s | %d | %d | %d | %d | %d | %d | %.1f |"
             key
             (length those + length equal)
             (length equal)
             noticed
             late
+            (length those - noticed - open)
             open
             (100 * fromIntegral noticed / fromIntegral (max 1 (length those)) :: Double)
     missed =
@@ -70,5 +71,6 @@ tables same others results = unlines (sampled ++ whole ++ missed)
       Nothing -> " (not tried)"
       Just r -> case resultOutcome r of
         Unreached -> " (no test comes to it)"
-        Open -> " (not tried by all tests)"
+        Unfelt -> " (the same value wherever tests come to it)"
+        Open -> printf " (not tried by all tests; %.0f s were spent)" (resultSpent r)
         _ -> ""

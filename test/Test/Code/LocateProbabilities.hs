@@ -52,6 +52,8 @@ spec = do
                   not close ==> decide tolerated found === decide tolerated exact
   it "such a list decides as Bayes' theorem does, in one symmetry or several" $
     onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingDecides 300)
+  it "in several symmetries a list of any length gives no doubt too small, and misses no more" $
+    onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingIsSafe 600)
   largeSpec
   where
     settings =
@@ -88,10 +90,12 @@ codebookSpec = do
     d <- on Torus
     d `shouldSatisfy` (> 0)
     mapM on [Sheet, TwistedTorus] `shouldReturn` [d, 0]
-  it "an array can be impossible" $ do
+  it "an array can be impossible, by comparison with all positions" $ do
     codebook <- paperCodebook Torus
     p <- right (patch (replicate 2 (replicate 2 (Just (certainly (0 :: GF GF4))))))
     decide 0.5 (posterior codebook p) `shouldBe` Refused Contradiction
+    -- Where all positions are compared there is no list of words.
+    posteriorWords (posterior codebook p) `shouldBe` 0
   it "numbers that are no probabilities are refused" $ do
     let over4 = belief :: [Double] -> Either BeliefError (Belief GF4)
         refused = either Just (const Nothing) . over4
@@ -243,6 +247,43 @@ listingDecides count array m = do
                 ==> whenRight (listPatch 100000 tolerated algebra possible p)
                 $ \found ->
                   counterexample (show found) (decide tolerated found === decided)
+
+-- | What a list says of several symmetries together, against Bayes' theorem: the doubt and what is
+-- not listed are at least what they are, the listed ones' probabilities and the margin at most.
+listingIsSafe :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
+listingIsSafe count array m = do
+  algebra <- right (prepareAlgebra Torus array m)
+  holds count $
+    forAll
+      ( (,,)
+          <$> genChancesIn (Shape 2 3) array
+          <*> QuickCheck.elements [[identity, turned 2], rotations, symmetries]
+          <*> QuickCheck.elements [0, 1, 2, 5, 10, 30, 100]
+      )
+      $ \(chances, possible, most) ->
+        any (any (/= Nothing)) chances ==> softly chances $ \p ->
+          let exact = posteriorByDefinition Torus array possible (patchShape p) (observedCells p)
+              likely place = maybe 0 fromRational (lookup place exact) :: Double
+           in whenRight (listPatch most 0 algebra possible p) $ \found ->
+                let ranking = posteriorRanking found
+                    missed = 1 - sum (map (likely . fst) ranking)
+                    others best = [fromRational x | (place, x) <- exact, place /= best]
+                 in not (null exact) ==> counterexample (show (found, exact)) $
+                      conjoin
+                        [ property (posteriorWords found <= most),
+                          property (fromMaybe 1 (posteriorUnlisted found) >= missed - 1e-9),
+                          property (and [x <= likely place + 1e-9 | (place, x) <- ranking]),
+                          property $ case posteriorBest found of
+                            Just best -> posteriorDoubt found >= 1 - likely best - 1e-9
+                            Nothing -> posteriorDoubt found == 1,
+                          property $ case (posteriorBest found, posteriorMargin found) of
+                            (Just best, Just margin) ->
+                              all (\x -> log (likely best) - log x >= margin - 1e-6) (others best)
+                            _ -> True,
+                          property $
+                            posteriorEqualDoubt found
+                              >= 1 - sum (map likely (posteriorEqual found)) - 1e-9
+                        ]
 
 -- | The beliefs of what was read of a window somewhere, sharp or vague, with cells that mislead,
 -- that exclude symbols, or that were not read.

@@ -135,6 +135,19 @@ spec = do
       [fault | Left fault <- found] `shouldBe` []
     let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
+  it "a distance between two limits is read as both" $ do
+    let limits body =
+          [ (foundDistance . rowFindings <$> readRow Unchecked (lastly text body), (low, Just d))
+            | Right one <- [readRow Unchecked body],
+              let (d, _) = foundDistance (rowFindings one),
+              low <- [1 .. d],
+              let text = Bytes.pack (show low ++ ".." ++ show d)
+          ]
+        lastly text = Bytes.intercalate "," . reverse . (text :) . drop 1 . reverse . columnsOf
+        columnsOf = Bytes.split ','
+        found = concat [limits body | (_, Right body) <- wantedInOrder (wantedOf 2 6)]
+    length found `shouldSatisfy` (> 20)
+    [one | one@(came, wanted) <- found, came /= Right wanted] `shouldBe` []
   it "in an old file, a verdict that contradicts itself or the rest is refused" $
     forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
   it "in an old file, a row with another entry's number or census is refused" $ do

@@ -4,6 +4,7 @@ module Test.Touch.Calibration (spec) where
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Format.Calibration (decodeCalibration, encodeCalibration)
 import PraTactile.Image
 import PraTactile.Probe
 import PraTactile.Probe.Calibration
@@ -103,6 +104,12 @@ calibrating = do
         ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 : moved)
       ]
       $ \(name, frames') -> (name, withoutStuck frames' == frames') `shouldBe` (name, True)
+  it "a file's dead elements are elements of the sensor" $
+    for_ [(y, x) | y <- [-1, 0, 4, 5], x <- [-1, 0, 3, 4]] $ \(y, x) -> do
+      let given = Calibration (constant 4 5 0) (constant 4 5 1) [(2, 2), (y, x)]
+          sensible = y `elem` [0, 4] && x `elem` [0, 3]
+      either (const Nothing) Just (decodeCalibration (encodeCalibration given))
+        `shouldBe` if sensible then Just given else Nothing
   it "another sensor's calibration is refused" $
     corrected
       (Calibration (constant 4 4 0) (constant 4 4 1) [])
@@ -130,6 +137,12 @@ pitches = do
           expected = (fromIntegral x + 0.5 - fromIntegral w / 2) / ratio
        in counterexample (show (w, at image x 5, expected)) $
             abs (at image x 5 - expected) < (if ratio < 1 then 0.15 else 1e-9)
+  it "of an image without pixels nothing is left, at any pitch" $
+    [ (rasterWidth image, rasterHeight image)
+      | (ratio, (w, h)) <- [(0.3, (0, 0)), (1, (0, 5)), (2.5, (5, 0))],
+        let image = resampled ratio (constant w h 1)
+    ]
+      `shouldBe` [(0, 0), (0, 5), (12, 0)]
   it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $ do
     let relief = texture 7 60 60
         pose = Pose (20.3 * taxelPitch) (25.7 * taxelPitch) 90

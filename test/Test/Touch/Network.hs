@@ -206,6 +206,11 @@ spec = do
           `shouldSatisfy` all (\(_, t) -> 500 * tallyWrong t < 1100)
 
   describe "Error rates" $ do
+    it "together, are of all images, and none are none" $
+      property $ \counts ->
+        let those = [Tally a b c d | (a, b, c, d) <- counts]
+            parts = [tallyRight, tallyWrong, tallyRefused, tallyOutvoted]
+         in map ($ tallyTogether those) parts === [sum (map part those) | part <- parts]
     it "count every image once" $
       onShipped $ \n a ->
         [ tallyImages t

@@ -44,7 +44,7 @@ spec = do
         | method <- [Correlation, Blind, Lattice],
           let (a, b) = noisy 0.1 symbols
       ]
-  it "frames of unequal size, values that are no numbers and senseless settings are refused" $ do
+  it "frames of unequal size, values that are no numbers, senseless and far steps are refused" $ do
     let (a, b) = clean symbols
     isLeft (withTables (\t -> registerPair t (standardPairing (8, 0)) a (constant 8 8 0)))
       `shouldBe` True
@@ -52,7 +52,13 @@ spec = do
       `shouldBe` True
     isLeft (ask (standardPairing (0 / 0, 0)) (a, b)) `shouldBe` True
     isLeft (ask (standardPairing (8, 0)) {pairingSearch = -1} (a, b)) `shouldBe` True
+    -- Steps of 1000 taxels and searches of 64, to either side, and no longer ones.
+    [isLeft (ask (standardPairing (x, y)) (a, b)) | (x, y) <- steps 1000 ++ steps 1000.5]
+      `shouldBe` replicate 4 False ++ replicate 4 True
+    let searching search = ask (standardPairing (900, 0)) {pairingSearch = search} (a, b)
+    map (isLeft . searching) [0, 64, 64.5] `shouldBe` [False, False, True]
   where
+    steps d = [(d, 0), (-d, 0), (0, d), (0, -d)]
     refusalOf = matchRefusal . found . clean
     near match =
       let (x, y) = hypothesisShift (matchBest match)

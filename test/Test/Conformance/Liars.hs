@@ -1,0 +1,151 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | One answer in the place of another, anywhere: the law that asks for it says so, at that case,
+-- and says what was to be expected. And what is said of the likely cause of a failure.
+module Test.Conformance.Liars (spec) where
+
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Foldable (for_)
+import Data.List (isSuffixOf)
+import Data.Maybe (mapMaybe)
+import PraTactile.Array (Shape (..))
+import PraTactile.Conformance
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Definition
+import PraTactile.Conformance.Direct
+import PraTactile.Conformance.Impostors
+import PraTactile.Conformance.Impostors.Score
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Likely (likely)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
+import PraTactile.Profile
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  describe "of trials the first that is violated is told, by its number" $ do
+    it "whatever holds before and comes after" $
+      for_ [0 .. 6] $ \first -> for_ [0 .. 2] $ \more ->
+        told 100 (replicate first Holds ++ [wrong] ++ replicate more wrong)
+          `shouldReturn` Just (first + 1)
+    it "draws of which a law says nothing have numbers, and others are judged for them" $ do
+      told 3 [NotMeant, Holds, NotMeant, Holds, wrong] `shouldReturn` Just 5
+      told 2 [NotMeant, Holds, NotMeant, Holds, wrong] `shouldReturn` Nothing
+      told 1 [NotMeant, NotMeant, wrong] `shouldReturn` Just 3
+      told 0 [wrong] `shouldReturn` Nothing
+      told 5 [NotMeant, Holds] `shouldReturn` Nothing
+  it "a law that exhausts its domain finds one wrong answer, at the case that asks for it" $
+    for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about ->
+      for_ [law | law <- laws, "-as-defined" `isSuffixOf` lawId law] $ \law -> do
+        let trials = fst (trialsUnder about law)
+            count = length trials
+            at = filter (\i -> i >= 1 && i <= count) [1, 2, count `div` 2, count]
+        for_ at $ \i -> do
+          found <- liedTo about i trials
+          (lawId law, i, found) `shouldBe` (lawId law, i, Just i)
+  describe "the likely cause of a failure" $ do
+    it "is the impostor that gives every one of these answers, if no other one does" $ do
+      named <-
+        sequence
+          [ (,) (impostorName one) <$> failuresOf p about one
+            | one <- impostors,
+              impostorTouches one == [OnField],
+              (name, p, about) <- comparedProfiles,
+              name == "gf3-2x13"
+          ]
+      let ofFailures = [(name, cause) | (name, Just cause) <- named]
+      -- Where several err alike in these answers none is named; else it is the one.
+      [(name, cause) | (name, Just cause) <- ofFailures, name /= cause] `shouldBe` []
+      length (mapMaybe snd ofFailures) `shouldSatisfy` (>= 3)
+    it "is none of no answers, of right ones, and on arrays of more than 300 cells" $ do
+      likely Nothing [] `shouldReturn` Nothing
+      for_ (take 1 comparedProfiles) $ \(_, p, _) -> do
+        likely (Just p) [] `shouldReturn` Nothing
+        likely (Just p) [[Exchange Nothing "" (RefusedFor "")]] `shouldReturn` Nothing
+      causes <-
+        sequence
+          [ failuresOf p about one
+            | (name, p) <- defaultProfiles,
+              name `elem` ["gf4-63x65", "gf8-7x9"],
+              Right about <- [known p],
+              one <- impostors,
+              impostorName one == "keeps-the-second-summand"
+          ]
+      causes `shouldMatchList` [Just Nothing, Just (Just "keeps-the-second-summand")]
+  it "windows and masks have 1 to 4096 cells, arrays at most 2^20" $ do
+    Just paper <- pure (lookup "paper" defaultProfiles)
+    let why' answer = either (Just . refusalReason) (const Nothing) answer
+        sized shape = why' (known paper {profileWindow = shape})
+    map sized [Shape 64 64, Shape 4096 1, Shape 1 1] `shouldBe` [Nothing, Nothing, Nothing]
+    map sized [Shape 4097 1, Shape 64 65, Shape 0 5, Shape 5 0]
+      `shouldBe` replicate 4 (Just "impossible-profile")
+    Right about <- pure (known paper)
+    let asked mask = why' (expected about (Prove mask))
+    asked [replicate 4096 '#'] `shouldBe` Nothing
+    asked [replicate 4097 '#'] `shouldBe` Just "invalid"
+    asked (replicate 64 (replicate 64 '#')) `shouldBe` Nothing
+    asked ("#" : replicate 64 (replicate 64 '#')) `shouldBe` Just "invalid"
+    asked [replicate 9000 '.'] `shouldBe` Just "invalid"
+    asked ['.' <$ [1 .. 9000 :: Int], '#' <$ [1 .. 9000 :: Int]] `shouldBe` Just "invalid"
+    -- Of x^n + 1, which is never primitive.
+    let long n =
+          paper
+            { profileOrder = 2,
+              profileModulus = [0, 1],
+              profilePolynomial = 1 : replicate (n - 1) 0 ++ [1],
+              profileState = 1 : replicate (n - 1) 0,
+              profileShape = Shape 1 (2 ^ n - 1),
+              profileWindow = Shape 1 (fromIntegral n)
+            }
+        why n = either refusalReason (const "") (known (long n))
+    map why [20, 21, 22] `shouldBe` ["impossible-profile", "too-large", "too-large"]
+  where
+    wrong = Violated (Violation [] (RefusedFor "") "" "")
+    -- Nothing is asked.
+    told most verdicts =
+      fmap fst <$> firstViolated (openingAnswers library) most (map pure verdicts)
+
+-- | The trials of a law, and how many are judged.
+trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)
+trialsUnder about law = trialsOf plan (lawId law) (lawCases law about)
+  where
+    plan = Plan {planSeed = 1, planCases = 40, planWindow = 1}
+
+-- | At which case somebody is found who answers as the definition does, but for one answer: the
+-- first one that this case asks for.
+liedTo :: Known -> Int -> [Ask Verdict] -> IO (Maybe Int)
+liedTo about i trials = go 1 trials
+  where
+    go n those = case those of
+      [] -> pure Nothing
+      one : rest -> do
+        verdict <- answerAll (const (pure (Right ()))) (pure . answered n) one
+        case verdict of
+          Violated _ -> pure (Just (n :: Int))
+          _ -> go (n + 1) rest
+    answered :: Int -> Question b -> Either Refusal b
+    answered n question
+      | n == i = case expected about question of
+        Left _ -> Left (Refusal "not-offered")
+        Right _ -> Left (Refusal "contradiction")
+      | otherwise = expected about question
+
+-- | What is named as the cause of how the laws of the field fail of an impostor; 'Nothing' where
+-- none does.
+failuresOf :: Profile -> Known -> Impostor -> IO (Maybe (Maybe String))
+failuresOf p about one = do
+  opened <- runExceptT (open (impostorMake one library) p)
+  case opened of
+    Left _ -> pure Nothing
+    Right session -> do
+      found <-
+        sequence
+          [ firstViolated (sessionAnswers session) most trials
+            | law <- laws,
+              lawStage law == OnField,
+              let (trials, most) = trialsUnder about law
+          ]
+      case [violationAsked violation | Just (_, violation) <- found] of
+        [] -> pure Nothing
+        asked -> Just <$> likely (Just p) asked

@@ -1,0 +1,201 @@
+-- | What recognising a symbol is made of, each part against its definition: how like a shape an
+-- image is, how sure an estimate; and how a frame is turned against what it should show.
+module Test.Touch.ClassifyParts (spec) where
+
+import Data.List (sortOn)
+import Data.Maybe (fromMaybe, isJust)
+import Data.Ord (Down (..))
+import PraTactile.Classify.Estimate
+import PraTactile.Classify.Regimen
+import PraTactile.Classify.Specimens
+import PraTactile.Classify.Templates
+import PraTactile.Image hiding (mean)
+import PraTactile.Shape
+import PraTactile.Steps
+import PraTactile.Stitch.Rotation
+import PraTactile.Symmetry
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (generate, sample, within)
+import Test.Support
+import Test.Touch.Image (genRasterOf)
+
+spec :: Spec
+spec = do
+  describe "Likeness" likenessSpec
+  describe "Estimates" estimateSpec
+  describe "How a frame lies" rotationSpec
+  it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
+    known <- drawnAlphabet
+    let made noises = fst (roundImages [(Upright, 2), (Bare, 3)] noises known (mkStdGen 7))
+    made [] `shouldBe` made [0]
+    map snd (made []) `shouldBe` concat [[Just k, Just k] | k <- [0 .. 3]] ++ replicate 12 Nothing
+  it "steps are counted from 1, and come to the same result" $
+    property $ \steps ->
+      let those = foldr Step (Done 'r') (steps :: [Int])
+       in (stepsDone (counted those), result (counted those)) === ([1 .. length steps], 'r')
+
+near :: Double -> Double -> Property
+near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
+
+drawnAlphabet :: IO Alphabet
+drawnAlphabet = either (fail . show) pure paperAlphabet
+
+-- | A shape moved by so many taxels to the right and down, between its taxels in proportion; flat
+-- outside its box.
+moved :: Bitmap -> (Double, Double) -> [[Double]]
+moved shape (dx, dy) =
+  [ [ sum
+        [ share (x - dx) i * share (y - dy) j
+          | i <- [-3 .. 10],
+            j <- [-3 .. 14],
+            embossedAt shape i j
+        ]
+      | x <- [0 .. 7]
+    ]
+    | y <- [0 .. 11]
+  ]
+  where
+    share t i = max 0 (1 - abs (t - fromIntegral i))
+
+likenessSpec :: Spec
+likenessSpec = do
+  it "is the greatest correlation with the shape, moved by up to half a taxel" $ do
+    known <- drawnAlphabet
+    let seen = templates known
+        offsets = (,) <$> [-0.5, 0, 0.5] <*> [-0.5, 0, 0.5]
+    templateCount seen `shouldBe` length (shapes known)
+    holds 15 $
+      forAll (genRasterOf 8 12) $ \image ->
+        conjoin
+          [ near
+              (maximum [correlated image (moved shape d) | d <- offsets])
+              (match seen c image)
+            | (c, shape) <- zip [0 ..] (shapes known)
+          ]
+  it "is 0 of what is alike everywhere, of another size, and to a class that there is not" $ do
+    seen <- templates <$> drawnAlphabet
+    let shape = generate 8 12 (\x y -> fromIntegral (x * y))
+    [match seen c (constant 8 12 0.3) | c <- [0 .. 3]] `shouldSatisfy` all ((< 1e-9) . abs)
+    [match seen 0 image | image <- [generate 8 11 (\x y -> fromIntegral (x * y)), constant 0 0 0]]
+      `shouldBe` [0, 0]
+    [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]
+    [squaredDistance seen c shape shape | c <- [-1, 4]] `shouldBe` [1 / 0, 1 / 0]
+  it "by distance: the least sum of squares where the weight is, moved by up to a taxel" $ do
+    known <- drawnAlphabet
+    let line = [-1, -0.5, 0, 0.5, 1]
+    holds 15 $
+      forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(image, weight) ->
+        conjoin
+          [ near
+              ( minimum
+                  [ sum
+                      [ w * (v - t) * (v - t)
+                        | (w, v, t) <-
+                            zip3
+                              (concat (toRows weight))
+                              (concat (toRows image))
+                              (concat (moved shape (dx, dy)))
+                      ]
+                    | dx <- line,
+                      dy <- line
+                  ]
+              )
+              (squaredDistance (templates known) c image weight)
+            | (c, shape) <- zip [0 ..] (shapes known)
+          ]
+
+correlated :: Raster -> [[Double]] -> Double
+correlated image rows = correlation (concat (toRows image)) (concat rows)
+
+correlation :: [Double] -> [Double] -> Double
+correlation us vs = product' a b / sqrt (product' a a * product' b b)
+  where
+    (a, b) = (centred us, centred vs)
+    centred values = map (subtract (sum values / fromIntegral (length values))) values
+    product' p q = sum (zipWith (*) p q)
+
+estimateSpec :: Spec
+estimateSpec =
+  it "are of the greatest output, and as doubtful as the lead and the likeness say" $ do
+    known <- drawnAlphabet
+    let seen = templates known
+        drawnOutput = oneof [choose (0, 1), choose (0.9, 1), elements [0, 1, 1e-20, 1 - 1e-16]]
+    holds 200 $
+      forAll ((,,) <$> genRasterOf 8 12 <*> vectorOf 4 drawnOutput <*> vectorOf 4 drawnOutput) $
+        \(image, upright, upsideDown) ->
+          let logit o = let p = max 1e-15 (min (1 - 1e-15) o) in log (p / (1 - p))
+              all' =
+                [((c, identity), logit o) | (c, o) <- zip [0 ..] upright]
+                  ++ [((c, turned 2), logit o) | (c, o) <- zip [0 ..] upsideDown]
+              ordered = sortOn (Down . snd) all'
+              lead = sum (zipWith (*) [1, -1] (map snd ordered))
+              best = fst (head' ordered)
+              likeness = match seen (fst best) (onRaster (snd best) image)
+              odds = 11.3 - 0.11 * lead - 21.9 * likeness
+              doubt = max 1e-7 (min (7 / 8) (1 / (1 + exp (negate odds))))
+              e = estimateFrom seen image upright upsideDown
+           in conjoin
+                [ estimateLikeliest e === best,
+                  near doubt (estimateDoubt e),
+                  near 1 (sum (map snd (estimateChances e))),
+                  conjoin
+                    [ near (if what == best then 1 - doubt else doubt / 7) (estimateChance e what)
+                      | (what, _) <- all'
+                    ],
+                  near 0 (estimateChance e (4, identity)),
+                  leastDoubt === 1e-7
+                ]
+  where
+    head' = foldr const ((0, identity), 0)
+
+rotationSpec :: Spec
+rotationSpec = do
+  it "is told of what is smoothed by 1 2 1 along both axes, the edge going on" $
+    forAll ((,) <$> choose (1, 6) <*> choose (1, 6)) $ \(w, h) ->
+      forAll (genRasterOf w h) $ \image ->
+        let at x y = fromMaybe 0 (index image (max 0 (min (w - 1) x)) (max 0 (min (h - 1) y)))
+            wanted =
+              [ sum [k * k' * at (x + i) (y + j) / 16 | (i, k) <- weights, (j, k') <- weights]
+                | y <- [0 .. h - 1],
+                  x <- [0 .. w - 1]
+              ]
+            weights = zip [-1, 0, 1] [1, 2, 1]
+         in conjoin (zipWith near wanted (concat (toRows (smooth image))))
+  it "and is known between the pixels that have all their neighbours" $
+    forAll (genRasterOf 6 5) $ \image ->
+      forAll ((,) <$> choose (-1, 7) <*> choose (-1, 6)) $ \(x, y) ->
+        within image x y
+          === if x >= 1 && x <= 4 && y >= 1 && y <= 3 then Just (sample image x y) else Nothing
+  it "is found: the angle to a tenth of a degree, and the place, at any gain and offset" $
+    forAll ((,,) <$> choose (-3, 3) <*> choose (-0.3, 0.3) <*> choose (-0.3, 0.3)) $
+      \(degrees, dx, dy) -> forAll ((,) <$> choose (0.3, 3) <*> choose (-1, 1)) $
+        \(gain, offset) ->
+          let -- A frame of 16 x 14 that lies at (30, 20) but for that.
+              (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))
+              image = generate 16 14 $ \i j ->
+                let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 6.5)
+                 in offset + gain * surface (37.5 + dx + c * u - s * v) (26.5 + dy + s * u + c * v)
+              found = aligned 20 (\x y -> Just (surface x y)) (30, 20) image
+           in case found of
+                Just (Aligned (x, y) angle deviation) ->
+                  counterexample (show (x, y, angle, deviation)) $
+                    abs (x - dx) < 0.02 && abs (y - dy) < 0.02 && abs (angle - degrees) < 0.1
+                      && deviation > 0
+                      && deviation < 0.5
+                Nothing -> property False
+  it "is not told of too few pixels, nor of what is alike everywhere" $ do
+    let image = generate 8 8 (\i j -> surface (fromIntegral i) (fromIntegral j))
+        known x y = Just (surface x y)
+        -- The pixels that are not at the edge are 36; these leave so many rows of six.
+        rowsUpTo n x y = if y <= n then known x y else Nothing
+    isJust (aligned 2 known (0, 0) image) `shouldBe` True
+    aligned 2 (\_ _ -> Just 0.5) (0, 0) image `shouldBe` Nothing
+    aligned 2 (\_ _ -> Nothing) (0, 0) image `shouldBe` Nothing
+    aligned 2 known (0, 0) (constant 8 8 0.5) `shouldBe` Nothing
+    [isJust (aligned 2 (rowsUpTo n) (0, 0) image) | n <- [1.6, 3.6]] `shouldBe` [False, True]
+  it "is told as a rotation where its standard deviation is at most a degree" $ do
+    rotationPrior `shouldBe` 2
+    map (telltale . Aligned (0, 0) 3) [0.99, 1, 1.01] `shouldBe` [Just 3, Just 3, Nothing]
+  where
+    surface x y = sin (0.9 * x) + cos (0.7 * y) + sin (0.5 * x - 0.8 * y) :: Double
