@@ -1,7 +1,7 @@
 """Whether the doubts of symbols and parts mean what they say: how many were told to be wrong, and how many were.
 
-Each press is simulated, written to disk and decoded by the program. Where it is located with a doubt of at most 1e-4, the array
-says what every symbol and part is, and so which of them were taken for something else.
+Each press is simulated, written to disk and decoded by the program, which is told how exact the robot is. Where it is located
+with a doubt of at most 1e-4, the array says what every symbol and part is, and so which of them were taken for something else.
 
 usage: bench/calibration.py [--program bin/pra-tactile] [--presses 150] [--seed 1] [--json FILE]
 needs: Python's own library
@@ -32,6 +32,13 @@ CONDITIONS = [
 ]
 
 
+def exactness(condition):
+    """The robot's position error as `decode` is told it: that of the presses."""
+    if "--position-error" in condition:
+        return condition.split()[1]
+    return "2" if "hard" in condition else "1"
+
+
 def decoded(program, condition, number):
     """What is told of a press, by its number; a turn of any degrees is drawn from it."""
     options = [str(number * 37.77 % 360) if o == "any" else o for o in condition.split()]
@@ -40,7 +47,8 @@ def decoded(program, condition, number):
         thing = ["cube", "parallelepiped"][number % 2]
         asked = [program, "probe", "--object", thing, "--seed", str(number), "--output", frames] + options
         subprocess.run(asked, check=True, capture_output=True)
-        return json.loads(subprocess.run([program, "decode", "--json", frames], capture_output=True, text=True).stdout)
+        told = [program, "decode", "--json", "--position-error", exactness(condition), frames]
+        return json.loads(subprocess.run(told, capture_output=True, text=True).stdout)
 
 
 def judged(answers):
