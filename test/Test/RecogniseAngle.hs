@@ -2,6 +2,7 @@
 module Test.RecogniseAngle (spec) where
 
 import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import PraTactile.Array
 import PraTactile.Classify.Network.File (shippedNetwork)
@@ -14,6 +15,7 @@ import PraTactile.Probe (Motion (..), movePoint, taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..))
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Recognise.FaceGrid
 import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..), onComposite)
 import PraTactile.Segment.Tilt
@@ -30,6 +32,7 @@ spec :: Spec
 spec = do
   describe "the tilt of a composite" tiltSpec
   describe "a composite set upright" uprightSpec
+  describe "the tilt of symbols on a grid" gridSpec
   either (it "the shipped parts fit together" . expectationFailure) id $ do
     layout <- shown canonicalPlacement
     net <- shown shippedNetwork
@@ -44,6 +47,50 @@ spec = do
   where
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
+
+gridSpec :: Spec
+gridSpec = do
+  prop "without an image's angle it is theirs, wherever they lie and whatever way up they are" $
+    forAll (choose (-44, 44)) $ \angle ->
+      forAll (elements rotations) $ \way ->
+        near 1e-6 angle (gridTilt Nothing (gridOf way angle (3, 4)))
+  prop "where the image says the same, it is that" $
+    forAll (choose (-44, 44)) $ \angle ->
+      near 1e-6 angle (gridTilt (Just angle) (gridOf identity angle (2, 2)))
+  prop "of a single symbol, which has none, it is the image's" $
+    forAll (choose (-44, 44)) $ \angle ->
+      near 1e-3 angle (gridTilt (Just angle) (gridOf identity 0 (1, 1)))
+        .&&. gridTilt Nothing (gridOf identity angle (1, 1)) === 0
+  it "many symbols are believed before an image, and an image before two of which one is off" $ do
+    gridTilt (Just 0) (gridOf identity 6 (4, 5)) `shouldSatisfy` (\a -> a > 5 && a <= 6)
+    gridTilt (Just 0) (gridOf identity 3.6 (1, 2)) `shouldSatisfy` (\a -> a >= 0 && a < 1.8)
+  where
+    near most wanted found = counterexample (show found) (abs (found - wanted) < most)
+
+-- | So many rows and columns of symbols on their grid, seen in a rotation, turned clockwise by that
+-- angle about a place.
+gridOf :: Symmetry -> Double -> (Int, Int) -> FaceGrid
+gridOf way angle (rowCount, columnCount) =
+  FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] []
+  where
+    cells = [(i, j) | i <- [0 .. rowCount - 1], j <- [0 .. columnCount - 1]]
+    symbol n (i, j) = ((i, j), [readSymbol n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
+    -- Cells are counted along the symbols' axes.
+    along j i = onOffset (if exchangesAxes way then turned 1 else identity) (16 * j, 20 * i)
+    turnedBy (x, y) =
+      let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+       in (31 + c * x - s * y, 17 + s * x + c * y)
+    readSymbol n at =
+      ReadSymbol
+        { readNumber = n,
+          readSource = 0,
+          readImage = SymbolImage at (constant 8 12 0) 0 (8, 12),
+          readAt = at,
+          readClass = Just (way, 0),
+          readSeen = 1,
+          readLikeliest = (way, 0),
+          readChances = [((way, 0), 1)]
+        }
 
 tiltSpec :: Spec
 tiltSpec = do
