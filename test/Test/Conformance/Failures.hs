@@ -64,7 +64,7 @@ spec = do
     line = Lazy.toStrict . encode
     started :: Integer -> Maybe Int
     started given =
-      either (const Nothing) (Just . fromIntegral . startedInFlight) . readStarted . line $
+      either (const Nothing) (Just . startedInFlight) . readStarted . line $
         object
           [ "protocol" .= (1 :: Int),
             "name" .= ("one" :: String),
