@@ -2,6 +2,7 @@
 -- image is, how sure an estimate; and how a frame is turned against what it should show.
 module Test.Touch.ClassifyParts (spec) where
 
+import Data.Foldable (for_)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe, isJust)
 import Data.Ord (Down (..))
@@ -77,8 +78,8 @@ likenessSpec = do
     seen <- templates <$> drawnAlphabet
     let shape = generate 8 12 (\x y -> fromIntegral (x * y))
     [match seen c (constant 8 12 0.3) | c <- [0 .. 3]] `shouldSatisfy` all ((< 1e-9) . abs)
-    [match seen 0 image | image <- [generate 8 11 (\x y -> fromIntegral (x * y)), constant 0 0 0]]
-      `shouldBe` [0, 0]
+    for_ [(8, 11), (12, 8), (0, 0)] $ \(w, h) ->
+      match seen 0 (generate w h (\x y -> fromIntegral (x * y))) `shouldBe` 0
     [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]
     [squaredDistance seen c shape shape | c <- [-1, 4]] `shouldBe` [1 / 0, 1 / 0]
   it "by distance: the least sum of squares where the weight is, moved by up to a taxel" $ do
