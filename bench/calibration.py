@@ -16,30 +16,24 @@ import subprocess
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-CONDITIONS = [
-    "",
-    "--noise 0.3",
-    "--noise 0.5",
-    "--position-error 2",
-    "--position-error 3",
-    "--size 34x44",
-    "--sensor ideal",
-    "--sensor real",
-    "--sensor hard",
-    "--turn any",
-    "--sensor real --turn any",
-    "--sensor hard --turn any",
-]
+# How it is pressed, and the robot's position error in taxels, which `decode` is told.
+CONDITIONS = {
+    "": 1,
+    "--noise 0.3": 1,
+    "--noise 0.5": 1,
+    "--position-error 2": 2,
+    "--position-error 3": 3,
+    "--size 34x44": 1,
+    "--sensor ideal": 1,
+    "--sensor real": 1,
+    "--sensor hard": 2,
+    "--turn any": 1,
+    "--sensor real --turn any": 1,
+    "--sensor hard --turn any": 2,
+}
 
 
-def exactness(condition):
-    """The robot's position error as `decode` is told it: that of the presses."""
-    if "--position-error" in condition:
-        return condition.split()[1]
-    return "2" if "hard" in condition else "1"
-
-
-def decoded(program, condition, number):
+def decoded(program, condition, error, number):
     """What is told of a press, by its number; a turn of any degrees is drawn from it."""
     options = [str(number * 37.77 % 360) if o == "any" else o for o in condition.split()]
     with tempfile.TemporaryDirectory() as folder:
@@ -47,7 +41,7 @@ def decoded(program, condition, number):
         thing = ["cube", "parallelepiped"][number % 2]
         asked = [program, "probe", "--object", thing, "--seed", str(number), "--output", frames] + options
         subprocess.run(asked, check=True, capture_output=True)
-        told = [program, "decode", "--json", "--position-error", exactness(condition), frames]
+        told = [program, "decode", "--json", "--position-error", str(error), frames]
         return json.loads(subprocess.run(told, capture_output=True, text=True).stdout)
 
 
@@ -72,9 +66,9 @@ def main():
     rows = []
     print("| presses | located | kind | number | told wrong | counted wrong | standard errors |")
     print("|---|--:|---|--:|--:|--:|--:|")
-    for condition in CONDITIONS:
+    for condition, error in CONDITIONS.items():
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            answers = list(pool.map(lambda n: decoded(args.program, condition, n), numbers))
+            answers = list(pool.map(lambda n: decoded(args.program, condition, error, n), numbers))
         located = sum(a["outcome"] == "located" for a in answers)
         found = list(judged(answers))
         for kind in ("symbols", "parts"):

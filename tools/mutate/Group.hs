@@ -30,6 +30,7 @@ import Data.Maybe (mapMaybe)
 import Data.Text (pack)
 import Data.Text.Encoding (encodeUtf8)
 import Data.Tree (Tree (..), flatten)
+import Mutant (recordAt, recordSize)
 import Run
 import Site
 import System.Directory (doesFileExist)
@@ -151,7 +152,7 @@ measured suite state sites most pace file = do
       let path = rootLabel heading
           record = suiteScratch suite ++ "/marks"
           limit = ceiling (if single heading then max long most else long) + 1
-      withBinaryFile record WriteMode (`hSetFileSize` (8 * fromIntegral places))
+      withBinaryFile record WriteMode (`hSetFileSize` fromIntegral recordSize)
       ended <- run suite (Limits limit 3600) [("PRA_TACTILE_MARKS", record)] path
       marks <- recordedIn sites <$> Bytes.readFile record
       let least = if runTimedOut ended then fromIntegral limit else 0
@@ -182,12 +183,8 @@ recordedIn sites file =
     [ mark site i
       | site <- sites,
         i <- [0 .. length (siteVariants site)],
-        Bytes.index file (8 * (siteNumber site `mod` places) + i) /= 0
+        Bytes.index file (recordAt (siteNumber site) + i) /= 0
     ]
-
--- | For how many sites there is room in a file of records.
-places :: Int
-places = 2 ^ (20 :: Int)
 
 -- | A heading of the suite or an example, by its path, over those below it.
 type Heading = Tree String

@@ -7,6 +7,10 @@ module Mutant
     site,
     chosen,
     recorded,
+
+    -- * The file of records
+    recordSize,
+    recordAt,
   )
 where
 
@@ -30,9 +34,9 @@ data Site = Site
   }
 
 -- | A site by its number. The environment variable @PRA_TACTILE_MUTANT@ names the variant that is
--- on, as @SITE.VARIANT@. @PRA_TACTILE_MARKS=FILE@ is a file of 2^20 times eight bytes, where all
--- processes record what they come to: of the site n from the byte 8 (n mod 2^20) on whether it is
--- reached, and for each variant whether it ever differs from what stands there.
+-- on, as @SITE.VARIANT@. @PRA_TACTILE_MARKS=FILE@ is a file of 'recordSize' bytes, where all
+-- processes record what they come to: of each site from 'recordAt' on whether it is reached, and
+-- for each variant whether it ever differs from what stands there.
 site :: Int -> Site
 site number = unsafePerformIO $ do
   name <- lookupEnv "PRA_TACTILE_MUTANT"
@@ -42,7 +46,7 @@ site number = unsafePerformIO $ do
           Just (which, '.' : variant) | which == show number -> read variant
           _ | marks == nullPtr -> 0
           _ -> -1,
-        siteMarks = marks `plusPtr` (8 * (number `mod` places))
+        siteMarks = marks `plusPtr` recordAt number
       }
 {-# NOINLINE site #-}
 
@@ -54,9 +58,13 @@ recorded here differ value = unsafeDupablePerformIO $ do
   pure value
 {-# NOINLINE recorded #-}
 
--- | For how many sites there is room. Two that share a place are both recorded where one is.
-places :: Int
-places = 2 ^ (20 :: Int)
+-- | How many bytes the file has: eight for each of 2^20 sites.
+recordSize :: Int
+recordSize = 8 * 2 ^ (20 :: Int)
+
+-- | The first byte of a site by its number. Two that share a place are both recorded where one is.
+recordAt :: Int -> Int
+recordAt number = (8 * number) `mod` recordSize
 
 -- | The file of records in memory, or nothing where none is kept.
 marks :: Ptr Word8
@@ -67,7 +75,7 @@ marks = unsafePerformIO $ do
     Just name -> do
       fd <- openFd name ReadWrite Nothing defaultFileFlags
       -- To be read (1) and written (2), and shared (1).
-      memory <- mmap nullPtr (fromIntegral (8 * places)) 3 1 fd 0
+      memory <- mmap nullPtr (fromIntegral recordSize) 3 1 fd 0
       memory <$ closeFd fd
 {-# NOINLINE marks #-}
 
