@@ -31,9 +31,9 @@ import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, onRaster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Probe.Resample (atCanonicalPitch)
+import PraTactile.Probe.Resample (atCanonicalPitch, isCanonical)
 import PraTactile.Stitch.Agreement (contradiction)
-import PraTactile.Stitch.Arrange (Arranged (..), Arrangement (..), Way (..), arrange)
+import PraTactile.Stitch.Arrange (Arranged (..), Arrangement (..), Way (..), arrange, withMisfit)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Composite
   ( Composite (..),
@@ -129,7 +129,10 @@ compose way settings frames = do
       top = minimum (fmap (snd . fst) placed)
       nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
   checkArea nominal
-  let arrangement = arrange way settings (NonEmpty.toList nominal)
+  let arrangement = arrange way told (NonEmpty.toList nominal)
+      told
+        | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
+        | otherwise = settings
       arranged = arrangedFrames arrangement
       displacements = map arrangedShift arranged
       at shifts = maybe nominal moved (nonEmpty shifts)
@@ -141,6 +144,8 @@ compose way settings frames = do
       turnOf ((x, y), image) =
         let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
          in alignedToRest rotationPrior made (u, v) image >>= telltale
+  -- Blending relies on it.
+  checkArea (at displacements)
   pure
     Assembly
       { assemblyComposite =
@@ -173,8 +178,8 @@ inTaxels t
 
 checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
 checkArea images
-  | width * height > fromIntegral maxCompositePixels = Left (AreaTooLarge width height)
-  | otherwise = Right ()
+  | width * height <= fromIntegral maxCompositePixels = Right ()
+  | otherwise = Left (AreaTooLarge width height)
   where
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)

@@ -25,6 +25,7 @@ spec = do
     (matchRefusal level, matchFixed level) `shouldBe` (Just OneAxis, (False, True))
   modifyMaxSuccess (const 60) straight
   modifyMaxSuccess (const 30) rotations
+  modifyMaxSuccess (const 20) turnedAbout
   it "ambiguous: a pattern that repeats within the search fixes neither axis" $
     refusalOf (\x y -> if even (x `div` 2 + y `div` 2) then 0 else 1) `shouldBe` Just Ambiguous
   it "no overlap: frames further apart than they are wide" $
@@ -81,6 +82,49 @@ straight = do
           edge x y = 1 / (1 + exp (-2 * (c * (fromIntegral x - 12) + s * (fromIntegral y - 7))))
        in matchRefusal (found' Blind (noisyBy seed 0.03 edge)) =/= Nothing
 
+-- | Blind and by correlation no axis is another than the other, nor one sense of it: frames that
+-- are turned about their diagonal or by half, or exchanged, lie as they did, so turned, as
+-- probably.
+turnedAbout :: Spec
+turnedAbout =
+  prop "frames turned about, by half, or exchanged have the answer so turned, with any step" $
+    \seed -> forAll ((,) <$> elements [Correlation, Blind] <*> elements steps) $ \(method, step) ->
+      let frames = movedPair step seed
+          told step' = fmap summed . ask (standardPairing step') {pairingMethod = method}
+          about (u, v) = (v, u)
+          back (u, v) = (negate u, negate v)
+          wanted = told step frames
+       in conjoin
+            [ counterexample what $
+                like (fmap (onShift move) wanted) (told (move step) (change frames))
+              | (what, move, change) <-
+                  [ ("about", about, \(a, b) -> (diagonal a, diagonal b)),
+                    ("by half", back, \(a, b) -> (half a, half b)),
+                    ("exchanged", back, \(a, b) -> (b, a))
+                  ]
+            ]
+  where
+    steps = [(6, 0), (-6, 0), (0, 6), (0, -6), (5, 4), (-4, 6)]
+    summed match =
+      ( hypothesisShift (matchBest match),
+        hypothesisProbability (matchBest match),
+        show (matchRefusal match)
+      )
+    onShift move (shift, p, refusal) = (move shift, p, refusal)
+    like a b = counterexample (show (a, b)) $ case (a, b) of
+      (Right ((x, y), p, why), Right ((x', y'), p', why')) ->
+        abs (x - x') < 1e-6 && abs (y - y') < 1e-6 && abs (p - p') < 1e-6 && why == why'
+      _ -> False
+    diagonal image = generate 16 16 (\x y -> fromMaybe 0 (index image y x))
+    half image = generate 16 16 (\x y -> fromMaybe 0 (index image (15 - x) (15 - y)))
+
+-- | Two frames of round bumps, of which the second lies that far right and down of the first.
+movedPair :: (Double, Double) -> Int -> (Raster, Raster)
+movedPair (dx, dy) seed = (frame 0 0, frame dx dy)
+  where
+    frame left top =
+      generate 16 16 (\i j -> bumpsOf seed (left + fromIntegral i) (top + fromIntegral j))
+
 rotations :: Spec
 rotations =
   prop "a rotation is found to a degree, and that of the frames exchanged is the opposite" $
@@ -103,11 +147,14 @@ turnedPair seed degrees = (frame (7.5, 7.5) 0, frame (13.5, 7.5) (degrees * pi /
     frame (cx, cy) angle =
       generate 16 16 $ \i j ->
         let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 7.5)
-         in relief (cx + cos angle * u - sin angle * v) (cy + sin angle * u + cos angle * v)
-    relief x y =
-      sum [h * exp (negate ((x - p) * (x - p) + (y - r) * (y - r)) / 6) | (p, r, h) <- bumps]
+         in bumpsOf seed (cx + cos angle * u - sin angle * v) (cy + sin angle * u + cos angle * v)
+
+-- | A relief of round bumps.
+bumpsOf :: Int -> Double -> Double -> Double
+bumpsOf seed x y = sum [exp (negate ((x - p) * (x - p) + (y - r) * (y - r)) / 6) | (p, r) <- bumps]
+  where
     bumps =
-      [ (fromIntegral i * 5 + 1.5 * drawn V.! k, fromIntegral j * 5 + 1.5 * drawn V.! (k + 1), 1)
+      [ (fromIntegral i * 5 + 1.5 * drawn V.! k, fromIntegral j * 5 + 1.5 * drawn V.! (k + 1))
         | (i, j, k) <-
             zip3 (concatMap (replicate 6) [-1 .. 5 :: Int]) (cycle [-1 .. 4 :: Int]) [0, 2 ..]
       ]

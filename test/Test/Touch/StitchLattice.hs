@@ -4,7 +4,7 @@ module Test.Touch.StitchLattice (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sort, sortOn)
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image hiding (mean)
@@ -13,13 +13,18 @@ import PraTactile.Probe.Manifest
 import PraTactile.Random (normalPair)
 import PraTactile.Shape hiding (alphabet)
 import PraTactile.Stitch
+import PraTactile.Stitch.Arrange (withMisfit)
+import PraTactile.Stitch.Evidence
 import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
+import PraTactile.Stitch.Pair.Lattice
+import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, generate, tables, total)
+import Test.Touch.Image (genRasterOf)
 
 spec :: Spec
 spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet
@@ -31,6 +36,8 @@ shaped alphabet = do
   describe "Frames that contradict each other" (contradicting alphabet)
   describe "Frames registered by all their pairs" (jointly alphabet)
   describe "The noise of frames" noise
+  describe "What frames differ by without noise" misfit
+  describe "Two frames on a lattice" (pairs alphabet)
 
 -- | The scene around (0, 0): symbols drawn by chance in the cells of a lattice, all turned
 -- clockwise by so many degrees, as a function of the place in taxels.
@@ -75,7 +82,26 @@ errorsOf sigma seed = go (mkStdGen seed)
     go g = let ((a, b), g') = normalPair g in (sigma * a, sigma * b) : go g'
 
 templatesSpec :: Alphabet -> Spec
-templatesSpec alphabet =
+templatesSpec alphabet = do
+  modifyMaxSuccess (const 20) $
+    prop "is held against any frame at any place as a drawn symbol is, either way up" $
+      forAll (elements [0, 0, -77, 30, 90]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
+        let tables = templates alphabet angle 16 16
+            count = templateClasses tables
+            (columns, rows) = templateGrid tables
+            products = correlations tables image
+         in forAll
+              ( (,,,) <$> choose (0, 1) <*> choose (0, columns - 1) <*> choose (0, rows - 1)
+                  <*> choose (0, count - 1)
+              )
+              $ \(o, x, y, k) ->
+                let shape = (if o == 1 then halfTurned else id) (shapes alphabet !! k)
+                    told = products V.! (cellIndex tables o y x * count + k)
+                    symbol = drawing shape angle (placeOf tables x y)
+                    drawn = V.sum (V.zipWith (*) (rasterValues image) symbol)
+                 in -- Turned, places lie between taxels to a 32nd of one.
+                    counterexample (show (told, drawn)) $
+                      abs (told - drawn) < (if angle == 0 then 0.05 else 0.3)
   modifyMaxSuccess (const 6) $
     -- Along the frame's axes they are exact; turned, a taxel at the frame's edge counts for the
     -- share of it that is on the frame, which is not quite the share of its square: at half a
@@ -85,14 +111,10 @@ templatesSpec alphabet =
         let tables = templates alphabet angle 16 16
             count = templateClasses tables
             (columns, rows) = templateGrid tables
-            (firstX, firstY) = templateFirst tables
          in forAll
               ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1))
               $ \(x, y, k) ->
-                let place =
-                      ( fromIntegral firstX + fromIntegral x / 2,
-                        fromIntegral firstY + fromIntegral y / 2
-                      )
+                let place = placeOf tables x y
                     drawn = drawing (shapes alphabet !! k) angle place
                     i = cellIndex tables 0 y x * count + k
                     total = V.sum drawn
@@ -111,6 +133,10 @@ templatesSpec alphabet =
                         && abs (templateSquares tables V.! i - squares)
                           < (if angle == 0 then 0.05 else 0.9)
   where
+    placeOf tables x y =
+      (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
+      where
+        (firstX, firstY) = templateFirst tables
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
     drawing shape angle (x, y) =
       V.fromList
@@ -132,6 +158,19 @@ templatesSpec alphabet =
 
 registered :: Alphabet -> Spec
 registered alphabet = do
+  modifyMaxSuccess (const 20) $
+    prop "one of another scene, however clear all are, stays where it can be, and so do the rest" $
+      \seed -> forAll (choose (0, 15)) $ \k ->
+        let settings = standardRegistration {registrationSigma = 1.5, registrationNoise = 0}
+            frames = scanned (scene alphabet seed 0) (errorsOf 1 seed)
+            other = scanned (scene alphabet (seed + 1) 0) (errorsOf 1 seed)
+            mixed = take k frames ++ [other !! k] ++ drop (k + 1) frames
+         in case assemble ByLattice settings mixed of
+              Left e -> counterexample (show e) False
+              Right assembly ->
+                let shifts = map arrangedShift (assemblyFrames assembly)
+                 in counterexample (show shifts) $
+                      all (\(dx, dy) -> max (abs dx) (abs dy) <= 2 * 4.5 * 1.5) shifts
   it
     "are registered to it at any angle from errors of two taxels, most surely, and those well"
     $ do
@@ -266,6 +305,85 @@ jointly alphabet = do
         Left _ -> 1 / 0
     minus (x, y) (x', y') = (x - x', y - y')
     middle ts = sort ts !! (length ts `quot` 2)
+
+-- | The sum over all lattices under the first frame and all symbols in their cells, written down as
+-- it is defined.
+pairs :: Alphabet -> Spec
+pairs alphabet =
+  modifyMaxSuccess (const 6) $
+    prop "lie as probably at each place as all lattices and symbols together say" $
+      \seed -> forAll ((,) <$> choose (0.5, 1) <*> elements steps') $ \(sigma, step) ->
+        let relief = scene alphabet seed 0
+            noisy k image =
+              zipWithRaster image (take 256 (map fst (errorsOf sigma (seed + k))))
+            told = evidence (templates alphabet 0 16 16)
+            a = told (noisy 1 (felt relief (0, 0)))
+            b = told (noisy 2 (felt relief step))
+            Posterior origin spacing size masses = latticePosterior step 1 a b
+            defined = byDefinition step a b
+         in counterexample (show (V.toList masses, defined)) $
+              (origin, spacing, size) === ((fst step - 1, snd step - 1), 0.5, (5, 5))
+                .&&. conjoin
+                  [ counterexample (show (i, m, p)) (abs (m - p) < 1e-4)
+                    | (i, m, p) <- zip3 [0 :: Int ..] (V.toList masses) defined
+                  ]
+  where
+    steps' = [(8, 0), (0, 8), (-7, 5)]
+    zipWithRaster image errors =
+      generate 16 16 $ \x y -> fromMaybe 0 (index image x y) + errors !! (16 * y + x)
+    byDefinition (stepX, stepY) a b = map (/ sum weights) weights
+      where
+        tables = evidenceTables a
+        (columns, rows) = templateGrid tables
+        (across, down) = (2 * columnPitch, 2 * rowPitch)
+        steps = [(i, j) | j <- [-2 .. 2], i <- [-2 .. 2 :: Int]]
+        logs =
+          [ [ prior (i, j) + lattice o py px (round (2 * stepX) + i) (round (2 * stepY) + j)
+              | o <- [0, 1],
+                py <- [0 .. down - 1],
+                px <- [0 .. across - 1]
+            ]
+            | (i, j) <- steps
+          ]
+        top = maximum (concat logs)
+        weights = [sum [exp (l - top) | l <- some] | some <- logs]
+        prior (i, j) = priorAround 1 (fromIntegral i / 2, fromIntegral j / 2)
+        -- A cell that neither frame comes near to says nothing.
+        lattice o py px dx dy =
+          sum
+            [ cell (seenBy a o y x ++ seenBy b o (y - dy) (x - dx))
+              | y <- [py - 3 * down, py - 2 * down .. rows + 2 * down],
+                x <- [px - 3 * across, px - 2 * across .. columns + 2 * across]
+            ]
+        cell [] = 0
+        cell said =
+          log
+            (absent + sum [(1 - absent) / 4 * exp (sum [s V.! k | s <- said]) | k <- [0 .. 3]])
+        seenBy e o y x =
+          [ V.slice (4 * cellIndex tables o y x) 4 (evidenceClasses e)
+            | y >= 0 && y < rows && x >= 0 && x < columns
+          ]
+
+misfit :: Spec
+misfit = do
+  it "is a twentieth of the relief's variance, and nothing where there is none" $ do
+    let checked = generate 8 8 (\x y -> fromIntegral ((x + y) `mod` 2))
+        told noise' frames =
+          registrationNoise (withMisfit frames standardRegistration {registrationNoise = noise'})
+    -- The checks' variance is 0.25, of which the noise has a hundredth here.
+    told 0 [checked] `shouldSatisfy` near (sqrt 0.0125)
+    told 0.05 [checked] `shouldSatisfy` near (sqrt (0.0025 + 0.05 * 0.2475))
+    told 0 [checked, constant 8 8 0.3] `shouldSatisfy` near (sqrt 0.00625)
+    told 0.07 [constant 8 8 0.3] `shouldSatisfy` near 0.07
+    told 0.8 [checked] `shouldSatisfy` near 0.8
+    told 0.1 [] `shouldSatisfy` near 0.1
+  prop "grows with the frames' contrast" $
+    forAll (genRasterOf 8 8) $ \image -> forAll (choose (0.1, 10)) $ \gain ->
+      let told frame =
+            registrationNoise (withMisfit [frame] standardRegistration {registrationNoise = 0})
+       in abs (told (mapRaster (gain *) image) - gain * told image) < 1e-9
+  where
+    near wanted came = abs (wanted - came) < 1e-9
 
 noise :: Spec
 noise = do

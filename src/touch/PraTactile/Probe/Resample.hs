@@ -2,6 +2,7 @@
 -- at one pitch.
 module PraTactile.Probe.Resample
   ( atCanonicalPitch,
+    isCanonical,
     resampled,
   )
 where
@@ -14,12 +15,16 @@ import PraTactile.Probe (Frame (..), taxelPitch)
 -- a billionth, comes back as it is.
 atCanonicalPitch :: Frame -> Frame
 atCanonicalPitch frame
-  | abs (frameTaxel frame - taxelPitch) < 1e-9 * taxelPitch = frame
+  | isCanonical frame = frame
   | otherwise =
     frame
       { frameImage = resampled (frameTaxel frame / taxelPitch) (frameImage frame),
         frameTaxel = taxelPitch
       }
+
+-- | Whether a frame's taxels are of the canonical pitch, to rounding.
+isCanonical :: Frame -> Bool
+isCanonical frame = abs (frameTaxel frame - taxelPitch) < 1e-9 * taxelPitch
 
 -- | An image whose pixels are that many new pixels wide, in new pixels, as many as its rectangle
 -- holds whole, at least one, with the same centre. Where the old pixels are the finer ones each new

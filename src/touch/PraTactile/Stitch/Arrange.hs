@@ -6,6 +6,7 @@ module PraTactile.Stitch.Arrange
     Arranged (..),
     Arrangement (..),
     arrange,
+    withMisfit,
   )
 where
 
@@ -120,6 +121,23 @@ arrange way settings frames = case (way, paperTemplates) of
         (residual places)
       where
         places = moved frames [arrangedShift (a 0) | a <- told]
+
+-- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
+-- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share
+-- of that of all the frames' relief (assumption). Noise that was averaged away would otherwise let
+-- patches that hardly vary decide where a frame lies.
+withMisfit :: [Raster] -> Registration -> Registration
+withMisfit images settings = settings {registrationNoise = sqrt (noise * noise + misfit * relief)}
+  where
+    noise = registrationNoise settings
+    relief = max 0 (average (map varianceOf images) - noise * noise)
+    misfit = 0.05
+    average values = sum values / fromIntegral (max 1 (length values))
+    varianceOf image =
+      let v = rasterValues image
+          n = fromIntegral (max 1 (V.length v))
+          m = V.sum v / n
+       in V.sum (V.map (\t -> (t - m) * (t - m)) v) / n
 
 sizeOf :: Raster -> (Int, Int)
 sizeOf image = (rasterWidth image, rasterHeight image)

@@ -96,12 +96,12 @@ weighed :: Templates -> Vector Double -> Level -> Evidence
 weighed tables products level@(Level gain offset variance) =
   Evidence tables level classes cells phases total
   where
-    classes =
-      V.zipWith3
-        (\yt t tt -> (gain * (yt - offset * t) - gain * gain / 2 * tt) / variance)
-        products
-        (templateSums tables)
-        (templateSquares tables)
+    -- Note [Bounds of classes]
+    classes = V.generate (V.length products) $ \i ->
+      ( gain * (V.unsafeIndex products i - offset * V.unsafeIndex (templateSums tables) i)
+          - gain * gain / 2 * V.unsafeIndex (templateSquares tables) i
+      )
+        / variance
     cells = cellsOf (templateClasses tables) classes
     phases = phasesOf tables cells
     top = V.maximum phases
@@ -110,6 +110,9 @@ weighed tables products level@(Level gain offset variance) =
       top + log (V.sum (V.map (\l -> exp (l - top)) phases) / fromIntegral (V.length phases))
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
+
+{- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
+   number for each cell and class. -}
 
 -- | From classes to cells.
 cellsOf :: Int -> Vector Double -> Vector Double

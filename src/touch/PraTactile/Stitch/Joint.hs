@@ -327,6 +327,12 @@ said os =
     (V.zipWith (+))
     [(c, V.map (* p) l) | (o, p) <- os, p > 0.02, (c, l) <- optionCells o]
 
+-- | The probability that a frame shows something else in a cell than all others do there, because
+-- one of them is not where it is supposed to be (assumption). So however clear frames are, a stray
+-- one has a place.
+unlike :: Double
+unlike = 1e-12
+
 -- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
 -- where there is any by what the others say.
 marginal :: Maybe (Vector Double) -> Vector Double -> Double
@@ -340,7 +346,8 @@ marginal others mine = logMean (maybe prior known others)
           likely = V.map (\l -> share * exp (l - top)) theirs
           nothing = absent * exp (negate top)
           total = nothing + V.sum likely
-       in (nothing / total, V.map (/ total) likely)
+       in (besides absent (nothing / total), V.map (besides share . (/ total)) likely)
+    besides alone told = (1 - unlike) * told + unlike * alone
     logMean (nothing, shares) =
       let top = max 0 (V.maximum mine)
        in top

@@ -25,6 +25,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Geometry (sensorSide)
 import PraTactile.Image (Raster, constant, rasterValues)
 import PraTactile.Shape
@@ -53,8 +54,8 @@ data Templates = Templates
     templateFirst :: !(Int, Int),
     -- | The number of places across and down.
     templateGrid :: !(Int, Int),
-    -- | For each orientation and class, the offsets of its embossed taxels on the padded grid.
-    templateOffsets :: !(Boxed.Vector (Vector Int)),
+    -- | For each orientation and class, its shape.
+    templateOutlines :: !(Boxed.Vector Outline),
     -- | The sum of each template over the frame, indexed by 'cellIndex' and class.
     templateSums :: !(Vector Double),
     -- | The sum of its squares, likewise.
@@ -62,6 +63,11 @@ data Templates = Templates
     -- | The same at whole taxels only.
     templateCoarse :: Maybe Templates
   }
+
+-- | The corners of a shape: steps from its place on the grid of the sums of areas, and how often
+-- the sum of the area up to there counts, so that what remains is the sum over the shape. That is
+-- the second difference of the shape's bitmap, across and down.
+data Outline = Outline !(Vector Int) !(Vector Double)
 
 -- | How finely places are told apart, in places to the taxel.
 placesPerTaxel :: Int
@@ -125,7 +131,7 @@ tabled alphabet angle w h q = tables
           templateFirst = (left - symbolWidth - fringe, top - symbolHeight - fringe),
           templateGrid =
             ((wide + symbolWidth + 2 * fringe) * q, (high + symbolHeight + 2 * fringe) * q),
-          templateOffsets = fmap offsets bitmaps,
+          templateOutlines = fmap outline bitmaps,
           templateSums = V.empty,
           templateSquares = V.empty,
           templateCoarse = Nothing
@@ -135,13 +141,17 @@ tabled alphabet angle w h q = tables
         { templateSums = correlations bare (constant w h 1),
           templateSquares = squaresOf bare (fmap embossedAt bitmaps)
         }
-    offsets b =
-      V.fromList
-        [ (y * paddedWidth bare + x) * q
-          | y <- [0 .. symbolHeight - 1],
-            x <- [0 .. symbolWidth - 1],
-            embossedAt b x y
-        ]
+    outline b = Outline (V.fromList (map fst corners')) (V.fromList (map snd corners'))
+      where
+        corners' =
+          [ ((y * areasWidth bare + x) * q, count)
+            | y <- [0 .. symbolHeight],
+              x <- [0 .. symbolWidth],
+              let before = covered (x - 1) (y - 1) - covered x (y - 1)
+                  count = before - covered (x - 1) y + covered x y,
+              count /= 0
+          ]
+        covered x y = if embossedAt b x y then 1 else 0
 
 -- | A displacement, right and down, turned clockwise by so many degrees.
 turnedBy :: Double -> (Double, Double) -> (Double, Double)
@@ -175,6 +185,14 @@ paperTemplates = either (const Nothing) (Just . made) paperAlphabet
 paddedWidth :: Templates -> Int
 paddedWidth tables = fst (templateGrid tables) + (symbolWidth - 1) * templatePlaces tables
 
+-- | Its height.
+paddedHeight :: Templates -> Int
+paddedHeight tables = snd (templateGrid tables) + (symbolHeight - 1) * templatePlaces tables
+
+-- | The width of the grid of the sums of areas, which begins a taxel before the padded grid.
+areasWidth :: Templates -> Int
+areasWidth tables = paddedWidth tables + templatePlaces tables
+
 -- | The share of a unit taxel, blurred, that is seen at this distance from its centre.
 seenAt :: Double -> Double
 seenAt u = cumulative ((u + 0.5) / blurDeviation) - cumulative ((u - 0.5) / blurDeviation)
@@ -195,59 +213,105 @@ cumulative x
 -- | The sum over the frame of its values times each template: by class, at each place, in each
 -- orientation. The image has the size that the tables are for.
 correlations :: Templates -> Raster -> Vector Double
-correlations tables image = V.generate (2 * rows * columns * count) at
+correlations tables image = V.concat [orientation o | o <- [0, 1]]
   where
     (columns, rows) = templateGrid tables
     count = templateClasses tables
-    blurred = spread tables image
-    wide = paddedWidth tables
-    at i =
-      let (cell, k) = i `quotRem` count
-          (row, x) = cell `quotRem` columns
-          (o, y) = row `quotRem` rows
-          offsets = Boxed.unsafeIndex (templateOffsets tables) (o * count + k)
-          start = y * wide + x
-       in -- Note [Bounds of templates]
-          V.foldl' (\s d -> s + V.unsafeIndex blurred (start + d)) 0 offsets
+    areas = areaSums tables (spread tables image)
+    wide = areasWidth tables
+    orientation o = V.create $ do
+      sums <- M.unsafeNew (rows * columns * count)
+      let outlines = Boxed.slice (o * count) count (templateOutlines tables)
+          row !y !i
+            | y >= rows = pure ()
+            | otherwise = column y 0 i >>= row (y + 1)
+          column !y !x !i
+            | x >= columns = pure i
+            | otherwise = class' (y * wide + x) 0 i >>= column y (x + 1)
+          class' !start !k !i
+            | k >= count = pure i
+            | otherwise = do
+              M.unsafeWrite sums i (outlined start (Boxed.unsafeIndex outlines k))
+              class' start (k + 1) (i + 1)
+      row 0 (0 :: Int)
+      pure sums
+    -- Note [Bounds of outlines]
+    outlined start (Outline steps counts) = go 0 0
+      where
+        go !c !s
+          | c >= V.length steps = s :: Double
+          | otherwise =
+            go
+              (c + 1)
+              ( s
+                  + V.unsafeIndex counts c
+                    * V.unsafeIndex areas (start + V.unsafeIndex steps c)
+              )
 
-{- Note [Bounds of templates] A place's column is below the grid's width and an offset reaches at
-   most 7 taxels further, which the padding holds; likewise for rows, 11. Orientation and class come
-   from an index of 2 * rows * columns * count, and there are 2 * count lists of offsets. -}
+{- Note [Bounds of outlines] A place's column is below the grid's width and a step reaches at most 8
+   taxels further, which the width of the sums of areas holds; likewise for rows, 12. There are
+   2 * count outlines. -}
 
--- | What each place of the padded grid would read of the frame, blurred.
+-- | Of values on the padded grid, one each whole taxel before a place, across and down, up to its
+-- own: their sum over the rectangle that ends there. The first row and column of taxels are 0.
+areaSums :: Templates -> Vector Double -> Vector Double
+areaSums tables values = V.create $ do
+  sums <- M.replicate (wide * high) 0
+  let row !y
+        | y >= high = pure ()
+        | otherwise = column y q >> row (y + 1)
+      -- Note [Bounds of areas]
+      column !y !x
+        | x >= wide = pure ()
+        | otherwise = do
+          let i = y * wide + x
+          left <- M.unsafeRead sums (i - q)
+          above <- M.unsafeRead sums (i - q * wide)
+          both <- M.unsafeRead sums (i - q * wide - q)
+          let value = V.unsafeIndex values ((y - q) * (wide - q) + x - q)
+          M.unsafeWrite sums i (value + left + above - both)
+          column y (x + 1)
+  row q
+  pure sums
+  where
+    q = templatePlaces tables
+    wide = areasWidth tables
+    high = paddedHeight tables + q
+
+{- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that what lies a taxel before
+   is in the grid; the values lack the first taxel's rows and columns. -}
+
+-- | What each place of the padded grid would read of the frame, blurred: along the frame's axes by
+-- rows first and then by columns, else at each place by itself.
 spread :: Templates -> Raster -> Vector Double
-spread tables image = V.generate (wide * high) at
+spread tables image
+  | templateAngle tables == 0 =
+    everywhere high $ \x y ->
+      blurredAt h (\v -> V.unsafeIndex across (v * wide + x)) (snd (place 0 y))
+  | otherwise =
+    everywhere high $ \x y -> let (u, v) = place x y in blurredAt h (`inRow` u) v
   where
     (w, h) = templateFrame tables
-    q = templatePlaces tables
-    (_, rows) = templateGrid tables
     wide = paddedWidth tables
-    high = rows + (symbolHeight - 1) * q
+    high = paddedHeight tables
     values = rasterValues image
     place = onFrame tables
-    at i = let (y, x) = i `quotRem` wide in uncurry seen (place x y)
-    seen x y = down (max 0 (row - 3)) 0
-      where
-        (column, shareX) = parted x
-        (row, shareY) = parted y
-        lastRow = min (h - 1) (row + 4)
-        firstColumn = max 0 (column - 3)
-        lastColumn = min (w - 1) (column + 4)
-        -- Note [Bounds of shares]
-        down !v !s
-          | v > lastRow = s :: Double
-          | otherwise =
-            down (v + 1) (s + V.unsafeIndex shares (shareY + v - row + 3) * across v firstColumn 0)
-        across !v !u !s
-          | u > lastColumn = s :: Double
-          | otherwise =
-            across
-              v
-              (u + 1)
-              ( s
-                  + V.unsafeIndex shares (shareX + u - column + 3)
-                    * V.unsafeIndex values (v * w + u)
-              )
+    across = everywhere h $ \x v -> inRow v (fst (place x 0))
+    inRow v = blurredAt w (\u -> V.unsafeIndex values (v * w + u))
+    everywhere rows at = V.generate (wide * rows) $ \i -> let (y, x) = i `quotRem` wide in at x y
+    {-# INLINE everywhere #-}
+
+-- | What lies at a place along an axis, blurred, of so many taxels that are given by their number.
+blurredAt :: Int -> (Int -> Double) -> Double -> Double
+blurredAt n value t = go (max 0 (whole - 3)) 0
+  where
+    (whole, share) = parted t
+    end = min (n - 1) (whole + 4)
+    -- Note [Bounds of shares]
+    go !u !s
+      | u > end = s
+      | otherwise = go (u + 1) (s + V.unsafeIndex shares (share + u - whole + 3) * value u)
+{-# INLINE blurredAt #-}
 
 -- | Where a column and a row of places lie on the frame, taxels.
 onFrame :: Templates -> Int -> Int -> (Double, Double)

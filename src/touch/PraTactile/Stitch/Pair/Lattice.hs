@@ -47,52 +47,59 @@ latticePosterior (stepX, stepY) search a b =
 -- see can only add the logarithm of their number a cell to what the frames say apart, so what lies
 -- further below the best by that need not be looked at.
 candidates :: Evidence -> Evidence -> (Int, Int) -> Int -> Vector Double -> [(Int, Int)]
-candidates a b (startX, startY) side priors = within (margins 15)
+candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (within 15)]
   where
-    q = templatePlaces (evidenceTables a)
-    (across, down) = phaseCount q
+    (across, down) = phaseCount (templatePlaces (evidenceTables a))
     phasesA = evidencePhases a
     phasesB = evidencePhases b
-    most = 30000
-    -- The index of the phase of B's lattice where A's has the given one.
-    apart !d !i =
-      let (dy, dx) = d `quotRem` side
-          (row, px) = i `quotRem` across
-          (o, py) = row `quotRem` down
-          x = (px - startX - dx) `mod` across
-          y = (py - startY - dy) `mod` down
-       in V.unsafeIndex priors d + V.unsafeIndex phasesA i
-            + V.unsafeIndex phasesB ((o * down + y) * across + x)
-    -- Phases of A that no displacement can save are passed over.
-    bestB = V.maximum phasesB + V.maximum priors
-    topA = V.maximum phasesA
     size = V.length phasesA
-    top = foldPhases (topA - 40) (\m d i -> max m (apart d i)) (-1 / 0)
-    foldPhases :: Double -> (s -> Int -> Int -> s) -> s -> s
-    foldPhases least step = outer 0
+    -- What any displacement and the phase of B's lattice add at most.
+    mostAdded = V.maximum phasesB + V.maximum priors
+    top = best 0 (overDisplacements (\m _ s -> max m s) (V.maxIndex phasesA) (-1 / 0))
+    best !i !m
+      | i >= size = m
+      | V.unsafeIndex phasesA i + mostAdded <= m = best (i + 1) m
+      | otherwise = best (i + 1) (overDisplacements (\m' _ s -> max m' s) i m)
+    within margin = from 0 []
       where
-        outer !i !s
-          | i >= size = s
-          | V.unsafeIndex phasesA i < least = outer (i + 1) s
-          | otherwise = inner i 0 s
-        inner !i !d !s
-          | d >= side * side = outer (i + 1) s
-          | otherwise = inner i (d + 1) (step s d i)
-    {-# INLINE foldPhases #-}
-    within (margin, known) = known `seq` foldPhases (top - margin - bestB) keep []
+        from !i kept
+          | i >= size = kept
+          | V.unsafeIndex phasesA i + mostAdded < top - margin = from (i + 1) kept
+          | otherwise = from (i + 1) (overDisplacements (keep i) i kept)
+        keep i kept d s = if s >= top - margin then (s, d, i) : kept else kept
+    -- Of too many, those that lie less far below.
+    fewest :: Double -> [(Double, Int, Int)] -> [(Double, Int, Int)]
+    fewest margin found
+      | margin < 0.5 || length found <= 30000 = found
+      | otherwise = fewest (0.7 * margin) [f | f@(s, _, _) <- found, s >= top - 0.7 * margin]
+    -- What both frames say apart of a phase of A's lattice and each displacement, by its index.
+    overDisplacements :: (s -> Int -> Double -> s) -> Int -> s -> s
+    overDisplacements step i = rows 0 ((py - startY) `mod` down)
       where
-        keep kept d i = if apart d i >= top - margin then (d, i) : kept else kept
-    margins :: Double -> (Double, ())
-    margins margin
-      | margin < 0.5 = (margin, ())
-      | counted > most = margins (margin * 0.7)
-      | otherwise = (margin, ())
-      where
-        counted =
-          foldPhases
-            (top - margin - bestB)
-            (\n d i -> if apart d i >= top - margin then n + 1 else n)
-            (0 :: Int)
+        (row, px) = i `quotRem` across
+        (o, py) = row `quotRem` down
+        own = V.unsafeIndex phasesA i
+        firstX = (px - startX) `mod` across
+        -- The phase of B's lattice goes back where the displacement goes on.
+        -- Note [Bounds of phases]
+        rows !dy !y !s
+          | dy >= side = s
+          | otherwise =
+            rows (dy + 1) (before down y) (columns (dy * side) ((dy + 1) * side) firstX s)
+          where
+            columns !d !end !x !s'
+              | d >= end = s'
+              | otherwise =
+                columns (d + 1) end (before across x) $
+                  step s' d $
+                    V.unsafeIndex priors d
+                      + own
+                      + V.unsafeIndex phasesB ((o * down + y) * across + x)
+    {-# INLINE overDisplacements #-}
+    before period t = if t == 0 then period - 1 else t - 1 :: Int
+
+{- Note [Bounds of phases] There are side * side priors, one for each displacement. Rows and columns
+   of phases stay below how many there are of them, which is the same for both frames. -}
 
 -- | How much likelier than by nothing at all both frames are, for a displacement in places and a
 -- phase of A's lattice.
