@@ -2,13 +2,15 @@
 -- too small for symbols, and which refusal is said of what.
 module Test.RecogniseGrid (spec) where
 
+import Control.Monad (join)
+import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import PraTactile
 import PraTactile.Evaluate
 import PraTactile.Explore
-import PraTactile.Field (KnownField)
+import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalLayings)
@@ -16,7 +18,9 @@ import PraTactile.Object.Placement
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
+import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Symmetry
@@ -28,6 +32,7 @@ import Test.Support
 spec :: Spec
 spec = do
   describe "the grid of a face" gridSpec
+  describe "what is certain" certainSpec
   describe "room on a face" roomSpec
   describe "cells" $
     it "that are smaller than a symbol in either direction are refused, and no others" $
@@ -51,19 +56,71 @@ gridSpec =
   where
     everywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
     -- Every third one is known to the network.
-    symbolIn n (i, j) =
-      let centre = (16 * fromIntegral j, 20 * fromIntegral i)
-          what = (identity, 0)
-       in ReadSymbol
-            { readNumber = n,
-              readSource = 0,
-              readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
-              readAt = centre,
-              readClass = if n `mod` 3 == 0 then Just what else Nothing,
-              readSeen = 1,
-              readLikeliest = what,
-              readChances = [(what, 1)]
-            }
+    symbolIn n cell = (symbolAt n cell (identity, 0)) {readClass = known n}
+    known n = if n `mod` 3 == 0 then Just (identity, 0) else Nothing
+
+-- | A symbol of that number that is that for certain, and known to the network, in a cell.
+symbolAt :: Int -> (Int, Int) -> (Symmetry, Int) -> ReadSymbol
+symbolAt n (i, j) what =
+  ReadSymbol
+    { readNumber = n,
+      readSource = 0,
+      readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
+      readAt = centre,
+      readClass = Just what,
+      readSeen = 1,
+      readLikeliest = what,
+      readChances = [(what, 1)]
+    }
+  where
+    centre = (16 * fromIntegral j, 20 * fromIntegral i)
+
+-- | The symbol with that much doubt, shared by all else that it could be.
+doubtful :: Double -> ReadSymbol -> ReadSymbol
+doubtful p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- others]}
+  where
+    what = readLikeliest s
+    others = filter (/= what) ((,) <$> [identity, turned 2] <*> [0 .. 3])
+
+certainSpec :: Spec
+certainSpec = do
+  it "is what the network knows with a tenth of doubt at most, and parts with a hundredth" $
+    for_ ((,) <$> [0, 0.009, 0.011, 0.09, 0.11, 0.7] <*> knowing) $ \(p, known) -> do
+      let symbol = (doubtful p (symbolAt 0 (0, 0) (turned 2, 3))) {readClass = known}
+      certain symbol `shouldBe` (if p < 0.1 then known else Nothing)
+      certain symbol {readSeen = 0.9, readClass = Nothing}
+        `shouldBe` (if p < 0.01 then Just (turned 2, 3) else Nothing)
+  it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
+    layout <- right canonicalPlacement
+    alphabetOfAll <- right paperAlphabet
+    net <- right shippedNetwork
+    join . right $
+      withProfile canonicalProfile $ \array mask -> do
+        reader <- right (recogniser Torus array mask layout alphabetOfAll net)
+        let classOf r c = toCode (cellAt array (Position (6 + r) (5 + c)))
+            block =
+              [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
+                | (i, r) <- [(0, 0), (1, 1)],
+                  (j, c) <- [(0, 0), (1, 1), (2, 2)]
+              ]
+            located among strays along =
+              locationOutcome
+                (locateGrid reader standardTolerance along (gridOf (block ++ among) strays))
+            gridOf symbols strays =
+              FaceGrid
+                { gridCells = Map.fromList [(readNumber s `divMod` 3, [s]) | s <- symbols],
+                  gridGroups = [Set.fromList (map readNumber symbols)],
+                  gridStrays = strays
+                }
+            turnedOver = symbolAt 8 (2, 2) (turned 2, 1)
+            sideways = symbolAt 9 (5, 5) (turned 1, 1)
+            placed = Placed (Position 6 5)
+        [located [] [] [], located [doubtful 0.6 turnedOver] [] [], located [turnedOver] [] []]
+          `shouldBe` [placed, placed, WrongWayUp]
+        [located [] [doubtful p turnedOver] [] | p <- [0.3, 0]] `shouldBe` [placed, OffTheGrid]
+        [located [] [] [doubtful p sideways] | p <- [0.3, 0]] `shouldBe` [placed, WrongWayUp]
+  where
+    knowing = [Nothing, Just (turned 2, 3)]
 
 roomSpec :: Spec
 roomSpec = do
@@ -136,11 +193,11 @@ saidSpec = do
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
     let said answer evidence = summary (Recognition [] [] evidence 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        doubtful = Just (Evidence (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
+        unsure = Just (Evidence (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]
-    map (drop 1) [said (Left NoSymbols) doubtful, drop 1 (said several doubtful)]
+    map (drop 1) [said (Left NoSymbols) unsure, drop 1 (said several unsure)]
       `shouldBe` replicate 2 ["doubt 2.5e-1"]
   it "the lines of README.md are what is said of the worked example" $ do
     text <- lines <$> readFile "README.md"

@@ -7,10 +7,12 @@ import Data.List (sortOn)
 import Data.Maybe (fromMaybe, isJust)
 import Data.Ord (Down (..))
 import PraTactile.Classify.Estimate
+import PraTactile.Classify.Part
 import PraTactile.Classify.Regimen
 import PraTactile.Classify.Specimens
 import PraTactile.Classify.Templates
 import PraTactile.Image hiding (mean)
+import PraTactile.Segment (Part (..))
 import PraTactile.Shape
 import PraTactile.Steps
 import PraTactile.Stitch.Rotation
@@ -26,6 +28,7 @@ spec = do
   describe "Likeness" likenessSpec
   describe "Estimates" estimateSpec
   describe "How a frame lies" rotationSpec
+  describe "A part of a symbol" partSpec
   it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
     known <- drawnAlphabet
     let made noises = fst (roundImages [(Upright, 2), (Bare, 3)] noises known (mkStdGen 7))
@@ -200,3 +203,40 @@ rotationSpec = do
     map (telltale . Aligned (0, 0) 3) [0.99, 1, 1.01] `shouldBe` [Just 3, Just 3, Nothing]
   where
     surface x y = sin (0.9 * x) + cos (0.7 * y) + sin (0.5 * x - 0.8 * y) :: Double
+
+partSpec :: Spec
+partSpec = do
+  it "of less than a third is beyond a hundredth of doubt, however well one shape alone fits" $ do
+    known <- drawnAlphabet
+    for_ [1 .. 12] $ \rows ->
+      minimum [doubtOf known rows c | c <- [0 .. 3]]
+        `shouldSatisfy` (if rows < 4 then (> 0.01) else (< 0.01))
+  it "is any shape alike for as much as it may be nothing of the kind, or flat" $ do
+    known <- drawnAlphabet
+    holds 60 $
+      forAll (choose (1, 12)) $ \rows -> forAll (genRasterOf 8 rows) $ \image ->
+        let part = upper rows image
+            taxels = 8 * fromIntegral rows
+            (alike, rubbish)
+              | taxels < 16 = (2.5, 0.012)
+              | taxels < 32 = (4, 0.012)
+              | otherwise = (4, 0.001)
+            (distances, flat) = partDistances (templates known) part
+            least = minimum (flat : map snd distances)
+            variance = max 0.01 (least / taxels)
+            weight d = exp (negate (d - least) / (2 * variance * alike))
+            all' = weight flat + sum (map (weight . snd) distances)
+            chance d = (1 - rubbish) * (weight d + weight flat / 8) / all' + rubbish / 8
+         in conjoin
+              [ near (chance d) (estimateChance (estimatePart (templates known) part) what)
+                | (what, d) <- distances
+              ]
+  where
+    doubtOf known rows c =
+      let e = estimatePart (templates known) (upper rows (toRaster (shapes known !! c)))
+       in 1 - estimateChance e (estimateLikeliest e)
+    -- Only the upper rows are seen, of which the image has at least as many.
+    upper rows image =
+      Part
+        (generate 8 12 (\x y -> if y < rows then fromMaybe 0 (index image x y) else 0))
+        (generate 8 12 (\_ y -> if y < rows then 1 else 0))

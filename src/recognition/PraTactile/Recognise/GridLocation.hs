@@ -240,8 +240,9 @@ witnessesOf ::
 witnessesOf codebook tolerance orientation (dissenters, strays) cells =
   Witnesses
     { witnessesKnown = known,
-      witnessesOtherWayUp = [s | ((_, s), o) <- ways, o /= orientation] ++ dissenters,
-      witnessesStray = filter (isJust . readClass) strays,
+      witnessesOtherWayUp =
+        [s | ((_, s), o) <- ways, o /= orientation] ++ filter (isJust . certain) dissenters,
+      witnessesStray = filter (isJust . certain) strays,
       witnessesCells = offsets,
       witnessesDistance = distance,
       witnessesRadius = radiusFor (toleratedErrors tolerance) distance

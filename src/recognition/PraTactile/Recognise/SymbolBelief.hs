@@ -17,12 +17,15 @@ import PraTactile.Recognise.Reading
 import PraTactile.Symbol (elementOfClass)
 import PraTactile.Symmetry
 
--- | What a symbol is, if that is certain: the network knows it, or it is a part that leaves less
--- than a hundredth of doubt.
+-- | What a symbol is, if that is certain: the network knows it and its shape leaves less than a
+-- tenth of doubt, or it is a part that leaves less than a hundredth. What else lies on a face, a
+-- symbol's rest beside an edge or one that two frames show in two places, the network may know all
+-- the same: such a symbol stands against no others.
 certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
-  | readSeen s < 1 && readDoubt s < 0.01 = Just (readLikeliest s)
-  | otherwise = readClass s
+  | readSeen s < 1 = if readDoubt s < 0.01 then Just (readLikeliest s) else Nothing
+  | readDoubt s < 0.1 = readClass s
+  | otherwise = Nothing
 
 -- | The orientation of the symbols' axis that fits them best, and the probability that it is the
 -- other one, by what the symbols themselves show. Upright symbols decide for themselves; the code

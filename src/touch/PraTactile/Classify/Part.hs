@@ -22,7 +22,8 @@ estimatePart shapesSeen part = Estimate best [(what, chance d) | (what, d) <- di
     -- What is flat, or rubbish, is any of the shapes alike.
     chance d = (1 - rubbish) * (weight d + weight flat / n) / total + rubbish / n
     taxels = V.sum (rasterValues (partSeen part))
-    (correlated, rubbish) = if taxels < 16 then fewTaxels else manyTaxels
+    correlated = alikeAmong taxels
+    rubbish = nothingOfTheKind taxels
     (distances, flat) = partDistances shapesSeen part
     (best, nearest) = case sortOn snd distances of
       first : _ -> first
@@ -54,12 +55,15 @@ partDistances shapesSeen part =
 leastVariance :: Double
 leastVariance = 0.01
 
--- How many neighbouring taxels err alike, and the probability of an image that is nothing of the
--- kind: where 16 taxels or more were seen, and where fewer. Of fewer, frames that were put together
--- a taxel wrong may make another symbol, so that they are never beyond a hundredth of doubt.
-manyTaxels, fewTaxels :: (Double, Double)
-manyTaxels = (4, 0.001)
-fewTaxels = (2.5, 0.012)
+-- How many neighbouring taxels err alike, where so many were seen.
+alikeAmong :: Double -> Double
+alikeAmong taxels = if taxels < 16 then 2.5 else 4
+
+-- The probability of an image that is nothing of the kind, where so many taxels were seen. Of less
+-- than a third of a symbol, frames that were put together a taxel wrong may make another symbol, so
+-- that it is never beyond a hundredth of doubt.
+nothingOfTheKind :: Double -> Double
+nothingOfTheKind taxels = if taxels < 32 then 0.012 else 0.001
 
 {- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
    strokes. So the exponent of the normal law is divided by a number, and the variance is that of
