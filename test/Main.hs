@@ -59,6 +59,7 @@ import qualified Test.Conform.Serve
 import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
+import qualified Test.Conformance.Drawings
 import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Failures
 import qualified Test.Conformance.Liars
@@ -218,7 +219,8 @@ specs = do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: what is asked" Test.Conformance.Cases.spec
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
-  describe "Conformance: the scenes of touch" Test.Conformance.Scenes.spec
+  describe "Conformance: the scenes of touch" $
+    Test.Conformance.Scenes.spec >> describe "drawings" Test.Conformance.Drawings.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec

@@ -13,18 +13,24 @@ tools/quietly.sh "$work/build.log" "building with coverage; about 5 minutes" \
 program() { $cabal list-bin -v0 --enable-tests --builddir="$work/build" "$1"; }
 
 # What a run counts is added to a file, which no other one may use meanwhile: each takes the first that is free, until it ends.
-rm -rf "$work"/*.tix "$work/free"
+rm -rf "$work"/*.tix "$work"/*.tix.whole "$work/free"
 mkdir -p "$work/free"
 cat > "$work/bin/pra-tactile" <<END
 #!/bin/sh
 i=1
 while exec 9>"$work/free/\$i" && ! flock -n 9; do i=\$((i + 1)); done
-HPCTIXFILE="$work/program\$i.tix" exec '$(program exe:pra-tactile)' "\$@"
+tix="$work/program\$i.tix"
+# A run that was ended while it wrote, or that may write no more, leaves no whole file.
+if tail -c 2 "\$tix" 2>/dev/null | grep -q ']'; then cp "\$tix" "\$tix.whole"; else cp "\$tix.whole" "\$tix" 2>/dev/null || rm -f "\$tix"; fi
+HPCTIXFILE="\$tix" exec '$(program exe:pra-tactile)' "\$@"
 END
 chmod +x "$work/bin/pra-tactile"
 # Tests that look for the usual build fail here; what was evaluated counts all the same.
 HPCTIXFILE="$work/spec.tix" PATH="$work/bin:$PATH" tools/quietly.sh "$work/spec.log" "running the tests; about 10 minutes" "$(program test:spec)" --no-color ||
   echo "some tests fail in this build; their names are in $work/spec.log" >&2
+for tix in "$work"/program*.tix; do
+  tail -c 2 "$tix" | grep -q ']' || cp "$tix.whole" "$tix" 2>/dev/null || rm -f "$tix"
+done
 # The module Main is another one in the program.
 hpc sum --union --exclude=Main --output="$work/all.tix" "$work"/spec.tix "$work"/program*.tix
 # shellcheck disable=SC2046

@@ -66,8 +66,9 @@ spec = modifyMaxSuccess (const 40) $ do
       jitters <- vectorOf n ((,) <$> choose (-1, 1) <*> choose (-1, 1))
       pure [(8 * fromIntegral k + u, v) | (k, (u, v)) <- zip [0 :: Int ..] jitters]
     frames at =
-      [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 10 (relief (round x) (round y)) taxelPitch
-        | (x, y) <- at
+      [ Frame pose 10 (relief (round x) (round y)) taxelPitch []
+        | (x, y) <- at,
+          let pose = Pose (taxelPitch * x) (taxelPitch * y) 0
       ]
     relief x y =
       generate 16 16 $ \i j ->

@@ -66,6 +66,7 @@ bytesSpec = do
         <$> number
         <*> pure (generate 16 16 (\x y -> fromIntegral (values !! (16 * y + x)) / 255))
         <*> pure taxelPitch
+        <*> pure []
     number = choose (-1e3, 1e3)
 
 manifest :: [FilePath] -> Bytes.ByteString

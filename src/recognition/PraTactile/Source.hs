@@ -106,7 +106,7 @@ manifestFrames wanted manifest images =
         Just said | said /= size -> Left (ImageSize (entryFile entry) size said)
         _ -> Right ()
       let pose = alongAxes (manifestAxes manifest) (entryPose entry)
-      pure (Frame pose (entryForce entry) felt (manifestTaxel manifest))
+      pure (Frame pose (entryForce entry) felt (manifestTaxel manifest) [])
     image name
       | not (inside name) = Left (ImageElsewhere name)
       | otherwise = do

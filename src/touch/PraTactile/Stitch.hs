@@ -25,11 +25,13 @@ module PraTactile.Stitch
 where
 
 import Control.Monad (when)
+import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
+import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, onRaster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, generate, onRaster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Resample (atCanonicalPitch, isCanonical)
 import PraTactile.Stitch.Agreement (contradiction)
@@ -83,7 +85,8 @@ maxFrames :: Int
 maxFrames = 10000
 
 -- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
--- frames saw there, with bilinear weights. The composite does not depend on the order of the
+-- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
+-- to nothing where a living one felt the place. The composite does not depend on the order of the
 -- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
 stitch :: Registration -> [Frame] -> Either StitchError Composite
 stitch settings = fmap assemblyComposite . assemble Automatic settings
@@ -125,9 +128,10 @@ compose way settings frames = do
   placed <-
     maybe (Left NoFrames) Right (nonEmpty frames)
       >>= (\all'@(one :| _) -> traverse (uncurry (upright one)) (NonEmpty.zip (0 :| [1 ..]) all'))
-  let left = minimum (fmap (fst . fst) placed)
-      top = minimum (fmap (snd . fst) placed)
-      nominal = fmap (\((x, y), image) -> ((inTaxels (x - left), inTaxels (y - top)), image)) placed
+  let left = minimum (fmap (fst . placedAt) placed)
+      top = minimum (fmap (snd . placedAt) placed)
+      inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
+      nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
   checkArea nominal
   let arrangement = arrange way told (NonEmpty.toList nominal)
       told
@@ -137,7 +141,8 @@ compose way settings frames = do
       displacements = map arrangedShift arranged
       at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
-      together shifts = blended (left, top) (at shifts) shifts
+      together shifts =
+        blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
@@ -184,23 +189,35 @@ checkArea images
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
--- | The millimetre place of the centre of the pixel that is the upper left one once the sensor's
--- own rotation is undone, and the image so turned, at the canonical pitch; of a frame with its
--- number, which must be of the first one's size.
-upright :: Frame -> Int -> Frame -> Either StitchError (Place, Raster)
+-- | A frame once its sensor's rotation is undone, at the canonical pitch.
+data Placed = Placed
+  { -- | Where the centre of its upper left pixel is, millimetres.
+    placedAt :: !Place,
+    placedImage :: !Raster,
+    -- | The share of each pixel that living elements felt, where some are dead.
+    placedFelt :: !(Maybe Raster)
+  }
+
+-- | A frame with its number, which must be of the first one's size, as it is placed.
+upright :: Frame -> Int -> Frame -> Either StitchError Placed
 upright one i given
   | sizeOf given /= sizeOf one || not (all possible [fst (sizeOf given), snd (sizeOf given)]) =
     Left (uncurry (FrameSize i) (sizeOf given))
   | not (all finite [x, y, r]) || not (V.all finite (rasterValues (frameImage given))) =
     Left (FrameNotFinite i)
   | not (finite (frameTaxel given) && frameTaxel given > 0) = Left (FrameNotFinite i)
-  | otherwise = case turnedByDegrees r of
-    Just symmetry -> Right (placed (onRaster symmetry image))
-    Nothing -> maybe (Left (FrameRotation i r)) (Right . placed) (turnedBack r image)
+  | otherwise =
+    maybe (Left (FrameRotation i r)) Right $ do
+      image <- seen given
+      let place = (x - half (rasterWidth image), y - half (rasterHeight image))
+      Placed place image <$> traverse (seen . felt) (nonEmpty (frameDead given))
   where
     Pose x y r = framePose given
-    image = frameImage (atCanonicalPitch given)
-    placed turned' = ((x - half (rasterWidth turned'), y - half (rasterHeight turned')), turned')
+    seen = uprighted . frameImage . atCanonicalPitch
+    uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
+    felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
+    share dead u v = if Set.member (v, u) dead then 0 else 1
+    (wide, high) = sizeOf given
     sizeOf frame = (rasterWidth (frameImage frame), rasterHeight (frameImage frame))
     possible side = side >= 4 && side <= 256
     half side = taxelPitch * fromIntegral (side - 1) / 2

@@ -2,15 +2,11 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | What the laws of touch show: of each scene that is drawn, what is asked is what the law's
--- sentence says, and exactly the answers within its tolerance pass.
+-- | What the laws of registration and stitching show: of each scene that is drawn, what is asked is
+-- what the law's sentence says, and exactly the answers within its tolerance pass.
 module Test.Conformance.Scenes (spec) where
 
-import Control.Monad.Trans.Writer.Strict (Writer, runWriter, tell)
-import Data.Aeson (FromJSON, Value (..), parseJSON)
-import Data.Aeson.Key (Key)
-import qualified Data.Aeson.KeyMap as KeyMap
-import Data.Aeson.Types (parseMaybe)
+import Data.Aeson (Value (..))
 import Data.Foldable (for_)
 import Data.List (nub, sort, transpose)
 import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
@@ -18,53 +14,18 @@ import Data.Traversable (for)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Law (Cases (..), Domain (..), Verdict (..))
+import PraTactile.Conformance.Law (Verdict (..))
 import PraTactile.Conformance.Question
-import PraTactile.Format.Json.Codec (writeValue)
-import PraTactile.Shape (bitmapRows, paperAlphabet, shapes)
 import PraTactile.Symmetry
 import System.Random (mkStdGen, randomRs)
+import Test.Conformance.Asking
 import Test.Hspec
-import Test.QuickCheck (vectorOf)
-import Test.QuickCheck.Gen (unGen)
-import Test.QuickCheck.Random (mkQCGen)
 
 spec :: Spec
 spec = do
   describe "two frames" pairSpec
   describe "two frames that do not tell where they lie" refusedSpec
   describe "several frames" surveySpec
-  describe "drawings" drawingSpec
-
--- * Asking
-
--- | What a trial asks, where all is answered so, and its verdict.
-asked :: (forall b. Question b -> b) -> Ask Verdict -> (Verdict, [Question'])
-asked answers = runWriter . answerAll (const (pure (Right ()))) reply
-  where
-    reply :: Question b -> Writer [Question'] (Either Refusal b)
-    reply question = Right (answers question) <$ tell [Question' question]
-
--- | A question of any type.
-data Question' = forall b. Question' (Question b)
-
--- | Some drawn cases of a law, each in the form of the protocol, with its trial.
-drawn :: Int -> String -> IO [(Value, Ask Verdict)]
-drawn count name = do
-  [Cases form domain trial] <- pure [lawCases one () | one <- touchLaws, lawId one == name]
-  case domain of
-    Some gen _ ->
-      pure
-        [ (writeValue form one, trial one)
-          | one <- unGen (vectorOf count gen) (mkQCGen 1) 50
-        ]
-    Every _ -> fail (name ++ " draws nothing")
-
--- | What stands under a key.
-under :: FromJSON a => Key -> Value -> a
-under key value = case value of
-  Object keys | Just found <- KeyMap.lookup key keys >>= parseMaybe parseJSON -> found
-  _ -> error ("no " ++ show key ++ " in " ++ show value)
 
 -- * Reliefs, by what is said of them
 
@@ -90,25 +51,6 @@ relief seed = \(x, y) ->
 
 cut :: (WholeTaxels -> Natural) -> WholeTaxels -> WholeTaxels -> Rows
 cut surface (w, h) (x, y) = [[surface (i, j) | i <- [x .. x + w - 1]] | j <- [y .. y + h - 1]]
-
-plus, minus :: Num a => (a, a) -> (a, a) -> (a, a)
-plus (x, y) (x', y') = (x + x', y + y')
-minus (x, y) (x', y') = (x - x', y - y')
-
-real :: WholeTaxels -> Taxels
-real (x, y) = (fromInteger x, fromInteger y)
-
--- | The gain, 1 to 3, and the offset of the second rows over the first.
-affineOf :: Rows -> Rows -> Maybe (Integer, Integer)
-affineOf rows rows' =
-  listToMaybe
-    [ (gain, offset)
-      | gain <- [1 .. 3],
-        [offset] <-
-          [ nub
-              (zipWith (\v v' -> toInteger v' - gain * toInteger v) (concat rows) (concat rows'))
-          ]
-    ]
 
 -- | Whether a pair tells by itself that the second frame lies there: at other whole displacements
 -- within the search what both have in common correlates by less than 0.9, one taxel away by less
@@ -228,17 +170,10 @@ pairSpec = do
         [] -> Nothing <$ expectationFailure (name ++ ": another pair for " ++ show value)
       several -> Nothing <$ expectationFailure (show (length several) ++ " questions")
 
--- | Off by this much along one axis.
-within :: Double -> [Taxels]
-within d = [(d, 0), (-d, 0), (0, d), (0, -d)]
-
 registering :: Registered -> Question b -> b
 registering answer question = case question of
   Register _ -> answer
   _ -> error "another question"
-
-passes :: (forall b. Question b -> b) -> Ask Verdict -> Bool
-passes answers trial = fst (asked answers trial) == Holds
 
 pairsIn :: [Question'] -> [Pair]
 pairsIn questions = [pair | Question' (Register pair) <- questions]
@@ -444,162 +379,3 @@ surveyed name value =
     errors
       | name == "truth-stays" = repeat (0, 0)
       | otherwise = under "errors" value
-
--- * Drawings
-
-drawingSpec :: Spec
-drawingSpec = do
-  for_ ways $ \(name, way) ->
-    it (name ++ ": the drawing that it says; to half a pixel and 5 degrees") $ do
-      cases <- drawn 30 ("segment/" ++ name)
-      for_ cases $ \(value, trial) ->
-        case rowsIn trial of
-          [rows] -> case way (drawing value) rows of
-            wanted : _ -> do
-              let verdict answers = passes (segmenting answers) trial
-                  first change = case wanted of
-                    one : rest -> [change one : rest]
-                    [] -> []
-                  byPlace d one = one {symbolPlace = symbolPlace one `plus` d}
-                  byAngle d one = one {symbolDegrees = symbolDegrees one + d}
-              verdict wanted `shouldBe` True
-              verdict (reverse wanted) `shouldBe` True
-              map verdict (within 0.49 >>= first . byPlace) `shouldSatisfy` and
-              map verdict (within 0.51 >>= first . byPlace) `shouldSatisfy` not . or
-              map verdict ([4.9, -4.9, 180, -184.9, 364.9] >>= first . byAngle)
-                `shouldSatisfy` and
-              map verdict ([5.1, -5.1, 90, 174.9, -185.1] >>= first . byAngle)
-                `shouldSatisfy` not . or
-              map verdict ((Symbol (1, 1) 0 : wanted) : [drop 1 wanted | not (null wanted)])
-                `shouldSatisfy` not . or
-            [] -> expectationFailure (name ++ ": another drawing for " ++ show value)
-          several -> expectationFailure (show (length several) ++ " questions")
-  it "symbols are of all classes and stand alone or side by side, sharp or blurred" $ do
-    cases <- drawn 200 "segment/drawn-symbols"
-    let classes = [under "classes" value | (value, _) <- cases] :: [[[Maybe Int]]]
-        origins = [under "origin" value | (value, _) <- cases] :: [(Integer, Integer)]
-    nub (sort (concatMap concat classes)) `shouldBe` Nothing : map Just [0 .. 3]
-    nub (sort (map (\rows -> (length rows, length (concat (take 1 rows)))) classes))
-      `shouldBe` [(a, b) | a <- [1, 2], b <- [1 .. 3]]
-    filter (not . any isJust . concat) classes `shouldBe` []
-    nub (sort (map fst origins)) `shouldBe` [2 .. 10]
-    nub (sort (map snd origins)) `shouldBe` [2 .. 10]
-    sort (nub [under "blurred" value | (value, _) <- cases]) `shouldBe` [False, True]
-  where
-    ways =
-      [ ("drawn-symbols", \d rows -> [symbols d | rows == upright d]),
-        ( "off-the-lattice",
-          \d rows ->
-            [ [Symbol (centre place) 0 | (_, place) <- places]
-              | places <- displaced d rows
-            ]
-        ),
-        ( "turned",
-          \d rows ->
-            [ [ Symbol (onPixel s (size d) place) (degreesClockwise s)
-                | Symbol place _ <- symbols d
-              ]
-              | s <- drop 1 rotations,
-                rows == onRows s (upright d)
-            ]
-        ),
-        ( "gain-and-offset",
-          \d rows -> [symbols d | isJust (affineOf (upright d) rows)]
-        ),
-        ( "blank",
-          \d rows ->
-            [ []
-              | length (nub (concat rows)) == 1,
-                map length rows == map length (upright d)
-            ]
-        ),
-        ( "cut-off",
-          \d rows ->
-            [ [ Symbol (x - less, y) 0
-                | Symbol (x, y) _ <- symbols d,
-                  x - 3.5 >= less
-              ]
-              | columns <- [3 .. 5],
-                let less = fromInteger (fst (drawingOrigin d) + columns),
-                rows == map (drop (round less)) (upright d)
-            ]
-        )
-      ]
-    symbols d = [Symbol (centre place) 0 | (_, place) <- symbolsOf d]
-    centre (x, y) = (fromInteger x + 3.5, fromInteger y + 5.5)
-    upright d = composite d (symbolsOf d)
-    size d = (genericLength' (concat (take 1 (upright d))), genericLength' (upright d))
-    genericLength' = fromIntegral . length
-    -- Each of the symbols up to two taxels to the right and below.
-    displaced d rows =
-      [ places
-        | places <- foldr step [[]] (symbolsOf d),
-          rows == composite d places
-      ]
-      where
-        step (k, place) more =
-          [ (k, moved) : rest
-            | i <- [0 .. 2],
-              j <- [0 .. 2],
-              let moved = place `plus` (i, j),
-              shownAt k moved,
-              rest <- more
-          ]
-        -- What stands there in the rows is what this symbol would be.
-        shownAt k (x, y) =
-          let alone = composite d [(k, (x, y))]
-              box = crop (x + 1, y + 1) (6, 10)
-           in box alone == box rows
-        crop (x, y) (w, h) =
-          map (take w . drop (fromInteger x)) . take h . drop (fromInteger y)
-
-rowsIn :: Ask Verdict -> [Rows]
-rowsIn trial = [rows | Question' (Segment rows) <- snd (asked (segmenting []) trial)]
-
-segmenting :: [Symbol] -> Question b -> b
-segmenting answer question = case question of
-  Segment _ -> answer
-  _ -> error "another question"
-
-data Drawing = Drawing
-  { drawingClasses :: [[Maybe Int]],
-    drawingOrigin :: WholeTaxels,
-    drawingBlurred :: Bool
-  }
-
-drawing :: Value -> Drawing
-drawing value = Drawing (under "classes" value) (under "origin" value) (under "blurred" value)
-
--- | The symbols, each with its upper left taxel, on a lattice of 16 x 20 taxels.
-symbolsOf :: Drawing -> [(Int, WholeTaxels)]
-symbolsOf d =
-  [ (k, drawingOrigin d `plus` (16 * c, 20 * r))
-    | (r, line) <- zip [0 ..] (drawingClasses d),
-      (c, Just k) <- zip [0 ..] line
-  ]
-
--- | The composite with these symbols: 8000 the background, 20000 what is embossed; blurred with the
--- weights 1 2 1 along both axes; 4 taxels more to the right and below than cells of the lattice.
-composite :: Drawing -> [(Int, WholeTaxels)] -> Rows
-composite d symbols =
-  [[8000 + 750 * weight x y | x <- [0 .. w - 1]] | y <- [0 .. h - 1]]
-  where
-    (x0, y0) = drawingOrigin d
-    w = x0 + 16 * maximum (0 : map count (drawingClasses d)) + 4
-    h = y0 + 20 * count (drawingClasses d) + 4
-    count list = fromIntegral (length list) :: Integer
-    weight x y = if drawingBlurred d then blurred x y else 16 * embossed x y
-    blurred x y =
-      sum
-        [ k * k' * embossed (x + i) (y + j)
-          | (i, k) <- zip [-1, 0, 1] [1, 2, 1],
-            (j, k') <- zip [-1, 0, 1] [1, 2, 1]
-        ]
-    embossed x y =
-      if or [marked k (x - left) (y - top) | (k, (left, top)) <- symbols] then 1 else 0 :: Natural
-    marked k i j =
-      fromMaybe False $ do
-        line <- at j =<< at (toInteger k) alphabet
-        at i line
-    at i list = if i < 0 then Nothing else listToMaybe (drop (fromInteger i) list)
-    alphabet = either (const []) (map bitmapRows . shapes) paperAlphabet

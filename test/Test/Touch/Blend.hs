@@ -34,7 +34,52 @@ blending = do
         place <- [(far, 0), (0, far), (-far, 0), (0, -far), (far, -far)]
     ]
       `shouldSatisfy` all (== replicate 2 (replicate 3 0))
+  it "a dead taxel counts 0.02 of a living one in the mean, and half of one in the coverage" $
+    forAll (choose (1, 3) >>= (`vectorOf` genFrame)) $ \frames ->
+      case placeOnly frames of
+        Left e -> counterexample (show e) False
+        Right composite ->
+          let (ox, oy) = compositeOrigin composite
+              pixels =
+                [ (x, y)
+                  | y <- [0 .. rasterHeight (compositeImage composite) - 1],
+                    x <- [0 .. rasterWidth (compositeImage composite) - 1]
+                ]
+           in conjoin
+                [ counterexample (show (x, y)) $
+                    near image (meanOr image) .&&. near coverage covered
+                  | (x, y) <- pixels,
+                    let at' = (ox / taxelPitch + fromIntegral x, oy / taxelPitch + fromIntegral y)
+                        told = concatMap (tellingOf at') frames
+                        weight = sum [share * worth 0.02 dead | (share, dead, _) <- told]
+                        values = sum [share * worth 0.02 dead * v | (share, dead, v) <- told]
+                        covered = sum [share * worth 0.5 dead | (share, dead, _) <- told]
+                        -- Where next to nothing is told, the mean is 0, or any.
+                        meanOr v = if weight < 0.0011 then v else values / weight,
+                    Just image <- [index (compositeImage composite) x y],
+                    Just coverage <- [index (compositeCoverage composite) x y]
+                ]
   where
+    near a b = counterexample (show (a, b)) (abs (a - b) < 1e-3)
+    worth least dead = if dead then least else 1 :: Double
+    genFrame = do
+      image <- genRasterOf 6 4
+      pose <- Pose <$> choose (-8, 8) <*> choose (-8, 8) <*> elements [0, 90, 180, 270]
+      dead <- listOf ((,) <$> choose (0, 3) <*> choose (0, 5))
+      pure (Frame pose 1 image taxelPitch dead)
+    -- What taxels tell of a place, in taxels: the share that falls to it, whether each is dead, and
+    -- its value.
+    tellingOf (px, py) (Frame (Pose x y r) _ image _ dead) =
+      [ (share, (j, i) `elem` dead, v)
+        | i <- [0 .. 5],
+          j <- [0 .. 3],
+          let (c, s) = (cos (r * pi / 180), sin (r * pi / 180))
+              (u, w) = (fromIntegral i - 2.5, fromIntegral j - 1.5)
+              share =
+                left (x / taxelPitch + c * u - s * w) px * left (y / taxelPitch + s * u + c * w) py,
+          share > 0,
+          Just v <- [index image i j]
+      ]
     genSize = (,) <$> choose (-1, 6) <*> choose (-1, 6)
     genPlaced = do
       w <- choose (0, 4)
@@ -45,13 +90,15 @@ blending = do
     defined w h value images =
       generate w h $ \x y ->
         sum
-          [ left (px + fromIntegral i) x * left (py + fromIntegral j) y * value v
+          [ left (px + fromIntegral i) (fromIntegral x)
+              * left (py + fromIntegral j) (fromIntegral y)
+              * value v
             | ((px, py), image) <- images,
               i <- [0 .. rasterWidth image - 1],
               j <- [0 .. rasterHeight image - 1],
               Just v <- [index image i j]
           ]
-    left place x = max 0 (1 - abs (place - fromIntegral x)) :: Double
+    left place x = max 0 (1 - abs (place - x)) :: Double
 
 -- | With k frames placed that agree, the next one's displacement less the mean of theirs is the
 -- difference of its own error and the mean of k others: independent, of variance sigma^2 each, so
@@ -69,8 +116,8 @@ growing =
                 at x = Pose (taxelPitch * fromIntegral (x :: Int)) 0 0
                 apart = 16 - overlap
                 frames =
-                  Frame (at apart) 1 faint taxelPitch :
-                  replicate k (Frame (at 0) 1 strong taxelPitch)
+                  Frame (at apart) 1 faint taxelPitch [] :
+                  replicate k (Frame (at 0) 1 strong taxelPitch [])
                 moved = compositeDisplacements . assemblyComposite
              in case moved <$> assemble Incremental settings frames of
                   Right ((x, y) : others@((x', y') : _)) ->

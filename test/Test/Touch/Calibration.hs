@@ -2,6 +2,7 @@
 module Test.Touch.Calibration (spec) where
 
 import Data.Foldable (for_)
+import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Format.Calibration (decodeCalibration, encodeCalibration)
@@ -55,20 +56,22 @@ calibrating = do
     let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))
         lit = mapRaster (+ 0.5) dark
     found <- right (calibrate [dark] [lit])
-    frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1))
+    frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1 []))
     V.maximum (V.map (abs . subtract 0.25) (rasterValues (frameImage frame)))
       `shouldSatisfy` (< 1e-12)
   it "in the place of a dead element stands the mean of its neighbours" $ do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
         plain = Calibration (constant 6 6 0) (constant 6 6 1) dead
         image = generate 6 6 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
-    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1))
+    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1 [(5, 5), (0, 1)]))
     let seen = frameImage frame
         -- The nearest ring around the corner with living elements is the second.
         ring = [at image x y | (x, y) <- [(2, 0), (2, 1), (2, 2), (1, 2), (0, 2)]]
     abs (at seen 3 2 - at image 3 2) `shouldSatisfy` (< 1e-12)
     abs (at seen 0 0 - sum ring / 5) `shouldSatisfy` (< 1e-12)
     at seen 5 5 `shouldBe` at image 5 5
+    -- It felt nothing, beside what felt nothing before.
+    sort (frameDead frame) `shouldBe` sort ((5, 5) : dead)
   it "what does not calibrate is refused, each for its reason" $ do
     let flat = constant 4 4 0.5
         dark = constant 4 4 0
@@ -92,7 +95,7 @@ calibrating = do
     let lit = [(3, 2), (9, 9)]
         felt k = generate 16 16 $ \x y ->
           if (y, x) `elem` lit then 1 else if (x + 3 * k + y) `mod` 7 < 2 then 0.8 else 0
-        framesAt step n = [Frame (Pose (step * fromIntegral k) 0 0) 0 (felt k) 1 | k <- [0 .. n]]
+        framesAt step n = [Frame (Pose (step * fromIntegral k) 0 0) 0 (felt k) 1 [] | k <- [0 .. n]]
         plain = Calibration (constant 16 16 0) (constant 16 16 1) lit
         moved = framesAt 4 7
     expected <- right (traverse (corrected plain) moved)
@@ -101,7 +104,7 @@ calibrating = do
       [ ("standing still", framesAt 0.5 7),
         ("few", framesAt 4 4),
         ("all saturated", [frame {frameImage = constant 16 16 1} | frame <- moved]),
-        ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 : moved)
+        ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 [] : moved)
       ]
       $ \(name, frames') -> (name, withoutStuck frames' == frames') `shouldBe` (name, True)
   it "a file's dead elements are elements of the sensor" $
@@ -113,7 +116,7 @@ calibrating = do
   it "another sensor's calibration is refused" $
     corrected
       (Calibration (constant 4 4 0) (constant 4 4 1) [])
-      (Frame (Pose 0 0 0) 0 (constant 16 16 0) 1)
+      (Frame (Pose 0 0 0) 0 (constant 16 16 0) 1 [])
       `shouldBe` Left (SensorsDiffer (4, 4) (16, 16))
 
 pitches :: Spec
@@ -146,7 +149,7 @@ pitches = do
   it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $ do
     let relief = texture 7 60 60
         pose = Pose (20.3 * taxelPitch) (25.7 * taxelPitch) 90
-        frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor)
+        frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor) []
         fine = (withTaxel (taxelPitch / 2) idealSensor) {sensorColumns = 32, sensorRows = 32}
         usual = frameImage (frame idealSensor)
     differences <- right (zipRaster (-) usual (frameImage (atCanonicalPitch (frame fine))))
@@ -159,7 +162,7 @@ sizes = do
         sensor = idealSensor {sensorColumns = 10, sensorRows = 6}
         pressed x y r =
           let pose = Pose (taxelPitch * x) (taxelPitch * y) r
-           in Frame pose 0 (forwardImage sensor relief pose) taxelPitch
+           in Frame pose 0 (forwardImage sensor relief pose) taxelPitch []
     together <- right (placeOnly [pressed 15 13 0, pressed 23 15 90])
     -- The first covers columns 10 to 19 and rows 10 to 15, the second columns 20 to 25 and rows 10
     -- to 19.
@@ -175,7 +178,7 @@ sizes = do
           ]
     wrong `shouldBe` []
   it "frames below 4 x 4 or above 256 x 256 are refused, and a pitch that is none" $ do
-    let frame w h = Frame (Pose 0 0 0) 0 (constant w h 0.5) taxelPitch
+    let frame w h = Frame (Pose 0 0 0) 0 (constant w h 0.5) taxelPitch []
     map
       (either show (const "put together") . placeOnly . pure)
       [ frame 3 4,

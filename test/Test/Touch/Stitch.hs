@@ -52,6 +52,7 @@ pressed sensor relief placed =
           )
       )
       taxelPitch
+      []
     | (seed, (pose, (ex, ey))) <- zip [1 ..] placed
   ]
 
@@ -85,7 +86,7 @@ single =
               [ either
                   (\e -> counterexample (show e) False)
                   (check image (x - edge, y - edge))
-                  (assemble [Frame (Pose x y 0) 1 image taxelPitch])
+                  (assemble [Frame (Pose x y 0) 1 image taxelPitch []])
                 | assemble <- [placeOnly, stitch standardRegistration]
               ]
   where
@@ -260,7 +261,7 @@ unseen = do
       compositeDisplacements
       ( stitch
           standardRegistration
-          [Frame pose 10 (constant 16 16 0) taxelPitch | pose <- region 32 40]
+          [Frame pose 10 (constant 16 16 0) taxelPitch [] | pose <- region 32 40]
       )
       `shouldBe` Right (replicate 12 (0, 0))
   it "frames of noise alone are moved by less than the position errors are large" $
@@ -303,7 +304,7 @@ noisy =
 
 -- | How far the composite of one frame of a smooth scene, by a sensor so turned, is from the scene.
 turnedOff :: Double -> Double
-turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch] of
+turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch []] of
   Left _ -> 1
   Right composite ->
     let seen = compositeImage composite
@@ -366,7 +367,7 @@ refusals = do
   where
     stitched = stitch standardRegistration
     good = at 0 0 0
-    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch
+    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch []
     tooLarge (Left (AreaTooLarge _ _)) = True
     tooLarge _ = False
 
@@ -423,7 +424,7 @@ real = do
         other -> Left (show other)
     trueStepX image = if rasterWidth image == 33 then 6 else 2
     trueStepY image = if rasterWidth image == 33 then 5 else 8
-    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch
+    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch []
     along k = taxelPitch * fromIntegral (k :: Int)
     withFrames names cases = do
       images <- traverse load names

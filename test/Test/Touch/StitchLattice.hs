@@ -68,7 +68,7 @@ felt relief (x0, y0) =
 -- | Four by four frames, eight taxels apart, displaced by these errors.
 scanned :: ((Double, Double) -> Double) -> [(Double, Double)] -> [Frame]
 scanned relief errors =
-  [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 1 (felt relief (x + dx, y + dy)) taxelPitch
+  [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 1 (felt relief (x + dx, y + dy)) taxelPitch []
     | ((x, y), (dx, dy)) <-
         zip
           [(fromIntegral i, fromIntegral j) | j <- [0, 8 .. 24 :: Int], i <- [0, 8 .. 24 :: Int]]
@@ -217,8 +217,10 @@ registered alphabet = do
                 / (2 * n)
             )
     -- A quarter turn clockwise about the origin, of place and image; the sensor is not turned.
-    turnedFrame (Frame (Pose x y r) force image taxel) =
-      Frame (Pose (negate y) x r) force (generate 16 16 (\i j -> at image j (15 - i))) taxel
+    turnedFrame frame =
+      let Pose x y r = framePose frame
+          turned' i j = at (frameImage frame) j (15 - i)
+       in frame {framePose = Pose (negate y) x r, frameImage = generate 16 16 turned'}
     at image i j = rasterValues image V.! (j * 16 + i)
 
 contradicting :: Alphabet -> Spec

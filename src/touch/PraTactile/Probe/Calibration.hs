@@ -94,10 +94,13 @@ median values = case drop (length values `div` 2) (sort values) of
   v : _ -> v
   [] -> 0
 
--- | A frame whose image is 'correctedImage'. Refuses frames of another size.
+-- | A frame whose image is 'correctedImage', and in which the calibration's dead elements felt
+-- nothing, beside those that did not before. Refuses frames of another size.
 corrected :: Calibration -> Frame -> Either CalibrationError Frame
-corrected calibration frame =
-  (\image -> frame {frameImage = image}) <$> correctedImage calibration (frameImage frame)
+corrected calibration frame = felt <$> correctedImage calibration (frameImage frame)
+  where
+    felt image = frame {frameImage = image, frameDead = dead}
+    dead = Set.toAscList (Set.fromList (frameDead frame ++ calibrationDead calibration))
 
 -- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read more
 -- than half of full scale in every frame, though the sensor moved by 8 elements at least between

@@ -212,7 +212,7 @@ probed ::
   g ->
   (Frame, Memory, g)
 probed sensor specimen heights motion memory nominal g =
-  (Frame nominal (sensorForce sensor) image (sensorTaxel sensor), memory', g3)
+  (Frame nominal (sensorForce sensor) image (sensorTaxel sensor) [], memory', g3)
   where
     ((ex, ey), g') = normalPair g
     (er, g'') = drawnIf (sensorRotationError sensor) 0 normal g'
@@ -253,7 +253,7 @@ flatFrames = framesAt 0.5
 -- | Frames where every element would read this without error, each as if it were the first.
 framesAt :: RandomGen g => Double -> Sensor -> Specimen -> Int -> g -> [Frame]
 framesAt level sensor specimen count g0 =
-  [Frame (Pose 0 0 0) 0 image (sensorTaxel sensor) | image <- take count (unfoldr next g0)]
+  [Frame (Pose 0 0 0) 0 image (sensorTaxel sensor) [] | image <- take count (unfoldr next g0)]
   where
     levels = constant (sensorColumns sensor) (sensorRows sensor) level
     next g = Just (measured sensor specimen 1 levels g)

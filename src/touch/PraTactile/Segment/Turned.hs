@@ -72,12 +72,19 @@ data Reading = Reading
   }
 
 -- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
--- show, or along the composite's own axes, whichever shows more.
+-- show, or along the composite's own axes: whichever shows more symbols, of as many the one with
+-- more neighbours, and of as many the one with less 'misfit'. One or two symbols alone, at an angle, may
+-- be told at another one.
 segmentTurned :: Composite -> Sighted
 segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
   where
     Cleaned own forParts foreign' = cleaned composite
-    best = listToMaybe (sortOn (negate . length . segmentedSymbols . readingFound) readings)
+    best = listToMaybe (sortOn rank readings)
+    rank r =
+      ( negate (length (segmentedSymbols (readingFound r))),
+        negate (length (steps r)),
+        misfit r
+      )
     readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
     angles found = case found of
       Just angle | abs angle > leastTilt -> [angle, 0]
@@ -93,6 +100,20 @@ segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
           (xs, ys) = (map fst corners, map snd corners)
        in Reject (minimum xs, minimum ys, maximum xs, maximum ys) why
 
+-- | How little a reading's symbols agree with its angle, as twice the negative logarithm of a
+-- likelihood: by how much their neighbours lie off it, and how far their boxes are from a symbol's
+-- size, which only along its own axes it has. The standard deviation of a symbol's place is a
+-- pixel, as symbols need not stand on the lattice, that of a side a quarter of one (assumptions).
+misfit :: Reading -> Double
+misfit reading = places + sum [square (w - wide) + square (h - high) | (w, h) <- sizes] / side
+  where
+    side = square 0.25
+    sizes = map symbolSize (segmentedSymbols (readingFound reading))
+    (wide, high) = (fromIntegral symbolWidth, fromIntegral symbolHeight)
+    (angle, distances) = offAxis reading
+    places = distances * square angle / 2
+    square t = t * t
+
 -- | Symbols that are turned by no more than this, in degrees, are cut out as they are.
 leastTilt :: Double
 leastTilt = 3
@@ -104,7 +125,7 @@ readingsAt composite forParts angle =
       { readingAxis = angle + degreesClockwise axis,
         readingView = view,
         readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
-        readingFound = found,
+        readingFound = if angle == 0 then found else wholeOnly view found,
         readingBack = back . onPixel axis (sizeOf view)
       }
     | axis <- [identity, turned 1],
@@ -118,29 +139,65 @@ readingsAt composite forParts angle =
         fromIntegral (rasterHeight (compositeImage view))
       )
 
--- | The symbols with their features. Their common axis is the one that brings their neighbours
--- closest to where the pitch has them, by least squares.
+-- | The symbols most of whose box was touched: at an angle, what the composite's edge leaves of one
+-- may be as wide and as tall as a whole one.
+wholeOnly :: Composite -> Segmentation -> Segmentation
+wholeOnly view found = found {segmentedSymbols = filter mostly (segmentedSymbols found)}
+  where
+    look = partAt view found
+    mostly s = maybe False ((>= leastTouched) . touchedOf) (look (symbolCentre s))
+    touchedOf = V.sum . rasterValues . partSeen
+    leastTouched = 0.85 * fromIntegral (symbolWidth * symbolHeight)
+
+-- | The symbols with their features. Their common axis is that of the reading, corrected by where
+-- their neighbours are ('offAxis'): as much as the neighbours' number and distances make that surer
+-- than the reading ('placesDeviation', 'readingDeviation').
 featured :: Reading -> [Featured]
 featured reading =
   [ Featured (place s) axis (Neighbours (to s (0, 1)) (to s (0, -1)) (to s (-1, 0)) (to s (1, 0)))
-    | s <- symbols
+    | s <- segmentedSymbols (readingFound reading)
   ]
   where
-    symbols = segmentedSymbols (readingFound reading)
     place = readingBack reading . symbolCentre
-    steps = [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
     to s cell =
       listToMaybe
-        [place other `minus` place s | (s', cell', other) <- steps, s' == s, cell' == cell]
-    axis = readingAxis reading + atan2 (total across) (total along) * 180 / pi
-    -- In the view's pixels, where the symbols are upright.
+        [ place other `minus` place s
+          | (s', cell', other) <- steps reading,
+            s' == s,
+            cell' == cell
+        ]
+    axis = readingAxis reading + weight * angle * 180 / pi
+    (angle, distances) = offAxis reading
+    weight = distances / (distances + 2 * (placesDeviation / readingDeviation) ^ (2 :: Int))
+
+-- | Each symbol of a reading with each of its neighbours, and the cell where that is beside it.
+steps :: Reading -> [(SymbolImage, Cell, SymbolImage)]
+steps reading =
+  [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
+  where
+    symbols = segmentedSymbols (readingFound reading)
+
+-- | The angle, radians clockwise, that brings the symbols' neighbours closest to where the pitch
+-- has them, by least squares, and the sum of the squares of neighbours' distances, in pixels; 0 and
+-- 0 without neighbours. In the reading's pixels the symbols are upright.
+offAxis :: Reading -> (Double, Double)
+offAxis reading = (atan2 (total across) (total along), total expected / 2)
+  where
+    -- Each pair of neighbours stands there twice.
     total part =
       sum
         [ part (cellOffset cell) (symbolCentre other `minus` symbolCentre s)
-          | (s, cell, other) <- steps
+          | (s, cell, other) <- steps reading
         ]
     along (x, y) (x', y') = x * x' + y * y'
     across (x, y) (x', y') = x * y' - y * x'
+    expected (x, y) _ = x * x + y * y
+
+-- | The standard deviations of a symbol's place, in pixels along each axis, and of a reading's
+-- angle, in radians: half a pixel and two degrees (assumptions).
+placesDeviation, readingDeviation :: Double
+placesDeviation = 0.5
+readingDeviation = 2 * pi / 180
 
 minus :: (Double, Double) -> (Double, Double) -> (Double, Double)
 minus (x, y) (x', y') = (x - x', y - y')

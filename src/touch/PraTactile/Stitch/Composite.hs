@@ -13,7 +13,8 @@ where
 
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
-import PraTactile.Image (Raster, constant, rasterHeight, rasterWidth, zipRaster)
+import Data.Maybe (isNothing)
+import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Probe (taxelPitch)
 import PraTactile.Probe.Manifest (Axes)
@@ -24,7 +25,8 @@ data Composite = Composite
   { -- | The mean of what the frames saw at each pixel; 0 where none touched.
     compositeImage :: !Raster,
     -- | How much sensor weight each pixel got: about the number of frames that saw it, 0 for never
-    -- touched. The same size as the image.
+    -- touched. The same size as the image. So the variance of a pixel's noise is that of a frame's,
+    -- divided by this.
     compositeCoverage :: !Raster,
     -- | The centre of pixel (0, 0), x and y in millimetres, in the robot's coordinates.
     compositeOrigin :: !(Double, Double),
@@ -80,12 +82,14 @@ weighted composite =
 
 -- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
 -- displacements given, and no other way to put them together. Its grid is the origin's, moved by
--- whole taxels so that it holds all the images.
-blended :: (Double, Double) -> NonEmpty (Place, Raster) -> [Place] -> Composite
+-- whole taxels so that it holds all the images. With an image may stand the share of each pixel
+-- that was felt, 0 to 1: the rest of it counts 'interpolated' in the mean, and 'known' in the
+-- coverage.
+blended :: (Double, Double) -> NonEmpty ((Place, Raster), Maybe Raster) -> [Place] -> Composite
 blended (left, top) images displacements =
   Composite
-    { compositeImage = image,
-      compositeCoverage = weights,
+    { compositeImage = means,
+      compositeCoverage = coverage,
       compositeOrigin = origin,
       compositeDisplacements = displacements,
       compositeOthers = [],
@@ -96,14 +100,34 @@ blended (left, top) images displacements =
     (y0, y1) = reach snd rasterHeight
     reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
     reach coordinate side =
-      ( floor (minimum (fmap (coordinate . fst) images)),
-        maximum (fmap (\(place, im) -> ceiling (coordinate place) + side im) images)
+      ( floor (minimum (fmap (coordinate . fst . fst) images)),
+        maximum (fmap (\((place, im), _) -> ceiling (coordinate place) + side im) images)
       )
     origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
+    laid from = blend (x1 - x0) (y1 - y0) (map (onGrid . from) (NonEmpty.toList images))
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
-    Blend sums weights = blend (x1 - x0) (y1 - y0) (map onGrid (NonEmpty.toList images))
-    image =
-      either (const sums) id (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
+    Blend allSums allWeights = laid fst
+    (sums, weights, coverage)
+      | all (isNothing . snd) images = (allSums, allWeights, allWeights)
+      | otherwise = (total (times interpolated), total (worth interpolated), total (worth known))
+    total value = blendSums (laid (\((place, im), felt) -> (place, value im felt)))
+    -- What each pixel of an image counts, if it counts that where it was not felt at all.
+    worth least im felt =
+      maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
+    times least im felt = orElse im (zipRaster (*) (worth least im felt) im)
+    means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
+    -- They are of one size.
+    orElse other = either (const other) id
+
+-- | What a value that stands for a dead element counts in a mean, beside 1 of a living one: enough
+-- to be the mean where no other frame felt the place.
+interpolated :: Double
+interpolated = 0.02
+
+-- | What it counts in the coverage: segmentation looks at such a pixel, but any frame that felt it
+-- covers it better.
+known :: Double
+known = 0.5
 
 -- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
 -- rounding.

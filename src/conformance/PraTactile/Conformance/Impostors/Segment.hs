@@ -31,7 +31,9 @@ places =
     telling "calls-upright-symbols-lying" "tells axes a quarter turn off" $ \_ ->
       map (\(Symbol place a) -> Symbol place (a + 90)),
     telling "sees-every-symbol-upright" "tells an axis of 0 for every symbol" $ \_ ->
-      map (\(Symbol place _) -> Symbol place 0)
+      map (\(Symbol place _) -> Symbol place 0),
+    telling "knows-four-directions" "tells the nearest quarter turn for an axis" $ \_ ->
+      map (\(Symbol place a) -> Symbol place (90 * whole (a / 90)))
   ]
   where
     whole t = fromInteger (round (t :: Double)) :: Double
@@ -46,8 +48,14 @@ kinds =
       (++ [Symbol (1, 6) 0 | uneven (concat (take 1 (transpose rows)))]),
     telling "sees-a-symbol-in-nothing" "tells a symbol where there is none" $ \rows found ->
       if null found then [Symbol (0, fromIntegral (length rows) / 2) 0] else found,
-    mistouched "has-a-threshold-of-its-own" "takes grey values above 14000 for embossed" $ \with ->
-      with {segment = segment with . map (map cut)},
+    mistouched
+      "has-a-threshold-of-its-own"
+      "takes grey values above 14000 for embossed where some are above 20000"
+      $ \with ->
+        with
+          { segment = \rows ->
+              segment with (if any (any (> 20000)) rows then map (map cut) rows else rows)
+          },
     mistouched "segments-ragged-rows" "makes rows of several lengths alike" $ \with ->
       with
         { segment = \rows ->

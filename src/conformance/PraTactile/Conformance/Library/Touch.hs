@@ -13,14 +13,13 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question.Touch
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Segment (SymbolImage (..), segmentAlong, segmentedSymbols)
+import PraTactile.Segment.Turned (Featured (..), Sighted (..), segmentTurned)
 import PraTactile.Shape (paperAlphabet)
 import qualified PraTactile.Stitch as Stitch
 import PraTactile.Stitch.Pair
-import PraTactile.Symmetry (identity, turned)
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
--- along both axes of a composite.
+-- at any angle.
 libraryTouch :: Touch
 libraryTouch = Touch {register = registered, stitch = stitched, segment = segmented}
 
@@ -97,14 +96,12 @@ stitched search frames = do
       made <- image rows
       let centre side whole = taxelPitch * (fromInteger whole + fromIntegral (side - 1) / 2)
           pose = Pose (centre (rasterWidth made) x) (centre (rasterHeight made) y) 0
-      pure (Frame {framePose = pose, frameForce = 0, frameImage = made, frameTaxel = taxelPitch})
+      pure (Frame pose 0 made taxelPitch [])
 
 segmented :: Rows -> Wire [Symbol]
 segmented rows = do
   composite <- Stitch.compositeOf <$> image rows
   pure
-    [ Symbol (symbolCentre symbol) (symbolAxis symbol)
-      | axis <- [identity, turned 1],
-        let (_, _, found) = segmentAlong axis composite,
-        symbol <- segmentedSymbols found
+    [ Symbol (featuredAt symbol) (featuredAxis symbol)
+      | symbol <- sightedSymbols (segmentTurned composite)
     ]
