@@ -31,10 +31,11 @@ spec = do
       Enumeration.largestSpan,
       Enumeration.largestSort,
       Enumeration.largestMap,
+      Enumeration.largestReading,
       Distance.largestSearch,
       Census.largestShapes
     ]
-      `shouldBe` [268435456, 1073741824, 67108864, 1048576, 16777216, 65536]
+      `shouldBe` [268435456, 1073741824, 67108864, 1048576, 67108864, 16777216, 65536]
   it "of integers" $ do
     [DiscreteLog.mostBabySteps, DiscreteLog.largestFeasiblePrime]
       `shouldBe` [262144, 1099511627776]

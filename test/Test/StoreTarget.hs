@@ -120,6 +120,16 @@ spec = describe "create" $ do
       create path "newer" place `shouldReturn` Left (Occupied part NoStore)
       Bytes.readFile part `shouldReturn` "precious\n"
       profileIn path `shouldReturn` Right "new"
+  it "refuses what is no file in the place of a part or of its journals" $
+    placed $ \folder place ->
+      forM_ ["", "-journal", "-wal", "-shm"] $ \ending -> do
+        let path = folder </> "a.sqlite"
+            taken = path ++ ".part" ++ ending
+        createNamedPipe taken 0o600
+        create path "new" place `shouldReturn` Left (Occupied taken NoRegularFile)
+        isNamedPipe <$> getFileStatus taken `shouldReturn` True
+        listDirectory folder `shouldReturn` ["a.sqlite.part" ++ ending]
+        removeLink taken
 
 placed :: (FilePath -> Placement -> Expectation) -> Expectation
 placed test = inFolder $ \folder -> right canonicalPlacement >>= test folder

@@ -48,6 +48,21 @@ spec = do
     it "splits the product of two primes of 31 bits, also when they are equal" $ do
       factorise (2147483647 * 2147483629) `shouldBe` Right [(2147483629, 1), (2147483647, 1)]
       factorise (2147483647 ^ (2 :: Int)) `shouldBe` Right [(2147483647, 2)]
+    it "splits products of two primes of 16 digits, which take curves enough" $
+      -- Primes by the test of Miller and Rabin to the first 12 prime bases, which decides below
+      -- 3.3e24.
+      forM_
+        [ (1000000000000037, 2000000000001011),
+          (2000000000000021, 3000000000001091),
+          (3000000000000037, 4000000000000999),
+          (4000000000000051, 5000000000001029),
+          (5000000000000111, 6000000000001009),
+          (6000000000000043, 7000000000001003),
+          (7000000000000093, 8000000000001011),
+          (8000000000000111, 9000000000001001),
+          (9000000000000083, 10000000000001029)
+        ]
+        $ \(p, q) -> factorise (p * q) `shouldBe` Right [(p, 1), (q, 1)]
     it "the product of the prime powers is the number, and the primes ascend and are prime" $
       property $
         forAll (choose (1, 10 ^ (15 :: Int) :: Integer)) $ \m ->

@@ -33,10 +33,37 @@ spec = do
       `shouldSatisfy` all (== constant 16 16 0)
 
 specimens :: Spec
-specimens =
+specimens = do
+  it "halves are the left or the upper half of the shape, and the other half of another one" $
+    either (expectationFailure . show) halves paperAlphabet
   it "curtailed ones lack a corner of at most 3 taxels (upside down 4), or a margin of at most 2" $
     either (expectationFailure . show) check paperAlphabet
   where
+    halves a = do
+      let drawn kind shape seed = fst (specimen a kind shape (mkStdGen seed))
+          -- Whether two images are alike in some of their pixels.
+          alike part one other = and [index one x y == index other x y | (x, y) <- part]
+          left = [(x, y) | x <- [0, 1], y <- [0 .. 11]]
+          right' = [(x, y) | x <- [6, 7], y <- [0 .. 11]]
+          upper = [(x, y) | x <- [0 .. 7], y <- [0 .. 2]]
+          lower = [(x, y) | x <- [0 .. 7], y <- [9 .. 11]]
+          -- From one seed all are seen alike.
+          cases =
+            [ (halved left right', halved upper lower)
+              | (seed, shape) <- zip [1 .. 200] (cycle (shapes a)),
+                let both = drawn Halves shape seed,
+                let halved first second =
+                      alike first both (drawn Upright shape seed)
+                        && or
+                          [ alike second both (drawn Upright other seed)
+                            | other <- shapes a,
+                              other /= shape
+                          ]
+            ]
+      filter (== (False, False)) cases `shouldBe` []
+      -- Within five standard errors of a half of the 200.
+      [length (filter (== way) cases) | way <- [(True, False), (False, True)]]
+        `shouldSatisfy` all (\n -> n >= 65 && n <= 135)
     check a = do
       -- From one seed the whole symbol and the curtailed one are seen alike.
       let lacking whole curtailed =

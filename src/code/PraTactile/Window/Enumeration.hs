@@ -11,6 +11,7 @@ module PraTactile.Window.Enumeration
     largestSpan,
     largestSort,
     largestMap,
+    largestReading,
   )
 where
 

@@ -72,9 +72,9 @@ data Reading = Reading
   }
 
 -- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
--- show, or along the composite's own axes: whichever shows more symbols, of as many the one with
--- more neighbours, and of as many the one with less 'misfit'. One or two symbols alone, at an angle, may
--- be told at another one.
+-- show, or along the composite's own axes. The one is taken that shows more symbols, of as many the
+-- one with more neighbours, and of as many the one with less 'misfit'. One or two symbols alone, at
+-- an angle, may be told at another one.
 segmentTurned :: Composite -> Sighted
 segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
   where
