@@ -406,7 +406,7 @@ choose4 xs = [[a, b, c, d] | a <- xs, b <- xs, a < b, c <- xs, b < c, d <- xs, c
 -- | Are the doubts of symbols honest? Simulated explorations, whose truth is known.
 doubtSpec :: KnownField k => Alphabet -> Placement -> Network -> PseudorandomArray k -> Mask -> Spec
 doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol" $ do
-  for_ [(0.1, 60), (0.3, 50), (0.4, 60)] $ \(noise, count) ->
+  for_ [(0.1, 60), (0.3, 30), (0.4, 40)] $ \(noise, count) ->
     it ("is as large as the share of wrong ones, or larger, with noise " ++ show noise) $ do
       let doubts =
             concatMap

@@ -88,7 +88,7 @@ spec = do
     [i | (i, ls) <- zip [1 ..] changed, isRight (continue wanted (Bytes.unlines ls))]
       `shouldBe` [count - 1]
   it "cut off anywhere a file is refused by merge, and continued" $ do
-    let wanted = wantedOf 4 2
+    let wanted = wantedOf 3 2
         file = fileOf Checked wanted
     forM_ [0 .. Bytes.length file - 1] $ \end -> do
       (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
