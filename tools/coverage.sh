@@ -21,7 +21,12 @@ i=1
 while exec 9>"$work/free/\$i" && ! flock -n 9; do i=\$((i + 1)); done
 tix="$work/program\$i.tix"
 # A run that was ended while it wrote, or that may write no more, leaves no whole file.
-if tail -c 2 "\$tix" 2>/dev/null | grep -q ']'; then cp "\$tix" "\$tix.whole"; else cp "\$tix.whole" "\$tix" 2>/dev/null || rm -f "\$tix"; fi
+if tail -c 2 "\$tix" 2>/dev/null | grep -q ']'; then
+  # Nor can it copy one.
+  (cp "\$tix" "\$tix.copy" && mv "\$tix.copy" "\$tix.whole") 2>/dev/null
+else
+  cp "\$tix.whole" "\$tix" 2>/dev/null || rm -f "\$tix"
+fi
 HPCTIXFILE="\$tix" exec '$(program exe:pra-tactile)' "\$@"
 END
 chmod +x "$work/bin/pra-tactile"
