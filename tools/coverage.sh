@@ -13,7 +13,7 @@ tools/quietly.sh "$work/build.log" "building with coverage; about 5 minutes" \
 program() { $cabal list-bin -v0 --enable-tests --builddir="$work/build" "$1"; }
 
 # What a run counts is added to a file, which no other one may use meanwhile: each takes the first that is free, until it ends.
-rm -rf "$work"/*.tix "$work"/*.tix.whole "$work/free"
+rm -rf "$work"/*.tix* "$work/free"
 mkdir -p "$work/free"
 cat > "$work/bin/pra-tactile" <<END
 #!/bin/sh

@@ -67,6 +67,8 @@ data Reading = Reading
     -- | the same to read parts from
     readingForParts :: Composite,
     readingFound :: !Segmentation,
+    -- | each symbol with each of its neighbours, and the cell where that is beside it
+    readingSteps :: [(SymbolImage, Cell, SymbolImage)],
     -- | where its pixels are on the composite as given
     readingBack :: !((Double, Double) -> (Double, Double))
   }
@@ -82,7 +84,7 @@ segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
     best = listToMaybe (sortOn rank readings)
     rank r =
       ( negate (length (segmentedSymbols (readingFound r))),
-        negate (length (steps r)),
+        negate (length (readingSteps r)),
         misfit r
       )
     readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
@@ -125,11 +127,13 @@ readingsAt composite forParts angle =
       { readingAxis = angle + degreesClockwise axis,
         readingView = view,
         readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
-        readingFound = if angle == 0 then found else wholeOnly view found,
+        readingFound = whole,
+        readingSteps = steps (segmentedSymbols whole),
         readingBack = back . onPixel axis (sizeOf view)
       }
     | axis <- [identity, turned 1],
-      let (view, found, _) = segmentAlong axis upright
+      let (view, found, _) = segmentAlong axis upright,
+      let whole = if angle == 0 then found else wholeOnly view found
   ]
   where
     (upright, back) = atAngle composite
@@ -162,7 +166,7 @@ featured reading =
     to s cell =
       listToMaybe
         [ place other `minus` place s
-          | (s', cell', other) <- steps reading,
+          | (s', cell', other) <- readingSteps reading,
             s' == s,
             cell' == cell
         ]
@@ -170,12 +174,10 @@ featured reading =
     (angle, distances) = offAxis reading
     weight = distances / (distances + 2 * (placesDeviation / readingDeviation) ^ (2 :: Int))
 
--- | Each symbol of a reading with each of its neighbours, and the cell where that is beside it.
-steps :: Reading -> [(SymbolImage, Cell, SymbolImage)]
-steps reading =
+-- | Each symbol with each of its neighbours, and the cell where that is beside it.
+steps :: [SymbolImage] -> [(SymbolImage, Cell, SymbolImage)]
+steps symbols =
   [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
-  where
-    symbols = segmentedSymbols (readingFound reading)
 
 -- | The angle, radians clockwise, that brings the symbols' neighbours closest to where the pitch
 -- has them, by least squares, and the sum of the squares of neighbours' distances, in pixels; 0 and
@@ -187,7 +189,7 @@ offAxis reading = (atan2 (total across) (total along), total expected / 2)
     total part =
       sum
         [ part (cellOffset cell) (symbolCentre other `minus` symbolCentre s)
-          | (s, cell, other) <- steps reading
+          | (s, cell, other) <- readingSteps reading
         ]
     along (x, y) (x', y') = x * x' + y * y'
     across (x, y) (x', y') = x * y' - y * x'
