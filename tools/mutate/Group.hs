@@ -17,6 +17,7 @@ module Group
   )
 where
 
+import Control.Concurrent
 import qualified Crypto.Hash.SHA256 as SHA256
 import Data.Aeson
 import qualified Data.ByteString as Bytes
@@ -36,6 +37,7 @@ import Site
 import System.Directory (doesFileExist)
 import System.IO (IOMode (..), hPutStrLn, hSetFileSize, stderr, withBinaryFile)
 import Text.Printf (printf)
+import Workers
 
 -- | Examples under one heading of the suite, or a single one.
 data Group = Group
@@ -112,43 +114,49 @@ long = 2
 -- fail take no part, and are named on the standard error. At the quick pace the parts of what takes
 -- long are left out; so is what took long when other sources were tried, by the same file. An
 -- example that takes more than this many seconds of processor time is cut off; it stands among the
--- groups, with what it came to.
-measured :: Suite -> String -> [Site] -> Double -> Pace -> FilePath -> IO [Group]
-measured suite state sites most pace file = do
+-- groups, with what it came to. Each of the suites, which differ in their scratch folders, measures
+-- one group at a time.
+measured :: [Suite] -> String -> [Site] -> Double -> Pace -> FilePath -> IO [Group]
+measured suites state sites most pace file = do
   there <- doesFileExist file
   known <- if there then mapMaybe decodeStrict . Lines.lines <$> Bytes.readFile file else pure []
-  listed <- headings suite
+  listed <- concat <$> traverse headings (take 1 suites)
+  writing <- newMVar ()
   let current = Map.fromList [(groupKey g, g) | g <- known, groupState g == state]
       before = Map.fromList [(groupKey g, groupTook g) | g <- known]
-  concat <$> traverse (walk current before) (concatMap units listed)
+      keep group = withMVar writing (\() -> Lazy.appendFile file (encode group <> "\n"))
+  concat <$> sideBySide suites (walk keep before current) (concatMap units listed)
   where
     -- First those of the second rank.
     units top = case subForest top of
       [] -> []
       below | any (not . null . subForest) below -> below
       _ -> [top]
-    walk current before heading =
-      case Map.lookup (groupKeyOf heading) current of
-        Just g
-          | groupPasses g && (groupTook g <= long || single heading) -> pure [g]
-          | single heading && groupCut g && groupTook g <= most -> anew
-          | single heading -> pure [g | groupCut g]
-          | groupPasses g || groupTook g > long -> parts
-          | otherwise -> concat <$> traverse (walk current before) (subForest heading)
-        Nothing
-          | not (single heading), maybe False (> long) (earlier heading) -> parts
-          | otherwise -> anew
+    walk keep before = go
       where
-        anew = do
-          g <- measure heading
-          Lazy.appendFile file (encode g <> "\n")
-          walk (Map.insert (groupKeyOf heading) g current) before heading
-        earlier h = Map.lookup (groupKeyOf h) before
-        parts = case pace of
-          Quick -> pure []
-          Slow -> concat <$> traverse (walk current before) (subForest heading)
+        go current suite heading =
+          case Map.lookup (groupKeyOf heading) current of
+            Just g
+              | groupPasses g && (groupTook g <= long || single heading) -> pure [g]
+              | single heading && groupCut g && groupTook g <= most -> anew
+              | single heading -> pure [g | groupCut g]
+              | groupPasses g || groupTook g > long -> parts
+              | otherwise -> below
+            Nothing
+              | not (single heading), maybe False (> long) earlier -> parts
+              | otherwise -> anew
+          where
+            anew = do
+              g <- measure suite heading
+              () <- keep g
+              go (Map.insert (groupKeyOf heading) g current) suite heading
+            earlier = Map.lookup (groupKeyOf heading) before
+            below = concat <$> traverse (go current suite) (subForest heading)
+            parts = case pace of
+              Quick -> pure []
+              Slow -> below
     groupKeyOf heading = rootLabel heading ++ "#" ++ digestOf (pathsIn heading)
-    measure heading = do
+    measure suite heading = do
       let path = rootLabel heading
           record = suiteScratch suite ++ "/marks"
           limit = ceiling (if single heading then max long most else long) + 1

@@ -10,8 +10,7 @@ module Main (main) where
 
 import Choice
 import Control.Concurrent
-import Control.Exception (throwIO)
-import Control.Monad (forM, forM_, unless)
+import Control.Monad (forM, forM_, unless, void)
 import Data.Aeson (decodeStrict, encode)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
@@ -32,6 +31,7 @@ import System.FilePath (takeDirectory, (</>))
 import System.IO
 import Table
 import Text.Printf (hPrintf)
+import Workers
 
 main :: IO ()
 main = do
@@ -63,8 +63,10 @@ hunt choice suite home mutantsFile resultsFile state = do
           [m | (i, m) <- zip [0 ..] mutants, i `mod` shards == shard - 1]
       bySource = Map.fromList [(mutantName m, siteSource (mutantSite m)) | m <- ours]
       unchanged r = Map.lookup (resultName r) bySource == Just (siteSource (resultSite r))
-  createDirectoryIfMissing True (folder </> "scratch")
-  paths <- concatMap pathsIn <$> headings (suite (folder </> "scratch"))
+  suites <- forM [1 .. choiceJobs choice] $ \worker -> do
+    let scratch = folder </> ("scratch-" ++ show worker)
+    suite scratch <$ createDirectoryIfMissing True scratch
+  paths <- concatMap pathsIn <$> headings (suite (folder </> "scratch-1"))
   earlier <- readResults resultsFile
   let examples = Names.fromList paths
       now = digestOf paths
@@ -80,7 +82,7 @@ hunt choice suite home mutantsFile resultsFile state = do
           Slow -> choiceSeconds choice
     groups <-
       measured
-        (suite (folder </> "scratch"))
+        suites
         state
         sites
         (choiceSeconds choice)
@@ -89,11 +91,11 @@ hunt choice suite home mutantsFile resultsFile state = do
     known <- readMVar done
     -- First those of the modules that are tried as a whole, and last those that were tried before.
     let order m = (mutantDrawn m, Map.member (mutantName m) known)
-        tries scratch near before m =
-          (\r -> r {resultSuite = now}) <$> tryMutant pace budget groups scratch near before m
+        tries one near before m =
+          (\r -> r {resultSuite = now}) <$> tryMutant pace budget groups one near before m
         left = sortOn order (filter (stillOpen pace budget groups known) ours)
     unless (null left) $
-      stage (choiceJobs choice) suite folder tries (length ours) left earlier done resultsFile
+      stage suites tries (length ours) left earlier done resultsFile
   known <- readMVar done
   putStr (tables same ours known)
   where
@@ -108,11 +110,9 @@ hunt choice suite home mutantsFile resultsFile state = do
         where
           left = untried groups m (resultTried r)
 
--- | All of these mutants, each by one of the workers.
+-- | All of these mutants, each by one of the suites that run side by side.
 stage ::
-  Int ->
-  (FilePath -> Suite) ->
-  FilePath ->
+  [Suite] ->
   (Suite -> (Group -> Int) -> Maybe Result -> Mutant -> IO Result) ->
   Int ->
   [Mutant] ->
@@ -120,32 +120,20 @@ stage ::
   MVar (Map.Map String Result) ->
   FilePath ->
   IO ()
-stage jobs suite folder tries whole left earlier done resultsFile = do
+stage suites tries whole left earlier done resultsFile = do
   begun <- getCurrentTime
-  queue <- newMVar left
   count <- newMVar (0 :: Int)
-  ended <- forM [1 .. jobs] $ \worker -> do
-    end <- newEmptyMVar
-    let scratch = folder </> ("scratch-" ++ show worker)
-        work = do
-          next <- modifyMVar queue $ \waiting -> pure $ case waiting of
-            [] -> ([], Nothing)
-            one : more -> (more, Just one)
-          forM_ next $ \mutant -> do
-            known <- readMVar done
-            let before = Map.lookup (mutantName mutant) known
-                near = noticedNear (Map.elems known ++ earlier) mutant
-            result <- tries (suite scratch) near before mutant
-            modifyMVar_ done $ \results -> do
-              Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
-              let now = Map.insert (mutantName mutant) result results
-              number <- modifyMVar count (\n -> pure (n + 1, n + 1))
-              progress begun whole (length left) number (Map.elems now)
-              pure now
-            work
-    createDirectoryIfMissing True scratch
-    end <$ forkFinally work (putMVar end)
-  mapM_ (\end -> takeMVar end >>= either throwIO pure) ended
+  void . flip (sideBySide suites) left $ \suite mutant -> do
+    known <- readMVar done
+    let before = Map.lookup (mutantName mutant) known
+        near = noticedNear (Map.elems known ++ earlier) mutant
+    result <- tries suite near before mutant
+    modifyMVar_ done $ \results -> do
+      Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
+      let now = Map.insert (mutantName mutant) result results
+      number <- modifyMVar count (\n -> pure (n + 1, n + 1))
+      progress begun whole (length left) number (Map.elems now)
+      pure now
 
 -- | The names of mutants in a file, each on a line of its own; the reason follows, indented.
 readEquivalent :: FilePath -> IO (Names.Set String)
