@@ -12,6 +12,17 @@ tools/quietly.sh "$work/build.log" "building with coverage; about 5 minutes" \
   $cabal build -v1 --enable-tests --builddir="$work/build" --ghc-options="-fhpc -hpcdir $work/mix -w" test:spec exe:pra-tactile
 program() { $cabal list-bin -v0 --enable-tests --builddir="$work/build" "$1"; }
 
+# A run that was ended while it wrote, or that may write no more, leaves no whole file; nor can it copy one.
+cat > "$work/keep" <<'END'
+#!/bin/sh
+# Keeps a copy of what was counted; where that is no whole file, it is the copy again.
+if tail -c 2 "$1" 2>/dev/null | grep -q ']'; then
+  (cp "$1" "$1.copy" && mv "$1.copy" "$1.whole") 2>/dev/null || true
+else
+  cp "$1.whole" "$1" 2>/dev/null || rm -f "$1"
+fi
+END
+
 # What a run counts is added to a file, which no other one may use meanwhile: each takes the first that is free, until it ends.
 rm -rf "$work"/*.tix* "$work/free"
 mkdir -p "$work/free"
@@ -20,13 +31,7 @@ cat > "$work/bin/pra-tactile" <<END
 i=1
 while exec 9>"$work/free/\$i" && ! flock -n 9; do i=\$((i + 1)); done
 tix="$work/program\$i.tix"
-# A run that was ended while it wrote, or that may write no more, leaves no whole file.
-if tail -c 2 "\$tix" 2>/dev/null | grep -q ']'; then
-  # Nor can it copy one.
-  (cp "\$tix" "\$tix.copy" && mv "\$tix.copy" "\$tix.whole") 2>/dev/null
-else
-  cp "\$tix.whole" "\$tix" 2>/dev/null || rm -f "\$tix"
-fi
+sh "$work/keep" "\$tix"
 HPCTIXFILE="\$tix" exec '$(program exe:pra-tactile)' "\$@"
 END
 chmod +x "$work/bin/pra-tactile"
@@ -34,7 +39,7 @@ chmod +x "$work/bin/pra-tactile"
 HPCTIXFILE="$work/spec.tix" PATH="$work/bin:$PATH" tools/quietly.sh "$work/spec.log" "running the tests; about 10 minutes" "$(program test:spec)" --no-color ||
   echo "some tests fail in this build; their names are in $work/spec.log" >&2
 for tix in "$work"/program*.tix; do
-  tail -c 2 "$tix" | grep -q ']' || cp "$tix.whole" "$tix" 2>/dev/null || rm -f "$tix"
+  sh "$work/keep" "$tix"
 done
 # The module Main is another one in the program.
 hpc sum --union --exclude=Main --output="$work/all.tix" "$work"/spec.tix "$work"/program*.tix

@@ -54,7 +54,7 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
 import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
-import PraTactile.Segment.Tilt (setUpright, tilt)
+import PraTactile.Segment.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry
 
@@ -126,11 +126,6 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
-
--- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
--- those that are not turned at all, and the estimate of the angle is less certain than that.
-leastTilt :: Double
-leastTilt = 3
 
 -- | Symbols that are turned by no more than this are still read as they are without error, if not
 -- as often.

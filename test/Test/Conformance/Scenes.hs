@@ -9,7 +9,7 @@ module Test.Conformance.Scenes (spec) where
 import Data.Aeson (Value (..))
 import Data.Foldable (for_)
 import Data.List (nub, sort, transpose)
-import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
+import Data.Maybe (catMaybes, isJust, listToMaybe)
 import Data.Traversable (for)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance

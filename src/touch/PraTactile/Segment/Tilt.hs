@@ -8,6 +8,7 @@
 -- direction more gradually: as when a scanned page is set upright by its lines of text.
 module PraTactile.Segment.Tilt
   ( tilt,
+    leastTilt,
     sharpness,
     setUpright,
   )
@@ -46,6 +47,11 @@ tilt composites
       where
         (before, here, after) = (score (angle - step), score angle, score (angle + step))
         bend = before - 2 * here + after
+
+-- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
+-- those that are not turned at all, and the estimate of the angle is less certain than that.
+leastTilt :: Double
+leastTilt = 3
 
 -- | An angle brought to [-45, 45) by quarter turns.
 quarter :: Double -> Double

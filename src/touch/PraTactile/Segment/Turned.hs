@@ -17,7 +17,7 @@ import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Segment
 import PraTactile.Segment.Lattice
-import PraTactile.Segment.Tilt (setUpright, tilt)
+import PraTactile.Segment.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Stitch.Composite (Composite (..))
 import PraTactile.Symmetry
 
@@ -115,10 +115,6 @@ misfit reading = places + sum [square (w - wide) + square (h - high) | (w, h) <-
     (angle, distances) = offAxis reading
     places = distances * square angle / 2
     square t = t * t
-
--- | Symbols that are turned by no more than this, in degrees, are cut out as they are.
-leastTilt :: Double
-leastTilt = 3
 
 -- | A composite, and what parts are read from, read at an angle, along both axes.
 readingsAt :: Composite -> Composite -> Double -> [Reading]

@@ -15,12 +15,13 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth, standardDeviation)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (compositeOf)
 import PraTactile.Stitch.Joint
+import PraTactile.Stitch.LatticeAngle (latticeAngle)
 import PraTactile.Stitch.Pairwise (registerPairwise)
 import PraTactile.Stitch.Posterior (Hypothesis)
 import PraTactile.Stitch.Register (register)
@@ -130,14 +131,9 @@ withMisfit :: [Raster] -> Registration -> Registration
 withMisfit images settings = settings {registrationNoise = sqrt (noise * noise + misfit * relief)}
   where
     noise = registrationNoise settings
-    relief = max 0 (average (map varianceOf images) - noise * noise)
+    relief = max 0 (average [sd * sd | Just sd <- map standardDeviation images] - noise * noise)
     misfit = 0.05
     average values = sum values / fromIntegral (max 1 (length values))
-    varianceOf image =
-      let v = rasterValues image
-          n = fromIntegral (max 1 (V.length v))
-          m = V.sum v / n
-       in V.sum (V.map (\t -> (t - m) * (t - m)) v) / n
 
 sizeOf :: Raster -> (Int, Int)
 sizeOf image = (rasterWidth image, rasterHeight image)

@@ -9,15 +9,13 @@
 module PraTactile.Stitch.Joint
   ( Located (..),
     registerJointly,
-    latticeAngle,
   )
 where
 
 import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (find, foldl', sortOn)
+import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
-import Data.Ord (Down (..))
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
@@ -26,7 +24,6 @@ import PraTactile.Stitch.Evidence
 import PraTactile.Stitch.Posterior (Hypothesis (..), tolerance)
 import PraTactile.Stitch.Search (Registration (..), searchRadius)
 import PraTactile.Stitch.Spaced (spacedOut)
-import PraTactile.Stitch.Spectrum
 import PraTactile.Stitch.Template
 
 -- | Where a frame was found.
@@ -46,59 +43,6 @@ data Located = Located
 -- | The most frames that the lattice's phase is found from.
 phaseFrames :: Int
 phaseFrames = 64
-
--- | The angle in [-90, 90), in degrees clockwise, at which a lattice lies under frames, given its
--- tables at any angle, those at whole taxels, and perhaps the angle, up to quarter turns, at which
--- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
--- other relief, else wherever they make it likeliest. To a degree, by a few of the frames, which
--- must be of the tables' size. 'Nothing' where they are likelier to show something else.
-latticeAngle ::
-  (Double -> Templates, Double -> Templates) ->
-  Spectra ->
-  Maybe Double ->
-  [Raster] ->
-  Maybe Double
-latticeAngle (tables, coarse) processes hint images
-  | shown 0 && all (\a -> finely a < finelyUpright) [-3, 3] = Just 0
-  | otherwise = find shown angles
-  where
-    angles =
-      map
-        (upright . folded . settled . nearby . likeliest)
-        [0 : concat [[a, a + 90] | Just a <- [hint]], [-90, -81 .. 81]]
-    upright angle = if abs angle <= 1 then 0 else angle
-    -- At whole taxels only it is told to a few degrees.
-    likeliest candidates = snd (maximum [(roughly 5 a, a) | a <- candidates])
-    nearby angle = snd (foldl' nearer (roughly 8 angle, angle) [4, 2])
-    nearer best@(_, a) step = maximum (best : [(roughly 8 b, b) | b <- [a - step, a + step]])
-    settled a = climbed (3 :: Int) (finely (a - 2)) (finely a) (finely (a + 2)) a
-    -- The vertex of the parabola through three, of which the middle one is the highest.
-    climbed n before here after angle
-      | n > 0 && before > here = climbed (n - 1) (finely (angle - 4)) before here (angle - 2)
-      | n > 0 && after > here = climbed (n - 1) here after (finely (angle + 4)) (angle + 2)
-      | bend > 0 = angle + max (-1) (min 1 ((after - before) / bend))
-      | otherwise = angle
-      where
-        bend = 2 * here - before - after
-    -- By so many frames, those that show most.
-    roughly count angle = seenBy (take count telling) (coarse angle)
-    finely angle = seenBy (take 8 telling) (tables angle)
-    finelyUpright = finely 0
-    folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
-    shown angle = seenBy few (tables angle) > blind
-    seenBy some at = sum [evidenceLog (evidence at i) | i <- some]
-    few = spacedOut 12 images
-    telling = sortOn (Down . spreadOf . rasterValues) images
-    spreadOf v =
-      let n = fromIntegral (V.length v) in V.sum (V.map (\t -> t * t) v) - V.sum v * V.sum v / n
-    blind = sum (concat [processLogs (processOf processes misfit [coefficients i]) | i <- few])
-    coefficients = coefficientsOf processes
-
--- | The least share of noise that relief of any kind is supposed to have where frames are asked
--- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without
--- noise would be likelier to show anything smooth than them.
-misfit :: Double
-misfit = 0.1
 
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and the
 -- tables by the frames' width and height, all at one angle, that of the lattice. The displacements

@@ -23,7 +23,6 @@ where
 import Data.List (transpose)
 import Data.Maybe (isNothing)
 import qualified Data.Vector.Unboxed as Vector
-import Numeric.Natural (Natural)
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question.Touch
 import PraTactile.Format.Json.Codec
@@ -126,24 +125,25 @@ symbolsOf displaced drawing =
 -- centres.
 drawn :: Drawing -> [(Int, WholeTaxels)] -> (Rows, [Taxels])
 drawn drawing symbols =
-  ( [[8000 + 750 * weight i j | i <- [0 .. width - 1]] | j <- [0 .. height - 1]],
+  ( map (map (\weight -> 8000 + 750 * weight)) (felt drawing raised),
     [(fromInteger x + 3.5, fromInteger y + 5.5) | (_, (x, y)) <- symbols]
   )
   where
     (x0, y0) = drawingOrigin drawing
     width = x0 + 16 * toInteger (length (transpose (drawingClasses drawing))) + 4
     height = y0 + 20 * toInteger (length (drawingClasses drawing)) + 4
-    weight :: Integer -> Integer -> Natural
-    weight i j
-      | drawingBlurred drawing =
-        sum
-          [ (2 - fromInteger (abs a)) * (2 - fromInteger (abs b))
-            | a <- [-1, 0, 1],
-              b <- [-1, 0, 1],
-              embossed (i + a) (j + b)
-          ]
-      | otherwise = if embossed i j then 16 else 0
+    raised =
+      [[if embossed i j then 1 else 0 | i <- [0 .. width - 1]] | j <- [0 .. height - 1]]
     embossed i j = or [marked k (i - x) (j - y) | (k, (x, y)) <- symbols]
+
+-- | Sixteen times what is felt of a relief that ends at the edge: blurred by 1, 2, 1 along both
+-- axes, or as it is.
+felt :: Num a => Drawing -> [[a]] -> [[a]]
+felt drawing
+  | drawingBlurred drawing = transpose . map binomial . transpose . map binomial
+  | otherwise = map (map (16 *))
+  where
+    binomial line = zipWith3 (\a b c -> a + 2 * b + c) (0 : line) line (drop 1 line ++ [0])
 
 -- | Whether a class of the shipped alphabet is embossed there in its box of 8 x 12 taxels.
 marked :: Int -> Integer -> Integer -> Bool
@@ -167,7 +167,7 @@ upright drawing = (rows, [Symbol centre 0 | centre <- centres])
 -- middles of its sixteenths are.
 atAngle :: Drawing -> (Rows, [Symbol])
 atAngle drawing =
-  ( [[8000 + fromIntegral (12000 * w `div` 256) | w <- line] | line <- weights],
+  ( [[8000 + fromIntegral (12000 * w `div` 256) | w <- line] | line <- felt drawing raised],
     [ Symbol (mx + c * u - s * v, my + s * u + c * v) degrees
       | (_, (x, y)) <- symbols,
         let (u, v) = (fromInteger x + 4 - half wide, fromInteger y + 6 - half high)
@@ -183,11 +183,7 @@ atAngle drawing =
     -- Where the middle of the face is.
     (mx, my) = (middle (fst (drawingOrigin drawing)), middle (snd (drawingOrigin drawing)))
     middle o = 31.5 + fromInteger (o - 6) / 4 :: Double
-    -- Of 256.
-    weights
-      | drawingBlurred drawing = transpose (map binomial (transpose (map binomial raised)))
-      | otherwise = map (map (16 *)) raised
-    binomial line = zipWith3 (\a b d -> a + 2 * b + d) (0 : line) line (drop 1 line ++ [0])
+    -- Of 16.
     raised =
       [ [ length [() | y <- sixteenths j, x <- sixteenths i, embossed (x - mx) (y - my)]
           | i <- [0 .. 63 :: Int]
