@@ -19,6 +19,7 @@ import PraTactile.Random (normals)
 import PraTactile.Recognise
 import PraTactile.Segment (Cause (..), Reject (..), SymbolImage (..), cleaned)
 import PraTactile.Segment.Foreign (Cleaned (..))
+import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Segment.Turned
 import PraTactile.Stitch (Composite (..), compositeOf)
 import System.Random (mkStdGen)
@@ -136,6 +137,15 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
+  it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
+    for_ [(k, angle) | k <- [1, 2], angle <- [-46, -45.4 .. -44] ++ [44, 44.6 .. 46]] $ \(k, angle) ->
+      case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
+        Just found -> do
+          let off = (found - angle) / 90
+          (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
+          (k, angle, 90 * abs (off - fromIntegral (round off :: Int)))
+            `shouldSatisfy` (\(_, _, t) -> t < 1)
+        Nothing -> expectationFailure (show (k, angle))
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
       let sighted = segmentTurned (drawnWith k 0.05 (const Nothing) scene)

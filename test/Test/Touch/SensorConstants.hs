@@ -283,6 +283,13 @@ presets = do
              )
     ]
       `shouldBe` []
+  it "a share is from 0 to 1, of what has two sides or is shared by two to 0.5" $ do
+    let taken name value = either (const False) (const True) (replaced name value standardSensor)
+        limits most name =
+          (name, map (taken name) [-0.000001, 0, most, most + 0.000001])
+    map (limits 1) ["hysteresis", "gain_spread", "drift", "dead_taxels"]
+      ++ map (limits 0.5) ["crosstalk", "noise_row", "noise_column"]
+      `shouldSatisfy` all ((== [False, True, True, False]) . snd)
   it "out of its range, or unknown, it is refused" $ do
     let refused = either (maybe "unknown" constantName) (const "taken")
     map

@@ -36,6 +36,8 @@ specimens :: Spec
 specimens = do
   it "halves are the left or the upper half of the shape, and the other half of another one" $
     either (expectationFailure . show) halves paperAlphabet
+  it "displaced ones are out of place to the sides, or up and down, about as often" $
+    either (expectationFailure . show) displaced paperAlphabet
   it "curtailed ones lack a corner of at most 3 taxels (upside down 4), or a margin of at most 2" $
     either (expectationFailure . show) check paperAlphabet
   where
@@ -64,6 +66,35 @@ specimens = do
       -- Within five standard errors of a half of the 200.
       [length (filter (== way) cases) | way <- [(True, False), (False, True)]]
         `shouldSatisfy` all (\n -> n >= 65 && n <= 135)
+    -- From one seed the symbol in its place and the displaced one are blurred alike. Of the 200 the
+    -- lesser displacement, uniform to 6 taxels, is less than 2 in a third.
+    displaced a = do
+      let moves =
+            [ movedBy (drawn Upright) (drawn Displaced)
+              | (seed, shape) <- zip [1 .. 200] (cycle (shapes a)),
+                let drawn kind = fst (specimen a kind shape (mkStdGen seed))
+            ]
+          small t = abs t <= (1 :: Int)
+          large t = abs t >= 3
+      [ length [() | (i, j) <- moves, small i, large j],
+        length [() | (i, j) <- moves, large i, small j]
+        ]
+        `shouldSatisfy` all (\n -> n >= 10 && n <= 56)
+      [move | move@(i, j) <- moves, abs i < 2, abs j < 2] `shouldBe` []
+    -- By how many taxels, right and down, the second image is moved from the first: where what both
+    -- show differs least.
+    movedBy one other =
+      snd (minimum [(difference i j, (i, j)) | i <- [-6 .. 6], j <- [-6 .. 6]])
+      where
+        difference i j =
+          let squares =
+                [ (a - b) ^ (2 :: Int)
+                  | x <- [0 .. 7],
+                    y <- [0 .. 11],
+                    Just a <- [index other x y],
+                    Just b <- [index one (x - i) (y - j)]
+                ]
+           in sum squares / fromIntegral (length squares) :: Double
     check a = do
       -- From one seed the whole symbol and the curtailed one are seen alike.
       let lacking whole curtailed =
