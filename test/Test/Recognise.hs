@@ -159,23 +159,42 @@ exploreSpec parts = describe "explorations" $ do
         Nothing -> counterexample "no room" False
         Just (r, _) ->
           let extent side = fromRational (side (laidExtent face)) + 1e-9
-              (w, h) = standardRegionSize
-              corners =
-                [ movePoint
-                    (regionMotion r)
-                    (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y)
-                  | x <- [0, w],
-                    y <- [0, h]
-                ]
            in property
                 ( and
                     [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown
-                      | (x, y) <- corners
+                      | (x, y) <- cornersOf r
                     ]
                 )
+  prop "askew, by any whole angle, its corners are on the face, or as far off on both sides" $ \seed ->
+    forAll ((,) <$> elements (laidFaces (placementOf parts)) <*> choose (-360, 360)) $
+      \(face, degrees) ->
+        case drawnRegion
+          (TurnedBy (fromIntegral (degrees :: Int)))
+          standardRegionSize
+          face
+          (mkStdGen seed) of
+          Nothing -> counterexample "no room" False
+          Just (r, _) ->
+            let corners = cornersOf r
+                fits side coordinates =
+                  let (low, high) = (minimum coordinates, maximum coordinates)
+                   in counterexample (show (low, high, side)) $
+                        if high - low <= side
+                          then low >= -1e-6 && high <= side + 1e-6
+                          else abs (low + high - side) < 1e-6
+             in fits (fromRational (spotRight (laidExtent face))) (map fst corners)
+                  .&&. fits (fromRational (spotDown (laidExtent face))) (map snd corners)
   it "a region larger than the face has no place on it" $
     for_ (laidFaces (placementOf parts)) $ \face ->
       fmap fst (randomRegion halfTurns (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
+  where
+    -- Millimetres to the right of and below the face's upper left vertex.
+    cornersOf r =
+      [ movePoint (regionMotion r) (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y)
+        | let (w, h) = standardRegionSize,
+          x <- [0, w],
+          y <- [0, h]
+      ]
 
 recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
 recogniseSpec parts array reader = describe "recognition" $ do

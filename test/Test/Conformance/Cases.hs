@@ -4,10 +4,13 @@ module Test.Conformance.Cases (spec) where
 import Data.Aeson (Value, encode)
 import Data.Foldable (for_)
 import Data.List (isSuffixOf, sort)
+import PraTactile.Array (Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
+import PraTactile.Conformance.Question (Question (..))
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Format.Profile (profileValue)
+import PraTactile.Profile
 import Test.Conformance.Cases.Domains
 import Test.Conformance.Cases.Impossible
 import Test.Conformance.Cases.Spoilt
@@ -29,6 +32,14 @@ spec = do
                     | (law, cases) <-
                         ("profile/possible-ones-are-opened", map snd defaultProfiles) : impossible
                   ]
+  it "is of the powers over a large field those of 32 elements, to the exponents 32 and -32" $ do
+    Right about <- pure (known over37)
+    [found | ("field/power-as-defined", found) <- everyCase laws about]
+      `shouldSatisfy` \given -> case given of
+        [found] ->
+          sort (map encode found)
+            == sort (map encode [question (Power a i) | i <- [-32 .. 32], a <- [0 .. 31]])
+        _ -> False
   it "smaller patches and polynomials come before larger ones" $
     for_ under $ \(_, p) -> do
       Right about <- pure (known p)
@@ -42,6 +53,16 @@ spec = do
           name
             `elem` ["gf2-3x5", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16", "paper", "paper-sheet"]
       ]
+    -- 37 is prime, and x + 35 has the root 2, which is primitive modulo 37.
+    over37 =
+      canonicalProfile
+        { profileOrder = 37,
+          profileModulus = [35, 1],
+          profilePolynomial = [5, 1, 1],
+          profileState = [0, 1],
+          profileShape = Shape 8 171,
+          profileWindow = Shape 1 2
+        }
     ofInvalid law = "-refuses-what-is-invalid" `isSuffixOf` lawId law
     cellsIn value = length [() | c <- show (encode value), c == ',']
 

@@ -7,7 +7,7 @@ module Test.Conformance.Lines (spec) where
 import Data.Aeson (Value (..), decodeStrict)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
-import Data.Foldable (for_)
+import Data.Foldable (for_, toList)
 import Data.Maybe (isJust)
 import qualified Data.Text as Text
 import PraTactile.Conformance.Wire (readWhole)
@@ -31,6 +31,13 @@ spec = do
         "[\"no number\",\"e1\",true]"
       ]
       $ \text -> either (const Nothing) Just (readLine text) `shouldBe` decodeStrict text
+  it "behind any text, and before one, a number is known to be whole as it is alone" $
+    for_ [(text, number) | text <- texts, number <- ["2", "2e0", "2.0e0", "20e-1"]] $ \(text, number) ->
+      ( (text, number),
+        map whole . toList
+          <$> (readLine ("[" <> text <> "," <> number <> "," <> text <> "]") >>= list)
+      )
+        `shouldBe` ((text, number), Right [False, number == "2", False])
   it "a text is a whole number if it is written in digits, at most 4096, behind a sign or none" $ do
     [readWhole (String text) | text <- ["0", "7", "007", "-5", "12345678901234567890123"]]
       `shouldBe` map Just [0, 7, 7, -5, 12345678901234567890123]
@@ -41,6 +48,11 @@ spec = do
     map readWhole [Null, Bool True] `shouldBe` [Nothing, Nothing]
   where
     whole = isJust . readWhole
+    list value = case value of
+      Array items -> Right items
+      _ -> Right mempty
+    texts =
+      ["\"\"", "\"e\"", "\"2e0 \"", "\"\\\"\"", "\"x\\\\\"", "\"1 \\\"2e0\\\" 3.0\"", "{\"2e0\":2e0}"]
     within text =
       [ "[" <> text <> ",\"" <> text <> "\"," <> text <> "]",
         "{\"" <> text <> "\":[" <> text <> "]}"

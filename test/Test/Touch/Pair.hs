@@ -89,7 +89,7 @@ turnedAbout :: Spec
 turnedAbout =
   prop "frames turned about, by half, or exchanged have the answer so turned, with any step" $
     \seed -> forAll ((,) <$> elements [Correlation, Blind] <*> elements steps) $ \(method, step) ->
-      let frames = movedPair step seed
+      let frames = roughened seed 0.2 (movedPair step seed)
           told step' = fmap summed . ask (standardPairing step') {pairingMethod = method}
           about (u, v) = (v, u)
           back (u, v) = (negate u, negate v)
@@ -169,9 +169,12 @@ noisy :: Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisy = noisyBy 5
 
 noisyBy :: Int -> Double -> (Int -> Int -> Double) -> (Raster, Raster)
-noisyBy seed sd relief = (with 0 a, with 256 b)
+noisyBy seed sd relief = roughened seed sd (clean relief)
+
+-- | Frames with noise of that standard deviation.
+roughened :: Int -> Double -> (Raster, Raster) -> (Raster, Raster)
+roughened seed sd (a, b) = (with 0 a, with 256 b)
   where
-    (a, b) = clean relief
     (drawn, _) = normals 512 (mkStdGen seed)
     with from image =
       generate 16 16 (\x y -> fromMaybe 0 (index image x y) + sd * drawn V.! (from + y * 16 + x))

@@ -5,16 +5,17 @@ module Test.Touch.SegmentParts (spec) where
 import Data.Bifunctor (bimap)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Segment (Part (..), Segmentation (..), SymbolImage (..), leastSeen, partAt)
 import PraTactile.Segment.Box
 import PraTactile.Segment.Lattice
 import PraTactile.Segment.Level
 import PraTactile.Segment.Region
-import PraTactile.Stitch (Composite (..))
+import PraTactile.Stitch (Composite (..), compositeOf)
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
@@ -27,6 +28,7 @@ spec = do
   describe "Levels" levelSpec
   describe "Noise" noiseSpec
   describe "Steps" stepSpec
+  describe "Parts" partSpec
 
 -- | A field of that size with these pixels marked.
 newtype Marked = Marked (Int, Int, [Bool])
@@ -320,3 +322,32 @@ stepSpec = do
     -- Not at the limit itself, which rounding decides.
     off d = if abs (abs d - 4) < 1e-6 then 0 else d :: Double
     most = foldr max 0
+
+-- | Around a place from which a symbol's box lies on pixels.
+partSpec :: Spec
+partSpec =
+  modifyMaxSuccess (const 200)
+    . it "are the pixels of the box as shares of the contrast, where they were touched"
+    $ forAll ((,) <$> genRasterOf 14 17 <*> genRasterOf 14 17) $ \(image, dice) ->
+      forAll ((,) <$> choose (-7, 13) <*> choose (-11, 16)) $ \(left, top) ->
+        let touched = mapRaster (\v -> if v < 0.5 then 1 else 0) dice
+            composite = (compositeOf image) {compositeCoverage = touched}
+            found = Segmentation [] [] 0.2 0.6
+            at = (fromIntegral left + 3.5, fromIntegral top + 5.5)
+            box pick = generate 8 12 (\x y -> fromMaybe 0 (pick (left + x) (top + y)))
+            seen = box (index touched)
+            pixels = box $ \x y -> do
+              there <- index touched x y
+              value <- index image x y
+              pure (if there > 0 then (value - 0.2) / 0.6 else 0)
+            enough = V.sum (rasterValues seen) >= fromIntegral leastSeen
+            close a b = V.and (V.zipWith (\u v -> abs (u - v) < 1e-9) a b)
+            seenThere = partAt composite found at
+         in counterexample (show (seenThere, seen, pixels)) $
+              partAt composite found {segmentedContrast = 0} at === Nothing
+                .&&. case seenThere of
+                  Nothing -> property (not enough)
+                  Just part ->
+                    enough
+                      .&&. partSeen part === seen
+                      .&&. close (rasterValues (partPixels part)) (rasterValues pixels)
