@@ -4,6 +4,7 @@ module Test.Limits (spec) where
 
 import qualified PraTactile.Census as Census
 import qualified PraTactile.Classify.Estimate as Estimate
+import qualified PraTactile.Conformance.Question.Touch as Touch
 import qualified PraTactile.DiscreteLog as DiscreteLog
 import qualified PraTactile.Factorisation as Factorisation
 import qualified PraTactile.Files as Files
@@ -20,6 +21,7 @@ import qualified PraTactile.Rates.Formulas as Formulas
 import qualified PraTactile.Rates.Setup as Setup
 import qualified PraTactile.Segment as Segment
 import qualified PraTactile.Stitch as Stitch
+import qualified PraTactile.Stitch.Search as Search
 import qualified PraTactile.Window.Distance as Distance
 import qualified PraTactile.Window.Enumeration as Enumeration
 import Test.Hspec
@@ -55,5 +57,15 @@ spec = do
   it "of images, composites and files" $ do
     [Pgm.maxPixels, Stitch.maxCompositePixels, Stitch.maxFrames, Files.largestInput]
       `shouldBe` [16777216, 4194304, 10000, 268435456]
+    map (Search.usable . uncurry searching) [(1, 64), (16, 4), (1, 64.001), (16, 4.001)]
+      `shouldBe` [True, True, False, False]
+    Touch.fullScale `shouldBe` 65535
     Segment.leastSeen `shouldBe` 6
     Estimate.leastDoubt `shouldBe` 1e-7
+  where
+    -- Displacements of that standard deviation, in taxels, and a search of so many of them.
+    searching sigma reach =
+      Search.standardRegistration
+        { Search.registrationSigma = sigma,
+          Search.registrationReach = reach
+        }

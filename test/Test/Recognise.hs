@@ -165,7 +165,7 @@ exploreSpec parts = describe "explorations" $ do
                       | (x, y) <- cornersOf r
                     ]
                 )
-  prop "askew, by any whole angle, its corners are on the face, or as far off on both sides" $ \seed ->
+  prop "askew, by any whole angle, its corners are on the face or equally far off it" $ \seed ->
     forAll ((,) <$> elements (laidFaces (placementOf parts)) <*> choose (-360, 360)) $
       \(face, degrees) ->
         case drawnRegion

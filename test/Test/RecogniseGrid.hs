@@ -84,12 +84,13 @@ doubtful p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- other
 
 certainSpec :: Spec
 certainSpec = do
-  it "is what the network knows with a tenth of doubt at most, and parts with a hundredth" $
-    for_ ((,) <$> [0, 0.009, 0.011, 0.09, 0.11, 0.7] <*> knowing) $ \(p, known) -> do
+  it "is what the network knows with a tenth of doubt at most, and of parts what a third tells" $
+    for_ ((,) <$> [0, 0.0009, 0.0011, 0.09, 0.11, 0.7] <*> knowing) $ \(p, known) -> do
       let symbol = (doubtful p (symbolAt 0 (0, 0) (turned 2, 3))) {readClass = known}
       certain symbol `shouldBe` (if p < 0.1 then known else Nothing)
-      certain symbol {readSeen = 0.9, readClass = Nothing}
-        `shouldBe` (if p < 0.01 then Just (turned 2, 3) else Nothing)
+      for_ [86, 32, 31 :: Int] $ \taxels ->
+        certain symbol {readSeen = fromIntegral taxels / 96, readClass = Nothing}
+          `shouldBe` (if p < 0.001 && taxels >= 32 then Just (turned 2, 3) else Nothing)
   it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
     layout <- right canonicalPlacement
     alphabetOfAll <- right paperAlphabet

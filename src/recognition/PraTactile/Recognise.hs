@@ -44,6 +44,7 @@ import Data.Either (isRight)
 import Data.List (inits, tails)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Classify.Network (NetworkError)
+import PraTactile.Classify.Part (Pixels (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Recognise.FaceGrid
@@ -107,16 +108,16 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- axesTilted <$> recogniseUpright tolerance reader Nothing composites
+      asGiven <- axesTilted <$> recogniseUpright tolerance reader (AsFelt Nothing) composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- recogniseUpright tolerance reader (Just 0) upright
+      turnedBack <- recogniseUpright tolerance reader SetUpright upright
       let setRight = relocated angle places turnedBack
           answeredBy = isRight . recognisedAnswer
       pure $
         if abs angle <= mostTilt && answeredBy asGiven /= answeredBy turnedBack
           then if answeredBy asGiven then asGiven else setRight
           else if certainty turnedBack > certainty asGiven then setRight else asGiven
-  shown -> recogniseUpright tolerance reader shown composites
+  shown -> recogniseUpright tolerance reader (AsFelt shown) composites
   where
     composites = map cleaned given
 
@@ -132,16 +133,39 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
 mostTilt :: Double
 mostTilt = 7
 
--- | 'recogniseWith' of composites whose symbols' axes are nearly theirs: turned from them by this
--- angle, in degrees clockwise, as far as the images show it.
+-- | How composites are read.
+data Lie
+  = -- | As their frames were put together; the symbols' axes are turned by that angle, in degrees
+    -- clockwise, as far as the images show it.
+    AsFelt !(Maybe Double)
+  | -- | Turned back by the angle of the symbols' axes.
+    SetUpright
+
+-- | The angle that is left, as far as the images show it.
+angleLeft :: Lie -> Maybe Double
+angleLeft lie = case lie of
+  AsFelt shown -> shown
+  SetUpright -> Just 0
+
+-- | How their pixels came about.
+pixelsOf :: Lie -> [View] -> Pixels
+pixelsOf lie views
+  | any (unregistered . compositeDisplacements . viewComposite) views = Unregistered
+  | otherwise = case lie of
+    AsFelt _ -> AsPut
+    SetUpright -> Resampled
+  where
+    unregistered displacements = length displacements > 1 && all (== (0, 0)) displacements
+
+-- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
 recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Maybe Double ->
+  Lie ->
   [Cleaned] ->
   Either NetworkError Recognition
-recogniseUpright tolerance reader shown composites = do
+recogniseUpright tolerance reader lie composites = do
   upright <- readSymbols symbolReader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -158,22 +182,21 @@ recogniseUpright tolerance reader shown composites = do
   pure $
     if isMirrored
       then unanswered (concatMap viewSymbols views ++ known others) Mirrored
-      else answered tolerance reader shown views (known others)
+      else answered tolerance reader lie views (known others)
   where
     symbolReader = recogniserReader reader
     known = filter (isJust . readClass) . concatMap viewSymbols
 
--- | The answer from the symbols of one axis, turned from the composites' by about this angle if it
--- is known, and from what the network knows of the other.
+-- | The answer from the symbols of one axis, and from what the network knows of the other.
 answered ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Maybe Double ->
+  Lie ->
   [View] ->
   [ReadSymbol] ->
   Recognition
-answered tolerance reader shown views dissenters
+answered tolerance reader lie views dissenters
   | null symbols = unanswered everything NoSymbols
   | all (isNothing . readClass) symbols = unanswered everything SymbolsUnclear
   | otherwise = maybe (unanswered everything GridContradicts) located (faceGrid (groups symbols))
@@ -182,14 +205,14 @@ answered tolerance reader shown views dissenters
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
     located grid =
-      let (whole, parts) = withParts (recogniserReader reader) views next grid
+      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf lie views) views next grid
           location =
             locateGrid reader tolerance dissenters whole
        in Recognition
             everything
             parts
             (locationEvidence location)
-            (gridTilt shown grid)
+            (gridTilt (angleLeft lie) grid)
             (answerAt reader location)
 
 -- | The answer where a grid is located.

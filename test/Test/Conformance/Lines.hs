@@ -32,7 +32,7 @@ spec = do
       ]
       $ \text -> either (const Nothing) Just (readLine text) `shouldBe` decodeStrict text
   it "behind any text, and before one, a number is known to be whole as it is alone" $
-    for_ [(text, number) | text <- texts, number <- ["2", "2e0", "2.0e0", "20e-1"]] $ \(text, number) ->
+    for_ ((,) <$> texts <*> ["2", "2e0", "2.0e0", "20e-1"]) $ \(text, number) ->
       ( (text, number),
         map whole . toList
           <$> (readLine ("[" <> text <> "," <> number <> "," <> text <> "]") >>= list)
@@ -52,7 +52,14 @@ spec = do
       Array items -> Right items
       _ -> Right mempty
     texts =
-      ["\"\"", "\"e\"", "\"2e0 \"", "\"\\\"\"", "\"x\\\\\"", "\"1 \\\"2e0\\\" 3.0\"", "{\"2e0\":2e0}"]
+      [ "\"\"",
+        "\"e\"",
+        "\"2e0 \"",
+        "\"\\\"\"",
+        "\"x\\\\\"",
+        "\"1 \\\"2e0\\\" 3.0\"",
+        "{\"2e0\":2e0}"
+      ]
     within text =
       [ "[" <> text <> ",\"" <> text <> "\"," <> text <> "]",
         "{\"" <> text <> "\":[" <> text <> "]}"

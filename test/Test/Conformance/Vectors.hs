@@ -3,9 +3,10 @@
 -- | The shipped test vectors: they are what the program makes, and what is called exhaustive is.
 module Test.Conformance.Vectors (spec) where
 
-import Control.Monad (forM, forM_)
+import Control.Monad (forM, forM_, replicateM)
 import Data.Aeson (Key, Value (..), object, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Bits (testBit)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import qualified Data.ByteString.Lazy as Lazy
@@ -16,6 +17,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), area, naturalsBelow)
 import PraTactile.Conformance.Question (Operation (..), codeOperations, operationName)
 import PraTactile.Conformance.Vectors
+import qualified PraTactile.Conformance.Vectors.Draw as Draw
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Format.Profile (encodeProfile)
 import PraTactile.Profile
@@ -30,6 +32,13 @@ spec :: Spec
 spec = do
   shippedSpec
   commandSpec
+  it "numbers are drawn from all below a bound, to the last bit, however large it is" $
+    forM_ [1, 31, 32, 33, 63, 64, 65, 100, 128, 200] $ \bits -> do
+      let found = Draw.drawn 1 (replicateM 200 (Draw.below (2 ^ (bits :: Int))))
+          -- Of each bit how often it is set: within six standard errors of a half.
+          often = [length (filter (`testBit` i) found) | i <- [0 .. bits - 1]]
+      (bits, maximum found < 2 ^ bits, [i | (i, n) <- zip [0 :: Int ..] often, n < 57 || n > 143])
+        `shouldBe` (bits, True, [])
 
 shippedSpec :: Spec
 shippedSpec = describe "those shipped" $ do

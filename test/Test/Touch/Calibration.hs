@@ -59,6 +59,16 @@ calibrating = do
     frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1 []))
     V.maximum (V.map (abs . subtract 0.25) (rasterValues (frameImage frame)))
       `shouldSatisfy` (< 1e-12)
+  it "dead is what rises less than a quarter of the median, or lies above a half in the dark" $ do
+    let rise x = [0.4, 0.1001, 0.0999, 0.4, 0.4] !! x
+        dark x = [0, 0, 0, 0.4999, 0.5001] !! x
+    found <-
+      right
+        ( calibrate
+            [generate 5 1 (\x _ -> dark x)]
+            [generate 5 1 (\x _ -> dark x + rise x)]
+        )
+    calibrationDead found `shouldBe` [(0, 2), (0, 4)]
   it "in the place of a dead element stands the mean of its neighbours" $ do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
         plain = Calibration (constant 6 6 0) (constant 6 6 1) dead
@@ -140,6 +150,8 @@ pitches = do
           expected = (fromIntegral x + 0.5 - fromIntegral w / 2) / ratio
        in counterexample (show (w, at image x 5, expected)) $
             abs (at image x 5 - expected) < (if ratio < 1 then 0.15 else 1e-9)
+  it "of an image narrower than a new pixel one is left, the mean of all" $
+    resampled 0.1 (generate 4 8 (\x y -> fromIntegral (x + 4 * y))) `shouldBe` constant 1 1 15.5
   it "of an image without pixels nothing is left, at any pitch" $
     [ (rasterWidth image, rasterHeight image)
       | (ratio, (w, h)) <- [(0.3, (0, 0)), (1, (0, 5)), (2.5, (5, 0))],

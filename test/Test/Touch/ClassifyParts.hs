@@ -84,29 +84,30 @@ likenessSpec = do
     for_ [(8, 11), (12, 8), (0, 0)] $ \(w, h) ->
       match seen 0 (generate w h (\x y -> fromIntegral (x * y))) `shouldBe` 0
     [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]
-    [squaredDistance seen c shape shape | c <- [-1, 4]] `shouldBe` [1 / 0, 1 / 0]
-  it "by distance: the least sum of squares where the weight is, moved by up to a taxel" $ do
+    [squaredDistances seen c shape shape | c <- [-1, 4]] `shouldBe` [[], []]
+  it "by distance: the sum of squares where the weight is, for each move by up to a taxel" $ do
     known <- drawnAlphabet
     let line = [-1, -0.5, 0, 0.5, 1]
     holds 15 $
       forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(image, weight) ->
         conjoin
-          [ near
-              ( minimum
-                  [ sum
-                      [ w * (v - t) * (v - t)
-                        | (w, v, t) <-
-                            zip3
-                              (concat (toRows weight))
-                              (concat (toRows image))
-                              (concat (moved shape (dx, dy)))
-                      ]
-                    | dx <- line,
-                      dy <- line
-                  ]
-              )
-              (squaredDistance (templates known) c image weight)
-            | (c, shape) <- zip [0 ..] (shapes known)
+          [ map fst found === [(dx, dy) | dx <- line, dy <- line]
+              .&&. conjoin
+                [ near
+                    ( sum
+                        [ w * (v - t) * (v - t)
+                          | (w, v, t) <-
+                              zip3
+                                (concat (toRows weight))
+                                (concat (toRows image))
+                                (concat (moved shape move))
+                        ]
+                    )
+                    distance
+                  | (move, distance) <- found
+                ]
+            | (c, shape) <- zip [0 ..] (shapes known),
+              let found = squaredDistances (templates known) c image weight
           ]
 
 correlated :: Raster -> [[Double]] -> Double
@@ -206,35 +207,48 @@ rotationSpec = do
 
 partSpec :: Spec
 partSpec = do
-  it "of less than a third is beyond a hundredth of doubt, however well one shape alone fits" $ do
+  it "is in doubt by what is nothing of the kind at least, however well one shape alone fits" $ do
     known <- drawnAlphabet
     for_ [1 .. 12] $ \rows ->
       minimum [doubtOf known rows c | c <- [0 .. 3]]
-        `shouldSatisfy` (if rows < 4 then (> 0.01) else (< 0.01))
-  it "is any shape alike for as much as it may be nothing of the kind, or flat" $ do
+        `shouldSatisfy` (> 7 / 8 * nothingOfTheKind (8 * fromIntegral rows) - 1e-12)
+    maximum [doubtOf known 12 c | c <- [0 .. 3]] `shouldSatisfy` (< 0.0011)
+  it "is each shape moved a little, flat, or nothing of the kind: the posterior of all these" $ do
     known <- drawnAlphabet
     holds 60 $
-      forAll (choose (1, 12)) $ \rows -> forAll (genRasterOf 8 rows) $ \image ->
-        let part = upper rows image
-            taxels = 8 * fromIntegral rows
-            (alike, rubbish)
-              | taxels < 16 = (2.5, 0.012)
-              | taxels < 32 = (4, 0.012)
-              | otherwise = (4, 0.001)
-            (distances, flat) = partDistances (templates known) part
-            least = minimum (flat : map snd distances)
-            variance = max 0.01 (least / taxels)
-            weight d = exp (negate (d - least) / (2 * variance * alike))
-            all' = weight flat + sum (map (weight . snd) distances)
-            chance d = (1 - rubbish) * (weight d + weight flat / 8) / all' + rubbish / 8
-         in conjoin
-              [ near (chance d) (estimateChance (estimatePart (templates known) part) what)
-                | (what, d) <- distances
-              ]
+      forAll (elements [AsPut, Resampled, Unregistered]) $ \pixels ->
+        forAll (choose (1, 12) >>= \rows -> (,) rows <$> genRasterOf 8 rows) $ \(rows, image) ->
+          let part = upper rows image
+              taxels = 8 * fromIntegral rows
+              (distances, flat) = partDistances (templates known) part
+              least = minimum (flat : concatMap (map snd . snd) distances)
+              variance = asOne pixels * max 0.01 (least / taxels)
+              normal d = exp (negate d / (2 * variance))
+              prior (x, y) = exp (negate (x * x + y * y) / 0.32)
+              whole = sum [prior (x, y) | x <- line, y <- line]
+              ofShape moves = sum [prior m * normal d | (m, d) <- moves] / whole
+              rubbish = nothingOfTheKind taxels
+              everything = normal flat + sum (map (ofShape . snd) distances)
+              chance l = (1 - rubbish) * (l + normal flat / 8) / everything + rubbish / 8
+              e = estimatePart (templates known) pixels part
+           in conjoin $
+                near (1 - estimateChance e (estimateLikeliest e)) (estimateDoubt e) :
+                (maximum (map snd (estimateChances e)) === estimateChance e (estimateLikeliest e)) :
+                  [ near (chance (ofShape moves)) (estimateChance e what)
+                    | (what, moves) <- distances
+                  ]
   where
+    line = [-1, -0.5, 0, 0.5, 1]
+    nothingOfTheKind :: Double -> Double
+    nothingOfTheKind taxels = if taxels < 32 then 0.012 else 0.001
+    -- How many taxels count as one.
+    asOne pixels = case pixels of
+      AsPut -> 2.5
+      Resampled -> 3.6
+      Unregistered -> 5
     doubtOf known rows c =
-      let e = estimatePart (templates known) (upper rows (toRaster (shapes known !! c)))
-       in 1 - estimateChance e (estimateLikeliest e)
+      let part = upper rows (toRaster (shapes known !! c))
+       in estimateDoubt (estimatePart (templates known) AsPut part)
     -- Only the upper rows are seen, of which the image has at least as many.
     upper rows image =
       Part

@@ -138,7 +138,7 @@ anyAngle = do
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
   it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
-    for_ [(k, angle) | k <- [1, 2], angle <- [-46, -45.4 .. -44] ++ [44, 44.6 .. 46]] $ \(k, angle) ->
+    for_ ((,) <$> [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
       case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
         Just found -> do
           let off = (found - angle) / 90

@@ -266,6 +266,13 @@ presets = do
   it "the standard sensor is the paper's, and its constants' names are one each" $ do
     presetSensor Paper `shouldBe` standardSensor
     length (nub (map constantName constants)) `shouldBe` length constants
+  it "has a constant for each thing that the model says" $
+    map constantName constants
+      `shouldBe` words
+        "columns rows taxel_pitch tab_diameter position_error rotation_error force force_spread \
+        \tilt_spread full_scale_height tab_stiffness overlay_depth hysteresis conductance_exponent \
+        \break_force full_scale_force gain_spread drift crosstalk dead_taxels adc_bits adc_zeroed \
+        \noise noise_slope noise_row noise_column"
   it "every constant has a unit and a source, or is called an assumption" $
     [constantName c | c <- constants, null (constantUnit c) || length (constantSource c) < 8]
       `shouldBe` []

@@ -136,23 +136,20 @@ parts =
                   close p q = counterexample (show (p, q)) (abs (p - q) < 1e-9 * (1 + abs q))
                in conjoin $
                     close flat (V.sum (V.map (\v -> v * v) (rasterValues pixels))) :
-                    [ close d (distanceBy a c (onRaster s pixels) (onRaster s seen))
-                      | ((c, s), d) <- distances
+                    [ close d (distanceBy a c move (onRaster s pixels) (onRaster s seen))
+                      | ((c, s), moves) <- distances,
+                        (move, d) <- moves
                     ]
                       ++ [map fst distances === [(c, s) | s <- [identity, turned 2], c <- [0 .. 3]]]
   where
     at image x y = fromMaybe 0 (index image x y)
-    distanceBy a c pixels seen =
-      minimum
-        [ sum
-            [ at seen x y * (at pixels x y - value) ^ (2 :: Int)
-              | x <- [0 .. 7],
-                y <- [0 .. 11],
-                let value = moved shape (fromIntegral x - dx) (fromIntegral y - dy)
-            ]
+    distanceBy a c (dx, dy) pixels seen =
+      sum
+        [ at seen x y * (at pixels x y - value) ^ (2 :: Int)
           | Right shape <- [shapeOf a c],
-            dx <- [-1, -0.5 .. 1],
-            dy <- [-1, -0.5 .. 1]
+            x <- [0 .. 7],
+            y <- [0 .. 11],
+            let value = moved shape (fromIntegral x - dx) (fromIntegral y - dy)
         ]
     -- The shape between its taxels, flat around.
     moved shape x y =

@@ -20,26 +20,26 @@ import PraTactile.Segment.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own
--- symbols, and the parts. Numbers them from the one given.
-withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
-withParts reader views from grid =
+-- symbols, whose pixels came about so, and the parts. Numbers them from the one given.
+withParts :: Reader -> Pixels -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+withParts reader pixels views from grid =
   (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where
     found =
       zipWith
         (\n (cell, part) -> (cell, part {readNumber = n}))
         [from ..]
-        (concatMap (partsOf reader (gridCells grid)) views)
+        (concatMap (partsOf reader pixels (gridCells grid)) views)
     cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
-partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
-partsOf (Reader shapesSeen _) cells view =
+partsOf :: Reader -> Pixels -> Cells -> View -> [(Cell, ReadSymbol)]
+partsOf (Reader shapesSeen _) pixels cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,
       let at = centroid centres,
       Just seen <- [look (onView view at)],
-      let part = readPart view at seen (estimatePart shapesSeen seen),
+      let part = readPart view at seen (estimatePart shapesSeen pixels seen),
       readDoubt part < 0.5
   ]
   where

@@ -1,11 +1,13 @@
 -- | The likeliest symbol of which only a part was touched.
 module PraTactile.Classify.Part
   ( estimatePart,
+    Pixels (..),
     partDistances,
   )
 where
 
 import Data.List (sortOn)
+import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
 import PraTactile.Classify.Estimate
 import PraTactile.Classify.Templates
@@ -13,30 +15,45 @@ import PraTactile.Image
 import PraTactile.Segment (Part (..))
 import PraTactile.Symmetry
 
+-- | How the pixels of a composite came about.
+data Pixels
+  = -- | As the frames were put together.
+    AsPut
+  | -- | Interpolated once more, to set the composite upright: then the errors of neighbouring ones
+    -- are more alike.
+    Resampled
+  | -- | Of several frames at their nominal places, which nobody has compared: parts of strokes may
+    -- lie anywhere.
+    Unregistered
+  deriving stock (Eq, Show)
+
 -- | The estimate for a part of a symbol, by the shapes themselves, because the network knows whole
--- symbols only. What was touched is taken for a shape, in either orientation, or for a flat face,
--- with normal noise; see Note [Parts].
-estimatePart :: Templates -> Part -> Estimate
-estimatePart shapesSeen part = Estimate best [(what, chance d) | (what, d) <- distances]
+-- symbols only. What was touched is taken for a shape, in either orientation and not quite in its
+-- place, or for a flat face, with normal noise; see Note [Parts].
+estimatePart :: Templates -> Pixels -> Part -> Estimate
+estimatePart shapesSeen pixels part = Estimate best [(what, chance l) | (what, l) <- likelihoods]
   where
     -- What is flat, or rubbish, is any of the shapes alike.
-    chance d = (1 - rubbish) * (weight d + weight flat / n) / total + rubbish / n
+    chance l = (1 - rubbish) * (l + flatLikelihood / n) / total + rubbish / n
     taxels = V.sum (rasterValues (partSeen part))
-    correlated = alikeAmong taxels
     rubbish = nothingOfTheKind taxels
     (distances, flat) = partDistances shapesSeen part
-    (best, nearest) = case sortOn snd distances of
-      first : _ -> first
-      [] -> ((0, identity), 0)
+    likelihoods = map (fmap moved) distances
+    moved moves = sum [misplacement move * likelihood d | (move, d) <- moves] / allMoves moves
+    allMoves = sum . map (misplacement . fst)
+    likelihood d = exp ((least - d) / (2 * variance))
+    flatLikelihood = likelihood flat
+    best = case sortOn (Down . snd) likelihoods of
+      (what, _) : _ -> what
+      [] -> (0, identity)
     n = fromIntegral (length distances)
-    least = min flat nearest
-    variance = max leastVariance (least / max 1 taxels)
-    weight d = exp ((least - d) / (2 * variance * correlated))
-    total = sum (map (weight . snd) distances) + weight flat
+    least = minimum (flat : concatMap (map snd . snd) distances)
+    variance = alike pixels * max leastVariance (least / max 1 taxels)
+    total = sum (map snd likelihoods) + flatLikelihood
 
--- | The sum of squared differences over the taxels seen: from each class upright, from each turned
--- by 180 degrees, and from a flat face.
-partDistances :: Templates -> Part -> ([((Int, Symmetry), Double)], Double)
+-- | The sum of squared differences over the taxels seen: from each class upright, and from each
+-- turned by 180 degrees, moved in each way by up to a taxel; and from a flat face.
+partDistances :: Templates -> Part -> ([((Int, Symmetry), [((Double, Double), Double)])], Double)
 partDistances shapesSeen part =
   ( concatMap from [identity, turned 2],
     V.sum (V.map (^ (2 :: Int)) (rasterValues (partPixels part)))
@@ -45,19 +62,27 @@ partDistances shapesSeen part =
     from symmetry =
       [((c, symmetry), apart symmetry c) | c <- [0 .. templateCount shapesSeen - 1]]
     apart symmetry c =
-      squaredDistance
+      squaredDistances
         shapesSeen
         c
         (onRaster symmetry (partPixels part))
         (onRaster symmetry (partSeen part))
 
+-- How likely a part lies so many taxels right and down of where its neighbours have it: a normal
+-- law, but for a factor.
+misplacement :: (Double, Double) -> Double
+misplacement (x, y) = exp (negate (x * x + y * y) / (2 * 0.4 * 0.4))
+
 -- The least variance of a taxel.
 leastVariance :: Double
 leastVariance = 0.01
 
--- How many neighbouring taxels err alike, where so many were seen.
-alikeAmong :: Double -> Double
-alikeAmong taxels = if taxels < 16 then 2.5 else 4
+-- How many taxels err alike, as one.
+alike :: Pixels -> Double
+alike pixels = case pixels of
+  AsPut -> 2.5
+  Resampled -> 3.6
+  Unregistered -> 5
 
 -- The probability of an image that is nothing of the kind, where so many taxels were seen. Of less
 -- than a third of a symbol, frames that were put together a taxel wrong may make another symbol, so
@@ -66,9 +91,11 @@ nothingOfTheKind :: Double -> Double
 nothingOfTheKind taxels = if taxels < 32 then 0.012 else 0.001
 
 {- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
-   strokes. So the exponent of the normal law is divided by a number, and the variance is that of
-   the best of the shapes, or the square of a tenth of the contrast if that is more. The numbers
-   were chosen so that, of the parts of presses by every sensor, upright and at any angle, and with
-   position errors to three taxels, about as many are wrong as are told to be; where nothing but
-   noise disturbs, fewer are. bench/calibration.py counts them, and docs/evaluation.md has what it
-   counted. -}
+   strokes. So a part may lie a little beside its place, in every direction alike, and the variance
+   of what then still differs, that of the best of the shapes or the square of a tenth of the
+   contrast if that is more, counts for several taxels at once. The numbers are those that make the
+   parts of 3600 presses by every sensor, upright and at any angle, with noise to 0.5 and position
+   errors to three taxels, likeliest, rounded; with them about as many are wrong as are told to be,
+   under each condition. bench/calibration.py counts them, and docs/evaluation.md has what it
+   counted. At nominal places, which may be several taxels wrong, no number of taxels is right for
+   every robot (assumption). -}

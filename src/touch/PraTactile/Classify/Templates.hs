@@ -5,7 +5,7 @@ module PraTactile.Classify.Templates
     templates,
     templateCount,
     match,
-    squaredDistance,
+    squaredDistances,
   )
 where
 
@@ -17,7 +17,7 @@ import PraTactile.Shape
 
 -- | The shapes of an alphabet as they are seen when misplaced a little: to be correlated with, and
 -- to be subtracted.
-newtype Templates = Templates (Vector ([V.Vector Double], [V.Vector Double]))
+newtype Templates = Templates (Vector ([V.Vector Double], [((Double, Double), V.Vector Double)]))
 
 -- | The number of classes.
 templateCount :: Templates -> Int
@@ -29,14 +29,18 @@ templates :: Alphabet -> Templates
 templates alphabetOfAll = Templates (Boxed.fromList (map seen (shapes alphabetOfAll)))
   where
     seen shape =
-      (map standardised (placed [-0.5, 0, 0.5] shape), placed [-1, -0.5, 0, 0.5, 1] shape)
+      ( map (standardised . snd) (placed [-0.5, 0, 0.5] shape),
+        placed [-1, -0.5, 0, 0.5, 1] shape
+      )
     placed offsets shape =
-      [ rasterValues
-          ( generate
-              symbolWidth
-              symbolHeight
-              (\x y -> sampled (framed shape) (fromIntegral x - dx) (fromIntegral y - dy))
-          )
+      [ ( (dx, dy),
+          rasterValues
+            ( generate
+                symbolWidth
+                symbolHeight
+                (\x y -> sampled (framed shape) (fromIntegral x - dx) (fromIntegral y - dy))
+            )
+        )
         | dx <- offsets,
           dy <- offsets
       ]
@@ -61,13 +65,14 @@ match (Templates classes) c image = case classes Boxed.!? c of
     values = rasterValues image
     seen = standardised values
 
--- | How far an 8 x 12 image is from the shape of a class: the least sum of squared differences,
--- over the taxels where the weight is 1 and not 0, the shape moved by up to a taxel. The image has
--- background 0 and embossing 1. Infinite for a class that there is not.
-squaredDistance :: Templates -> Int -> Raster -> Raster -> Double
-squaredDistance (Templates classes) c image weight = case classes Boxed.!? c of
-  Just (_, placed) -> minimum (1 / 0 : map apart placed)
-  Nothing -> 1 / 0
+-- | How far an 8 x 12 image is from the shape of a class: the sum of squared differences, over the
+-- taxels where the weight is 1 and not 0, for each of the ways the shape may be moved by up to a
+-- taxel along both axes, in taxels right and down. The image has background 0 and embossing 1. None
+-- for a class that there is not.
+squaredDistances :: Templates -> Int -> Raster -> Raster -> [((Double, Double), Double)]
+squaredDistances (Templates classes) c image weight = case classes Boxed.!? c of
+  Just (_, placed) -> map (fmap apart) placed
+  Nothing -> []
   where
     apart =
       V.sum
