@@ -14,7 +14,7 @@ import Control.Monad (forM, forM_, unless, void)
 import Data.Aeson (decodeStrict, encode)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy
-import Data.Char (isSpace)
+import Data.Char (isAlpha, isLower, isSpace, toLower)
 import qualified Data.IntSet as Set
 import Data.List (isPrefixOf, partition, sortOn)
 import qualified Data.Map.Strict as Map
@@ -126,7 +126,7 @@ stage suites tries whole left earlier done resultsFile = do
   void . flip (sideBySide suites) left $ \suite mutant -> do
     known <- readMVar done
     let before = Map.lookup (mutantName mutant) known
-        near = noticedNear (Map.elems known ++ earlier) mutant
+        near = nearness (Map.elems known ++ earlier) mutant
     result <- tries suite near before mutant
     modifyMVar_ done $ \results -> do
       Lazy.appendFile resultsFile (encode result <> Lazy.pack "\n")
@@ -157,10 +157,14 @@ untried :: [Group] -> Mutant -> [String] -> [Group]
 untried groups mutant before =
   [g | g <- groups, feels g mutant, groupKey g `notElem` before]
 
--- | How often a group noticed mutants of the same file.
-noticedNear :: [Result] -> Mutant -> Group -> Int
-noticedNear results mutant = \group -> length (filter (groupPath group `isPrefixOf`) examples)
+-- | How near a group is to a mutant: how often it noticed others of the same file, and how many
+-- words its headings share with the module's name, which count twice.
+nearness :: [Result] -> Mutant -> Group -> Int
+nearness results mutant = \group ->
+  length (filter (groupPath group `isPrefixOf`) examples)
+    + 2 * length (filter (`Names.member` Names.fromList (stems (groupPath group))) named)
   where
+    named = stems (drop (length "PraTactile.") (siteModule (mutantSite mutant)))
     examples =
       [ example
         | r <- results,
@@ -168,9 +172,21 @@ noticedNear results mutant = \group -> length (filter (groupPath group `isPrefix
           example <- noticedIn (resultOutcome r)
       ]
 
+-- | How the words of a text begin, where one in small letters is followed by a capital as where no
+-- letter stands between: what a module's name and a heading can share.
+stems :: String -> [String]
+stems text =
+  Names.toList (Names.fromList [map toLower (take 5 word) | word <- apart text, length word >= 4])
+  where
+    apart letters = case dropWhile (not . isAlpha) letters of
+      [] -> []
+      first : more ->
+        let (rest, after) = span (\letter -> isAlpha letter && isLower letter) more
+         in (first : rest) : apart after
+
 -- | Run the tests in which a mutant would have another value, as long as they take no more than
 -- this many seconds, but for those that were tried before. The nearest come first: those that are
--- quick, come to few other sites, and noticed other mutants of the file.
+-- quick, come to few other sites, noticed other mutants of the file, and are named like its module.
 tryMutant ::
   Pace -> Double -> [Group] -> Suite -> (Group -> Int) -> Maybe Result -> Mutant -> IO Result
 tryMutant pace budget groups suite near known mutant = do
