@@ -118,6 +118,7 @@ import qualified Test.Touch.SensorConstants
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
+import qualified Test.Touch.StitchArrange
 import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
 import qualified Test.Touch.Train
@@ -183,6 +184,7 @@ specs = do
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
     describe "What stitching is made of" Test.Touch.StitchParts.spec
+    describe "What is told of frames put together" Test.Touch.StitchArrange.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec

@@ -76,6 +76,18 @@ faultSpec = describe "in a session" $ do
   it "what errs is errored" $ do
     (status, out, _) <- adder ["--json"] ["errs"]
     (status, lookup "field/addition-as-defined" (outcomes out)) `shouldBe` (1, Just "errored")
+  it "what answers with another type fails, and what does not answer is errored" $
+    for_ [("type", "failed"), ("crash", "errored"), ("garbage", "errored"), ("both", "errored")] $
+      \(fault, outcome) -> do
+        (_, out, _) <- adder ["--json"] [fault]
+        lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just outcome
+  it "how it ends, and what it does without a profile, is asked by name" $
+    for_ ["none-in-force-after-a-refusal", "ends-with-its-input", "ends-when-stopped"] $ \name -> do
+      (status, out, err) <-
+        conform
+          ["--json", "--run", "protocol/" ++ name]
+          ["python3", "test/subjects/faulty.py", "none"]
+      (status, err, outcomes out) `shouldBe` (0, "", [("protocol/" ++ name, "held")])
   it "whoever skips everything, offers nothing or refuses possible profiles is not certified" $
     for_ ["skips-all", "offers-nothing", "refuses-all"] $ \fault -> do
       (status, out, _) <- adder ["--json"] [fault]
@@ -114,6 +126,9 @@ oneShotSpec = describe "with a process a request" $ do
         ("hang", "timeout"),
         ("wrong-number", "out-of-order"),
         ("twice", "answered-twice"),
+        ("garbage-after", "not-a-reply"),
+        ("half-line-after", "half-line"),
+        ("long-line-after", "line-too-long"),
         ("stays", "does-not-stop")
       ]
 

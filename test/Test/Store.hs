@@ -126,6 +126,21 @@ spec = describe "store" $ do
         right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) >>= \odd_ -> do
           create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
           asked path $ \store -> storedPlacement store `shouldBe` place
+    it "numbers are stored up to 64 bits, lengths up to a kilometre, and both refused beyond" $
+      inDirectory $ \directory -> do
+        let stored shape pitch = do
+              place <- either (fail . show) pure (placement shape pitch [] [])
+              made <- create (directory </> "a.sqlite") profileText place
+              pure (either Just (const Nothing) made)
+            high n = stored (Shape n 17) canonicalPitch
+            apart right_ = stored (Shape 15 17) (Pitch right_ 1)
+            most = 2 ^ (63 :: Int) - 1
+        mapM high [15, most] `shouldReturn` [Nothing, Nothing]
+        mapM high [most + 1, 10 * most]
+          `shouldReturn` [Just (TooLarge (toInteger n)) | n <- [most + 1, 10 * most]]
+        mapM apart [1000000, 1 / 1000] `shouldReturn` [Nothing, Nothing]
+        mapM apart [1000000.001, 1 / 2000]
+          `shouldReturn` map (Just . NotStorable) [1000000.001, 1 / 2000]
     it "a directory, or a folder that is not there, is refused" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create directory profileText place `shouldReturn` Left (IsDirectory directory)

@@ -77,6 +77,21 @@ spec = describe "create" $ do
           Bytes.readFile path `shouldReturn` content
           removeLink (path ++ ".link")
       sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
+  it "refuses a store with a journal beside it, or in write-ahead mode; they stay to the byte" $
+    placed $ \folder place -> do
+      let path = folder </> "a.sqlite"
+          journal = path ++ "-journal"
+      create path "one" place `shouldReturn` Right ()
+      store <- Bytes.readFile path
+      Bytes.writeFile journal "not yet rolled back"
+      create path "two" place `shouldReturn` Left (Occupied path NoStore)
+      Bytes.readFile path `shouldReturn` store
+      Bytes.readFile journal `shouldReturn` "not yet rolled back"
+      removeLink journal
+      let ahead = Bytes.take 18 store <> "\2\2" <> Bytes.drop 20 store
+      Bytes.writeFile path ahead
+      create path "two" place `shouldReturn` Left (Occupied path NoStore)
+      Bytes.readFile path `shouldReturn` ahead
   it "refuses a folder, a pipe, a device, a link to them or to nothing; opens none" $
     placed $ \folder place -> do
       createDirectory (folder </> "folder")

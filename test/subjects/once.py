@@ -27,6 +27,12 @@ if FAULT == "silent" and at_fault:
 honest.say(reply)
 if FAULT == "twice" and at_fault:
     honest.say(reply)
+if FAULT == "garbage-after" and at_fault:
+    print("done")
+if FAULT == "half-line-after" and at_fault:
+    sys.stdout.write('{"sequence": 3')
+if FAULT == "long-line-after" and at_fault:
+    print(" " * 100_000_000)
 if FAULT == "status" and at_fault:
     sys.exit(4)
 if FAULT == "stays" and at_fault:

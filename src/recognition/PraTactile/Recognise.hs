@@ -56,7 +56,7 @@ import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
 import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Segment.Tilt (leastTilt, setUpright, tilt)
-import PraTactile.Stitch (Composite (..))
+import PraTactile.Stitch (Composite (..), isUnregistered)
 import PraTactile.Symmetry
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
@@ -147,15 +147,13 @@ angleLeft lie = case lie of
   AsFelt shown -> shown
   SetUpright -> Just 0
 
--- | How their pixels came about.
-pixelsOf :: Lie -> [View] -> Pixels
-pixelsOf lie views
-  | any (unregistered . compositeDisplacements . viewComposite) views = Unregistered
+-- | How the pixels of one came about.
+pixelsOf :: Lie -> Composite -> Pixels
+pixelsOf lie composite
+  | isUnregistered composite = Unregistered
   | otherwise = case lie of
     AsFelt _ -> AsPut
     SetUpright -> Resampled
-  where
-    unregistered displacements = length displacements > 1 && all (== (0, 0)) displacements
 
 -- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
 recogniseUpright ::
@@ -205,7 +203,7 @@ answered tolerance reader lie views dissenters
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
     located grid =
-      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf lie views) views next grid
+      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf lie) views next grid
           location =
             locateGrid reader tolerance dissenters whole
        in Recognition

@@ -6,6 +6,7 @@ module PraTactile.Stitch
     Composite (..),
     Contradiction (..),
     compositeOf,
+    isUnregistered,
     compositePosition,
 
     -- * Stitching
@@ -44,6 +45,7 @@ import PraTactile.Stitch.Composite
     compositeOf,
     compositePixel,
     compositePosition,
+    isUnregistered,
   )
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Posterior (Hypothesis (..))

@@ -114,7 +114,8 @@ mutations =
       moved "C1" (Point 0 127 128),
       NotPlanar (readFaceName "C1 C2 C3 C4")
     ),
-    ("all faces clockwise", reversing [0 .. 5] cubeDescription, NotOutward)
+    ("all faces clockwise", reversing [0 .. 5] cubeDescription, NotOutward),
+    ("all vertices in one plane, so that nothing is enclosed", inOnePlane, NotOutward)
   ]
   where
     withVertex new =
@@ -127,6 +128,11 @@ mutations =
             [ (vertex, if vertex == which then to else at)
               | (vertex, at) <- describedVertices cubeDescription
             ]
+        }
+    inOnePlane =
+      (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))
+        { describedVertices =
+            [("A", Point 0 0 1), ("B", Point 3 0 1), ("C", Point 0 3 1), ("D", Point 1 1 1)]
         }
     flattened =
       (tetrahedron ["A", "B", "C", "D"] (Point 0 0 0))

@@ -40,6 +40,8 @@ specimens = do
     either (expectationFailure . show) displaced paperAlphabet
   it "curtailed ones lack a corner of at most 3 taxels (upside down 4), or a margin of at most 2" $
     either (expectationFailure . show) check paperAlphabet
+  it "corners are lacking at each of the four, along either side" $
+    either (expectationFailure . show) cornered paperAlphabet
   where
     halves a = do
       let drawn kind shape seed = fst (specimen a kind shape (mkStdGen seed))
@@ -95,6 +97,27 @@ specimens = do
                     Just b <- [index one (x - i) (y - j)]
                 ]
            in sum squares / fromIntegral (length squares) :: Double
+    -- From one seed the whole symbol and the curtailed one are seen alike. Corners are longer than
+    -- thick: of 400 specimens a quarter lack one along either side, of these seven in twelve one of
+    -- four columns or more, and eight in twelve one of five rows or more.
+    cornered a = do
+      let lacking =
+            [ [(x, y) | x <- [0 .. 7], y <- [0 .. 11], index whole x y /= index seen x y]
+              | (seed, shape) <- zip [1 .. 400] (cycle (shapes a)),
+                let draw kind = fst (specimen a kind shape (mkStdGen seed)),
+                let (whole, seen) = (draw Upright, draw Curtailed)
+            ]
+          reach part pixels = (minimum (map part pixels), maximum (map part pixels))
+          corners =
+            [ (w > h, left == 0, top == 0)
+              | pixels@(_ : _) <- lacking,
+                let ((left, right'), (top, bottom)) = (reach fst pixels, reach snd pixels),
+                let (w, h) = (right' - left + 1, bottom - top + 1),
+                w <= 3 && h >= 5 && h < 12 || h <= 3 && w >= 4 && w < 8
+            ]
+      length (filter null lacking) `shouldSatisfy` (<= 4)
+      let kinds = (,,) <$> [False, True] <*> [False, True] <*> [False, True]
+      map (\kind -> length (filter (== kind) corners)) kinds `shouldSatisfy` all (>= 5)
     check a = do
       -- From one seed the whole symbol and the curtailed one are seen alike.
       let lacking whole curtailed =

@@ -17,11 +17,13 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Segment
 import PraTactile.Segment.Lattice (Cell)
+import PraTactile.Stitch (Composite)
 import PraTactile.Symmetry
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own
--- symbols, whose pixels came about so, and the parts. Numbers them from the one given.
-withParts :: Reader -> Pixels -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+-- symbols, given how a composite's pixels came about, and the parts. Numbers them from the one
+-- given.
+withParts :: Reader -> (Composite -> Pixels) -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader pixels views from grid =
   (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where
@@ -33,16 +35,17 @@ withParts reader pixels views from grid =
     cells = Map.fromListWith (++) [(cell, [part]) | (cell, part) <- found]
 
 -- | Of one composite, the parts that are more likely one symbol than all others together.
-partsOf :: Reader -> Pixels -> Cells -> View -> [(Cell, ReadSymbol)]
+partsOf :: Reader -> (Composite -> Pixels) -> Cells -> View -> [(Cell, ReadSymbol)]
 partsOf (Reader shapesSeen _) pixels cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,
       let at = centroid centres,
       Just seen <- [look (onView view at)],
-      let part = readPart view at seen (estimatePart shapesSeen pixels seen),
+      let part = readPart view at seen (estimatePart shapesSeen cameAbout seen),
       readDoubt part < 0.5
   ]
   where
+    cameAbout = pixels (viewComposite view)
     look = partAt (viewComposite view) (viewSegmentation view)
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
     taken = Set.fromList (map fst own)

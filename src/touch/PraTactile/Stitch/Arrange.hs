@@ -7,6 +7,8 @@ module PraTactile.Stitch.Arrange
     Arrangement (..),
     arrange,
     withMisfit,
+    residual,
+    groupsOf,
   )
 where
 
@@ -141,7 +143,8 @@ sizeOf image = (rasterWidth image, rasterHeight image)
 moved :: [(Place, Raster)] -> [Place] -> [(Place, Raster)]
 moved = zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image))
 
--- | The standard deviation of one frame from what others saw, over all.
+-- | The standard deviation of one frame from what others saw, over all pixels of all frames that
+-- others saw, grey values: of images at their places, in taxels. 'Nothing' where none overlap.
 residual :: [(Place, Raster)] -> Maybe Double
 residual placed
   | total > 0 = Just (sqrt (sum [s * n | (s, n) <- found] / total))
@@ -176,8 +179,8 @@ compared there x y image = (if n > 0 then total / n else 0, n)
             Just (c, m) | m > 1.5 -> (s + (f - c) * (f - c) * m / (m - 1), k + 1)
             _ -> (s, k)
 
--- | The groups of images that overlap one another, directly or through others, numbered as they
--- come.
+-- | For each image, at its place in taxels, its group: images that overlap, directly or through
+-- others, are of one group. Groups are numbered from 0 as they come.
 groupsOf :: [(Place, Raster)] -> [Int]
 groupsOf placed = numbered (map (root joined) [0 .. length placed - 1])
   where

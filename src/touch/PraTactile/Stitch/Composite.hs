@@ -4,6 +4,7 @@ module PraTactile.Stitch.Composite
   ( Composite (..),
     Contradiction (..),
     compositeOf,
+    isUnregistered,
     compositePosition,
     compositePixel,
     blended,
@@ -55,6 +56,12 @@ compositeOf :: Raster -> Composite
 compositeOf image = Composite image everywhere (0, 0) [] [] Nothing
   where
     everywhere = constant (rasterWidth image) (rasterHeight image) 1
+
+-- | Whether it is of several frames that all lie at their nominal places, which nobody compared.
+isUnregistered :: Composite -> Bool
+isUnregistered composite = length displacements > 1 && all (== (0, 0)) displacements
+  where
+    displacements = compositeDisplacements composite
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)

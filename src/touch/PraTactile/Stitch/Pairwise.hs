@@ -6,6 +6,8 @@
 -- to count for nothing.
 module PraTactile.Stitch.Pairwise
   ( registerPairwise,
+    Link (..),
+    solved,
   )
 where
 
@@ -25,6 +27,7 @@ import PraTactile.Stitch.Spectrum
 -- | What the pair of two frames, by their numbers, says: by how much the second's displacement
 -- exceeds the first's, in a few hypotheses with their probabilities.
 data Link = Link !Int !Int ![Hypothesis]
+  deriving stock (Eq, Show)
 
 -- | The displacement of each image, x and y in taxels, given the tables by the images' width and
 -- height and the nominal places (taxels) of their upper left pixels; and the standard deviation of

@@ -1,6 +1,7 @@
 -- | Each frame of a composite against what the others show.
 module PraTactile.Stitch.Rest
   ( alignedToRest,
+    restOf,
   )
 where
 

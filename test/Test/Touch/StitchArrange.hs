@@ -1,0 +1,174 @@
+-- | What is told of frames once they are placed, each part against its definition: how much they
+-- differ, which of them hang together, what the others show, and what all pairs together say.
+module Test.Touch.StitchArrange (spec) where
+
+import qualified Data.IntMap.Strict as IntMap
+import Data.List (elemIndex, genericLength, nub)
+import Data.List.NonEmpty (NonEmpty (..))
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+import PraTactile.Image.Correlate (referenceSums, referenceWeights)
+import PraTactile.Stitch.Arrange (groupsOf, residual)
+import PraTactile.Stitch.Blend
+import PraTactile.Stitch.Composite (blended)
+import PraTactile.Stitch.Pairwise (Link (..), solved)
+import PraTactile.Stitch.Posterior (Hypothesis (..))
+import PraTactile.Stitch.Rest (restOf)
+import PraTactile.Stitch.Rotation (smooth)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+import Test.Touch.Image (genRasterOf)
+
+spec :: Spec
+spec = modifyMaxSuccess (const 100) $ do
+  residualSpec
+  groupSpec
+  restSpec
+  solvedSpec
+
+-- | An image of up to 6 x 6 pixels.
+genSmall :: Gen Raster
+genSmall = do
+  w <- choose (1, 6)
+  h <- choose (1, 6)
+  genRasterOf w h
+
+residualSpec :: Spec
+residualSpec =
+  it "the residual is the deviation of a frame from the mean of all that saw a pixel" $
+    forAll (choose (1, 5) >>= (`vectorOf` genPlaced)) $ \placed ->
+      let pixels =
+            [ ((x + u, y + v), value)
+              | ((x, y), image) <- placed,
+                u <- [0 .. rasterWidth image - 1],
+                v <- [0 .. rasterHeight image - 1],
+                Just value <- [index image u v]
+            ]
+          -- What all frames saw at each pixel that more than one saw.
+          seen =
+            [ vs
+              | p <- nub (map fst pixels),
+                vs@(_ : _ : _) <- [[v | (p', v) <- pixels, p' == p]]
+            ]
+          -- The sum of the squares from the mean, over one less than there are, is the variance; it
+          -- counts for as many pixels as there are frames.
+          squares = sum (map apart seen)
+          apart vs =
+            let n = genericLength vs
+             in n / (n - 1) * sum [(v - sum vs / n) ^ (2 :: Int) | v <- vs]
+          count = fromIntegral (length (concat seen)) :: Double
+          came = residual [((fromIntegral x, fromIntegral y), image) | ((x, y), image) <- placed]
+       in counterexample (show came) $ case came of
+            Nothing -> null seen
+            Just found -> not (null seen) && abs (found - sqrt (squares / count)) < 1e-9
+  where
+    genPlaced = (,) <$> ((,) <$> choose (-5, 5) <*> choose (-5, 5 :: Int)) <*> genSmall
+
+groupSpec :: Spec
+groupSpec = do
+  it "groups are what overlaps, directly or through others, numbered as they come" $
+    forAll (choose (0, 12) >>= (`vectorOf` genPlaced)) $ \placed ->
+      let numbered = zip [0 :: Int ..] placed
+          meets ((x, y), a) ((x', y'), b) =
+            meeting x (rasterWidth a) x' (rasterWidth b)
+              && meeting y (rasterHeight a) y' (rasterHeight b)
+          -- More than their edges.
+          meeting a m b n = min (a + fromIntegral m) (b + fromIntegral n) > max a b
+          beside ks = nub (ks ++ [l | k <- ks, (l, b) <- numbered, meets (snd (numbered !! k)) b])
+          closed ks = let more = beside ks in if length more == length ks then ks else closed more
+          firsts = [minimum (closed [k]) | (k, _) <- numbered]
+       in groupsOf placed === [fromMaybe (-1) (elemIndex f (nub firsts)) | f <- firsts]
+  it "frames that meet in an edge or a corner are apart; a hair nearer they are together" $
+    [ groupsOf [((0, 0), image), ((x, y), image)]
+      | image <- [constant 16 16 0],
+        (x, y) <-
+          [(16, 0), (0, 16), (-16, 3), (16, 16)]
+            ++ [(15.999, 0), (0, 15.999), (-15.999, -15.999)]
+    ]
+      `shouldBe` replicate 4 [0, 1] ++ replicate 3 [0, 0]
+  where
+    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genSmall
+    place = (/ 2) . fromIntegral <$> choose (-30, 30 :: Int)
+
+restSpec :: Spec
+restSpec =
+  it "the rest is what the other frames alone would make, smoothed; beyond them nothing is known" $
+    forAll (choose (1, 4) >>= (`vectorOf` genPlaced)) $ \others ->
+      forAll genPlaced $ \own ->
+        forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(left, top) ->
+          forAll ((,) <$> choose (8, 14) <*> choose (8, 14)) $ \(wide, high) ->
+            let composite = blended (0, 0) (fmap (\p -> (p, Nothing)) (own :| others)) []
+                corner part = floor (minimum (map (part . fst) (own : others))) :: Int
+                onGrid (i, j) ((x, y), image) =
+                  ((x - fromIntegral (corner fst + i), y - fromIntegral (corner snd + j)), image)
+                Blend sums weights = blend wide high (map (onGrid (left, top)) others)
+                differences a b = V.zipWith (-) (rasterValues a) (rasterValues b)
+                close a b = V.all ((< 1e-9) . abs) (differences a b)
+             in case restOf composite (left, top) (wide, high) (onGrid (left, top) own) of
+                  Nothing -> counterexample "nothing" False
+                  Just rest ->
+                    counterexample (show (referenceWeights rest, smooth weights)) $
+                      close (referenceWeights rest) (smooth weights)
+                        && close (referenceSums rest) (smooth sums)
+  where
+    -- Eighths, so that no pixel is seen by so little that it counts as not touched.
+    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genSmall
+    place = (/ 8) . fromIntegral <$> choose (-16, 16 :: Int)
+
+solvedSpec :: Spec
+solvedSpec =
+  it "each frame of all pairs is in the end where its pairs and the robot have it in the mean" $
+    forAll (choose (2, 5)) $ \count ->
+      forAll (elements [1, 2]) $ \sigma ->
+        forAll (vectorOf count (bothOf (choose (-sigma, sigma)))) $ \truth ->
+          forAll (linksOf truth) $ \links ->
+            let found = solved sigma count links
+                placeOf k = maybe (0, 0) fst (IntMap.lookup k found)
+                -- A pair's hypotheses as normal distributions of half a taxel around where they
+                -- have the frame, each by its own probability and by how well it fits; and a pair
+                -- that is wrong altogether, of probability 0.02.
+                told k =
+                  (1 / (sigma * sigma), (0, 0)) :
+                  concat
+                    [ [(4 * s / (sum (map fst fits) + 0.02), p) | (s, p) <- fits]
+                      | Link a b said <- links,
+                        k `elem` [a, b],
+                        let (ox, oy) = placeOf (if k == b then a else b),
+                        let side = if k == b then 1 else -1,
+                        let fits =
+                              [ (p * exp (-2 * squared (placeOf k) place), place)
+                                | Hypothesis (ex, ey) p <- said,
+                                  let place = (ox + side * ex, oy + side * ey)
+                              ]
+                    ]
+                squared (x, y) (u, v) = (x - u) ^ (2 :: Int) + (y - v) ^ (2 :: Int)
+                expected k =
+                  let weight = sum (map fst (told k))
+                      along part = sum [m * part p | (m, p) <- told k] / weight
+                   in ((along fst, along snd), sqrt (1 / weight))
+                near (x, y) (u, v) = max (abs (x - u)) (abs (y - v)) < 0.05
+             in counterexample (show [(placeOf k, expected k) | k <- [0 .. count - 1]]) $
+                  IntMap.keys found == [0 .. count - 1]
+                    && and
+                      [ near (placeOf k) (fst (expected k))
+                          && abs (maybe 0 snd (IntMap.lookup k found) - snd (expected k)) < 0.05
+                        | k <- [0 .. count - 1]
+                      ]
+  where
+    bothOf one = (,) <$> one <*> one
+    -- Every pair says where the frames are, nearly, and with less probability another place.
+    linksOf truth =
+      sequence
+        [ do
+            (i, j) <- bothOf (choose (-0.3, 0.3))
+            (far, side) <- (,) <$> choose (4, 6) <*> elements [-1, 1]
+            p <- choose (0.6, 1)
+            let step = (x' - x + i, y' - y + j)
+                elsewhere = (fst step + side * far, snd step)
+            pure (Link k l [Hypothesis step p, Hypothesis elsewhere (1 - p)])
+          | (k, (x, y)) <- zip [0 ..] truth,
+            (l, (x', y')) <- zip [0 ..] truth,
+            k < l
+        ]
