@@ -340,7 +340,7 @@ def main():
             pairs = list(real(pathlib.Path(folder), given.real, level, given.pairs, given.seed))
             told.append(table(given.program, f"real frames, noise {level}", pairs, others=not given.no_peers))
     for level in (0.2, 0.3) if given.mosaics else ():
-        for method in ("auto", "lattice", "incremental"):
+        for method in ("auto", "lattice", "joint", "incremental"):
             told.append({"title": "mosaics", "rows": [mosaics(given.program, level, given.mosaics, given.seed, method)]})
     if given.json:
         given.json.write_text(json.dumps(told, indent=1) + "\n")

@@ -6,7 +6,7 @@ import Data.List (sort)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Advise
-import PraTactile.Advise.Fit (candidates)
+import PraTactile.Advise.Fit (candidates, fits)
 import PraTactile.Advise.Layout (degreeOfOrder, sureWindows)
 import PraTactile.Array
 import PraTactile.ArrayCode
@@ -54,6 +54,16 @@ spec = do
       (n, length (candidates (Proxy :: Proxy GF2) n)) `shouldBe` (n, count)
     forM_ [(16, 32), (17, 4)] $ \(n, count) ->
       (n, length (candidates (Proxy :: Proxy GF4) n)) `shouldBe` (n, count)
+  it "no window fits where the array itself cannot be made, of degree 1 neither" $ do
+    let units = candidates (Proxy :: Proxy GF4) 1
+        ofUnits = fits 1 units
+    length units `shouldBe` 2
+    -- x + a has 3 states.
+    fmap fitWindow (ofUnits (Single Diagonal) (Shape 1 3) (Shape 1 1)) `shouldBe` Right (Shape 1 1)
+    let impossible =
+          [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
+    map (\(layout, shape) -> ofUnits layout shape (Shape 1 1)) impossible
+      `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
   it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))
     take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]
