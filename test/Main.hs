@@ -106,6 +106,7 @@ import qualified Test.Touch.Image
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pair
+import qualified Test.Touch.PairParts
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
@@ -184,6 +185,7 @@ specs = do
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
     describe "What stitching is made of" Test.Touch.StitchParts.spec
+    describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
