@@ -66,6 +66,7 @@ import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
 import qualified Test.Conformance.Scenes
+import qualified Test.Conformance.Sentences
 import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
@@ -227,6 +228,7 @@ specs = do
     Test.Conformance.Scenes.spec >> describe "drawings" Test.Conformance.Drawings.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
+  describe "Conformance: what impostors of touch say" Test.Conformance.Sentences.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec

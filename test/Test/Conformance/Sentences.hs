@@ -1,0 +1,212 @@
+-- | What each impostor of touch says of itself is what it does: to the answers of somebody who
+-- always gives the same ones, and to what is asked of them.
+module Test.Conformance.Sentences (spec) where
+
+import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Foldable (for_)
+import Data.IORef
+import Data.List (find, sort)
+import PraTactile.Conformance
+import PraTactile.Conformance.Impostors
+import PraTactile.Conformance.Law (Stage (..))
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  segmentSpec
+  registerSpec
+  stitchSpec
+
+-- | The touch of the impostor of that name, made of this one.
+made :: String -> Touch -> IO Touch
+made name right' = do
+  one <- maybe (fail ("no impostor " ++ name)) pure (find ((== name) . impostorName) impostors)
+  pure (touch (impostorMake one library {touch = right'}))
+
+namesOn :: Stage -> [String]
+namesOn stage = [impostorName one | one <- impostors, impostorTouches one == [stage]]
+
+answered :: Wire a -> IO a
+answered wire = runExceptT wire >>= either (fail . show . refusalReason) pure
+
+segmentSpec :: Spec
+segmentSpec = describe "of finding symbols" $ do
+  it "there is a sentence for each, and it holds of what is told" $
+    sort (map fst answers ++ map fst questions) `shouldBe` sort (namesOn OnSegment)
+  for_ answers $ \(name, cases) -> it name $
+    for_ cases $ \(rows, right', wrong) -> do
+      with <- made name noTouch {segment = const (pure (map symbol right'))}
+      found <- answered (segment with rows)
+      map plain found `shouldBe` wrong
+  for_ questions $ \(name, cases) -> it name $
+    for_ cases $ \(rows, other) -> do
+      seen <- newIORef []
+      with <- made name noTouch {segment = \given -> [] <$ liftIO (writeIORef seen given)}
+      _ <- answered (segment with rows)
+      readIORef seen `shouldReturn` other
+  where
+    symbol (x, y, a) = Symbol (x, y) a
+    plain (Symbol (x, y) a) = (x, y, a)
+    some = [(10, 20, 5), (27.5, 41, 93), (3, 4, 178)]
+    even' = replicate 8 (replicate 6 7)
+    answers =
+      [ ( "tells-corners-for-centres",
+          [(even', some, [(6.5, 14.5, 5), (24, 35.5, 93), (-0.5, -1.5, 178)])]
+        ),
+        ("tells-rows-for-columns", [(even', some, [(20, 10, 5), (41, 27.5, 93), (4, 3, 178)])]),
+        ("counts-pixels-from-one", [(even', some, [(11, 21, 5), (28.5, 42, 93), (4, 5, 178)])]),
+        ( "puts-symbols-on-a-lattice",
+          [(even', some, [(10, 20, 5), (26, 40, 93), (10, 0, 178)]), (even', [], [])]
+        ),
+        ( "calls-upright-symbols-lying",
+          [(even', some, [(10, 20, 95), (27.5, 41, 183), (3, 4, 268)])]
+        ),
+        ("sees-every-symbol-upright", [(even', some, [(10, 20, 0), (27.5, 41, 0), (3, 4, 0)])]),
+        ("knows-four-directions", [(even', some, [(10, 20, 0), (27.5, 41, 90), (3, 4, 180)])]),
+        ( "finds-upright-symbols-only",
+          [ (even', some, [(10, 20, 5), (3, 4, 178)]),
+            (even', [(0, 0, a) | a <- [44, 46, 134, 136]], [(0, 0, 44), (0, 0, 136)])
+          ]
+        ),
+        ( "overlooks-the-last-symbol",
+          [(even', some, [(10, 20, 5), (27.5, 41, 93)]), (even', [], [])]
+        ),
+        ( "takes-cut-symbols-for-whole",
+          [ (even', some, some),
+            ([[7, 7], [7, 9]], some, some),
+            ([[7, 7], [9, 7]], some, some ++ [(1, 6, 0)])
+          ]
+        ),
+        ("sees-a-symbol-in-nothing", [(even', some, some), (even', [], [(0, 4, 0)])])
+      ]
+    questions =
+      [ ( "has-a-threshold-of-its-own",
+          [ ([[13999, 14001], [20000, 0]], [[13999, 14001], [20000, 0]]),
+            ([[14000, 14001], [20001, 65535]], [[8000, 20000], [20000, 20000]]),
+            -- Too large for a grey value, which is refused.
+            ([[14000, 14001], [20001, 65536]], [[8000, 20000], [20000, 65536]])
+          ]
+        ),
+        ( "segments-ragged-rows",
+          [([[1, 2], [], [4, 5, 6]], [[1, 2, 0], [0, 0, 0], [4, 5, 6]]), ([], [])]
+        )
+      ]
+
+registerSpec :: Spec
+registerSpec = describe "of registering frames" $ do
+  it "there is a sentence for each, and it holds of what is told" $
+    sort (map fst answers ++ map fst questions ++ ["compares-grey-values"])
+      `shouldBe` sort (namesOn OnRegister)
+  for_ answers $ \(name, cases) -> it name $
+    for_ cases $ \(right', wrong) -> do
+      with <- made name noTouch {register = const (pure right')}
+      answered (register with (Pair flat flat (8, -1) 3)) `shouldReturn` wrong
+  for_ questions $ \(name, cases) -> it name $
+    for_ cases $ \(pair, other) -> do
+      seen <- newIORef Nothing
+      with <-
+        made name noTouch {register = \given -> found <$ liftIO (writeIORef seen (Just given))}
+      _ <- answered (register with pair)
+      readIORef seen `shouldReturn` Just other
+  it "compares-grey-values" $ do
+    -- The second shows what the first does, two taxels further right and one down.
+    let scene = [[10 * x * x + 7 * y * y * y | x <- [0 .. 9]] | y <- [0 .. 9]]
+        cut x y = [take 5 (drop x row) | row <- take 5 (drop y scene)]
+        asked' = Pair (cut 2 2) (cut 4 3)
+        told reason pair = do
+          let right' = found {registeredReason = reason}
+          with <- made "compares-grey-values" noTouch {register = const (pure right')}
+          registeredBest <$> answered (register with pair)
+    told Nothing (asked' (2, 1) 0) `shouldReturn` (2, 1)
+    told Nothing (asked' (1, 2) 2) `shouldReturn` (2, 1)
+    told Nothing (asked' (4, 1) 1) `shouldReturn` (3, 1)
+    told (Just "ambiguous") (asked' (1, 2) 2) `shouldReturn` registeredBest found
+  where
+    flat = replicate 4 (replicate 4 1)
+    found = Registered Nothing (7, 2) (True, True)
+    axis = Registered (Just "one-axis") (7, 2) (True, False)
+    for' reason = Registered (Just reason) (7, 2) (False, False)
+    unclear = for' "ambiguous"
+    answers =
+      [ ("registers-x-backwards", [(found, found {registeredBest = (9, 2)})]),
+        ("registers-rows-for-columns", [(found, found {registeredBest = (2, 7)})]),
+        ("registers-one-off", [(found, found {registeredBest = (8, 2)})]),
+        ("registers-to-the-middle", [(found, found {registeredBest = (7.5, 0.5)})]),
+        ("trusts-the-step", [(found, found {registeredBest = (8, -1)})]),
+        ("registers-whatever-comes", [(found, found), (axis, found), (unclear, found)]),
+        ( "calls-every-refusal-ambiguous",
+          [ (found, found),
+            (axis, axis {registeredReason = Just "ambiguous"}),
+            (for' "blank", unclear),
+            (for' "no-overlap", unclear)
+          ]
+        ),
+        ( "calls-the-ambiguous-blank",
+          [(unclear, for' "blank"), (axis, axis), (found, found)]
+            ++ [(for' "no-overlap", for' "no-overlap")]
+        ),
+        ( "names-the-other-axis",
+          [(axis, axis {registeredFixed = (False, True)}), (unclear, unclear), (found, found)]
+        )
+      ]
+    questions =
+      [ ( "searches-one-taxel",
+          [(asking (8, 0) k, asking (8, 0) l) | (k, l) <- [(0, 0), (1, 1), (2, 1), (5, 1)]]
+        ),
+        ( "steps-forwards-only",
+          [(asking (-8, 3) 2, asking (8, 3) 2), (asking (1, -4) 2, asking (1, 4) 2)]
+        ),
+        ( "takes-the-least-frame",
+          [ ( Pair [[1, 2, 3], [4, 5, 6]] [[7, 8], [9, 10], [11, 12]] (0, 0) 1,
+              Pair [[1, 2], [4, 5]] [[7, 8], [9, 10]] (0, 0) 1
+            ),
+            (asking (8, 0) 2, asking (8, 0) 2)
+          ]
+        )
+      ]
+    asking = Pair flat flat
+
+stitchSpec :: Spec
+stitchSpec = describe "of putting frames together" $ do
+  it "there is a sentence for each, and it holds of what is told" $
+    sort (map fst answers ++ [name | (name, _, _) <- questions]) `shouldBe` sort (namesOn OnStitch)
+  for_ answers $ \(name, wrong) -> it name $ do
+    with <- made name noTouch {stitch = \_ frames -> pure (take (length frames) right')}
+    answered (stitch with 2 placed) `shouldReturn` wrong
+    none <- made name noTouch {stitch = \_ _ -> pure []}
+    answered (stitch none 2 []) `shouldReturn` []
+  for_ questions $ \(name, given, other) -> it name $ do
+    seen <- newIORef []
+    with <-
+      made name noTouch {stitch = \_ frames -> [] <$ liftIO (writeIORef seen frames)}
+    _ <- answered (stitch with 2 given)
+    readIORef seen `shouldReturn` other
+  where
+    frame = replicate 2 (replicate 2 5)
+    placed = [Placed frame (20, 0), Placed frame (0, 40), Placed frame (-10, 40)]
+    right' = [(1, 2), (-0.5, 0.25), (0, -1)]
+    answers =
+      [ ("stitches-nothing", [(0, 0), (0, 0), (0, 0)]),
+        ("corrects-backwards", [(-1, -2), (0.5, -0.25), (0, 1)]),
+        ("corrects-rows-for-columns", [(2, 1), (0.25, -0.5), (-1, 0)]),
+        ("corrects-along-rows", [(1, 0), (-0.5, 0), (0, 0)]),
+        ("stretches-the-robot", [(2, 2), (-0.5, 2.25), (-0.5, 1)]),
+        ("leaves-the-last-frame", [(1, 2), (-0.5, 0.25), (0, 0)]),
+        -- The third lies left of the second.
+        ("tells-frames-row-by-row", [(1, 2), (0, -1), (-0.5, 0.25)])
+      ]
+    questions =
+      [ ( "counts-places-from-zero",
+          [Placed frame (-3, 4), Placed frame (5, -6)],
+          [Placed frame (3, 4), Placed frame (5, 6)]
+        ),
+        ( "takes-bright-for-saturated",
+          [Placed [[0, 21844], [21845, 21846]] (1, 1), Placed [[65535]] (0, 0)],
+          [Placed [[0, 21844], [21845, 21845]] (1, 1), Placed [[21845]] (0, 0)]
+        ),
+        ( "stitches-frames-of-any-size",
+          [Placed [[1, 2, 3], [4, 5, 6]] (0, 0), Placed [[7, 8], [9, 10], [11, 12]] (1, 0)],
+          [Placed [[1, 2], [4, 5]] (0, 0), Placed [[7, 8], [9, 10]] (1, 0)]
+        )
+      ]
