@@ -228,7 +228,7 @@ specs = do
     Test.Conformance.Scenes.spec >> describe "drawings" Test.Conformance.Drawings.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
-  describe "Conformance: what impostors of touch say" Test.Conformance.Sentences.spec
+  describe "Conformance: what impostors say of themselves" Test.Conformance.Sentences.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec

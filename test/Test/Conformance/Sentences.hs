@@ -1,19 +1,24 @@
--- | What each impostor of touch says of itself is what it does: to the answers of somebody who
--- always gives the same ones, and to what is asked of them.
+-- | What impostors say of themselves is what they do: those of touch to the answers of somebody who
+-- always gives the same ones, and to what is asked of them; those of opening to every profile of
+-- the kind that they take, or do not.
 module Test.Conformance.Sentences (spec) where
 
 import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.Except (runExceptT)
+import Data.Either (isLeft, isRight)
 import Data.Foldable (for_)
 import Data.IORef
 import Data.List (find, sort)
+import PraTactile.Array (Folding (..), Shape (Shape), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Law (Stage (..))
+import PraTactile.Profile (Profile (..))
 import Test.Hspec
 
 spec :: Spec
 spec = do
+  openingSpec
   segmentSpec
   registerSpec
   stitchSpec
@@ -29,6 +34,112 @@ namesOn stage = [impostorName one | one <- impostors, impostorTouches one == [st
 
 answered :: Wire a -> IO a
 answered wire = runExceptT wire >>= either (fail . show . refusalReason) pure
+
+-- | Each takes impossible profiles of a kind, or refuses possible ones: every default profile is
+-- made one of that kind.
+openingSpec :: Spec
+openingSpec = describe "of opening" $ do
+  it "there is a sentence for each, and it holds of the profiles that are opened" $
+    sort (map fst taken ++ map fst refused) `shouldBe` sort (namesOn OnProfile)
+  for_ taken $ \(name, spoilt) -> it name $ do
+    found <-
+      sequence
+        [ (,,) name' (shown p') <$> opens name p'
+          | (name', p) <- defaultProfiles,
+            p' <- spoilt p,
+            isLeft (known p')
+        ]
+    found `shouldSatisfy` (not . null)
+    filter (\(_, _, came) -> not came) found `shouldBe` []
+  for_ refused $ \(name, (right', wrong)) -> it name $
+    for_ defaultProfiles $ \(name', p) -> do
+      let possible = filter (not . isLeft . known)
+      mapM (opens name) (possible (right' p)) >>= (`shouldSatisfy` and)
+      these <- mapM (opens name) (possible (wrong p))
+      (name', or these) `shouldBe` (name', False)
+  where
+    shown p' = (profilePolynomial p', profileModulus p', profileState p', profileShape p')
+    opens name p = do
+      one <- maybe (fail ("no impostor " ++ name)) pure (find ((== name) . impostorName) impostors)
+      isRight <$> runExceptT (open (impostorMake one library) p)
+    -- Over the field of another modulus the polynomial need not be primitive.
+    usual p = profileModulus p `notElem` [[1, 0, 1], [1, 0, 1, 1]]
+    degree p = length (profilePolynomial p) - 1
+    led by xs = take (length xs - 1) xs ++ [by]
+    modulo p = map (+ profileOrder p)
+    taken =
+      [ ("reads-the-order-off-the-modulus", \p -> [p {profileOrder = q} | q <- [1, 6, 10]]),
+        ( "takes-the-usual-modulus-for-another-degree",
+          \p -> [p {profileModulus = m} | usual p, m <- [profileModulus p ++ [1], []]]
+        ),
+        ( "takes-the-usual-modulus-for-a-reducible-one",
+          \p ->
+            [ p {profileModulus = replicate (length (profileModulus p) - 1) 0 ++ [1]}
+              | usual p
+            ]
+        ),
+        ("makes-the-modulus-monic", \p -> [p {profileModulus = led 2 (profileModulus p)}]),
+        ("reduces-the-modulus", \p -> [p {profileModulus = modulo p (profileModulus p)}]),
+        ( "makes-the-polynomial-monic",
+          \p -> [p {profilePolynomial = led a (profilePolynomial p)} | a <- [0, profileOrder p]]
+        ),
+        ( "accepts-a-polynomial-that-is-not-primitive",
+          \p -> [p {profilePolynomial = 1 : replicate (degree p - 1) 0 ++ [1]}]
+        ),
+        ( "reduces-the-polynomial",
+          \p -> [p {profilePolynomial = modulo p (profilePolynomial p)}]
+        ),
+        ("accepts-the-state-of-zeros", \p -> [p {profileState = replicate (degree p) 0}]),
+        ( "fills-up-the-state",
+          \p ->
+            [ p {profileState = state}
+              | state <- [[], [1], replicate (degree p - 1) 0, profileState p ++ [1, 0]]
+            ]
+        ),
+        ( "reduces-the-state",
+          \p ->
+            [ p {profileState = state}
+              | state <- [modulo p (profileState p), replicate (degree p) (profileOrder p)]
+            ]
+        ),
+        ( "accepts-any-shape",
+          \p -> let Shape h w = profileShape p in [p {profileShape = Shape (h + 1) w}]
+        ),
+        ( "accepts-sides-that-are-not-coprime",
+          \p ->
+            [ p {profileShape = Shape d (cells `div` d), profileFolding = Diagonal}
+              | let cells = area (profileShape p),
+                d <- [2 .. 20],
+                cells `mod` (d * d) == 0
+            ]
+        ),
+        ( "accepts-the-window-without-cells",
+          \p -> [p {profileWindow = window} | window <- [Shape 0 2, Shape 2 0, Shape 0 0]]
+        )
+      ]
+    -- What is opened all the same, and what is refused.
+    refused =
+      [ ( "demands-that-windows-differ",
+          ( \p -> [p {profileWindow = Shape 1 (fromIntegral (degree p))}],
+            \p -> [p {profileWindow = Shape 1 1} | profileOrder p <= area (profileShape p)]
+          )
+        ),
+        ( "demands-a-primitive-modulus",
+          ( \p -> [p | profileModulus p /= [1, 0, 1]],
+            \p -> [p {profileModulus = [1, 0, 1]} | profileOrder p == 9]
+          )
+        ),
+        ( "demands-the-usual-state",
+          ( \p -> [p {profileState = replicate (degree p - 1) 0 ++ [1]}],
+            \p -> [p {profileState = 1 : replicate (degree p - 1) 0} | degree p > 1]
+          )
+        ),
+        ( "demands-a-diagonal-fold",
+          ( \p -> [p | profileFolding p == Diagonal],
+            \p -> [p {profileFolding = RowMajor}]
+          )
+        )
+      ]
 
 segmentSpec :: Spec
 segmentSpec = describe "of finding symbols" $ do
