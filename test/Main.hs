@@ -113,6 +113,7 @@ import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
 import qualified Test.Touch.Segment
+import qualified Test.Touch.SegmentForeign
 import qualified Test.Touch.SegmentParts
 import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
@@ -191,6 +192,7 @@ specs = do
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
     describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
     describe "Extents" Test.Touch.Extents.spec

@@ -231,6 +231,13 @@ besideForeign = do
             recognition <-
               either (fail . show) pure (decodeComposites standardTolerance decoder' [composite])
             (k, misplaced scene recognition) `shouldBe` (k, [])
+  it "what is foreign does not depend on the sensor's gain and offset" $
+    for_ things $ \(Thing name foreign' _ _) -> for_ (take 2 scenes) $ \(k, scene) -> do
+      let composite = drawnWith k 0.03 foreign' scene
+          image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
+          dimmed = composite {compositeImage = image}
+          taken c = (compositeCoverage (cleanedComposite c), cleanedRejects c)
+      (name, k, taken (cleaned dimmed) == taken (cleaned composite)) `shouldBe` (name, k, True)
   it "a composite without it stays as it is" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene

@@ -9,6 +9,12 @@
 module PraTactile.Segment.Foreign
   ( Cleaned (..),
     withoutForeign,
+
+    -- * Shapes of regions
+    tooLong,
+    symbolSized,
+    unlikeSymbols,
+    straight,
   )
 where
 
@@ -233,8 +239,8 @@ foreignIn field own symbols =
     found = regions field 0
     widened by region = [p | p <- grown field by region, not (kept V.! p)]
 
--- | The parts of a region that lie on straight lines within it, longer than any symbol has: without
--- the symbols that touch a bar.
+-- | The parts of a region that lie on straight lines within it, longer than any symbol has: of a
+-- symbol that touches a bar only what lies on lines through both.
 straight :: Field -> Region -> [Region]
 straight field region = regions field 0 (around field 0 onLines)
   where
