@@ -127,6 +127,9 @@ oneShotSpec = describe "with a process a request" $ do
         ("wrong-number", "out-of-order"),
         ("twice", "answered-twice"),
         ("garbage-after", "not-a-reply"),
+        -- The first of them, and 1002 more.
+        ("lines-after-1002", "not-a-reply"),
+        ("lines-after-1003", "endless-output"),
         ("half-line-after", "half-line"),
         ("long-line-after", "line-too-long"),
         ("stays", "does-not-stop")

@@ -162,6 +162,13 @@ spec = do
           Rates a b c = softRatesAtMost 1 tally
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
       (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it "answers of which none can be wrong are given at any share, also where others are doubted" $
+    forM_ [(0, 0.25), (0.1, 0.25 + 0.4), (0.5, 1)] $ \(share, given) -> do
+      -- One of four is beyond doubt; of the others each is wrong with probability 1/4.
+      let tally = foldl' count noTrials (TrialResult NoAnswer True 0 : replicate 3 doubted)
+          doubted = TrialResult NoAnswer True 0.25
+          Rates isRight isWrong none = softRatesAtMost share tally
+      maximum (map abs [isRight - given, isWrong, none - (1 - given)]) `shouldSatisfy` (< 1e-9)
   it "trials are counted, in parts or at once, and the rates are the shares of them" $
     property $
       forAll (listOf (listOf genResult)) $ \parts ->

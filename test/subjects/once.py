@@ -33,6 +33,8 @@ if FAULT == "half-line-after" and at_fault:
     sys.stdout.write('{"sequence": 3')
 if FAULT == "long-line-after" and at_fault:
     print(" " * 100_000_000)
+if FAULT.startswith("lines-after-") and at_fault:
+    sys.stdout.write("done\n" * int(FAULT.split("-")[2]))
 if FAULT == "status" and at_fault:
     sys.exit(4)
 if FAULT == "stays" and at_fault:

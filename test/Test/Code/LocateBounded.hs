@@ -8,10 +8,13 @@ import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.LinearCode.Elimination (rowFromList)
 import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.List.Search (positionsOnSheet)
+import PraTactile.Locate.Decoder.ObservedCode (observedCode)
 import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Window
 import PraTactile.Window.Distance
@@ -133,6 +136,22 @@ boundsSpec = do
         forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
           whenRight (decoded ready Guaranteed word) $ \found ->
             fst (located found) === Just (Position 3 4)
+  it "a word's positions on the sheet are counted; beyond 1024 it is told whether there is one" $ do
+    let shape = Shape 255 257
+        sides' = [Shape 1 1, Shape 1 3, Shape 1 4, Shape 2 2, Shape 1 200]
+    array <- arrayOver gf4 8 Diagonal shape
+    algebra <- right (rectangle (Shape 4 2)) >>= right . prepareAlgebra Sheet array
+    forM_ sides' $ \side -> do
+      code <- right (observedCode algebra (cellsOf side))
+      forM_ [Position 3 5, Position 100 50] $ \at -> do
+        let word = content array at (cellsOf side)
+            onSheet = Shape (256 - rows side) (258 - columns side)
+            there = filter (\p -> content array p (cellsOf side) == word) (cellsOf onSheet)
+            -- Each cell is one equation for the state of eight.
+            looked = min (4 ^ (8 - min 8 (area side))) (area onSheet)
+            told = if looked > 1024 then take 1 there else there
+        (side, positionsOnSheet code (rowFromList word))
+          `shouldBe` (side, fromIntegral (length told))
   it "a search that would be too long is refused, and other cells than those prepared for" $ do
     array <- vastArray
     algebra <- vastAlgebra

@@ -69,6 +69,12 @@ calibrating = do
             [generate 5 1 (\x _ -> dark x + rise x)]
         )
     calibrationDead found `shouldBe` [(0, 2), (0, 4)]
+  it "any element may be dead, and others are not for that" $
+    for_ [(y, x) | y <- [0 .. 3], x <- [0 .. 4]] $ \place -> do
+      let dark = constant 5 4 0.1
+          lit = generate 5 4 (\x y -> if (y, x) == place then 0.15 else 0.5)
+      found <- right (calibrate [dark, dark] [lit, lit, lit])
+      calibrationDead found `shouldBe` [place]
   it "in the place of a dead element stands the mean of its neighbours" $ do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
         plain = Calibration (constant 6 6 0) (constant 6 6 1) dead

@@ -8,6 +8,7 @@ module PraTactile.Locate.Decoder.List.Search
     noWords,
     explore,
     shareOf,
+    positionsOnSheet,
   )
 where
 
