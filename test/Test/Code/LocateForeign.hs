@@ -58,6 +58,22 @@ spec = do
         posteriorDoubt found - place - foreign' `shouldSatisfy` ((< 1e-12) . abs)
         sum (map snd (posteriorRanking found)) + foreign' - 1 `shouldSatisfy` ((< 1e-9) . abs)
       other -> expectationFailure (show other)
+  it "where places are unlisted, the likeliest alone speaks for the array" $ do
+    array <- paperArray
+    window <- paperWindow
+    let rows' = look array (Shape 3 3) (Position 6 5)
+        asked name share = do
+          seen <- right (patch (map (map (fmap beliefs)) rows'))
+          right $
+            locate (locator (Just name) MostSignificantFirst array window) (asking seen 0.5 share)
+        foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
+        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0)
+    listed <- asked ListDecoder Nothing
+    fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
+    byList <- foreignBy ListDecoder
+    compared <- foreignBy PosteriorDecoder
+    abs (byList - alone) `shouldSatisfy` (< 1e-12)
+    compared `shouldSatisfy` (< byList)
   it "told wrong and counted wrong agree: a fifth of 1500 patches is foreign" $ do
     array <- paperArray
     window <- paperWindow
