@@ -13,6 +13,7 @@ import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Locate.Decoder.InformationSet
+import PraTactile.Locate.Decoder.List.Bounds (Bounds (..), allBounds)
 import PraTactile.Locate.Decoder.List.Search (positionsOnSheet)
 import PraTactile.Locate.Decoder.ObservedCode (observedCode)
 import PraTactile.Locate.Patch (patchOf)
@@ -136,6 +137,16 @@ boundsSpec = do
         forAll (wronging (fromIntegral radius) (content array (Position 3 4) offsets)) $ \word ->
           whenRight (decoded ready Guaranteed word) $ \found ->
             fst (located found) === Just (Position 3 4)
+  it "what is unlisted in several symmetries is at most the sum of what is in each" $
+    holds 200 $
+      forAll (listOf ((,) <$> genLogarithm <*> genLogarithm)) $ \several ->
+        let together = sum [exp mass | (mass, _) <- several]
+            highest = maximum (map snd several)
+         in case allBounds [Bounds mass word | (mass, word) <- several] of
+              Nothing -> several === []
+              Just (Bounds mass word) ->
+                counterexample (show (mass, word)) $
+                  abs (exp mass - together) <= 1e-12 * together && word == highest
   it "a word's positions on the sheet are counted; beyond 1024 it is told whether there is one" $ do
     let shape = Shape 255 257
         sides' = [Shape 1 1, Shape 1 3, Shape 1 4, Shape 2 2, Shape 1 200]
@@ -197,6 +208,9 @@ boundsSpec = do
       decisionOutcome found `shouldBe` Unique (Position 0 0) []
       let Distances _ least next _ _ = decisionDistances found
       (least, next) `shouldBe` (Just (Exactly 0), Nothing)
+  where
+    -- Of what has probability 0 too.
+    genLogarithm = frequency [(5, choose (-40, 0)), (1, pure (-1 / 0))]
 
 -- | At random positions of an array for this window, with this many cells missing, as many wrong
 -- ones are found as the distance that is proved guarantees, which is at least the first number; and
