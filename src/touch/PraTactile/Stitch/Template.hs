@@ -16,6 +16,7 @@ module PraTactile.Stitch.Template
     placesPerTaxel,
     coarser,
     correlations,
+    thinned,
     cellIndex,
     turnedBy,
   )
@@ -37,6 +38,7 @@ import PraTactile.Shape
     symbolHeight,
     symbolWidth,
   )
+import PraTactile.Stitch.Tabulate (tabulate)
 
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
 -- that are turned from the frames'.
@@ -94,64 +96,127 @@ cellIndex tables orientation y x = (orientation * rows + y) * columns + x
     (columns, rows) = templateGrid tables
 {-# INLINE cellIndex #-}
 
+-- | Of numbers by 'cellIndex' and class those at whole taxels, in the same order.
+thinned :: Templates -> Vector Double -> Vector Double
+thinned fine numbers = tabulate (count * columns) (2 * rows) $ \y ->
+  let (o, r) = y `quotRem` rows
+      !start = cellIndex fine o (q * r) 0 * count
+   in \i -> let (x, k) = i `quotRem` count in V.unsafeIndex numbers (start + q * x * count + k)
+  where
+    q = templatePlaces fine
+    count = templateClasses fine
+    (columns, rows) = let (across, down) = templateGrid fine in (across `quot` q, down `quot` q)
+
+-- | The symbols of an alphabet as the tables need them, whatever their angle and the frames' size.
+data Symbols = Symbols
+  { symbolsClasses :: !Int,
+    -- | For each orientation and class, its corners: column, row, and how often the sum of the area
+    -- up to there counts.
+    symbolsCorners :: [[(Int, Int, Double)]],
+    -- | For each orientation and class, and each part of a taxel down and across that it may lie
+    -- further, the squares of the template on a box of 'boxWide' columns and 'boxHigh' rows, whose
+    -- first lie the margin before the symbol's.
+    symbolsSquares :: !(Vector Double)
+  }
+
+symbolsOf :: Alphabet -> Symbols
+symbolsOf alphabet =
+  Symbols (length (shapes alphabet)) (map corners bitmaps) (V.concat (map drawn bitmaps))
+  where
+    bitmaps = shapes alphabet ++ map halfTurned (shapes alphabet)
+    corners b =
+      [ (x, y, count)
+        | y <- [0 .. symbolHeight],
+          x <- [0 .. symbolWidth],
+          let before = covered (x - 1) (y - 1) - covered x (y - 1)
+              count = before - covered (x - 1) y + covered x y,
+          count /= 0
+      ]
+      where
+        covered x y = if embossedAt b x y then 1 else 0
+    parts = [fromIntegral i / fromIntegral placesPerTaxel | i <- [0 .. placesPerTaxel - 1]]
+    drawn b = V.concat [squaresAt b x y | y <- parts, x <- parts]
+    squaresAt b partX partY =
+      tabulate boxWide boxHigh $ \v u ->
+        squared
+          ( sum
+              [ V.unsafeIndex acrossRows (u + boxWide * j) * V.unsafeIndex downShares (v - j)
+                | j <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v]
+              ]
+          )
+      where
+        acrossRows =
+          tabulate boxWide symbolHeight $ \j u ->
+            sum
+              [ V.unsafeIndex acrossShares (u - i)
+                | i <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
+                  embossedAt b i j
+              ]
+        acrossShares = sharesAround partX
+        downShares = sharesAround partY
+    sharesAround t =
+      V.generate (2 * margin + 1) (\d -> seenAt (fromIntegral (d - margin) - t)) :: Vector Double
+    -- Next to nothing is nothing.
+    squared t = if t * t > 1e-4 then t * t else 0
+
 -- | The tables for an alphabet whose axes are turned by so many degrees clockwise, and frames of
 -- that width and height.
 templates :: Alphabet -> Double -> Int -> Int -> Templates
-templates alphabet angle w h =
-  (fine placesPerTaxel) {templateCoarse = Just (coarseTemplates alphabet angle w h)}
-  where
-    fine = tabled alphabet angle w h
+templates = fineTemplates . symbolsOf
 
--- | The same at whole taxels only.
-coarseTemplates :: Alphabet -> Double -> Int -> Int -> Templates
-coarseTemplates alphabet angle w h = tabled alphabet angle w h 1
-
--- | The same at so many places to the taxel.
-tabled :: Alphabet -> Double -> Int -> Int -> Int -> Templates
-tabled alphabet angle w h q = tables
+fineTemplates :: Symbols -> Double -> Int -> Int -> Templates
+fineTemplates symbols angle w h = fine {templateCoarse = Just coarse}
   where
-    bitmaps = Boxed.fromList (shapes alphabet ++ map halfTurned (shapes alphabet))
-    corners =
-      [ turnedBy (negate angle) (fromIntegral x, fromIntegral y)
-        | x <- [0, w - 1],
-          y <- [0, h - 1]
-      ]
-    (left, wide) = extent (map fst corners)
-    (top, high) = extent (map snd corners)
-    -- The first whole number, and how many reach to the last.
-    extent :: [Double] -> (Int, Int)
-    extent ts =
-      let first = floor (minimum ts + 1e-9) in (first, ceiling (maximum ts - 1e-9) - first + 1)
+    fine = tabled symbols angle w h placesPerTaxel
+    coarse =
+      (bareTemplates symbols angle w h 1)
+        { templateSums = thinned fine (templateSums fine),
+          templateSquares = thinned fine (templateSquares fine)
+        }
+
+-- | The tables at so many places to the taxel.
+tabled :: Symbols -> Double -> Int -> Int -> Int -> Templates
+tabled symbols angle w h q =
+  bare
+    { templateSums = correlations bare (constant w h 1),
+      templateSquares = squaresOf bare (symbolsSquares symbols)
+    }
+  where
+    bare = bareTemplates symbols angle w h q
+
+-- | The same without the sums.
+bareTemplates :: Symbols -> Double -> Int -> Int -> Int -> Templates
+bareTemplates symbols angle w h q = bare
+  where
     bare =
       Templates
         { templateFrame = (w, h),
           templateAngle = angle,
-          templateClasses = length (shapes alphabet),
+          templateClasses = symbolsClasses symbols,
           templatePlaces = q,
           templateFirst = (left - symbolWidth - fringe, top - symbolHeight - fringe),
           templateGrid =
             ((wide + symbolWidth + 2 * fringe) * q, (high + symbolHeight + 2 * fringe) * q),
-          templateOutlines = fmap outline bitmaps,
+          templateOutlines = Boxed.fromList (map outline (symbolsCorners symbols)),
           templateSums = V.empty,
           templateSquares = V.empty,
           templateCoarse = Nothing
         }
-    tables =
-      bare
-        { templateSums = correlations bare (constant w h 1),
-          templateSquares = squaresOf bare (fmap embossedAt bitmaps)
-        }
-    outline b = Outline (V.fromList (map fst corners')) (V.fromList (map snd corners'))
-      where
-        corners' =
-          [ ((y * areasWidth bare + x) * q, count)
-            | y <- [0 .. symbolHeight],
-              x <- [0 .. symbolWidth],
-              let before = covered (x - 1) (y - 1) - covered x (y - 1)
-                  count = before - covered (x - 1) y + covered x y,
-              count /= 0
-          ]
-        covered x y = if embossedAt b x y then 1 else 0
+    outline corners =
+      Outline
+        (V.fromList [(y * areasWidth bare + x) * q | (x, y, _) <- corners])
+        (V.fromList [count | (_, _, count) <- corners])
+    ends =
+      [ turnedBy (negate angle) (fromIntegral x, fromIntegral y)
+        | x <- [0, w - 1],
+          y <- [0, h - 1]
+      ]
+    (left, wide) = extent (map fst ends)
+    (top, high) = extent (map snd ends)
+    -- The first whole number, and how many reach to the last.
+    extent :: [Double] -> (Int, Int)
+    extent ts =
+      let first = floor (minimum ts + 1e-9) in (first, ceiling (maximum ts - 1e-9) - first + 1)
 
 -- | A displacement, right and down, turned clockwise by so many degrees.
 turnedBy :: Double -> (Double, Double) -> (Double, Double)
@@ -173,12 +238,13 @@ data PaperTables = PaperTables
 paperTemplates :: Maybe PaperTables
 paperTemplates = either (const Nothing) (Just . made) paperAlphabet
   where
-    made known = PaperTables at (\angle (w, h) -> coarseTemplates known angle w h)
+    made known = PaperTables at (\angle (w, h) -> tabled symbols angle w h 1)
       where
         at angle (w, h)
           | angle == 0 && w == sensorSide && h == sensorSide = usual
-          | otherwise = templates known angle w h
-        usual = templates known 0 sensorSide sensorSide
+          | otherwise = fineTemplates symbols angle w h
+        usual = fineTemplates symbols 0 sensorSide sensorSide
+        symbols = symbolsOf known
 {-# NOINLINE paperTemplates #-}
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.
@@ -213,44 +279,57 @@ cumulative x
 -- | The sum over the frame of its values times each template: by class, at each place, in each
 -- orientation. The image has the size that the tables are for.
 correlations :: Templates -> Raster -> Vector Double
-correlations tables image = V.concat [orientation o | o <- [0, 1]]
+correlations tables image = V.create $ do
+  sums <- M.unsafeNew (2 * rows * columns * count)
+  let orientation !o
+        | o >= 2 = pure ()
+        | otherwise = class' o 0 >> orientation (o + 1)
+      class' !o !k
+        | k >= count = pure ()
+        | otherwise = do
+          let Outline steps counts = Boxed.unsafeIndex (templateOutlines tables) (o * count + k)
+          row steps counts 0 (cellIndex tables o 0 0 * count + k)
+          class' o (k + 1)
+      row steps counts !y !i
+        | y >= rows = pure ()
+        | otherwise = four steps counts y i 0 >> row steps counts (y + 1) (i + columns * count)
+      -- Four places at a time, the last of which may be among those before.
+      four steps counts !y !i !x
+        | x >= columns = pure ()
+        | otherwise = do
+          let x' = min x (columns - 4)
+              start = y * wide + x'
+              summed !c !s0 !s1 !s2 !s3
+                | c >= V.length steps = do
+                  let j = i + x' * count
+                  M.unsafeWrite sums j s0
+                  M.unsafeWrite sums (j + count) s1
+                  M.unsafeWrite sums (j + 2 * count) s2
+                  M.unsafeWrite sums (j + 3 * count) s3
+                | otherwise =
+                  let j = start + V.unsafeIndex steps c
+                      n = V.unsafeIndex counts c
+                   in summed
+                        (c + 1)
+                        (s0 + n * V.unsafeIndex areas j)
+                        (s1 + n * V.unsafeIndex areas (j + 1))
+                        (s2 + n * V.unsafeIndex areas (j + 2))
+                        (s3 + n * V.unsafeIndex areas (j + 3))
+          summed 0 0 0 0 0
+          four steps counts y i (x + 4)
+  -- Note [Bounds of outlines]
+  orientation (0 :: Int)
+  pure sums
   where
     (columns, rows) = templateGrid tables
     count = templateClasses tables
     areas = areaSums tables (spread tables image)
     wide = areasWidth tables
-    orientation o = V.create $ do
-      sums <- M.unsafeNew (rows * columns * count)
-      let outlines = Boxed.slice (o * count) count (templateOutlines tables)
-          row !y !i
-            | y >= rows = pure ()
-            | otherwise = column y 0 i >>= row (y + 1)
-          column !y !x !i
-            | x >= columns = pure i
-            | otherwise = class' (y * wide + x) 0 i >>= column y (x + 1)
-          class' !start !k !i
-            | k >= count = pure i
-            | otherwise = do
-              M.unsafeWrite sums i (outlined start (Boxed.unsafeIndex outlines k))
-              class' start (k + 1) (i + 1)
-      row 0 (0 :: Int)
-      pure sums
-    -- Note [Bounds of outlines]
-    outlined start (Outline steps counts) = go 0 0
-      where
-        go !c !s
-          | c >= V.length steps = s :: Double
-          | otherwise =
-            go
-              (c + 1)
-              ( s
-                  + V.unsafeIndex counts c
-                    * V.unsafeIndex areas (start + V.unsafeIndex steps c)
-              )
 
 {- Note [Bounds of outlines] A place's column is below the grid's width and a step reaches at most 8
    taxels further, which the width of the sums of areas holds; likewise for rows, 12. There are
-   2 * count outlines. -}
+   2 * count outlines, and for each cell and class one sum. A row has more than four places, as a
+   symbol is wider. -}
 
 -- | Of values on the padded grid, one each whole taxel before a place, across and down, up to its
 -- own: their sum over the rectangle that ends there. The first row and column of taxels are 0.
@@ -286,31 +365,36 @@ areaSums tables values = V.create $ do
 spread :: Templates -> Raster -> Vector Double
 spread tables image
   | templateAngle tables == 0 =
-    everywhere high $ \x y ->
-      blurredAt h (\v -> V.unsafeIndex across (v * wide + x)) (snd (place 0 y))
+    tabulate wide high $ \y ->
+      let !near = parted (snd (place 0 y))
+       in \x -> blurredAt h (\v -> V.unsafeIndex across (x * h + v)) near
   | otherwise =
-    everywhere high $ \x y -> let (u, v) = place x y in blurredAt h (`inRow` u) v
+    tabulate wide high $ \y x ->
+      let (u, v) = place x y
+          near = parted u
+       in blurredAt h (\v' -> inRow v' near) (parted v)
   where
     (w, h) = templateFrame tables
     wide = paddedWidth tables
     high = paddedHeight tables
     values = rasterValues image
     place = onFrame tables
-    across = everywhere h $ \x v -> inRow v (fst (place x 0))
+    -- By columns.
+    across =
+      tabulate h wide $ \x -> let !near = parted (fst (place x 0)) in \v -> inRow v near
     inRow v = blurredAt w (\u -> V.unsafeIndex values (v * w + u))
-    everywhere rows at = V.generate (wide * rows) $ \i -> let (y, x) = i `quotRem` wide in at x y
-    {-# INLINE everywhere #-}
 
--- | What lies at a place along an axis, blurred, of so many taxels that are given by their number.
-blurredAt :: Int -> (Int -> Double) -> Double -> Double
-blurredAt n value t = go (max 0 (whole - 3)) 0
+-- | What lies at a place along an axis, as 'parted', blurred, of so many taxels that are given by
+-- their number.
+blurredAt :: Int -> (Int -> Double) -> Parted -> Double
+blurredAt n value (Parted whole share) = go (max 0 (whole - 3)) 0
   where
-    (whole, share) = parted t
     end = min (n - 1) (whole + 4)
+    first = share - whole + 3
     -- Note [Bounds of shares]
     go !u !s
       | u > end = s
-      | otherwise = go (u + 1) (s + V.unsafeIndex shares (share + u - whole + 3) * value u)
+      | otherwise = go (u + 1) (s + V.unsafeIndex shares (first + u) * value u)
 {-# INLINE blurredAt #-}
 
 -- | Where a column and a row of places lie on the frame, taxels.
@@ -324,8 +408,10 @@ onFrame tables = \x y -> turned' (firstX + fromIntegral x / q) (firstY + fromInt
 
 -- | A place along an axis as a whole number of taxels, and where the shares of the taxels around it
 -- begin, the first of them three before it.
-parted :: Double -> (Int, Int)
-parted t = (whole, 8 * round (fromIntegral partsOfTaxel * (t - fromIntegral whole)))
+data Parted = Parted !Int !Int
+
+parted :: Double -> Parted
+parted t = Parted whole (8 * round (fromIntegral partsOfTaxel * (t - fromIntegral whole)))
   where
     whole = floor t :: Int
 
@@ -344,81 +430,82 @@ partsOfTaxel = 32
 {- Note [Bounds of shares] A row or column lies within 0 .. side - 1 of the frame and at most three
    before and four behind the place's own; the shares of each of the 33 parts are eight. -}
 
--- | The sum over the frame of the squares of each template at each place. Along the frame's axes it
--- is that at its pixels. Turned, it is that at whole taxels from the template's place, each counted
--- for as much of a taxel as the frame has there, which differs at the frame's edge only.
-squaresOf :: Templates -> Boxed.Vector (Int -> Int -> Bool) -> Vector Double
-squaresOf tables bitmaps = V.generate (2 * rows * columns * count) at
+-- | The sum over the frame of the squares of each template at each place, from those on a box
+-- around it. Along the frame's axes it is that at its pixels. Turned, it is that at whole taxels
+-- from the template's place, each counted for as much of a taxel as the frame has there, which
+-- differs at the frame's edge only.
+squaresOf :: Templates -> Vector Double -> Vector Double
+squaresOf tables boxes = V.create $ do
+  sums <- M.unsafeNew (2 * rows * columns * count)
+  let row !y
+        | y >= rows = pure ()
+        | otherwise = column y 0 >> row (y + 1)
+      column !y !x
+        | x >= columns = pure ()
+        | otherwise = do
+          let (x', partX) = x `quotRem` q
+              partY = y `rem` q
+              -- Which of the boxes, and the grid's lines of the box's rows.
+              box = if upright then partY * placesPerTaxel + partX else 0
+              line = if upright then y - partY else partX * high + y
+          class' y x (box * boxSize) line x' 0
+          column y (x + 1)
+      class' !y !x !box !line !x' !k
+        | k >= count = pure ()
+        | otherwise = do
+          let first = box + k * boxSize * partCount
+              second = first + count * boxSize * partCount
+              summed !b !i !s !t
+                | b >= boxHigh = do
+                  M.unsafeWrite sums (cellIndex tables 0 y x * count + k) s
+                  M.unsafeWrite sums (cellIndex tables 1 y x * count + k) t
+                | otherwise =
+                  let from = max 0 (V.unsafeIndex begins i - x')
+                      to = min boxWide (V.unsafeIndex ends i - x')
+                      cells = i * wide + x'
+                      along !a !s' !t'
+                        | a >= to = summed (b + 1) (i + q) s' t'
+                        | otherwise =
+                          let share = V.unsafeIndex there (cells + a)
+                              at = b * boxWide + a
+                           in along
+                                (a + 1)
+                                (s' + V.unsafeIndex boxes (first + at) * share)
+                                (t' + V.unsafeIndex boxes (second + at) * share)
+                   in along from s t
+          summed (0 :: Int) line 0 (0 :: Double)
+          class' y x box line x' (k + 1)
+  -- Note [Bounds of squares]
+  row 0
+  pure sums
   where
     (w, h) = templateFrame tables
     (columns, rows) = templateGrid tables
     count = templateClasses tables
     q = templatePlaces tables
-    -- Of how many places to the taxel each is drawn by itself.
-    parts = if templateAngle tables == 0 then q else 1
-    at i =
-      let (cell, k) = i `quotRem` count
-          (row, x) = cell `quotRem` columns
-          (o, y) = row `quotRem` rows
-          (partX, partY) = (x `rem` parts, y `rem` parts)
-          start = (y - partY) * wide + x - partX
-       in summed
-            start
-            (Boxed.unsafeIndex drawn (((o * count + k) * parts + partY) * parts + partX))
-    -- Note [Bounds of squares]
-    summed start (steps, values) = go 0 0
-      where
-        go !j !s
-          | j >= V.length steps = s :: Double
-          | otherwise =
-            let t = V.unsafeIndex there (start + V.unsafeIndex steps j)
-             in go (j + 1) (s + V.unsafeIndex values j * t)
-    -- How much of a taxel the frame has at each place, of a grid that begins the margin before.
-    wide = columns + (boxWide - 1) * q
+    -- Then each of the places within a taxel has a box by itself.
+    upright = templateAngle tables == 0
+    boxSize = boxWide * boxHigh
+    partCount = placesPerTaxel * placesPerTaxel
+    -- How much of a taxel the frame has at each place, of a grid that begins the margin before: of
+    -- each row the columns at whole taxels, of all rows; then those a place further, and so on.
+    wide = columns `quot` q + boxWide - 1
     high = rows + (boxHigh - 1) * q
     there =
-      V.generate (wide * high) $ \i ->
-        let (y, x) = i `quotRem` wide
-            (u, v) = onFrame tables (x - margin * q) (y - margin * q)
-         in within w u * within h v
+      tabulate wide (q * high) $ \line ->
+        let (part, y) = line `quotRem` high
+         in \x ->
+              let (u, v) = onFrame tables ((x - margin) * q + part) (y - margin * q)
+               in within w u * within h v
     within n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
-    drawn =
-      Boxed.fromList
-        [ sparse (rendered embossed (part x) (part y))
-          | embossed <- Boxed.toList bitmaps,
-            y <- [0 .. parts - 1],
-            x <- [0 .. parts - 1]
-        ]
-    part :: Int -> Double
-    part t = fromIntegral t / fromIntegral q
-    -- Only where there is anything, and each step on the grid.
-    sparse values =
-      let kept = V.findIndices (> 1e-4) values
-       in (V.map stepTo kept, V.map (values V.!) kept)
-    stepTo i = let (b, a) = i `quotRem` boxWide in (b * wide + a) * q
-    -- At whole taxels from the margin before the symbol on, if it lies that part of one further.
-    rendered embossed partX partY =
-      V.generate (boxWide * boxHigh) $ \i ->
-        let (v, u) = i `quotRem` boxWide
-         in squared
-              ( sum
-                  [ V.unsafeIndex acrossShares (u - a) * V.unsafeIndex downShares (v - b)
-                    | b <- [max 0 (v - 2 * margin) .. min (symbolHeight - 1) v],
-                      a <- [max 0 (u - 2 * margin) .. min (symbolWidth - 1) u],
-                      embossed a b
-                  ]
-              )
-      where
-        acrossShares = sharesAround partX
-        downShares = sharesAround partY
-    sharesAround t =
-      V.generate (2 * margin + 1) (\d -> seenAt (fromIntegral (d - margin) - t)) :: Vector Double
-    squared t = t * t
+    -- In each of its lines, where the frame begins and where it has ended.
+    lines' = [V.slice (wide * i) wide there | i <- [0 .. q * high - 1]]
+    begins = V.fromList [fromMaybe wide (V.findIndex (> 0) l) | l <- lines']
+    ends = V.fromList [wide - fromMaybe wide (V.findIndex (> 0) (V.reverse l)) | l <- lines']
 
-{- Note [Bounds of squares] A place's column is below the grid's width and a step reaches at most
-   the box's width less one further, which the grid of what the frame has there holds; likewise for
-   rows. There are as many drawn templates as classes, orientations and parts. A pixel of the box is
-   at most the margin from the taxels that are looked at for it. -}
+{- Note [Bounds of squares] A place's column, in taxels, is below the grid's width and a step reaches
+   at most the box's width less one further, which the grid of what the frame has there holds;
+   likewise for rows. There are as many boxes as classes, orientations and parts. -}
 
 -- | How far around a symbol its squares are summed, in taxels, and the box that this makes.
 margin, boxWide, boxHigh :: Int
