@@ -14,6 +14,7 @@ import PraTactile.Random (normalPair)
 import PraTactile.Shape hiding (alphabet)
 import PraTactile.Stitch
 import PraTactile.Stitch.Arrange (withMisfit)
+import PraTactile.Stitch.Blur (areaSums)
 import PraTactile.Stitch.Evidence
 import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Neighbours
@@ -134,6 +135,30 @@ templatesSpec alphabet = do
                       $ abs (templateSums tables V.! i - total) < 0.1
                         && abs (templateSquares tables V.! i - squares)
                           < (if angle == 0 then 0.05 else 0.9)
+  modifyMaxSuccess (const 10) $
+    prop "has in single cells the numbers that the tables have there" $
+      forAll (elements [0, 37, -61]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
+        forAll (choose (0, 2559)) $ \phase ->
+          let tables = templates alphabet angle 16 16
+              count = symbolsClasses (templateSymbols tables)
+              cells = cellsOfPhase (templateLayout tables) phase
+              Numbers products sums squares =
+                numbersAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
+              within numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
+           in (products, sums, squares)
+                === ( within (correlations tables image),
+                      within (templateSums tables),
+                      within (templateSquares tables)
+                    )
+  modifyMaxSuccess (const 10) $
+    prop "is as likely by the phases that are likely at whole taxels as by all" $
+      \seed -> forAll (choose (-90, 90)) $ \angle -> forAll (choose (0, 0.5)) $ \sigma ->
+        let image = felt (scene alphabet seed angle) (3, 5)
+            noisy =
+              generate 16 16 $ \x y ->
+                rasterValues image V.! (16 * y + x) + fst (errorsOf sigma seed !! (16 * y + x))
+            told = sight (templates alphabet angle 16 16) noisy
+         in abs (sightLog told - evidenceLog (sightEvidence told)) < 1e-6
   where
     placeOf tables x y =
       (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)

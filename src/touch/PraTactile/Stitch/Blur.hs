@@ -75,48 +75,69 @@ spread :: Layout -> Raster -> Vector Double
 spread places image
   | layoutAngle places == 0 =
     tabulate wide high $ \y ->
-      let !v = parted (snd (place 0 y))
-       in \x -> blurredAt h (\v' -> V.unsafeIndex across (x * h + v')) v
-  | otherwise = tabulate wide high $ \y x ->
-    let (u, v) = place x y
-        !partedU = parted u
-     in if beyond w u || beyond h v
-          then 0
-          else blurredAt h (\v' -> inRow v' partedU) (parted v)
+      let (_, v) = place 0 y
+          !near = parted v
+       in \x -> if beyond h v then 0 else eight across (x * edgedHigh) near
+  | otherwise =
+    tabulate wide high $ \y x ->
+      let (u, v) = place x y
+       in if beyond w u || beyond h v then 0 else alone (parted u) (parted v)
   where
     (w, h) = layoutFrame places
     wide = paddedWidth places
     high = paddedHeight places
-    values = rasterValues image
     place = onFrame places
+    -- None of the eight taxels around it is on the frame.
+    beyond n t = t < -4 || t >= fromIntegral (n + 3)
+    alone !u (Parted first share) = go 0 0
+      where
+        -- Note [Bounds of shares]
+        go :: Int -> Double -> Double
+        go !t !s
+          | t >= 8 = s
+          | otherwise =
+            go
+              (t + 1)
+              (s + V.unsafeIndex shares (share + t) * eight edged ((first + t) * edgedWide) u)
+    -- The frame with nothing around it.
+    edged =
+      tabulate edgedWide edgedHigh $ \y x ->
+        if x < edge || x >= edge + w || y < edge || y >= edge + h
+          then 0
+          else V.unsafeIndex (rasterValues image) ((y - edge) * w + x - edge)
+    edgedWide = w + 2 * edge
+    edgedHigh = h + 2 * edge
     -- By columns.
     across =
-      tabulate h wide $ \x -> let !u = parted (fst (place x 0)) in \v -> inRow v u
-    inRow v = blurredAt w (\u -> V.unsafeIndex values (v * w + u))
-    -- None of the taxels around it are on the frame.
-    beyond n t = t < -4 || t >= fromIntegral (n + 3)
+      tabulate edgedHigh wide $ \x ->
+        let (u, _) = place x 0
+            !near = parted u
+         in \v -> if beyond w u then 0 else eight edged (v * edgedWide) near
 
--- | A place along an axis as a whole number of taxels, and where the shares of the taxels around it
--- begin, the first of them three before it.
+-- | How many taxels of nothing are put around a frame: as far as the eight around a place reach, if
+-- any of them is on the frame.
+edge :: Int
+edge = 7
+
+-- | A place along an axis as the first of the eight taxels around it, counted from the edge on, and
+-- where their shares begin.
 data Parted = Parted !Int !Int
 
 parted :: Double -> Parted
-parted t = Parted whole (8 * round (fromIntegral partsOfTaxel * (t - fromIntegral whole)))
+parted t = Parted (whole - 3 + edge) (8 * round (fromIntegral partsOfTaxel * beyond))
   where
     whole = floor t :: Int
+    beyond = t - fromIntegral whole
 {-# INLINE parted #-}
 
--- | What lies at a place along an axis, blurred, of so many taxels that are given by their number.
-blurredAt :: Int -> (Int -> Double) -> Parted -> Double
-blurredAt n value (Parted whole share) = go (max 0 (whole - 3)) 0
+-- | What a place reads of the eight taxels around it in a line that begins there.
+eight :: Vector Double -> Int -> Parted -> Double
+eight values start (Parted first share) =
+  at 0 + at 1 + at 2 + at 3 + at 4 + at 5 + at 6 + at 7
   where
-    end = min (n - 1) (whole + 4)
-    first = share - whole + 3
     -- Note [Bounds of shares]
-    go !u !s
-      | u > end = s
-      | otherwise = go (u + 1) (s + V.unsafeIndex shares (first + u) * value u)
-{-# INLINE blurredAt #-}
+    at t = V.unsafeIndex shares (share + t) * V.unsafeIndex values (start + first + t)
+{-# INLINE eight #-}
 
 -- | The shares of the eight taxels around a place, by the part of a taxel that it lies beyond the
 -- fourth of them.
@@ -130,5 +151,6 @@ shares =
 partsOfTaxel :: Int
 partsOfTaxel = 32
 
-{- Note [Bounds of shares] A row or column lies within 0 .. side - 1 of the frame and at most three
-   before and four behind the place's own; the shares of each of the 33 parts are eight. -}
+{- Note [Bounds of shares] A place that is not beyond the frame lies from 4 before its first taxel
+   to less than 4 behind its last, so that the eight around it are within 7 of the frame, as far as
+   there is nothing put around it. The shares of each of the 33 parts are eight. -}

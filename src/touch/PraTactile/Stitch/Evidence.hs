@@ -25,6 +25,7 @@ import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWi
 import PraTactile.Stitch.Blur (areaSums)
 import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Symbols (symbolsClasses)
+import PraTactile.Stitch.Tabulate (tabulate)
 import PraTactile.Stitch.Template
 
 -- | How a frame reads relief: gain times the relief (1 embossed, 0 flat) plus offset, plus normal
@@ -58,10 +59,9 @@ absent = 0.01
 
 -- | What a frame tells, each part made when it is first looked at.
 data Sight = Sight
-  { -- | At whole taxels.
-    sightRough :: Evidence,
-    -- | The logarithm of its probability density, standardised to variance 1: 'evidenceLog', but
-    -- for phases that it makes most unlikely at whole taxels.
+  { -- | The logarithm of its probability density, standardised to variance 1, at whole taxels.
+    sightRoughly :: Double,
+    -- | The same at all places, by the phases that it leaves likely at whole taxels.
     sightLog :: Double,
     -- | All, at all places.
     sightEvidence :: Evidence
@@ -71,40 +71,63 @@ data Sight = Sight
 evidence :: Templates -> Raster -> Evidence
 evidence tables = sightEvidence . sight tables
 
--- | The same by parts.
+-- | The same by parts. The level is found by four steps at whole taxels and one at all places, all
+-- but the first for likely phases only, or where others turn out to matter, for all.
 sight :: Templates -> Raster -> Sight
-sight tables image = Sight rough likely fine
+sight tables image = Sight (evidenceLog roughly) (evidenceLog nearly) fine
   where
     values = rasterValues image
     n = fromIntegral (V.length values)
     average = V.sum values / n
     deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
-    areas = areaSums (templateLayout tables) standard
+    better comparison = improved comparison . weighed comparison
+    -- At whole taxels.
     coarse = wholly (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
-    rough = weighed coarse (iterate (improved coarse) (firstLevel standard) !! 4)
-    fine = anew (wholly tables areas)
-    anew comparison = weighed comparison (improved comparison (evidenceLevel rough))
-    likely
-      | 4 * length left > phaseTotal (templateLayout tables) = evidenceLog fine
-      | otherwise = evidenceLog (anew (partly tables areas left))
-    left = phasesLeft rough tables
+    first = weighed coarse (firstLevel standard)
+    few = among coarse (likely coarse first)
+    settled comparison =
+      weighed comparison (iterate (better comparison) (improved coarse first) !! 3)
+    roughly = settled few
+    rough = reconsidered coarse settled roughly
+    -- At all places.
+    areas = areaSums (templateLayout tables) standard
+    whole = wholly tables areas
+    near = partly whole areas (finer (coarser tables) tables (likely coarse rough))
+    improvedOnce comparison = weighed comparison (better comparison (evidenceLevel rough))
+    nearly = improvedOnce near
+    fine = reconsidered whole improvedOnce nearly
 
--- | The phases at less than a taxel from those that are not most unlikely by what a frame tells at
--- whole taxels.
-phasesLeft :: Evidence -> Templates -> [Int]
-phasesLeft rough tables = IntSet.toList (IntSet.fromList (concatMap around kept))
+-- | What a comparison of all phases tells, at the level that was found by some of them; or, if
+-- others have any weight there, as it is found by all.
+reconsidered :: Comparison -> (Comparison -> Evidence) -> Evidence -> Evidence
+reconsidered whole@(Comparison _ lattices _) found some
+  | V.length (evidencePhases some) == V.length (phaseNumbers lattices) = some
+  | evidenceLog same - evidenceLog some < 1e-7 = same
+  | otherwise = found whole
   where
-    q = layoutPlaces (templateLayout tables) `quot` layoutPlaces roughLayout
-    roughLayout = templateLayout (evidenceTables rough)
-    (acrossRough, downRough) = phaseCount (layoutPlaces roughLayout)
-    (across, down) = (q * acrossRough, q * downRough)
-    phases = evidencePhases rough
-    top = V.maximum phases
-    kept = V.toList (V.findIndices (> top - negligible) phases)
+    same = weighed whole (evidenceLevel some)
+
+-- | The phases that are not most unlikely.
+likely :: Comparison -> Evidence -> [Int]
+likely (Comparison _ lattices _) given =
+  map
+    (phaseNumbers lattices V.!)
+    (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
+  where
+    phases = evidencePhases given
+
+-- | The phases of finer tables that are less than a taxel from some of coarser ones.
+finer :: Templates -> Templates -> [Int] -> [Int]
+finer coarse fine = IntSet.toList . IntSet.fromList . concatMap around
+  where
+    places = layoutPlaces . templateLayout
+    q = places fine `quot` places coarse
+    (acrossCoarse, downCoarse) = phaseCount (places coarse)
+    (across, down) = phaseCount (places fine)
     around phase =
-      let (row, x) = phase `quotRem` acrossRough
-          (o, y) = row `quotRem` downRough
+      let (row, x) = phase `quotRem` acrossCoarse
+          (o, y) = row `quotRem` downCoarse
        in [ (o * down + (q * y + j) `mod` down) * across + (q * x + i) `mod` across
             | j <- [1 - q .. q - 1],
               i <- [1 - q .. q - 1]
@@ -112,7 +135,7 @@ phasesLeft rough tables = IntSet.toList (IntSet.fromList (concatMap around kept)
 
 -- | A frame held against symbols in cells: the tables, some phases of the lattice with their cells,
 -- and the numbers of these.
-data Comparison = Comparison !Templates !Phases !Numbers
+data Comparison = Comparison !Templates Phases Numbers
 
 -- | All phases, from the frame's 'areaSums'.
 wholly :: Templates -> Vector Double -> Comparison
@@ -122,15 +145,37 @@ wholly tables areas =
     (templatePhases tables)
     (Numbers (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
 
--- | Those phases only; the cells are numbered anew.
-partly :: Templates -> Vector Double -> [Int] -> Comparison
-partly tables areas phases =
-  Comparison
-    tables
-    (Phases begins (V.enumFromN 0 (V.length cells)))
-    (numbersAt tables areas cells)
+-- | Some of all phases.
+among :: Comparison -> [Int] -> Comparison
+among comparison@(Comparison tables _ (Numbers products sums squares)) phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (Numbers (at products) (at sums) (at squares))
   where
-    Phases begins cells = phasesOf (templateLayout tables) phases
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+    count = symbolsClasses (templateSymbols tables)
+    -- Note [Bounds of cells]
+    at numbers =
+      tabulate count (V.length cells) $ \c ->
+        let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
+
+-- | The same from the frame's 'areaSums', without looking at the numbers of all.
+partly :: Comparison -> Vector Double -> [Int] -> Comparison
+partly comparison@(Comparison tables _ _) areas phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (numbersAt tables areas cells)
+  where
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+
+-- | Whether so many phases are compared faster together with all others, as are none: then what the
+-- frame tells is no number.
+many :: Templates -> [Int] -> Bool
+many tables phases = null phases || 4 * length phases > phaseTotal (templateLayout tables)
+
+-- | The cells of phases numbered from 0 on, as they come, and what they were.
+renumbered :: Phases -> (Phases, Vector Int)
+renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells)
+  where
+    cells = phaseCells phases
 
 -- | A first guess: the noise from the second differences across, in which smooth relief has next to
 -- no part, and the gain and the offset from what is usual of symbols.
@@ -172,7 +217,7 @@ weighed (Comparison tables lattices numbers) level@(Level gain offset variance) 
     total =
       top
         + log
-          ( V.sum (V.map (\l -> exp (l - top)) phases)
+          ( V.sum (V.map (relativeTo top) phases)
               / fromIntegral (phaseTotal (templateLayout tables))
           )
         - n * (1 + offset * offset) / (2 * variance)
@@ -215,6 +260,11 @@ overClasses count at
       | otherwise = terms top (k + 1) (s + share * exp (at k - top))
 {-# INLINE overClasses #-}
 
+-- | How likely something is as a share of the likeliest, from the logarithms.
+relativeTo :: Double -> Double -> Double
+relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
+
+-- | What is so much less likely, as a natural logarithm, does not count.
 negligible :: Double
 negligible = 30
 
@@ -226,7 +276,7 @@ overPhases lattices values = V.generate (V.length (phaseBegins lattices) - 1) ph
 
 -- | Over the cells of a phase, which are given by their numbers, from a start.
 overCells :: Phases -> Int -> s -> (s -> Int -> s) -> s
-overCells (Phases begins cells) i start step = go (V.unsafeIndex begins i) start
+overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) start
   where
     end = V.unsafeIndex begins (i + 1)
     -- Note [Bounds of cells]
@@ -242,19 +292,18 @@ overCells (Phases begins cells) i start step = go (V.unsafeIndex begins i) start
 -- the templates' squares.
 data Sums = Sums !Double !Double !Double
 
--- | One step: what the symbols probably are at this level, and the level that fits them best.
-improved :: Comparison -> Level -> Level
-improved comparison@(Comparison tables lattices numbers) level@(Level gain offset _) =
-  Level gain' offset' variance'
+-- | One step: by what the symbols probably are at a level, the level that fits them best.
+improved :: Comparison -> Evidence -> Level
+improved (Comparison tables lattices numbers) given = Level gain' offset' variance'
   where
-    given = weighed comparison level
+    Level gain offset _ = evidenceLevel given
     Numbers products sums squares = numbers
     count = symbolsClasses (templateSymbols tables)
     share = (1 - absent) / fromIntegral count
     n = taxelsOf tables
     phases = evidencePhases given
     top = V.maximum phases
-    weights = V.map (\l -> exp (l - top)) phases
+    weights = V.map (relativeTo top) phases
     total = V.sum weights
     Sums sumY sumT sumTT = V.ifoldl' phase (Sums 0 0 0) weights
     phase found i weight

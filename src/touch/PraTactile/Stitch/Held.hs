@@ -7,14 +7,14 @@ module PraTactile.Stitch.Held
   )
 where
 
-import qualified Data.Map as Map
+import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Stitch.Evidence (Sight, sight)
 import PraTactile.Stitch.Template (PaperTables, Templates)
 
--- | What frames tell of the lattice at an angle. Each table and each frame's part is made when it is
--- first looked at, and once.
+-- | What frames tell of the lattice at an angle. Each table and what each frame tells is made when
+-- it is first looked at, and once.
 data Held = Held
   { -- | Degrees clockwise from the frames' axes.
     heldAngle :: !Double,

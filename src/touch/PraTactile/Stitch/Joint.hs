@@ -163,8 +163,10 @@ commonPhase grid frames = (o, (y, x))
               !start = ((py - ny) `mod` down) * across * 2 + orient
            in \px -> V.unsafeIndex v (start + 2 * ((px - nx) `mod` across))
         -- Over the displacements, with their prior; by row, column and orientation.
-        blurred = ringed (2 * across) down (kernel down ry) . ringed (2 * down) across (kernel across rx)
-        -- The prior of the displacements from a phase to another, by their difference, twice around.
+        blurred =
+          ringed (2 * across) down (kernel down ry) . ringed (2 * down) across (kernel across rx)
+        -- The prior of the displacements from one phase to another, by their difference, twice
+        -- around.
         kernel period rest =
           let once =
                 V.accum
@@ -175,7 +177,8 @@ commonPhase grid frames = (o, (y, x))
                   ]
            in once <> once
 
--- | Rows of numbers that go around, each blurred by a kernel that is given twice around, as columns.
+-- | So many rows of numbers, each a ring of that length, blurred by a kernel that is given twice
+-- around; the rows become columns.
 ringed :: Int -> Int -> Vector Double -> Vector Double -> Vector Double
 ringed rows period kernel v =
   tabulate rows period $ \x y -> dotWithin period (y * period) v (period - x) kernel
@@ -198,9 +201,9 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
   ]
   where
     tables = evidenceTables given
-    layout' = templateLayout tables
-    (across, down) = phaseCount (layoutPlaces layout')
-    (columns, rows) = layoutGrid layout'
+    places = templateLayout tables
+    (across, down) = phaseCount (layoutPlaces places)
+    (columns, rows) = layoutGrid places
     count = symbolsClasses (templateSymbols tables)
     ((nx, ny), (rx, ry)) = onGrid place
     reach = gridReach grid
@@ -220,7 +223,7 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
     margin = 12
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          V.force (V.slice (cellIndex layout' orientation y x * count) count (evidenceClasses given))
+          V.force (V.slice (cellIndex places orientation y x * count) count (evidenceClasses given))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-

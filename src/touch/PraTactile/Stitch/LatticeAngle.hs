@@ -13,12 +13,12 @@ import PraTactile.Stitch.Held (Held (..), sizeOf)
 import PraTactile.Stitch.Spaced (spacedOut)
 import PraTactile.Stitch.Spectrum
 
--- | Frames held against the lattice at the angle in [-90, 90), in degrees clockwise, at which it
--- lies under them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at
--- which symbols seem to lie: near that angle or upright, if the frames are likelier to show that
--- than any other relief, else wherever they make it likeliest. To a degree, by a few of the frames
--- that have the first one's size, which the spectra must be for. 'Nothing' where they are likelier
--- to show something else.
+-- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
+-- them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at which
+-- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
+-- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
+-- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
+-- something else.
 latticeAngle :: (Double -> Held) -> Spectra -> Maybe Double -> [Raster] -> Maybe Held
 latticeAngle at processes hint images
   | shown upright && all (\a -> finely (at a) < finely upright) [-3, 3] = Just upright
@@ -53,7 +53,7 @@ latticeAngle at processes hint images
             after = finely (step (k + 1))
             bend = 2 * here - before - after
     -- By so many frames, those that show most.
-    roughly count there = seenBy (evidenceLog . sightRough) (take count telling) there
+    roughly count there = seenBy sightRoughly (take count telling) there
     finely there = seenBy sightLog (take 8 telling) there
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
     shown there = seenBy sightLog few there > blind

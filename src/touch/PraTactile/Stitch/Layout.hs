@@ -117,9 +117,11 @@ areasWidth places = paddedWidth places + layoutPlaces places
 phaseCount :: Int -> (Int, Int)
 phaseCount q = (columnPitch * q, rowPitch * q)
 
--- | The cells of some phases of a lattice: where those of each begin, with an end, and the cells.
+-- | Some phases of a lattice: their numbers, where the cells of each begin, with an end, and the
+-- cells.
 data Phases = Phases
-  { phaseBegins :: !(Vector Int),
+  { phaseNumbers :: !(Vector Int),
+    phaseBegins :: !(Vector Int),
     phaseCells :: !(Vector Int)
   }
 
@@ -130,7 +132,10 @@ phaseTotal places = let (across, down) = phaseCount (layoutPlaces places) in 2 *
 -- | The cells of those phases, by 'cellIndex'.
 phasesOf :: Layout -> [Int] -> Phases
 phasesOf places phases =
-  Phases (V.fromList (scanl (+) 0 (map length cells))) (V.fromList (concat cells))
+  Phases
+    (V.fromList phases)
+    (V.fromList (scanl (+) 0 (map length cells)))
+    (V.fromList (concat cells))
   where
     cells = map (cellsOfPhase places) phases
 

@@ -163,6 +163,6 @@ squaresAt symbols places (Cover there begins ends) = at
                       (s' + V.unsafeIndex boxes j * share)
                       (t' + V.unsafeIndex boxes (j + halfTurnedAfter) * share)
 
-{- Note [Bounds of squares] A place's column, in taxels, is below the grid's width and a step reaches
-   at most the box's width less one further, which the lines of what the frame covers hold; likewise
-   for rows. There are as many boxes as classes, orientations and parts. -}
+{- Note [Bounds of squares] A place's column, in taxels, is below the grid's width and a step
+   reaches at most the box's width less one further, which the lines of what the frame covers hold;
+   likewise for rows. There are as many boxes as classes, orientations and parts. -}

@@ -10,8 +10,8 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 
--- | A table of so many columns and rows, row by row, from what it has in a row and a column. What is
--- the same for a row is calculated once, if the function does so before it takes the column.
+-- | A table of so many columns and rows, row by row, from what it has in a row and a column. What
+-- is the same for a row is calculated once, if the function does so before it takes the column.
 tabulate :: Int -> Int -> (Int -> Int -> Double) -> Vector Double
 tabulate columns rows at = V.create $ do
   table <- M.unsafeNew (columns * rows)
