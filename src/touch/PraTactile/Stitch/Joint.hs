@@ -155,7 +155,8 @@ commonPhase grid frames = (o, (y, x))
       where
         phases = evidencePhases given
         top = V.maximum phases
-        masses = V.map (\l -> exp (l - top)) phases
+        -- What is too small for the floor above is nothing: numbers near the smallest are slow.
+        masses = V.map (\l -> if l - top < -700 then 0 else exp (l - top)) phases
         ((nx, ny), (rx, ry)) = onGrid place
         -- At the phase on the composite, what the frame says of its own.
         shifted v = tabulate across (2 * down) $ \r ->
