@@ -14,11 +14,14 @@ import PraTactile.Random (normalPair)
 import PraTactile.Shape hiding (alphabet)
 import PraTactile.Stitch
 import PraTactile.Stitch.Arrange (withMisfit)
+import PraTactile.Stitch.Blur (areaSums)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
 import PraTactile.Stitch.Pair.Lattice
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Symbols (symbolsClasses)
 import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec
@@ -87,8 +90,8 @@ templatesSpec alphabet = do
     prop "is held against any frame at any place as a drawn symbol is, either way up" $
       forAll (elements [0, 0, -77, 30, 90]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
         let tables = templates alphabet angle 16 16
-            count = templateClasses tables
-            (columns, rows) = templateGrid tables
+            count = symbolsClasses (templateSymbols tables)
+            (columns, rows) = layoutGrid (templateLayout tables)
             products = correlations tables image
          in forAll
               ( (,,,) <$> choose (0, 1) <*> choose (0, columns - 1) <*> choose (0, rows - 1)
@@ -96,7 +99,7 @@ templatesSpec alphabet = do
               )
               $ \(o, x, y, k) ->
                 let shape = (if o == 1 then halfTurned else id) (shapes alphabet !! k)
-                    told = products V.! (cellIndex tables o y x * count + k)
+                    told = products V.! (cellIndex (templateLayout tables) o y x * count + k)
                     symbol = drawing shape angle (placeOf tables x y)
                     drawn = V.sum (V.zipWith (*) (rasterValues image) symbol)
                  in -- Turned, places lie between taxels to a 32nd of one.
@@ -109,14 +112,14 @@ templatesSpec alphabet = do
     prop "is by its sums and squares what a drawn symbol is, at any angle" $
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
         let tables = templates alphabet angle 16 16
-            count = templateClasses tables
-            (columns, rows) = templateGrid tables
+            count = symbolsClasses (templateSymbols tables)
+            (columns, rows) = layoutGrid (templateLayout tables)
          in forAll
               ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1))
               $ \(x, y, k) ->
                 let place = placeOf tables x y
                     drawn = drawing (shapes alphabet !! k) angle place
-                    i = cellIndex tables 0 y x * count + k
+                    i = cellIndex (templateLayout tables) 0 y x * count + k
                     total = V.sum drawn
                     squares = V.sum (V.map (\t -> t * t) drawn)
                  in counterexample
@@ -132,11 +135,35 @@ templatesSpec alphabet = do
                       $ abs (templateSums tables V.! i - total) < 0.1
                         && abs (templateSquares tables V.! i - squares)
                           < (if angle == 0 then 0.05 else 0.9)
+  modifyMaxSuccess (const 10) $
+    prop "has in single cells the numbers that the tables have there" $
+      forAll (elements [0, 37, -61]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
+        forAll (choose (0, 2559)) $ \phase ->
+          let tables = templates alphabet angle 16 16
+              count = symbolsClasses (templateSymbols tables)
+              cells = cellsOfPhase (templateLayout tables) phase
+              Numbers products sums squares =
+                numbersAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
+              within numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
+           in (products, sums, squares)
+                === ( within (correlations tables image),
+                      within (templateSums tables),
+                      within (templateSquares tables)
+                    )
+  modifyMaxSuccess (const 10) $
+    prop "is as likely by the phases that are likely at whole taxels as by all" $
+      \seed -> forAll (choose (-90, 90)) $ \angle -> forAll (choose (0, 0.5)) $ \sigma ->
+        let image = felt (scene alphabet seed angle) (3, 5)
+            noisy =
+              generate 16 16 $ \x y ->
+                rasterValues image V.! (16 * y + x) + fst (errorsOf sigma seed !! (16 * y + x))
+            told = sight (templates alphabet angle 16 16) noisy
+         in abs (sightLog told - evidenceLog (sightEvidence told)) < 1e-6
   where
     placeOf tables x y =
       (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
       where
-        (firstX, firstY) = templateFirst tables
+        (firstX, firstY) = layoutFirst (templateLayout tables)
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
     drawing shape angle (x, y) =
       V.fromList
@@ -336,7 +363,7 @@ pairs alphabet =
     byDefinition (stepX, stepY) a b = map (/ sum weights) weights
       where
         tables = evidenceTables a
-        (columns, rows) = templateGrid tables
+        (columns, rows) = layoutGrid (templateLayout tables)
         (across, down) = (2 * columnPitch, 2 * rowPitch)
         steps = [(i, j) | j <- [-2 .. 2], i <- [-2 .. 2 :: Int]]
         logs =
@@ -362,7 +389,7 @@ pairs alphabet =
           log
             (absent + sum [(1 - absent) / 4 * exp (sum [s V.! k | s <- said]) | k <- [0 .. 3]])
         seenBy e o y x =
-          [ V.slice (4 * cellIndex tables o y x) 4 (evidenceClasses e)
+          [ V.slice (4 * cellIndex (templateLayout tables) o y x) 4 (evidenceClasses e)
             | y >= 0 && y < rows && x >= 0 && x < columns
           ]
 

@@ -15,13 +15,13 @@ where
 import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
-import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth, standardDeviation)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (compositeOf)
+import PraTactile.Stitch.Held (Held, held, madeFor, sizeOf)
 import PraTactile.Stitch.Joint
 import PraTactile.Stitch.LatticeAngle (latticeAngle)
 import PraTactile.Stitch.Pairwise (registerPairwise)
@@ -29,7 +29,7 @@ import PraTactile.Stitch.Posterior (Hypothesis)
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..))
 import PraTactile.Stitch.Spectrum (spectra)
-import PraTactile.Stitch.Template (PaperTables (..), paperTemplates)
+import PraTactile.Stitch.Template (PaperTables, paperTemplates)
 
 -- | How frames are registered.
 data Way
@@ -78,30 +78,31 @@ arrange way settings frames = case (way, paperTemplates) of
     arranged
       Jointly
       [ Arranged d (Just (sd, sd)) Nothing []
-        | (d, sd) <- registerPairwise settings (madeFor (uncurry spectra)) frames
+        | (d, sd) <- registerPairwise settings (madeFor sizes (uncurry spectra)) frames
       ]
-  (ByLattice, Just tables) -> jointly tables (fromMaybe 0 (angleBy tables))
+  (ByLattice, Just tables) -> jointly (fromMaybe (at tables 0) (latticeOf tables))
   (Automatic, Just tables)
     | length frames >= 2 && doubtful,
-      Just angle <- angleBy tables ->
-      jointly tables angle
+      Just against <- latticeOf tables ->
+      jointly against
   _ -> plain Incremental (register settings frames)
   where
     unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
     sizes = map (sizeOf . snd) frames
-    -- The angle of the lattice, if the frames show it.
-    angleBy :: PaperTables -> Maybe Double
-    angleBy tables = do
+    at tables = held tables (map snd frames)
+    -- The frames held against the lattice, if they show it.
+    latticeOf :: PaperTables -> Maybe Held
+    latticeOf tables = do
       size <- listToMaybe sizes
       latticeAngle
-        (\angle -> paperTables tables angle size, \angle -> paperCoarse tables angle size)
+        (at tables)
         (uncurry spectra size)
         (tilt (map (compositeOf . snd) frames))
-        [image | (_, image) <- frames, sizeOf image == size]
-    jointly :: PaperTables -> Double -> Arrangement
-    jointly tables angle =
+        (map snd frames)
+    jointly :: Held -> Arrangement
+    jointly against =
       arranged
         ByLattice
         [ Arranged
@@ -109,13 +110,8 @@ arrange way settings frames = case (way, paperTemplates) of
             (Just (locatedDeviation l))
             (Just (locatedProbability l))
             (locatedOthers l)
-          | l <- registerJointly settings angle (madeFor (paperTables tables angle)) frames
+          | l <- registerJointly settings against frames
         ]
-    -- Tables by the frames' size, each made once.
-    madeFor :: ((Int, Int) -> tables) -> (Int, Int) -> tables
-    madeFor make = \size -> Map.findWithDefault (make size) size made
-      where
-        made = Map.fromSet make (Set.fromList sizes)
     plain used ds = arranged used [Arranged d Nothing Nothing instead | (d, instead) <- ds]
     arranged used told =
       Arrangement
@@ -136,9 +132,6 @@ withMisfit images settings = settings {registrationNoise = sqrt (noise * noise +
     relief = max 0 (average [sd * sd | Just sd <- map standardDeviation images] - noise * noise)
     misfit = 0.05
     average values = sum values / fromIntegral (max 1 (length values))
-
-sizeOf :: Raster -> (Int, Int)
-sizeOf image = (rasterWidth image, rasterHeight image)
 
 moved :: [(Place, Raster)] -> [Place] -> [(Place, Raster)]
 moved = zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image))

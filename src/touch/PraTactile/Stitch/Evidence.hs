@@ -10,17 +10,22 @@
 module PraTactile.Stitch.Evidence
   ( Evidence (..),
     evidence,
+    Sight (..),
+    sight,
     Level (..),
-    phaseCount,
     absent,
     overClasses,
   )
 where
 
+import qualified Data.IntSet as IntSet
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Stitch.Blur (areaSums)
+import PraTactile.Stitch.Layout
+import PraTactile.Stitch.Symbols (symbolsClasses)
+import PraTactile.Stitch.Tabulate (tabulate)
 import PraTactile.Stitch.Template
 
 -- | How a frame reads relief: gain times the relief (1 embossed, 0 flat) plus offset, plus normal
@@ -52,25 +57,125 @@ data Evidence = Evidence
 absent :: Double
 absent = 0.01
 
--- | The number of phases across and down, places to the taxel given.
-phaseCount :: Int -> (Int, Int)
-phaseCount q = (columnPitch * q, rowPitch * q)
+-- | What a frame tells, each part made when it is first looked at.
+data Sight = Sight
+  { -- | The logarithm of its probability density, standardised to variance 1, at whole taxels.
+    sightRoughly :: Double,
+    -- | The same at all places, by the phases that it leaves likely at whole taxels.
+    sightLog :: Double,
+    -- | All, at all places.
+    sightEvidence :: Evidence
+  }
 
 -- | What a frame of the tables' size tells. A frame without any variation tells nothing.
 evidence :: Templates -> Raster -> Evidence
-evidence tables image = weighed tables fine (refined 1 tables fine (refined 4 rough coarse start))
+evidence tables = sightEvidence . sight tables
+
+-- | The same by parts. The level is found by four steps at whole taxels and one at all places, all
+-- but the first for likely phases only, or where others turn out to matter, for all.
+sight :: Templates -> Raster -> Sight
+sight tables image = Sight (evidenceLog roughly) (evidenceLog nearly) fine
   where
     values = rasterValues image
     n = fromIntegral (V.length values)
     average = V.sum values / n
     deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
-    start = firstLevel standard
-    rough = coarser tables
-    coarse = correlations rough standard
-    fine = correlations tables standard
-    refined :: Int -> Templates -> Vector Double -> Level -> Level
-    refined steps t products level = iterate (improved t products) level !! steps
+    better comparison = improved comparison . weighed comparison
+    -- At whole taxels.
+    coarse = wholly (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
+    first = weighed coarse (firstLevel standard)
+    few = among coarse (likely coarse first)
+    settled comparison =
+      weighed comparison (iterate (better comparison) (improved coarse first) !! 3)
+    roughly = settled few
+    rough = reconsidered coarse settled roughly
+    -- At all places.
+    areas = areaSums (templateLayout tables) standard
+    whole = wholly tables areas
+    near = partly whole areas (finer (coarser tables) tables (likely coarse rough))
+    improvedOnce comparison = weighed comparison (better comparison (evidenceLevel rough))
+    nearly = improvedOnce near
+    fine = reconsidered whole improvedOnce nearly
+
+-- | What a comparison of all phases tells, at the level that was found by some of them; or, if
+-- others have any weight there, as it is found by all.
+reconsidered :: Comparison -> (Comparison -> Evidence) -> Evidence -> Evidence
+reconsidered whole@(Comparison _ lattices _) found some
+  | V.length (evidencePhases some) == V.length (phaseNumbers lattices) = some
+  | evidenceLog same - evidenceLog some < 1e-7 = same
+  | otherwise = found whole
+  where
+    same = weighed whole (evidenceLevel some)
+
+-- | The phases that are not most unlikely.
+likely :: Comparison -> Evidence -> [Int]
+likely (Comparison _ lattices _) given =
+  map
+    (phaseNumbers lattices V.!)
+    (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
+  where
+    phases = evidencePhases given
+
+-- | The phases of finer tables that are less than a taxel from some of coarser ones.
+finer :: Templates -> Templates -> [Int] -> [Int]
+finer coarse fine = IntSet.toList . IntSet.fromList . concatMap around
+  where
+    places = layoutPlaces . templateLayout
+    q = places fine `quot` places coarse
+    (acrossCoarse, downCoarse) = phaseCount (places coarse)
+    (across, down) = phaseCount (places fine)
+    around phase =
+      let (row, x) = phase `quotRem` acrossCoarse
+          (o, y) = row `quotRem` downCoarse
+       in [ (o * down + (q * y + j) `mod` down) * across + (q * x + i) `mod` across
+            | j <- [1 - q .. q - 1],
+              i <- [1 - q .. q - 1]
+          ]
+
+-- | A frame held against symbols in cells: the tables, some phases of the lattice with their cells,
+-- and the numbers of these.
+data Comparison = Comparison !Templates Phases Numbers
+
+-- | All phases, from the frame's 'areaSums'.
+wholly :: Templates -> Vector Double -> Comparison
+wholly tables areas =
+  Comparison
+    tables
+    (templatePhases tables)
+    (Numbers (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+
+-- | Some of all phases.
+among :: Comparison -> [Int] -> Comparison
+among comparison@(Comparison tables _ (Numbers products sums squares)) phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (Numbers (at products) (at sums) (at squares))
+  where
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+    count = symbolsClasses (templateSymbols tables)
+    -- Note [Bounds of cells]
+    at numbers =
+      tabulate count (V.length cells) $ \c ->
+        let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
+
+-- | The same from the frame's 'areaSums', without looking at the numbers of all.
+partly :: Comparison -> Vector Double -> [Int] -> Comparison
+partly comparison@(Comparison tables _ _) areas phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (numbersAt tables areas cells)
+  where
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+
+-- | Whether so many phases are compared faster together with all others, as are none: then what the
+-- frame tells is no number.
+many :: Templates -> [Int] -> Bool
+many tables phases = null phases || 4 * length phases > phaseTotal (templateLayout tables)
+
+-- | The cells of phases numbered from 0 on, as they come, and what they were.
+renumbered :: Phases -> (Phases, Vector Int)
+renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells)
+  where
+    cells = phaseCells phases
 
 -- | A first guess: the noise from the second differences across, in which smooth relief has next to
 -- no part, and the gain and the offset from what is usual of symbols.
@@ -91,28 +196,39 @@ firstLevel image = Level gain (-0.15 * gain) noise
       | otherwise = max 1e-3 (min 0.95 (sum differences / (4 * fromIntegral (length differences))))
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
--- | Everything at a level, from the correlations of the standardised frame.
-weighed :: Templates -> Vector Double -> Level -> Evidence
-weighed tables products level@(Level gain offset variance) =
+-- | Everything at a level.
+weighed :: Comparison -> Level -> Evidence
+weighed (Comparison tables lattices numbers) level@(Level gain offset variance) =
   Evidence tables level classes cells phases total
   where
+    Numbers products sums squares = numbers
     -- Note [Bounds of classes]
     classes = V.generate (V.length products) $ \i ->
-      ( gain * (V.unsafeIndex products i - offset * V.unsafeIndex (templateSums tables) i)
-          - gain * gain / 2 * V.unsafeIndex (templateSquares tables) i
-      )
-        / variance
-    cells = cellsOf (templateClasses tables) classes
-    phases = phasesOf tables cells
+      ofProducts * V.unsafeIndex products i
+        - ofSums * V.unsafeIndex sums i
+        - ofSquares * V.unsafeIndex squares i
+    ofProducts = gain / variance
+    ofSums = gain * offset / variance
+    ofSquares = gain * gain / (2 * variance)
+    cells = cellsOf (symbolsClasses (templateSymbols tables)) classes
+    phases = overPhases lattices cells
     top = V.maximum phases
-    n = let (w, h) = templateFrame tables in fromIntegral (w * h)
+    n = taxelsOf tables
     total =
-      top + log (V.sum (V.map (\l -> exp (l - top)) phases) / fromIntegral (V.length phases))
+      top
+        + log
+          ( V.sum (V.map (relativeTo top) phases)
+              / fromIntegral (phaseTotal (templateLayout tables))
+          )
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
 
 {- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
    number for each cell and class. -}
+
+-- | The number of a frame's taxels.
+taxelsOf :: Templates -> Double
+taxelsOf tables = let (w, h) = layoutFrame (templateLayout tables) in fromIntegral (w * h)
 
 -- | From classes to cells.
 cellsOf :: Int -> Vector Double -> Vector Double
@@ -121,91 +237,106 @@ cellsOf count classes = V.generate (V.length classes `quot` count) cell
     cell i = overClasses count (\k -> V.unsafeIndex classes (i * count + k))
 
 -- | The logarithm of how likely a cell is, given those of each class: the mean over the classes,
--- and nothing at all with its own probability.
+-- and nothing at all with its own probability. What is less likely by 'negligible' does not count.
 overClasses :: Int -> (Int -> Double) -> Double
-overClasses count at = m + log (terms 0 (absent * exp (negate m)))
+overClasses count at
+  | m <= 0 = sumOf 0 absent
+  | m > negligible = sumOf m 0
+  | otherwise = sumOf m (absent * exp (negate m))
   where
+    sumOf top rest = let s = terms top 0 rest in if s == absent then top + none else top + log s
     share = (1 - absent) / fromIntegral count
+    none = log absent
     m = highest 0 0
     highest :: Int -> Double -> Double
     highest !k !best
       | k >= count = best
       | otherwise = highest (k + 1) (max best (at k))
-    terms :: Int -> Double -> Double
-    terms !k !s
+    terms :: Double -> Int -> Double -> Double
+    terms !top !k !s
       | k >= count = s
-      | at k - m < -30 = terms (k + 1) s
-      | otherwise = terms (k + 1) (s + share * exp (at k - m))
+      | at k - top < negate negligible = terms top (k + 1) s
+      | at k == top = terms top (k + 1) (s + share)
+      | otherwise = terms top (k + 1) (s + share * exp (at k - top))
 {-# INLINE overClasses #-}
 
--- | From cells to lattices: the sum over the cells of each.
-phasesOf :: Templates -> Vector Double -> Vector Double
-phasesOf tables cells = V.generate (2 * down * across) phase
-  where
-    (columns, rows) = templateGrid tables
-    (across, down) = phaseCount (templatePlaces tables)
-    phase i = go py px 0
-      where
-        (row, px) = i `quotRem` across
-        (o, py) = row `quotRem` down
-        go !y !x !s
-          | y >= rows = s
-          | x >= columns = go (y + down) px s
-          | otherwise =
-            go y (x + across) (s + V.unsafeIndex cells (cellIndex tables o y x) :: Double)
+-- | How likely something is as a share of the likeliest, from the logarithms.
+relativeTo :: Double -> Double -> Double
+relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
 
--- | One step: what the symbols probably are at this level, and the level that fits them best.
-improved :: Templates -> Vector Double -> Level -> Level
-improved tables products level@(Level gain offset _) = Level gain' offset' variance'
+-- | What is so much less likely, as a natural logarithm, does not count.
+negligible :: Double
+negligible = 30
+
+-- | From cells to lattices: the sum over the cells of each.
+overPhases :: Phases -> Vector Double -> Vector Double
+overPhases lattices values = V.generate (V.length (phaseBegins lattices) - 1) phase
   where
-    given = weighed tables products level
-    (columns, rows) = templateGrid tables
-    (across, down) = phaseCount (templatePlaces tables)
-    count = templateClasses tables
+    phase i = overCells lattices i 0 (\s cell -> s + V.unsafeIndex values cell)
+
+-- | Over the cells of a phase, which are given by their numbers, from a start.
+overCells :: Phases -> Int -> s -> (s -> Int -> s) -> s
+overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) start
+  where
+    end = V.unsafeIndex begins (i + 1)
+    -- Note [Bounds of cells]
+    go !c !s
+      | c >= end = s
+      | otherwise = go (c + 1) (step s (V.unsafeIndex cells c))
+{-# INLINE overCells #-}
+
+{- Note [Bounds of cells] The beginnings have an end, and each lies within the cells; these have
+   their numbers in the tables that they are cells of. -}
+
+-- | Sums over symbols, each as probable as it is: of their correlations, of the templates and of
+-- the templates' squares.
+data Sums = Sums !Double !Double !Double
+
+-- | One step: by what the symbols probably are at a level, the level that fits them best.
+improved :: Comparison -> Evidence -> Level
+improved (Comparison tables lattices numbers) given = Level gain' offset' variance'
+  where
+    Level gain offset _ = evidenceLevel given
+    Numbers products sums squares = numbers
+    count = symbolsClasses (templateSymbols tables)
     share = (1 - absent) / fromIntegral count
-    n = let (w, h) = templateFrame tables in fromIntegral (w * h)
+    n = taxelsOf tables
     phases = evidencePhases given
     top = V.maximum phases
-    weights = V.map (\l -> exp (l - top)) phases
+    weights = V.map (relativeTo top) phases
     total = V.sum weights
-    (sumY, sumT, sumTT) = V.ifoldl' phase (0, 0, 0) weights
-    phase (!a, !b, !c) i weight
-      | weight < 1e-6 * total = (a, b, c)
-      | otherwise = go py px a b c
+    Sums sumY sumT sumTT = V.ifoldl' phase (Sums 0 0 0) weights
+    phase found i weight
+      | weight < 1e-6 * total = found
+      | otherwise = overCells lattices i found $ \(Sums a b c) cell ->
+        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (evidenceCells given) cell)
+         in Sums (a + weight * a') (b + weight * b') (c + weight * c')
+    symbols start cell = go 0 (Sums 0 0 0)
       where
-        (row, px) = i `quotRem` across
-        (o, py) = row `quotRem` down
-        go !y !x !a' !b' !c'
-          | y >= rows = (a', b', c')
-          | x >= columns = go (y + down) px a' b' c'
-          | otherwise =
-            let cell = cellIndex tables o y x
-                (a'', b'', c'') = symbols (cell * count) (V.unsafeIndex (evidenceCells given) cell)
-             in go y (x + across) (a' + weight * a'') (b' + weight * b'') (c' + weight * c'')
-    symbols start cell = go 0 0 0 0
-      where
-        go :: Int -> Double -> Double -> Double -> (Double, Double, Double)
-        go !k !a !b !c
-          | k >= count = (a, b, c)
+        go :: Int -> Sums -> Sums
+        go !k found@(Sums a b c)
+          | k >= count = found
           | otherwise =
             let p = share * exp (V.unsafeIndex (evidenceClasses given) (start + k) - cell)
              in go
                   (k + 1)
-                  (a + p * V.unsafeIndex products (start + k))
-                  (b + p * V.unsafeIndex (templateSums tables) (start + k))
-                  (c + p * V.unsafeIndex (templateSquares tables) (start + k))
+                  ( Sums
+                      (a + p * V.unsafeIndex products (start + k))
+                      (b + p * V.unsafeIndex sums (start + k))
+                      (c + p * V.unsafeIndex squares (start + k))
+                  )
     -- The regression of the frame, of mean 0 and variance 1, on the relief.
-    products' = sumY / total
-    sums = sumT / total
-    squares = sumTT / total
-    spreadOfRelief = squares - sums * sums / n
-    gain' = if spreadOfRelief > 1e-6 then max 0.3 (products' / spreadOfRelief) else gain
-    offset' = if spreadOfRelief > 1e-6 then negate gain' * sums / n else offset
+    product' = sumY / total
+    sum' = sumT / total
+    square' = sumTT / total
+    spreadOfRelief = square' - sum' * sum' / n
+    gain' = if spreadOfRelief > 1e-6 then max 0.3 (product' / spreadOfRelief) else gain
+    offset' = if spreadOfRelief > 1e-6 then negate gain' * sum' / n else offset
     variance' =
       max
         2e-3
-        ( ( n * (1 + offset' * offset') - 2 * gain' * (products' - offset' * sums)
-              + gain' * gain' * squares
+        ( ( n * (1 + offset' * offset') - 2 * gain' * (product' - offset' * sum')
+              + gain' * gain' * square'
           )
             / n
         )

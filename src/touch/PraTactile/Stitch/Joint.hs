@@ -18,12 +18,17 @@ import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Held (Held (..), sizeOf)
+import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Posterior (Hypothesis (..), tolerance)
+import PraTactile.Stitch.Product (dotWithin)
 import PraTactile.Stitch.Search (Registration (..), searchRadius)
 import PraTactile.Stitch.Spaced (spacedOut)
+import PraTactile.Stitch.Symbols (symbolsClasses)
+import PraTactile.Stitch.Tabulate (tabulate)
 import PraTactile.Stitch.Template
 
 -- | Where a frame was found.
@@ -44,33 +49,32 @@ data Located = Located
 phaseFrames :: Int
 phaseFrames = 64
 
--- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and the
--- tables by the frames' width and height, all at one angle, that of the lattice. The displacements
--- have mean 0, since a shift common to all cannot be seen. The order of the frames changes nothing.
-registerJointly ::
-  Registration -> Double -> ((Int, Int) -> Templates) -> [(Place, Raster)] -> [Located]
-registerJointly settings angle tables frames = map snd (sortOn fst (zip order centred))
+-- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and what they
+-- tell at the lattice's angle. The displacements have mean 0, since a shift common to all cannot be
+-- seen. The order of the frames changes nothing.
+registerJointly :: Registration -> Held -> [(Place, Raster)] -> [Located]
+registerJointly settings against frames = map snd (sortOn fst (zip order centred))
   where
+    angle = heldAngle against
     (order, ordered) =
       unzip
         ( sortOn
-            (\(_, ((x, y), image)) -> (y, x, rasterValues image))
-            [ (k, (firstPlace (tablesOf image) (turnedBy (negate angle) place), image))
-              | (k, (place, image)) <- zip [0 :: Int ..] frames
+            (\(_, ((x, y), image, _)) -> (y, x, rasterValues image))
+            [ (k, (firstPlace (tablesOf image) (turnedBy (negate angle) place), image, told))
+              | (k, (place, image), told) <- zip3 [0 :: Int ..] frames (heldFrames against)
             ]
         )
     grid = gridOf settings
     -- What few frames tell is kept; of many it would take too much memory.
-    told = [(place, toldBy image) | (place, image) <- ordered]
+    kept = [(place, sightEvidence told) | (place, _, told) <- ordered]
     again
-      | length ordered <= phaseFrames = told
-      | otherwise = [(place, toldBy image) | (place, image) <- ordered]
-    toldBy image = evidence (tablesOf image) image
-    tablesOf image = tables (rasterWidth image, rasterHeight image)
-    (orientation, phase) = commonPhase grid (spacedOut phaseFrames told)
+      | length ordered <= phaseFrames = kept
+      | otherwise = [(place, evidence (tablesOf image) image) | (place, image, _) <- ordered]
+    tablesOf image = heldTables against (sizeOf image)
+    (orientation, phase) = commonPhase grid (spacedOut phaseFrames kept)
     options = [optionsOf grid orientation phase frame | frame <- again]
     settled = swept options
-    located = map (turnedTo angle) (zipWith locatedAt ordered settled)
+    located = map (turnedTo angle) (zipWith locatedAt [place | (place, _, _) <- ordered] settled)
     n = fromIntegral (max 1 (length located))
     mean part = eighth (sum (map (part . locatedShift) located) / n)
     centred =
@@ -122,7 +126,7 @@ q = fromIntegral placesPerTaxel
 firstPlace :: Templates -> Place -> Place
 firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
   where
-    (i, j) = templateFirst tables
+    (i, j) = layoutFirst (templateLayout tables)
 
 -- | A nominal place as the nearest grid point, and what is left, in places.
 onGrid :: Place -> ((Int, Int), (Double, Double))
@@ -151,29 +155,34 @@ commonPhase grid frames = (o, (y, x))
       where
         phases = evidencePhases given
         top = V.maximum phases
-        masses = V.map (\l -> exp (l - top)) phases
+        -- What is too small for the floor above is nothing: numbers near the smallest are slow.
+        masses = V.map (\l -> if l - top < -700 then 0 else exp (l - top)) phases
         ((nx, ny), (rx, ry)) = onGrid place
         -- At the phase on the composite, what the frame says of its own.
-        shifted v = V.generate (2 * across * down) $ \i ->
-          let (r, px) = i `quotRem` across
-              (orient, py) = r `quotRem` down
-           in V.unsafeIndex
-                v
-                ((orient * down + (py - ny) `mod` down) * across + (px - nx) `mod` across)
-        -- Over the displacements, with their prior.
-        blurred v = vertically (horizontally v)
-        shares rest =
-          [(d, exp (priorAlong grid rest d)) | d <- [negate (gridReach grid) .. gridReach grid]]
-        horizontally v = V.generate (V.length v) $ \i ->
-          let (r, px) = i `quotRem` across
-           in sum [s * V.unsafeIndex v (r * across + (px - d) `mod` across) | (d, s) <- shares rx]
-        vertically v = V.generate (V.length v) $ \i ->
-          let (r, px) = i `quotRem` across
-              (orient, py) = r `quotRem` down
-           in sum
-                [ s * V.unsafeIndex v ((orient * down + (py - d) `mod` down) * across + px)
-                  | (d, s) <- shares ry
-                ]
+        shifted v = tabulate across (2 * down) $ \r ->
+          let (orient, py) = r `quotRem` down
+              !start = ((py - ny) `mod` down) * across * 2 + orient
+           in \px -> V.unsafeIndex v (start + 2 * ((px - nx) `mod` across))
+        -- Over the displacements, with their prior; by row, column and orientation.
+        blurred =
+          ringed (2 * across) down (kernel down ry) . ringed (2 * down) across (kernel across rx)
+        -- The prior of the displacements from one phase to another, by their difference, twice
+        -- around.
+        kernel period rest =
+          let once =
+                V.accum
+                  (+)
+                  (V.replicate period 0)
+                  [ (negate d `mod` period, exp (priorAlong grid rest d))
+                    | d <- [negate (gridReach grid) .. gridReach grid]
+                  ]
+           in once <> once
+
+-- | So many rows of numbers, each a ring of that length, blurred by a kernel that is given twice
+-- around; the rows become columns.
+ringed :: Int -> Int -> Vector Double -> Vector Double -> Vector Double
+ringed rows period kernel v =
+  tabulate rows period $ \x y -> dotWithin period (y * period) v (period - x) kernel
 
 -- | A displacement of a frame, in places from its grid point: the prior's logarithm and what the
 -- frame says of each cell that it sees there, by the cell's number.
@@ -193,9 +202,10 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
   ]
   where
     tables = evidenceTables given
-    (across, down) = phaseCount (templatePlaces tables)
-    (columns, rows) = templateGrid tables
-    count = templateClasses tables
+    places = templateLayout tables
+    (across, down) = phaseCount (layoutPlaces places)
+    (columns, rows) = layoutGrid places
+    count = symbolsClasses (templateSymbols tables)
     ((nx, ny), (rx, ry)) = onGrid place
     reach = gridReach grid
     scored =
@@ -214,7 +224,7 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
     margin = 12
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          V.force (V.slice (cellIndex tables orientation y x * count) count (evidenceClasses given))
+          V.force (V.slice (cellIndex places orientation y x * count) count (evidenceClasses given))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-
@@ -307,8 +317,8 @@ weighed scored = [(o, exp (s - top) / total) | (o, s) <- scored]
     total = sum [exp (s - top) | (_, s) <- scored]
 
 -- | Where a frame is, by its options: the mean of those near the likeliest.
-locatedAt :: (Place, Raster) -> [(Option, Double)] -> Located
-locatedAt (place, _) options =
+locatedAt :: Place -> [(Option, Double)] -> Located
+locatedAt place options =
   Located
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)

@@ -4,58 +4,67 @@ module PraTactile.Stitch.LatticeAngle
   )
 where
 
-import Data.List (find, foldl', sortOn)
-import Data.Ord (Down (..))
+import Data.List (find, foldl', maximumBy, sortOn)
+import Data.Ord (Down (..), comparing)
+import qualified Data.Vector as Boxed
 import PraTactile.Image (Raster, standardDeviation)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Held (Held (..), sizeOf)
 import PraTactile.Stitch.Spaced (spacedOut)
 import PraTactile.Stitch.Spectrum
-import PraTactile.Stitch.Template
 
--- | The angle in [-90, 90), in degrees clockwise, at which a lattice lies under frames, given its
--- tables at any angle, those at whole taxels, and perhaps the angle, up to quarter turns, at which
+-- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
+-- them, given what they tell at any angle, and perhaps the angle, up to quarter turns, at which
 -- symbols seem to lie: near that angle or upright, if the frames are likelier to show that than any
--- other relief, else wherever they make it likeliest. To a degree, by a few of the frames, which
--- must be of the tables' size. 'Nothing' where they are likelier to show something else.
-latticeAngle ::
-  (Double -> Templates, Double -> Templates) ->
-  Spectra ->
-  Maybe Double ->
-  [Raster] ->
-  Maybe Double
-latticeAngle (tables, coarse) processes hint images
-  | shown 0 && all (\a -> finely a < finelyUpright) [-3, 3] = Just 0
+-- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
+-- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
+-- something else.
+latticeAngle :: (Double -> Held) -> Spectra -> Maybe Double -> [Raster] -> Maybe Held
+latticeAngle at processes hint images
+  | shown upright && all (\a -> finely (at a) < finely upright) [-3, 3] = Just upright
   | otherwise = find shown angles
   where
     angles =
       map
-        (upright . folded . settled . nearby . likeliest)
-        [0 : concat [[a, a + 90] | Just a <- [hint]], [-90, -81 .. 81]]
-    upright angle = if abs angle <= 1 then 0 else angle
+        (atOrUpright . folded . settled . likeliest)
+        [upright : concat [[at a, at (a + 90)] | Just a <- [hint]], map at [-90, -81 .. 81]]
+    upright = at 0
+    atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
-    likeliest candidates = snd (maximum [(roughly 5 a, a) | a <- candidates])
-    nearby angle = snd (foldl' nearer (roughly 8 angle, angle) [4, 2])
-    nearer best@(_, a) step = maximum (best : [(roughly 8 b, b) | b <- [a - step, a + step]])
-    settled a = climbed (3 :: Int) (finely (a - 2)) (finely a) (finely (a + 2)) a
-    -- The vertex of the parabola through three, of which the middle one is the highest.
-    climbed n before here after angle
-      | n > 0 && before > here = climbed (n - 1) (finely (angle - 4)) before here (angle - 2)
-      | n > 0 && after > here = climbed (n - 1) here after (finely (angle + 4)) (angle + 2)
-      | bend > 0 = angle + max (-1) (min 1 ((after - before) / bend))
-      | otherwise = angle
+    likeliest = maximumOn (\there -> (roughly 5 there, heldAngle there))
+    settled there = heldAngle there + 2 * climbed (3 :: Int) nearby
       where
-        bend = 2 * here - before - after
+        -- By two degrees a step, as far as it is looked around.
+        step k = steps Boxed.! (k + most)
+        steps = Boxed.generate (2 * most + 1) (stepped . subtract most)
+        stepped k = if k == 0 then there else at (heldAngle there + 2 * fromIntegral k)
+        most = 7
+        nearby = foldl' nearer 0 [2, 1]
+        nearer k by = maximumOn (\j -> (roughly 8 (step j), j)) [k, k - by, k + by]
+        -- The vertex of the parabola through three, of which the middle one is the highest.
+        climbed n k
+          | n > 0 && before > here = climbed (n - 1) (k - 1)
+          | n > 0 && after > here = climbed (n - 1) (k + 1)
+          | bend > 0 = fromIntegral k + max (-0.5) (min 0.5 ((after - before) / bend / 2))
+          | otherwise = fromIntegral k
+          where
+            before = finely (step (k - 1))
+            here = finely (step k)
+            after = finely (step (k + 1))
+            bend = 2 * here - before - after
     -- By so many frames, those that show most.
-    roughly count angle = seenBy (take count telling) (coarse angle)
-    finely angle = seenBy (take 8 telling) (tables angle)
-    finelyUpright = finely 0
+    roughly count there = seenBy sightRoughly (take count telling) there
+    finely there = seenBy sightLog (take 8 telling) there
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
-    shown angle = seenBy few (tables angle) > blind
-    seenBy some at = sum [evidenceLog (evidence at i) | i <- some]
-    few = spacedOut 12 images
-    telling = sortOn (Down . standardDeviation) images
-    blind = sum (concat [processLogs (processOf processes misfit [coefficients i]) | i <- few])
+    shown there = seenBy sightLog few there > blind
+    seenBy told some there = sum [told (heldFrames there !! k) | (k, _) <- some]
+    few = spacedOut 12 usable
+    telling = sortOn (Down . standardDeviation . snd) usable
+    usable = [(k, i) | (k, i) <- zip [0 ..] images, sizeOf i == sizeOf (head images)]
+    blind =
+      sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
     coefficients = coefficientsOf processes
+    maximumOn score = maximumBy (comparing score)
 
 -- | The least share of noise that relief of any kind is supposed to have where frames are asked
 -- whether they show the lattice: symbols are not felt quite as they are drawn, and a frame without

@@ -22,6 +22,7 @@ import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Shape (Alphabet, symbolWidth)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Pair.Alike
 import PraTactile.Stitch.Pair.Blind
 import PraTactile.Stitch.Pair.Correlation
@@ -120,7 +121,7 @@ tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
 registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match
 registerPair tables pairing a b
   | size a /= size b = Left (PairSizes (size a) (size b))
-  | outside (size a) || size a /= templateFrame (tablesTemplates tables) =
+  | outside (size a) || size a /= layoutFrame (templateLayout (tablesTemplates tables)) =
     Left (PairFrameSize (size a))
   | not (all finite [a, b]) = Left PairNotFinite
   | not (sensible pairing) = Left (UnusablePairing pairing)

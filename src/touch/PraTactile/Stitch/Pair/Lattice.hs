@@ -13,7 +13,9 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Symbols (symbolsClasses)
 import PraTactile.Stitch.Template
 
 -- | The posterior of the place of the second frame's upper left pixel in the first, from their
@@ -23,7 +25,7 @@ latticePosterior :: Place -> Double -> Evidence -> Evidence -> Posterior
 latticePosterior (stepX, stepY) search a b =
   posterior (taxels (startX, startY)) (1 / fromIntegral q) (side, side) (V.map log masses)
   where
-    q = templatePlaces (evidenceTables a)
+    q = layoutPlaces (templateLayout (evidenceTables a))
     taxels (x, y) = (fromIntegral x / fromIntegral q, fromIntegral y / fromIntegral q)
     reach = ceiling (search * fromIntegral q) :: Int
     side = 2 * reach + 1
@@ -49,7 +51,7 @@ latticePosterior (stepX, stepY) search a b =
 candidates :: Evidence -> Evidence -> (Int, Int) -> Int -> Vector Double -> [(Int, Int)]
 candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (within 15)]
   where
-    (across, down) = phaseCount (templatePlaces (evidenceTables a))
+    (across, down) = phaseCount (layoutPlaces (templateLayout (evidenceTables a)))
     phasesA = evidencePhases a
     phasesB = evidencePhases b
     size = V.length phasesA
@@ -107,10 +109,10 @@ joint :: Evidence -> Evidence -> (Int, Int) -> Int -> Double
 joint a b (dx, dy) phase = go firstY firstX 0
   where
     tables = evidenceTables a
-    q = templatePlaces tables
-    count = templateClasses tables
-    (columns, rows) = templateGrid tables
-    (across, down) = phaseCount q
+    places = templateLayout tables
+    count = symbolsClasses (templateSymbols tables)
+    (columns, rows) = layoutGrid places
+    (across, down) = phaseCount (layoutPlaces places)
     (row, px) = phase `quotRem` across
     (o, py) = row `quotRem` down
     firstX = firstAtLeast px across (min 0 dx)
@@ -123,9 +125,9 @@ joint a b (dx, dy) phase = go firstY firstX 0
       | x >= lastX = go (y + down) firstX s
       | otherwise = go y (x + across) (s + cell y x)
     cell y x
-      | inA && inB = both (cellIndex tables o y x) (cellIndex tables o (y - dy) (x - dx))
-      | inA = V.unsafeIndex (evidenceCells a) (cellIndex tables o y x)
-      | inB = V.unsafeIndex (evidenceCells b) (cellIndex tables o (y - dy) (x - dx))
+      | inA && inB = both (cellIndex places o y x) (cellIndex places o (y - dy) (x - dx))
+      | inA = V.unsafeIndex (evidenceCells a) (cellIndex places o y x)
+      | inB = V.unsafeIndex (evidenceCells b) (cellIndex places o (y - dy) (x - dx))
       | otherwise = 0
       where
         inA = y >= 0 && y < rows && x >= 0 && x < columns
