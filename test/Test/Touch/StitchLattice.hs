@@ -144,11 +144,11 @@ templatesSpec alphabet = do
               cells = cellsOfPhase (templateLayout tables) phase
               Numbers products sums squares =
                 numbersAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
-              within numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
+              ofCells numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
            in (products, sums, squares)
-                === ( within (correlations tables image),
-                      within (templateSums tables),
-                      within (templateSquares tables)
+                === ( ofCells (correlations tables image),
+                      ofCells (templateSums tables),
+                      ofCells (templateSquares tables)
                     )
   modifyMaxSuccess (const 10) $
     prop "is as likely by the phases that are likely at whole taxels as by all" $
