@@ -5,7 +5,7 @@ clipped. The second lies 8 taxels right of or below the first, with whole errors
 0.75 taxel on both axes; a refusal counts by its `best`. numpy, TM_CCOEFF_NORMED and m2stitch are held to the search of 3 taxels, ECC and
 Ashlar start from the nominal step; phase_cross_correlation takes neither.
 
-usage: bench/peers/stitching.py [--program bin/pra-tactile] [--pairs 1000] [--seed 1] [--real FOLDER] [--realistic] [--mosaics N] [--json FILE]
+usage: bench/peers/stitching.py [--program bin/pra-tactile] [--pairs 1000] [--seed 1] [--real FOLDER] [--realistic] [--felt] [--mosaics N] [--json FILE]
 needs: numpy, scipy; scikit-image, opencv-python-headless, m2stitch and ashlar where their rows are wanted
 """
 
@@ -73,8 +73,10 @@ def write(path, image):
     return values.astype(float) / 65535
 
 
-def simulated(folder, program, noise, pairs, seed, realistic=False):
-    """Pairs on disk: each the names, the images, the nominal step and the true one."""
+def simulated(folder, program, noise, pairs, seed, realistic=False, reliefs=None):
+    """Pairs on disk: each the names, the images, the nominal step and the true one.
+
+    How far the relief of the true overlap ranges, without noise, is appended to `reliefs`."""
     rng = np.random.default_rng([seed, int(1000 * noise), realistic])
     shapes, array = alphabet(), symbols_of_the_array(program)
     pattern = 0.1 * rng.standard_normal((SIDE, SIDE)) if realistic else 0
@@ -86,6 +88,8 @@ def simulated(folder, program, noise, pairs, seed, realistic=False):
         images = []
         for name, dx, dy, turn in (("a", 0, 0, turns[0]), ("b", true[0], true[1], turns[1])):
             relief = seen(shapes, array, x + dx, y + dy, turn) + pattern
+            if name == "a" and reliefs is not None:
+                reliefs.append(np.ptp(relief[max(0, true[1]):SIDE + min(0, true[1]), max(0, true[0]):SIDE + min(0, true[0])]))
             images.append(0.45 + 0.1 * (relief + noise * rng.standard_normal((SIDE, SIDE))))
         yield pair_on_disk(folder, k, images, step, true)
 
@@ -265,7 +269,8 @@ def row(name, right, seconds, more=None):
     return told
 
 
-def table(program, title, pairs, methods=("correlation", "blind", "lattice", "auto"), others=True):
+def table(program, title, pairs, methods=("correlation", "blind", "lattice", "auto"), others=True, felt=None):
+    """Each method's row; with `felt`, whether each pair's overlap shows anything, how many of both kinds are right."""
     print(title, flush=True)
     rows = []
     for method in methods:
@@ -273,6 +278,12 @@ def table(program, title, pairs, methods=("correlation", "blind", "lattice", "au
         wrong = sum(g and not r for g, r in zip(given, right))
         rows.append(row("pra-tactile " + method, right, seconds,
                         {"given": sum(given), "wrong_of_given": wrong, "expected": sum(probability)}))
+        if felt is not None:
+            shows = {kind: [r for r, f in zip(right, felt) if f == kind] for kind in (True, False)}
+            rows[-1]["right_where_felt"] = [sum(shows[True]), len(shows[True])]
+            rows[-1]["right_where_not"] = [sum(shows[False]), len(shows[False])]
+            print(f"    of {len(shows[True])} whose overlap shows relief {sum(shows[True])} are right,"
+                  f" of {len(shows[False])} whose overlap is noise alone {sum(shows[False])}", flush=True)
     for name, peer in peers().items() if others else ():
         start = time.perf_counter()
         right = []
@@ -320,6 +331,7 @@ def main():
     parser.add_argument("--levels", type=float, nargs="*", default=LEVELS)
     parser.add_argument("--real", type=pathlib.Path)
     parser.add_argument("--realistic", action="store_true")
+    parser.add_argument("--felt", action="store_true", help="tell apart pairs whose overlap shows relief, and noise alone")
     parser.add_argument("--mosaics", type=int, default=0)
     parser.add_argument("--no-peers", action="store_true")
     parser.add_argument("--json", type=pathlib.Path)
@@ -328,8 +340,11 @@ def main():
     told = []
     for level in given.levels:
         with tempfile.TemporaryDirectory() as folder:
-            pairs = list(simulated(pathlib.Path(folder), given.program, level, given.pairs, given.seed))
-            told.append(table(given.program, f"noise {level} of the relief", pairs, others=not given.no_peers))
+            reliefs = []
+            pairs = list(simulated(pathlib.Path(folder), given.program, level, given.pairs, given.seed, reliefs=reliefs))
+            # What ranges over less than three standard deviations of the noise is not felt.
+            felt = [bool(r > 3 * level) for r in reliefs] if given.felt else None
+            told.append(table(given.program, f"noise {level} of the relief", pairs, others=not given.no_peers, felt=felt))
     if given.realistic:
         with tempfile.TemporaryDirectory() as folder:
             pairs = list(simulated(pathlib.Path(folder), given.program, 0.3, given.pairs, given.seed, True))
