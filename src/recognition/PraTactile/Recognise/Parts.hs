@@ -23,7 +23,8 @@ import PraTactile.Symmetry
 -- | The grid with the parts of symbols that each composite shows in the cells around its own
 -- symbols, given how a composite's pixels came about, and the parts. Numbers them from the one
 -- given.
-withParts :: Reader -> (Composite -> Pixels) -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+withParts ::
+  Reader -> (Composite -> Pixels) -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader pixels views from grid =
   (grid {gridCells = fromZero (Map.unionWith (++) (gridCells grid) cells)}, map snd found)
   where

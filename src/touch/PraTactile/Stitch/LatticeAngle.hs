@@ -60,7 +60,8 @@ latticeAngle at processes hint images
     seenBy told some there = sum [told (heldFrames there !! k) | (k, _) <- some]
     few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
-    usable = [(k, i) | (k, i) <- zip [0 ..] images, sizeOf i == sizeOf (head images)]
+    usable =
+      [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, sizeOf i == sizeOf one]
     blind =
       sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
     coefficients = coefficientsOf processes
