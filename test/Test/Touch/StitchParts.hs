@@ -3,9 +3,12 @@
 module Test.Touch.StitchParts (spec) where
 
 import Data.List (genericLength, nub, sort)
+import Data.List.NonEmpty (nonEmpty)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Stitch.Composite (blended, isUnregistered)
+import PraTactile.Stitch.Layout (Layout (..), layout)
 import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
 import PraTactile.Stitch.Posterior
@@ -18,6 +21,7 @@ spec = do
   describe "What is known of a displacement" $ modifyMaxSuccess (const 200) posteriorSpec
   describe "Which frames overlap" neighbourSpec
   describe "The noise of frames" noiseSpec
+  describe "The places of symbols" placesSpec
 
 near :: Double -> Double -> Property
 near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
@@ -215,3 +219,35 @@ noiseSpec = do
       h <- choose (1, 7)
       values <- vectorOf (w * h) (choose (0, 1))
       pure (generate w h (\x y -> values !! (y * w + x)))
+
+placesSpec :: Spec
+placesSpec = do
+  it "reach from ten taxels before the frame to three behind, along their own axes" $
+    forAll ((,) <$> choose (4, 20) <*> choose (4, 20)) $ \(w, h) ->
+      forAll (oneof [choose (-90, 90), elements [0, 90, -90, 45]]) $ \angle ->
+        forAll (elements [1, 2]) $ \q ->
+          let turn = angle * pi / 180
+              corners =
+                [ (cos turn * x + sin turn * y, cos turn * y - sin turn * x)
+                  | x <- [0, fromIntegral (w - 1)],
+                    y <- [0, fromIntegral (h - 1)]
+                ]
+              -- Whole taxels around what the corners span, to rounding.
+              whole part =
+                let ts = map part corners
+                 in (floor (minimum ts + 1e-7), ceiling (maximum ts - 1e-7)) :: (Int, Int)
+              ((left, right'), (top, bottom)) = (whole fst, whole snd)
+              places = layout angle w h q
+              ((x0, y0), (columns, rows)) = (layoutFirst places, layoutGrid places)
+           in -- A symbol's 8 x 12 taxels lie behind its place, and count two taxels around.
+              ((x0, y0), (x0 + columns `div` q, y0 + rows `div` q), (columns `mod` q, rows `mod` q))
+                === ((left - 10, top - 14), (right' + 3, bottom + 3), (0, 0))
+  it "frames are unregistered where several lie at their nominal places" $
+    [ fmap isUnregistered (blendedAt places)
+      | places <- [[(0, 0)], [(1, 0)], [(0, 0), (0, 0)], [(0, 0), (0.5, 0)], [(0, -1), (0, 0)]]
+    ]
+      `shouldBe` map Just [False, False, True, False, False]
+  where
+    blendedAt shifts =
+      blended (0, 0) <$> nonEmpty [((place, constant 4 4 0.5), Nothing) | place <- shifts]
+        <*> pure shifts
