@@ -9,13 +9,14 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceSums, referenceWeights)
-import PraTactile.Stitch.Arrange (groupsOf, residual)
+import PraTactile.Stitch.Arrange
 import PraTactile.Stitch.Blend
 import PraTactile.Stitch.Composite (blended)
 import PraTactile.Stitch.Pairwise (Link (..), solved)
 import PraTactile.Stitch.Posterior (Hypothesis (..))
 import PraTactile.Stitch.Rest (restOf)
 import PraTactile.Stitch.Rotation (smooth)
+import PraTactile.Stitch.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
@@ -27,6 +28,7 @@ spec = modifyMaxSuccess (const 100) $ do
   groupSpec
   restSpec
   solvedSpec
+  othersSpec
 
 -- | An image of up to 6 x 6 pixels.
 genSmall :: Gen Raster
@@ -172,3 +174,27 @@ solvedSpec =
             (l, (x', y')) <- zip [0 ..] truth,
             k < l
         ]
+
+othersSpec :: Spec
+othersSpec =
+  it "where relief repeats along one axis, other places along it are told, two taxels off or more" $
+    forAll (genRasterOf 40 4) $ \stripes -> forAll (elements [False, True]) $ \upright ->
+      let settings = standardRegistration {registrationSigma = 2, registrationNoise = 0.05}
+          -- Any relief along one axis, and every four taxels the same along the other.
+          relief along across = fromMaybe 0 (index stripes along (across `mod` 4))
+          seen x y = if upright then relief (x + 4) y else relief (y + 4) x
+          frame (dx, dy) = generate 16 16 (\x y -> seen (x + dx) (y + dy))
+          step = if upright then (0, 8) else (8, 0)
+          place (x, y) = (fromIntegral x, fromIntegral y)
+          found =
+            arrange Incremental settings [(place at, frame at) | at <- [(0, 0), step]]
+          moves =
+            [ (dx - x, dy - y)
+              | told <- arrangedFrames found,
+                let (x, y) = arrangedShift told,
+                Hypothesis (dx, dy) _ <- arrangedOthers told
+            ]
+          (alongX, alongY) = unzip moves
+          (across', along') = if upright then (alongY, alongX) else (alongX, alongY)
+       in counterexample (show moves) $
+            not (null moves) && all ((>= 2) . abs) across' && all ((< 2) . abs) along'
