@@ -232,6 +232,9 @@ registerSpec = describe "of registering frames" $ do
     told Nothing (asked' (2, 1) 0) `shouldReturn` (2, 1)
     told Nothing (asked' (1, 2) 2) `shouldReturn` (2, 1)
     told Nothing (asked' (4, 1) 1) `shouldReturn` (3, 1)
+    -- Brighter, and searched as far as frames do not meet, of which nothing is the difference.
+    let bright = map (map (+ 3)) (cut 4 3)
+    told Nothing (Pair (cut 2 2) bright (3, 1) 4) `shouldReturn` (2, 1)
     told (Just "ambiguous") (asked' (1, 2) 2) `shouldReturn` registeredBest found
   where
     flat = replicate 4 (replicate 4 1)
