@@ -199,6 +199,16 @@ refusedSpec = do
     shown <- for cases $ \(value, trial) ->
       for (pairsIn (snd (asked (registering (none "one-axis")) trial))) (oneAxis value trial)
     sort (nub (concat shown)) `shouldBe` [False, True]
+    -- Edges rise and fall.
+    let ends =
+          [ (first', last')
+            | (_, trial) <- cases,
+              pair <- pairsIn (snd (asked (registering (none "one-axis")) trial)),
+              first' : rest <- concatMap (take 1) [pairFirst pair, transpose (pairFirst pair)],
+              not (flat' (first' : rest)),
+              last' <- take 1 (reverse rest)
+          ]
+    sort (nub [first' < last' | (first', last') <- ends]) `shouldBe` [False, True]
   it "periodic: the same again after 4 to 6 taxels along both axes, within the search" $ do
     cases <- drawn 30 "register/periodic"
     for_ cases $ \(value, trial) -> do
