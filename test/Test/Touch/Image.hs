@@ -2,6 +2,7 @@
 module Test.Touch.Image
   ( spec,
     genRaster,
+    genRasterWithin,
     genRasterOf,
   )
 where
@@ -20,9 +21,13 @@ import Test.QuickCheck hiding (generate, sample)
 
 -- | A raster of one to twelve columns and rows with values from 0 to 1.
 genRaster :: Gen Raster
-genRaster = do
-  w <- choose (1, 12)
-  h <- choose (1, 12)
+genRaster = genRasterWithin (1, 12)
+
+-- | One whose sides are within bounds.
+genRasterWithin :: (Int, Int) -> Gen Raster
+genRasterWithin sides = do
+  w <- choose sides
+  h <- choose sides
   genRasterOf w h
 
 -- | A raster of that size with values from 0 to 1.

@@ -15,7 +15,7 @@ import PraTactile.Stitch.Turn
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image (genRasterOf, genRasterWithin)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
@@ -23,12 +23,6 @@ spec = modifyMaxSuccess (const 100) $ do
   correlationSpec
   straightSpec
   turnSpec
-
-genSmall :: Gen Raster
-genSmall = do
-  w <- choose (2, 7)
-  h <- choose (2, 7)
-  genRasterOf w h
 
 -- | What two images show at the same places, row by row, where the second's upper left pixel lies
 -- there in the first.
@@ -54,7 +48,7 @@ overlapSpec = do
          in counterexample (show (alongX, alongY)) $
               right alongX (reached (fst step)) && right alongY (reached (snd step))
   it "an overlap is what both images show at the same places" $
-    forAll ((,) <$> genSmall <*> genSmall) $ \(a, b) ->
+    forAll ((,) <$> genRasterWithin (2, 7) <*> genRasterWithin (2, 7)) $ \(a, b) ->
       forAll ((,) <$> choose (-8, 8) <*> choose (-8, 8)) $ \(dx, dy) ->
         let pairs = both a b (dx, dy)
          in case overlapOf a b dx dy of

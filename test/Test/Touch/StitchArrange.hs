@@ -20,7 +20,7 @@ import PraTactile.Stitch.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image (genRasterOf, genRasterWithin)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
@@ -29,13 +29,6 @@ spec = modifyMaxSuccess (const 100) $ do
   restSpec
   solvedSpec
   othersSpec
-
--- | An image of up to 6 x 6 pixels.
-genSmall :: Gen Raster
-genSmall = do
-  w <- choose (1, 6)
-  h <- choose (1, 6)
-  genRasterOf w h
 
 residualSpec :: Spec
 residualSpec =
@@ -66,7 +59,7 @@ residualSpec =
             Nothing -> null seen
             Just found -> not (null seen) && abs (found - sqrt (squares / count)) < 1e-9
   where
-    genPlaced = (,) <$> ((,) <$> choose (-5, 5) <*> choose (-5, 5 :: Int)) <*> genSmall
+    genPlaced = (,) <$> ((,) <$> choose (-5, 5) <*> choose (-5, 5 :: Int)) <*> genRasterWithin (1, 6)
 
 groupSpec :: Spec
 groupSpec = do
@@ -91,7 +84,7 @@ groupSpec = do
     ]
       `shouldBe` replicate 4 [0, 1] ++ replicate 3 [0, 0]
   where
-    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genSmall
+    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genRasterWithin (1, 6)
     place = (/ 2) . fromIntegral <$> choose (-30, 30 :: Int)
 
 restSpec :: Spec
@@ -116,7 +109,7 @@ restSpec =
                         && close (referenceSums rest) (smooth sums)
   where
     -- Eighths, so that no pixel is seen by so little that it counts as not touched.
-    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genSmall
+    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genRasterWithin (1, 6)
     place = (/ 8) . fromIntegral <$> choose (-16, 16 :: Int)
 
 solvedSpec :: Spec
