@@ -59,7 +59,8 @@ residualSpec =
             Nothing -> null seen
             Just found -> not (null seen) && abs (found - sqrt (squares / count)) < 1e-9
   where
-    genPlaced = (,) <$> ((,) <$> choose (-5, 5) <*> choose (-5, 5 :: Int)) <*> genRasterWithin (1, 6)
+    genPlaced = (,) <$> ((,) <$> place <*> place) <*> genRasterWithin (1, 6)
+    place = choose (-5, 5 :: Int)
 
 groupSpec :: Spec
 groupSpec = do
