@@ -95,6 +95,13 @@ faultSpec = describe "in a session" $ do
   it "what it said last on its standard error is told" $ do
     (_, out, _) <- adder [] ["crash"]
     out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
+  it "what was waited for is told in seconds" $
+    for_ [("1", "1 second"), ("1.5", "1.5 seconds"), ("2", "2 seconds")] $ \(limit, said) -> do
+      (_, out, _) <- adder ["--timeout", limit] ["hang"]
+      out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
+  it "of a line that is too long the first hundred bytes are told" $ do
+    (_, out, _) <- adder [] ["long-line"]
+    out `shouldSatisfy` isInfixOf (": " ++ replicate 100 ' ' ++ " ...")
   it "time is limited for all together as well" $ do
     (status, out, _) <- adder ["--timeout", "60", "--limit", "2", "--json"] ["hang"]
     (status, take 1 (faults out)) `shouldBe` (1, ["too-slow"])

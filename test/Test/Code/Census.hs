@@ -105,6 +105,7 @@ spec = do
             scope {scopeModulus = [1, 1]},
             scope {scopeDegree = 3},
             scope {scopeFoldings = [Diagonal]},
+            scope {scopeFoldings = [RowMajor]},
             scope {scopeWindows = [Shape 2 2]}
           ]
     length (nub (map scopeText others)) `shouldBe` length others

@@ -2,6 +2,7 @@
 module Test.CommandLine.Json (spec) where
 
 import Control.Monad (forM_)
+import Data.List (isInfixOf)
 import System.FilePath ((</>))
 import Test.CommandLine.Run
 import Test.Hspec
@@ -9,6 +10,10 @@ import Test.Support
 
 spec :: Spec
 spec = do
+  it "a place on one face has that face among its faces" $ do
+    (status, out, _) <- pra ["objects", "--at", "6,5", "--json"]
+    status `shouldBe` 0
+    filter (/= '"') out `shouldSatisfy` isInfixOf "faces:[{face:[C1,C2,C3,C4],object:cube}]"
   it "a profile" $
     inFolder $ \folder -> do
       (_, profile, _) <- pra ["profile"]

@@ -43,6 +43,9 @@ spec = do
     readToken (writeToken alone) `shouldBe` Just alone
     map readToken ["", "abc", take 20 (writeToken token), writeToken token ++ "/"]
       `shouldBe` replicate 4 Nothing
+    -- Characters whose last eight bits are those of what may stand there.
+    map readToken [map (toEnum . (+ by) . fromEnum) (writeToken alone) | by <- [256, 512, 0x0400]]
+      `shouldBe` replicate 3 Nothing
   it "patterns are of the whole id with * or ?, of a part of it without" $
     map
       (`matches` "field/addition-commutes")

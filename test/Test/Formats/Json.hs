@@ -6,16 +6,28 @@ module Test.Formats.Json (spec) where
 import Control.Monad (forM_)
 import Data.Aeson
 import qualified Data.Aeson.Key as Key
+import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (intercalate)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
+import PraTactile.Format.Error (JsonError (..))
 import PraTactile.Format.Json.Strict
 import Test.Hspec
 import Test.QuickCheck
 
 spec :: Spec
 spec = do
+  it "brackets may stand within each other to 64, and digits on end to 1000, and no further" $ do
+    let nested n = Bytes.replicate n '[' <> Bytes.replicate n ']'
+        digits n = "[-" <> Bytes.replicate n '7' <> "]"
+        refusal = either Just (const Nothing)
+    map (refusal . readJson . nested) [63, 64, 65, 100]
+      `shouldBe` [Nothing, Nothing, Just TooDeep, Just TooDeep]
+    refusal (readJson ("[" <> nested 63 <> "," <> nested 63 <> "]")) `shouldBe` Nothing
+    map (refusal . readJson . digits) [999, 1000, 1001]
+      `shouldBe` [Nothing, Nothing, Just TooLong]
+    map (refusal . readJsonWith 4 . digits) [4, 5] `shouldBe` [Nothing, Just TooLong]
   describe "repeatedKey" $ do
     it "is the key that one object has twice, in any nesting and however it is written" $
       forM_ twice $ \(text, name) -> (text, repeatedKey text) `shouldBe` (text, Just name)

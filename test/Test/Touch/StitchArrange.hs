@@ -159,7 +159,7 @@ solvedSpec =
       sequence
         [ do
             (i, j) <- bothOf (choose (-0.3, 0.3))
-            (far, side) <- (,) <$> choose (4, 6) <*> elements [-1, 1]
+            (far, side) <- (,) <$> choose (1, 5) <*> elements [-1, 1]
             p <- choose (0.6, 1)
             let step = (x' - x + i, y' - y + j)
                 elsewhere = (fst step + side * far, snd step)
