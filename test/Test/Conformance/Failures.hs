@@ -6,6 +6,7 @@ module Test.Conformance.Failures (spec) where
 
 import Control.Exception (AsyncException (..), throwIO)
 import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Trans.Except (runExceptT)
 import Data.Aeson (encode, object, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Foldable (for_)
@@ -51,6 +52,15 @@ spec = do
   it "to start, a process may be asked 1 to 4096 things at once" $
     map started [0, -3, 1, 64, 4096, 4097]
       `shouldBe` [Nothing, Nothing, Just 1, Just 64, Just 4096, Just 4096]
+  it "frames that are not square are registered, those larger than usual too" $
+    for_ [(40, 33), (33, 40), (20, 12), (12, 20)] $ \(w, h) -> do
+      let relief x y = sin (x * x / 40 + y / 3) + cos (y * y / 37 - x / 2) :: Double
+          grey x y = round (30000 + 12000 * relief (fromInteger x) (fromInteger y))
+          frame (dx, dy) = [[grey (x + dx) (y + dy) | x <- [1 .. w]] | y <- [1 .. h]]
+      found <- runExceptT (register (touch library) (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3))
+      let near (x, y) = max (abs (x - 5)) (abs (y - 1)) <= 0.5
+      ((w, h), near . registeredBest <$> either (const Nothing) Just found)
+        `shouldBe` ((w, h), Just True)
   it "several places told by their number and dimension are the same places" $
     for_ [about | (name, p) <- take 1 defaultProfiles, Right about <- [known p], name == "paper"] $
       \about -> do
