@@ -15,7 +15,7 @@ import Message
 import Options
 import PraTactile.Files (readImage)
 import PraTactile.Format.Registration
-import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Probe.Calibration (CalibrationError, correctedImage)
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Source (imageComposite)
@@ -117,7 +117,7 @@ answered ::
 answered known calibrated pairing made (PairRequest fileA fileB step) = do
   a <- prepared fileA
   b <- prepared fileB
-  let size = (rasterWidth a, rasterHeight a)
+  let size = rasterSize a
       tables = case made of
         Just (forSize, already) | forSize == size -> already
         _ -> uncurry (tablesFor known) size

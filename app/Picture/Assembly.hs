@@ -17,7 +17,7 @@ import Drawing.Svg
 import Picture.Style
 import PraTactile.Format.Registration (groupsOf, reasonsOf, wayName)
 import PraTactile.Geometry (taxelPitch)
-import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Probe (Frame (..), Pose (..))
 import PraTactile.Stitch
 import Text.Printf (printf)
@@ -81,7 +81,7 @@ assemblyDrawing name files made = above 16 [picture, legend room frames enlarged
   where
     frames = shownFrames files made
     image = compositeImage (assemblyComposite made)
-    (wide, high) = (rasterWidth image, rasterHeight image)
+    (wide, high) = rasterSize image
     -- Picture units a taxel.
     unit = max 1 (min 12 (1000 / fromIntegral (maximum [wide, high, 1])))
     edge = Extent 0 0 (unit * fromIntegral wide) (unit * fromIntegral high)

@@ -220,7 +220,7 @@ damageSpec alphabetOfAll layout net array mask = do
     it "a 2 x 2 block cut through its last row or column, or its first, is found by what is left" $
       for_ [Position 6 5, Position 4 5, Position 12 12] $ \place -> for_ [0 .. 5] $ \cut -> do
         let whole = drawing (cells 2 2 place)
-            (w, h) = (rasterWidth whole, rasterHeight whole)
+            (w, h) = rasterSize whole
         for_
           [ (0, 0, w, h - 4 - cut),
             (0, 4 + cut, w, h),

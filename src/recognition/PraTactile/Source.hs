@@ -27,7 +27,7 @@ import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Data.Word (Word16)
-import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
 import PraTactile.Probe (Frame (..))
@@ -101,7 +101,7 @@ manifestFrames wanted manifest images =
   where
     frame entry = do
       felt <- image (entryFile entry)
-      let size = (rasterWidth felt, rasterHeight felt)
+      let size = rasterSize felt
       case manifestFrame manifest of
         Just said | said /= size -> Left (ImageSize (entryFile entry) size said)
         _ -> Right ()

@@ -8,6 +8,7 @@ module PraTactile.Image
     Raster,
     rasterWidth,
     rasterHeight,
+    rasterSize,
     rasterValues,
     ImageError (..),
 
@@ -60,6 +61,11 @@ rasterWidth (Raster w _ _) = w
 rasterHeight :: Raster -> Int
 rasterHeight (Raster _ h _) = h
 {-# INLINE rasterHeight #-}
+
+-- | The number of columns, and of rows.
+rasterSize :: Raster -> (Int, Int)
+rasterSize (Raster w h _) = (w, h)
+{-# INLINE rasterSize #-}
 
 -- | The values, row by row from the top, each row from the left.
 rasterValues :: Raster -> Vector Double

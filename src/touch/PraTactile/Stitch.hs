@@ -32,7 +32,15 @@ import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, generate, onRaster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image
+  ( Raster,
+    generate,
+    onRaster,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+  )
 import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Probe.Resample (atCanonicalPitch, isCanonical)
 import PraTactile.Stitch.Agreement (contradiction)
@@ -220,7 +228,7 @@ upright one i given
     felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
     share dead u v = if Set.member (v, u) dead then 0 else 1
     (wide, high) = sizeOf given
-    sizeOf frame = (rasterWidth (frameImage frame), rasterHeight (frameImage frame))
+    sizeOf = rasterSize . frameImage
     possible side = side >= 4 && side <= 256
     half side = taxelPitch * fromIntegral (side - 1) / 2
     finite v = not (isNaN v || isInfinite v)

@@ -25,7 +25,7 @@ blending = do
       let Blend sums weights = blend w h images
           close a b =
             counterexample (show (toRows a, toRows b)) $
-              (rasterWidth a, rasterHeight a) === (rasterWidth b, rasterHeight b)
+              rasterSize a === rasterSize b
                 .&&. either (const False) (maybe True (< 1e-9) . maximumValue) (differences a b)
        in close sums (defined w h id images) .&&. close weights (defined w h (const 1) images)
   it "drops images that are nowhere near the grid, however far they are" $

@@ -146,7 +146,7 @@ pitches = do
     forAll ((,,) <$> choose (0.05, 4) <*> choose (4, 40) <*> choose (0, 1)) $ \(ratio, n, v) ->
       let image = resampled ratio (constant n (n + 1) v)
           whole k = max 1 (floor (fromIntegral (k :: Int) * ratio + 1e-9))
-       in (rasterWidth image, rasterHeight image) === (whole n, whole (n + 1))
+       in rasterSize image === (whole n, whole (n + 1))
             .&&. counterexample (show image) (V.all (\u -> abs (u - v) < 1e-9) (rasterValues image))
   prop "a ramp stays one about the same centre, exactly or by areas to 0.15" $
     forAll (choose (0.3, 3)) $ \ratio ->
@@ -159,7 +159,7 @@ pitches = do
   it "of an image narrower than a new pixel one is left, the mean of all" $
     resampled 0.1 (generate 4 8 (\x y -> fromIntegral (x + 4 * y))) `shouldBe` constant 1 1 15.5
   it "of an image without pixels nothing is left, at any pitch" $
-    [ (rasterWidth image, rasterHeight image)
+    [ rasterSize image
       | (ratio, (w, h)) <- [(0.3, (0, 0)), (1, (0, 5)), (2.5, (5, 0))],
         let image = resampled ratio (constant w h 1)
     ]
@@ -186,7 +186,7 @@ sizes = do
     -- to 19.
     let height x y = at (heightValues relief) x y / sensorFullScale sensor
         seen = compositeImage together
-    (rasterWidth seen, rasterHeight seen) `shouldBe` (16, 10)
+    rasterSize seen `shouldBe` (16, 10)
     let wrong =
           [ (x, y)
             | (x, y) <-

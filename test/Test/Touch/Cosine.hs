@@ -59,7 +59,7 @@ defined image =
   V.fromList
     (drop 1 [coefficient u v | v <- [0 .. min 32 h - 1], u <- [0 .. min 32 w - 1]])
   where
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     coefficient u v =
       sum
         [wave w u i * wave h v j * pixel image i j | j <- [0 .. h - 1], i <- [0 .. w - 1]]

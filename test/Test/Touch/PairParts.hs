@@ -239,7 +239,7 @@ turnSpec =
            in counterexample (show sizes) $ case turnedBack degrees image of
                 Nothing -> any (\(m, n) -> min m n < 4) sizes
                 Just found ->
-                  let (m, n) = (rasterWidth found, rasterHeight found)
+                  let (m, n) = rasterSize found
                       middle k = fromIntegral (k - 1) / 2 :: Double
                       wanted =
                         [ sample image (wide / 2 + u) (high / 2 + v)

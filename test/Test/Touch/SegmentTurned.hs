@@ -137,6 +137,28 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
+  it
+    "where they are read along the composite's axes, the angle of their axis is what most squares\
+    \ of distances to neighbours agree with, and the axes themselves"
+    $ for_ [(k, angle) | k <- [1 .. 6], angle <- [-1.5, 0.8, 2]] $ \(k, angle) -> do
+      let seen = sightedSymbols (segmentTurned (drawnWith k 0.02 (const Nothing) (sceneOf k angle)))
+          steps =
+            [ (there, at)
+              | s <- seen,
+                (Just there, at) <- directions' (featuredNeighbours s)
+            ]
+          total part = sum [part there at | (there, at) <- steps]
+          across (x, y) (u, v) = u * y - v * x
+          along (x, y) (u, v) = x * u + y * v
+          turned = atan2 (total across) (total along)
+          -- Each pair of neighbours stands there twice.
+          squares = sum [u * u + v * v | (_, (u, v)) <- steps] / 2
+          -- A symbol's place is known to half a pixel along each axis, the axes to two degrees.
+          weight = (squares / 0.25 / 2) / (squares / 0.25 / 2 + 1 / (2 * pi / 180) ^ (2 :: Int))
+      (k, length steps) `shouldSatisfy` ((> 4) . snd)
+      for_ seen $ \s ->
+        (k, angle, featuredAxis s, weight * turned * 180 / pi)
+          `shouldSatisfy` (\(_, _, told, wanted) -> abs (told - wanted) < 1e-9)
   it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
     for_ ((,) <$> [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $ \(k, angle) ->
       case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
@@ -159,6 +181,12 @@ anyAngle = do
   where
     scenes = [(k, sceneOf k (fromIntegral (k * 67 `mod` 720) / 2)) | k <- [1 .. 12]]
     plus (x, y) (x', y') = (x + x', y + y')
+    directions' beside =
+      [ (neighbourRight beside, (16, 0)),
+        (neighbourLeft beside, (-16, 0)),
+        (neighbourUp beside, (0, -20)),
+        (neighbourDown beside, (0, 20))
+      ]
     directions axis beside =
       [ (neighbourRight beside, along 16 0),
         (neighbourLeft beside, along (-16) 0),

@@ -16,11 +16,14 @@ import PraTactile.Stitch
 import PraTactile.Stitch.Arrange (withMisfit)
 import PraTactile.Stitch.Blur (areaSums)
 import PraTactile.Stitch.Evidence
+import PraTactile.Stitch.Held (Held (..), held)
+import PraTactile.Stitch.LatticeAngle (latticeAngle)
 import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
 import PraTactile.Stitch.Pair.Lattice
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Spectrum (spectra)
 import PraTactile.Stitch.Symbols (symbolsClasses)
 import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
@@ -36,6 +39,7 @@ shaped :: Alphabet -> Spec
 shaped alphabet = do
   describe "What a frame is held against" (templatesSpec alphabet)
   describe "Frames on a lattice" (registered alphabet)
+  describe "The angle of a lattice under frames" (angled alphabet)
   describe "Frames that contradict each other" (contradicting alphabet)
   describe "Frames registered by all their pairs" (jointly alphabet)
   describe "The noise of frames" noise
@@ -250,6 +254,25 @@ registered alphabet = do
        in frame {framePose = Pose (negate y) x r, frameImage = generate 16 16 turned'}
     at image i j = rasterValues image V.! (j * 16 + i)
 
+angled :: Alphabet -> Spec
+angled alphabet =
+  it "is the lattice's to two degrees, up to a half turn, from -90 up to but not including 90" $
+    for_ (zip [1 ..] angles) $ \(seed, angle) -> do
+      let images = map frameImage (scanned (scene alphabet seed angle) (errorsOf 1 seed))
+          tables = fromMaybe (error "the alphabet has tables") paperTemplates
+          -- What symbols show of their angle is up to quarter turns.
+          hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
+      case latticeAngle (held tables images) (spectra 16 16) (Just hint) images of
+        Nothing -> expectationFailure (show (seed, angle))
+        Just against -> do
+          let told = heldAngle against
+              off = told - angle
+          (angle, told) `shouldSatisfy` (\(_, t) -> t >= -90 && t < 90)
+          (angle, abs (off - 180 * fromIntegral (round (off / 180) :: Int)))
+            `shouldSatisfy` ((< 2) . snd)
+  where
+    angles = [-91, -90.6 .. -88.4] ++ [-45, 44] ++ [88.4, 88.8 .. 91]
+
 contradicting :: Alphabet -> Spec
 contradicting alphabet = do
   it "do not where their positions are right, to the robot's error" $
@@ -341,7 +364,7 @@ pairs :: Alphabet -> Spec
 pairs alphabet =
   modifyMaxSuccess (const 6) $
     prop "lie as probably at each place as all lattices and symbols together say" $
-      \seed -> forAll ((,) <$> choose (0.5, 1) <*> elements steps') $ \(sigma, step) ->
+      \seed -> forAll ((,) <$> elements [0.05, 0.1, 0.5, 1] <*> elements steps') $ \(sigma, step) ->
         let relief = scene alphabet seed 0
             noisy k image =
               zipWithRaster image (take 256 (map fst (errorsOf sigma (seed + k))))
@@ -386,8 +409,13 @@ pairs alphabet =
             ]
         cell [] = 0
         cell said =
-          log
-            (absent + sum [(1 - absent) / 4 * exp (sum [s V.! k | s <- said]) | k <- [0 .. 3]])
+          let logs' = [sum [s V.! k | s <- said] | k <- [0 .. 3]]
+              most = maximum (0 : logs')
+           in most
+                + log
+                  ( absent * exp (negate most)
+                      + sum [(1 - absent) / 4 * exp (l - most) | l <- logs']
+                  )
         seenBy e o y x =
           [ V.slice (4 * cellIndex (templateLayout tables) o y x) 4 (evidenceClasses e)
             | y >= 0 && y < rows && x >= 0 && x < columns

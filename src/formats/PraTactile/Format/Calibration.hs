@@ -10,7 +10,7 @@ where
 import Data.ByteString (ByteString)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
-import PraTactile.Image (Raster, fromRows, rasterHeight, rasterWidth, toRows)
+import PraTactile.Image (Raster, fromRows, rasterHeight, rasterSize, rasterWidth, toRows)
 import PraTactile.Probe.Calibration
 
 -- | A calibration on one line, without its end.
@@ -23,7 +23,7 @@ encodeCalibration = writeLine calibrationKeys
 decodeCalibration :: ByteString -> Either FormatError Calibration
 decodeCalibration bytes = do
   given@(Calibration offset gain dead) <- decodeWith calibrationKeys bytes
-  let size r = (rasterWidth r, rasterHeight r)
+  let size = rasterSize
       inside (y, x) = y >= 0 && x >= 0 && y < rasterHeight offset && x < rasterWidth offset
   if size offset == size gain
     && all (all (> 0)) (toRows gain)

@@ -22,7 +22,7 @@ import Data.Maybe (fromMaybe, isNothing)
 import PraTactile.Format.Error
 import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Format.Json.Codec hiding (named, object)
-import PraTactile.Image (rasterHeight, rasterWidth)
+import PraTactile.Image (rasterSize)
 import PraTactile.Probe (Pose (..))
 import PraTactile.Stitch
 import PraTactile.Stitch.Pair
@@ -92,7 +92,7 @@ encodeAssembly files made =
       <> "frames"
         .= zipWith4 frameValue files (assemblyFrames made) (assemblyTurns made) (reasonsOf made)
       <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
-      <> "size" .= (rasterWidth image, rasterHeight image)
+      <> "size" .= rasterSize image
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
       <> "residual" .= assemblyResidual made
   where

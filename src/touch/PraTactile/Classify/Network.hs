@@ -48,7 +48,7 @@ import Numeric.LinearAlgebra
     (<>),
     (===),
   )
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterHeight, rasterSize, rasterValues, rasterWidth)
 import PraTactile.Shape (symbolHeight, symbolWidth)
 import Prelude hiding ((<>))
 
@@ -132,7 +132,7 @@ classify thresholds n image = decide thresholds <$> outputs n image
 -- finite.
 outputs :: Network -> Raster -> Either NetworkError [Double]
 outputs n image
-  | (rasterWidth image, rasterHeight image) /= (symbolWidth, symbolHeight) =
+  | rasterSize image /= (symbolWidth, symbolHeight) =
     Left (WrongImageSize (rasterWidth image) (rasterHeight image))
   | not (finite (rasterValues image)) = Left NotFinite
   | otherwise =

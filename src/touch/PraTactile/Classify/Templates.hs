@@ -58,7 +58,7 @@ templates alphabetOfAll = Templates (Boxed.fromList (map seen (shapes alphabetOf
 match :: Templates -> Int -> Raster -> Double
 match (Templates classes) c image = case classes Boxed.!? c of
   Just (placed@(_ : _), _)
-    | (rasterWidth image, rasterHeight image) == (symbolWidth, symbolHeight) ->
+    | rasterSize image == (symbolWidth, symbolHeight) ->
       maximum (map (V.sum . V.zipWith (*) seen) placed)
   _ -> 0
   where

@@ -38,6 +38,7 @@ import PraTactile.Image
     constant,
     index,
     rasterHeight,
+    rasterSize,
     rasterValues,
     rasterWidth,
   )
@@ -63,7 +64,7 @@ reference sums weights
   | size sums /= size weights = Left (SizesDiffer (size sums) (size weights))
   | otherwise = Right (Reference sums weights)
   where
-    size image = (rasterWidth image, rasterHeight image)
+    size = rasterSize
 
 -- | A whole image as a reference, of weight 1 everywhere.
 referenceOf :: Raster -> Reference

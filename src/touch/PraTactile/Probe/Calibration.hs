@@ -15,14 +15,7 @@ import Data.Maybe (fromMaybe)
 import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Image
-  ( Raster,
-    generate,
-    index,
-    rasterHeight,
-    rasterValues,
-    rasterWidth,
-  )
+import PraTactile.Image (Raster, generate, index, rasterSize, rasterValues)
 import PraTactile.Probe (Frame (..), Pose (..))
 
 -- | What a sensor's readings are corrected by. Both rasters have the sensor's size.
@@ -60,14 +53,15 @@ calibrate :: [Raster] -> [Raster] -> Either CalibrationError Calibration
 calibrate [] _ = Left NoDarkFrame
 calibrate _ [] = Left NoFlatFrame
 calibrate darks@(one : _) flats
-  | other : _ <- filter (/= size) (map sizeOf (darks ++ flats)) = Left (SensorsDiffer size other)
+  | other : _ <- filter (/= size) (map rasterSize (darks ++ flats)) =
+    Left (SensorsDiffer size other)
   | not (all (V.all finite . rasterValues) (darks ++ flats)) = Left ReadingNotFinite
   | V.all (>= saturation) flat = Left AllSaturated
   | middle < 0.02 = Left AllDead
   | otherwise =
     Right (Calibration (part (\_ k -> dark `at'` k)) (part gain) (filter isDead places))
   where
-    size@(w, h) = sizeOf one
+    size@(w, h) = rasterSize one
     (dark, flat) = (meanOf darks, meanOf flats)
     rise = V.zipWith (-) flat dark
     -- Of those that tell their gain.
@@ -85,9 +79,6 @@ calibrate darks@(one : _) flats
     foldr1' f vectors = foldr f (V.replicate (w * h) 0) vectors
     finite v = not (isNaN v || isInfinite v)
     saturation = 0.995
-
-sizeOf :: Raster -> (Int, Int)
-sizeOf image = (rasterWidth image, rasterHeight image)
 
 median :: [Double] -> Double
 median values = case drop (length values `div` 2) (sort values) of
@@ -111,12 +102,12 @@ withoutStuck frames = case frames of
   one : others
     | length others >= 5,
       moved,
-      all ((== size) . sizeOf . frameImage) others,
+      all ((== size) . rasterSize . frameImage) others,
       not (null stuck),
       4 * length stuck <= w * h ->
       map (\frame -> either (const frame) id (corrected without frame)) frames
     where
-      size@(w, h) = sizeOf (frameImage one)
+      size@(w, h) = rasterSize (frameImage one)
       least = foldl' lower (rasterValues (frameImage one)) others
       lower v frame = V.zipWith min v (rasterValues (frameImage frame))
       stuck = [k `divMod` w | (k, v) <- zip [0 ..] (V.toList least), v > 0.5]
@@ -131,10 +122,10 @@ withoutStuck frames = case frames of
 -- nearest square ring around it that holds any; 0 if all are dead. Refuses images of another size.
 correctedImage :: Calibration -> Raster -> Either CalibrationError Raster
 correctedImage (Calibration offset gain dead) image
-  | size /= sizeOf offset = Left (SensorsDiffer (sizeOf offset) size)
+  | size /= rasterSize offset = Left (SensorsDiffer (rasterSize offset) size)
   | otherwise = Right (generate w h filled)
   where
-    size@(w, h) = sizeOf image
+    size@(w, h) = rasterSize image
     gone = Set.fromList dead :: Set (Int, Int)
     alive x y = x >= 0 && y >= 0 && x < w && y < h && Set.notMember (y, x) gone
     value x y = max 0 (min 1 ((read' image x y - read' offset x y) / read' gain x y))

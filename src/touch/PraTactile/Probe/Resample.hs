@@ -8,7 +8,7 @@ module PraTactile.Probe.Resample
 where
 
 import Data.Maybe (fromMaybe)
-import PraTactile.Image (Raster, generate, index, rasterHeight, rasterWidth, sample)
+import PraTactile.Image (Raster, generate, index, rasterSize, sample)
 import PraTactile.Probe (Frame (..), taxelPitch)
 
 -- | A frame of any pitch as one of 'taxelPitch' with the same centre; one that has it already, to
@@ -38,7 +38,7 @@ resampled ratio image
   | ratio < 1 = generate wide high (\x y -> area (covered w wide x) (covered h high y))
   | otherwise = generate wide high (\x y -> sample image (centre w wide x) (centre h high y))
   where
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     (wide, high) = (whole w, whole h)
     whole n
       | n == 0 = 0

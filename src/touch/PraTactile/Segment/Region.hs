@@ -45,7 +45,7 @@ fieldOf :: Double -> Composite -> Field
 fieldOf least composite = Field w h touched (V.generate (w * h) smooth)
   where
     image = compositeImage composite
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     touched = V.map (>= least) (rasterValues (compositeCoverage composite))
     values = rasterValues image
     smooth p = if total > 0 then sum (map snd near) / total else 0

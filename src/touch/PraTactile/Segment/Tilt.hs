@@ -98,7 +98,7 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
     V.fromList [gy | (_, _, _, gy) <- found]
   )
   where
-    (width, height) = (rasterWidth image, rasterHeight image)
+    (width, height) = rasterSize image
     (midX, midY) = (fromIntegral width / 2, fromIntegral height / 2) :: (Double, Double)
     found =
       [ (x, y, slope [(i, j, i) | (i, j) <- around], slope [(i, j, j) | (i, j) <- around])

@@ -16,18 +16,26 @@ import Data.List (foldl')
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth, standardDeviation)
+import PraTactile.Image
+  ( Raster,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+    standardDeviation,
+  )
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 import PraTactile.Segment.Tilt (tilt)
 import PraTactile.Stitch.Blend (Blend (..), Place, blend)
 import PraTactile.Stitch.Composite (compositeOf)
-import PraTactile.Stitch.Held (Held, held, madeFor, sizeOf)
+import PraTactile.Stitch.Held (Held, held, madeFor)
 import PraTactile.Stitch.Joint
 import PraTactile.Stitch.LatticeAngle (latticeAngle)
 import PraTactile.Stitch.Pairwise (registerPairwise)
 import PraTactile.Stitch.Posterior (Hypothesis)
 import PraTactile.Stitch.Register (register)
 import PraTactile.Stitch.Search (Registration (..))
+import PraTactile.Stitch.Spaced (spacedOut)
 import PraTactile.Stitch.Spectrum (spectra)
 import PraTactile.Stitch.Template (PaperTables, paperTemplates)
 
@@ -90,7 +98,7 @@ arrange way settings frames = case (way, paperTemplates) of
     unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
-    sizes = map (sizeOf . snd) frames
+    sizes = map (rasterSize . snd) frames
     at tables = held tables (map snd frames)
     -- The frames held against the lattice, if they show it.
     latticeOf :: PaperTables -> Maybe Held
@@ -99,7 +107,7 @@ arrange way settings frames = case (way, paperTemplates) of
       latticeAngle
         (at tables)
         (uncurry spectra size)
-        (tilt (map (compositeOf . snd) frames))
+        (tilt (map compositeOf (spacedOut tiltFrames (map snd frames))))
         (map snd frames)
     jointly :: Held -> Arrangement
     jointly against =
@@ -120,6 +128,11 @@ arrange way settings frames = case (way, paperTemplates) of
         (residual places)
       where
         places = moved frames [arrangedShift (a 0) | a <- told]
+
+-- | The most frames that the angle at which symbols seem to lie is told from, before it is told by
+-- the lattice: more would take memory for nothing.
+tiltFrames :: Int
+tiltFrames = 256
 
 -- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
 -- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share

@@ -2,14 +2,13 @@
 module PraTactile.Stitch.Held
   ( Held (..),
     held,
-    sizeOf,
     madeFor,
   )
 where
 
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
-import PraTactile.Image (Raster, rasterHeight, rasterWidth)
+import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Stitch.Evidence (Sight, sight)
 import PraTactile.Stitch.Template (PaperTables, Templates)
 
@@ -26,13 +25,9 @@ data Held = Held
 
 -- | Frames of any sizes at an angle, degrees clockwise.
 held :: PaperTables -> [Raster] -> Double -> Held
-held tables images angle = Held angle at [sight (at (sizeOf image)) image | image <- images]
+held tables images angle = Held angle at [sight (at (rasterSize image)) image | image <- images]
   where
-    at = madeFor (map sizeOf images) (tables angle)
-
--- | A frame's width and height.
-sizeOf :: Raster -> (Int, Int)
-sizeOf image = (rasterWidth image, rasterHeight image)
+    at = madeFor (map rasterSize images) (tables angle)
 
 -- | Tables by size, each of these sizes' made once.
 madeFor :: [(Int, Int)] -> ((Int, Int) -> tables) -> (Int, Int) -> tables

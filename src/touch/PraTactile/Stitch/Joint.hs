@@ -18,10 +18,11 @@ import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterValues)
+import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Held (Held (..), sizeOf)
+import PraTactile.Stitch.Held (Held (..))
 import PraTactile.Stitch.Layout
 import PraTactile.Stitch.Posterior (Hypothesis (..), tolerance)
 import PraTactile.Stitch.Product (dotWithin)
@@ -70,7 +71,7 @@ registerJointly settings against frames = map snd (sortOn fst (zip order centred
     again
       | length ordered <= phaseFrames = kept
       | otherwise = [(place, evidence (tablesOf image) image) | (place, image, _) <- ordered]
-    tablesOf image = heldTables against (sizeOf image)
+    tablesOf image = heldTables against (rasterSize image)
     (orientation, phase) = commonPhase grid (spacedOut phaseFrames kept)
     options = [optionsOf grid orientation phase frame | frame <- again]
     settled = swept options
@@ -189,8 +190,12 @@ ringed rows period kernel v =
 data Option = Option
   { optionShift :: !(Int, Int),
     optionPrior :: !Double,
-    optionCells :: ![(Int, Vector Double)]
+    optionCells :: ![(Int, Classes)]
   }
+
+-- | A number for each class of symbols. There are millions of them where there are thousands of
+-- frames, and the garbage collector may move them together.
+type Classes = Unboxed.Vector Double
 
 -- | The displacements of a frame that may matter: those less than 'margin' below the likeliest, by
 -- the frame alone.
@@ -224,7 +229,8 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
     margin = 12
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
-          V.force (V.slice (cellIndex places orientation y x * count) count (evidenceClasses given))
+          let start = cellIndex places orientation y x * count
+           in Unboxed.generate count (\k -> V.unsafeIndex (evidenceClasses given) (start + k))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-
@@ -265,21 +271,21 @@ swept frames = go (4 :: Int) first (beliefs first)
           )
           | (o, _) <- os
         ]
-    less total (Just mine) = V.zipWith (-) total mine
+    less total (Just mine) = Unboxed.zipWith (-) total mine
     less total Nothing = total
     leader os = fmap (optionShift . fst) (foldl' larger Nothing os)
     larger Nothing o = Just o
     larger (Just a) b = Just (if snd b > snd a then b else a)
-    beliefs :: [[(Option, Double)]] -> IntMap (Vector Double)
-    beliefs = foldl' (\m os -> IntMap.unionWith (V.zipWith (+)) m (said os)) IntMap.empty
+    beliefs :: [[(Option, Double)]] -> IntMap Classes
+    beliefs = foldl' (\m os -> IntMap.unionWith (Unboxed.zipWith (+)) m (said os)) IntMap.empty
 
 -- | What a frame says of the cells, in the mean over its options; nothing where it is not sure
 -- where it is.
-said :: [(Option, Double)] -> IntMap (Vector Double)
+said :: [(Option, Double)] -> IntMap Classes
 said os =
   IntMap.fromListWith
-    (V.zipWith (+))
-    [(c, V.map (* p) l) | (o, p) <- os, p > 0.02, (c, l) <- optionCells o]
+    (Unboxed.zipWith (+))
+    [(c, Unboxed.map (* p) l) | (o, p) <- os, p > 0.02, (c, l) <- optionCells o]
 
 -- | The probability that a frame shows something else in a cell than all others do there, because
 -- one of them is not where it is supposed to be (assumption). So however clear frames are, a stray
@@ -289,25 +295,25 @@ unlike = 1e-12
 
 -- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
 -- where there is any by what the others say.
-marginal :: Maybe (Vector Double) -> Vector Double -> Double
+marginal :: Maybe Classes -> Classes -> Double
 marginal others mine = logMean (maybe prior known others)
   where
-    n = V.length mine
+    n = Unboxed.length mine
     share = (1 - absent) / fromIntegral n
-    prior = (absent, V.replicate n share)
+    prior = (absent, Unboxed.replicate n share)
     known theirs =
-      let top = max 0 (V.maximum theirs)
-          likely = V.map (\l -> share * exp (l - top)) theirs
+      let top = max 0 (Unboxed.maximum theirs)
+          likely = Unboxed.map (\l -> share * exp (l - top)) theirs
           nothing = absent * exp (negate top)
-          total = nothing + V.sum likely
-       in (besides absent (nothing / total), V.map (besides share . (/ total)) likely)
+          total = nothing + Unboxed.sum likely
+       in (besides absent (nothing / total), Unboxed.map (besides share . (/ total)) likely)
     besides alone told = (1 - unlike) * told + unlike * alone
     logMean (nothing, shares) =
-      let top = max 0 (V.maximum mine)
+      let top = max 0 (Unboxed.maximum mine)
        in top
             + log
               ( nothing * exp (negate top)
-                  + V.sum (V.zipWith (\s l -> s * exp (l - top)) shares mine)
+                  + Unboxed.sum (Unboxed.zipWith (\s l -> s * exp (l - top)) shares mine)
               )
 
 weighed :: [(Option, Double)] -> [(Option, Double)]

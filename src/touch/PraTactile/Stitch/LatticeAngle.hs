@@ -7,9 +7,9 @@ where
 import Data.List (find, foldl', maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
-import PraTactile.Image (Raster, standardDeviation)
+import PraTactile.Image (Raster, rasterSize, standardDeviation)
 import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Held (Held (..), sizeOf)
+import PraTactile.Stitch.Held (Held (..))
 import PraTactile.Stitch.Spaced (spacedOut)
 import PraTactile.Stitch.Spectrum
 
@@ -61,7 +61,7 @@ latticeAngle at processes hint images
     few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
     usable =
-      [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, sizeOf i == sizeOf one]
+      [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
     blind =
       sum (concat [processLogs (processOf processes misfit [coefficients i]) | (_, i) <- few])
     coefficients = coefficientsOf processes

@@ -5,7 +5,7 @@ module PraTactile.Stitch.Noise
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Segment.Level (medianSize)
 import PraTactile.Stitch.Spaced (spacedOut)
 
@@ -29,5 +29,5 @@ squares image
         at v u = V.unsafeIndex values (v * w + u) -- v < h, u < w
      in at y x - at y (x + 1) - at (y + 1) x + at (y + 1) (x + 1)
   where
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     values = rasterValues image

@@ -18,7 +18,7 @@ module PraTactile.Stitch.Pair
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Shape (Alphabet, symbolWidth)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Evidence
@@ -127,7 +127,7 @@ registerPair tables pairing a b
   | not (sensible pairing) = Left (UnusablePairing pairing)
   | otherwise = Right (matched tables pairing a b)
   where
-    size image = (rasterWidth image, rasterHeight image)
+    size = rasterSize
     outside (w, h) = min w h < 4 || max w h > 256
     finite = V.all (\v -> not (isNaN v || isInfinite v)) . rasterValues
 
@@ -144,7 +144,7 @@ matched :: Tables -> Pairing -> Raster -> Raster -> Match
 matched tables (Pairing step search method confidence) a b =
   Match refusal best (deviations sure) fixed rotation used (map surely (hypotheses 5 0.001 found))
   where
-    (w, h) = (rasterWidth a, rasterHeight a)
+    (w, h) = rasterSize a
     coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
     process = processOf (tablesSpectra tables) 0 coefficients
     evidences = map (evidence (tablesTemplates tables)) [a, b]

@@ -15,7 +15,7 @@ import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', sortOn)
 import qualified Data.Vector as Boxed
-import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Stitch.Blend (Place)
 import PraTactile.Stitch.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Stitch.Pair.Blind (blindPosterior)
@@ -57,12 +57,11 @@ leastShare = 0.2
 linkOf ::
   Registration -> ((Int, Int) -> Spectra) -> Boxed.Vector Raster -> Neighbours -> [Link]
 linkOf settings tables images (Neighbours k l step@(x, y) _)
-  | sizeOf a /= sizeOf b = []
+  | rasterSize a /= rasterSize b = []
   | otherwise = [Link k l (map relative (hypotheses 4 0.02 found))]
   where
     (a, b) = (images Boxed.! k, images Boxed.! l)
-    sizeOf image = (rasterWidth image, rasterHeight image)
-    known = tables (sizeOf a)
+    known = tables (rasterSize a)
     process = processOf known 0 (map (coefficientsOf known) [a, b])
     -- The prior of a pair is normal, of half the search as standard deviation.
     search = min 12 (2 * sqrt 2 * registrationSigma settings)

@@ -15,7 +15,7 @@ where
 
 import Data.List (foldl')
 import Data.Maybe (mapMaybe)
-import PraTactile.Image (Raster, generate, rasterHeight, rasterWidth, sample, toRows)
+import PraTactile.Image (Raster, generate, rasterHeight, rasterSize, rasterWidth, sample, toRows)
 import PraTactile.Stitch.Blend (Place)
 
 -- | How a frame lies.
@@ -38,7 +38,7 @@ data Aligned = Aligned
 aligned :: Double -> (Double -> Double -> Maybe Double) -> Place -> Raster -> Maybe Aligned
 aligned sigma known (x, y) image = go (8 :: Int) (Estimate 0 0 0)
   where
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     (cx, cy) = (fromIntegral (w - 1) / 2, fromIntegral (h - 1) / 2)
     -- Those at the edge were not smoothed like the others.
     pixels =

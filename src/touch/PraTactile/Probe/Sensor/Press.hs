@@ -23,7 +23,7 @@ import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, generate, index, raster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValues)
 import PraTactile.Probe (Layout (..), Motion (..), Pose (..), movePoint)
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
@@ -106,7 +106,7 @@ displacements :: Double -> Double -> (Double, Double) -> Footing -> Raster
 displacements stiffness force (a, b) (Footing shares heights) =
   generate w h (\x y -> share x y * max 0 (z + rest x y))
   where
-    (w, h) = (rasterWidth shares, rasterHeight shares)
+    (w, h) = rasterSize shares
     share x y = fromMaybe 0 (index shares x y)
     rest x y = a * across w x + b * across h y + fromMaybe 0 (index heights x y)
     across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
@@ -129,7 +129,7 @@ spreadForces taxel depth forces
   | depth <= 0 || reach == 0 = forces
   | otherwise = either (const forces) id (raster w h (V.generate (w * h) felt))
   where
-    (w, h) = (rasterWidth forces, rasterHeight forces)
+    (w, h) = rasterSize forces
     reach = min (max w h) (floor (6.2 * depth / taxel)) :: Int
     side = 2 * reach + 1
     offsets = [(i, j) | j <- [-reach .. reach], i <- [-reach .. reach]]

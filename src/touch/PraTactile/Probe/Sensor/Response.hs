@@ -23,7 +23,15 @@ where
 import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, generate, index, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Image
+  ( Raster,
+    generate,
+    index,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+  )
 import PraTactile.Probe.Sensor.Constants (Sensor (..))
 import PraTactile.Random (normals, uniform)
 import System.Random (RandomGen)
@@ -62,7 +70,7 @@ crosstalk share image
   | share <= 0 || w == 0 || h == 0 = image
   | otherwise = generate w h (\x y -> (1 - 2 * share) * at x y + share * (row y + column x))
   where
-    (w, h) = (rasterWidth image, rasterHeight image)
+    (w, h) = rasterSize image
     at x y = fromMaybe 0 (index image x y)
     values = rasterValues image
     rowMeans =
