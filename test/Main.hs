@@ -124,6 +124,7 @@ import qualified Test.Touch.Stitch
 import qualified Test.Touch.StitchArrange
 import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
+import qualified Test.Touch.StitchSearch
 import qualified Test.Touch.Train
 import qualified Test.Truth
 
@@ -187,6 +188,7 @@ specs = do
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
     describe "What stitching is made of" Test.Touch.StitchParts.spec
+    describe "The search for a frame" Test.Touch.StitchSearch.spec
     describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
     describe "Registration of pairs" Test.Touch.Pair.spec

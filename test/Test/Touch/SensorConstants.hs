@@ -138,6 +138,15 @@ readings = do
       near 1e-12 (conductance k 0.01 0.93 (2 * f)) (2 ** k * conductance k 0.01 0.93 f)
         .&&. near 1e-12 (conductance k 0.01 0.93 0.93) 1
         .&&. conductance k (1.01 * f) 0.93 f === 0
+  prop "conductance: the share of full scale to the power, any power" $
+    forAll ((,) <$> elements [0, 0.5, 0.8, 1, 2] <*> choose (0.02, 2)) $ \(k, f) ->
+      near 1e-12 (conductance k 0.01 0.93 f) ((f / 0.93) ** k)
+  prop "noise grows with the reading from 0 to full scale, and no further" $
+    forAll ((,,) <$> choose (0, 0.1) <*> choose (0, 0.1) <*> choose (-1, 3)) $ \(least, slope, v) ->
+      near
+        1e-12
+        (noiseDeviation linear {sensorNoise = least, sensorNoiseSlope = slope} v)
+        (if v < 0 then least else if v > 1 then least + slope else least + slope * v)
   prop "crosstalk of one: s / w to its row, s / h to its column, 1 - 2 s and both to itself" $
     forAll (choose (0.005, 0.02)) $ \s ->
       let seen = crosstalk s (generate 8 5 (\x y -> if (x, y) == (2, 3) then 1 else 0))
