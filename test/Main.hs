@@ -54,8 +54,12 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conform
+import qualified Test.Conform.Choice
+import qualified Test.Conform.Reported
 import qualified Test.Conform.Run
 import qualified Test.Conform.Serve
+import qualified Test.Conform.Sessions
+import qualified Test.Conform.Whole
 import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
@@ -237,6 +241,10 @@ specs = do
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
+  describe "Conformance: what the runner tries" Test.Conform.Choice.spec
+  describe "Conformance: what the runner reports" Test.Conform.Reported.spec
+  describe "Conformance: whole runs" Test.Conform.Whole.spec
+  describe "Conformance: what processes write" Test.Conform.Sessions.spec
   describe "Conformance: processes" Test.Conform.spec
   describe "Conformance: the server" Test.Conform.Serve.spec
   describe "What is said is what happens" Test.Documents.spec
