@@ -81,6 +81,7 @@ import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Formats.Registration
+import qualified Test.Formats.Reports
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
@@ -221,6 +222,7 @@ specs = do
   describe "Formats: keys given twice" Test.Formats.Json.spec
   describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: registrations" Test.Formats.Registration.spec
+  describe "Formats: reports of answers" Test.Formats.Reports.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Pictures of assemblies" Test.PictureAssembly.spec
