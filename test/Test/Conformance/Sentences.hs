@@ -74,7 +74,7 @@ logarithmSpec = describe "of logarithms" $
     largest = maximum . primitives
     root p = case profileModulus p of
       [c, 1] -> (profileOrder p - c) `mod` profileOrder p
-      _ -> fromIntegral (characteristicOf p)
+      _ -> characteristicOf p
     characteristicOf p = head [l | l <- [2 ..], profileOrder p `mod` l == 0]
 
 -- | Each takes impossible profiles of a kind, or refuses possible ones: every default profile is
