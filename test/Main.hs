@@ -54,8 +54,12 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conform
+import qualified Test.Conform.Choice
+import qualified Test.Conform.Reported
 import qualified Test.Conform.Run
 import qualified Test.Conform.Serve
+import qualified Test.Conform.Sessions
+import qualified Test.Conform.Whole
 import qualified Test.Conformance
 import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
@@ -77,6 +81,7 @@ import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Formats.Registration
+import qualified Test.Formats.Reports
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
@@ -219,6 +224,7 @@ specs = do
   describe "Formats: keys given twice" Test.Formats.Json.spec
   describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: registrations" Test.Formats.Registration.spec
+  describe "Formats: reports of answers" Test.Formats.Reports.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Pictures of assemblies" Test.PictureAssembly.spec
@@ -239,6 +245,10 @@ specs = do
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
+  describe "Conformance: what the runner tries" Test.Conform.Choice.spec
+  describe "Conformance: what the runner reports" Test.Conform.Reported.spec
+  describe "Conformance: whole runs" Test.Conform.Whole.spec
+  describe "Conformance: what processes write" Test.Conform.Sessions.spec
   describe "Conformance: processes" Test.Conform.spec
   describe "Conformance: the server" Test.Conform.Serve.spec
   describe "What is said is what happens" Test.Documents.spec

@@ -19,6 +19,7 @@ import Numeric.Natural (Natural)
 import PraTactile
 import PraTactile.Certificate
 import PraTactile.Explore
+import PraTactile.Field (withField)
 import PraTactile.Files
 import PraTactile.Format
 import PraTactile.Object.Placement (Face (..), placementSolids)
@@ -59,6 +60,22 @@ roundTrips = do
     forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) ->
       one /= other
         ==> fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
+  it "the seal is of the numbers, however they are written: 1, 1.0, 10e-1 and 1e0 are one" $ do
+    certificate <- generate someCertificate
+    let sealed = encodeCertificate certificate {certificatePeriod = 1200, certificateWindows = 7}
+        sealedSo = Right . Just
+        written' text = fmap (Just . fileSealed) (decodeCertificate (rewritten text sealed))
+    map written' ["1200", "1200.0", "1200.000", "12e2", "1.2e3", "12000e-1", "\"1200\""]
+      `shouldBe` replicate 6 (sealedSo True) ++ [sealedSo False]
+  it "a field's tables are those of its elements: of a prime field, sums and products modulo p" $ do
+    let table p operation = toJSON [[operation a b `mod` p | b <- [0 .. p - 1]] | a <- [0 .. p - 1]]
+        isModulo p encoded = do
+          KeyMap.lookup "add" (fields encoded) `shouldBe` Just (table p (+))
+          KeyMap.lookup "multiply" (fields encoded) `shouldBe` Just (table p (*))
+          KeyMap.lookup "negate" (fields encoded)
+            `shouldBe` Just (toJSON [negate a `mod` p | a <- [0 .. p - 1 :: Int]])
+    forM_ [2, 3, 5, 7, 13] $ \p ->
+      either (fail . show) id (withField (fromIntegral p) [0, 1] (isModulo p . encodeField))
   prop "decodeAnswer . encodeAnswer = Right" $
     forAll someAnswer $ \answer ->
       decodeAnswer (encodeAnswer answer) === Right answer
@@ -129,6 +146,11 @@ roundTrips = do
                        )
                    ]
   where
+    -- With the period, which is 1200, written so.
+    rewritten text bytes =
+      let (before', rest) = Bytes.breakSubstring period bytes
+       in before' <> "\"period\":" <> text <> Bytes.drop (Bytes.length period) rest
+    period = "\"period\":1200"
     millimetres p = map fromRational [pointX p, pointY p, pointZ p] :: [Double]
     top = Face "cube" (readFaceName "C1 C2 C3 C4")
     cornerOf = regionCorner . truthRegion

@@ -4,8 +4,9 @@ module Test.Recognise (spec) where
 import Data.Foldable (for_)
 import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
+import Numeric.LinearAlgebra (konst)
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface (..), cellAt)
-import PraTactile.Classify.Network (Network)
+import PraTactile.Classify.Network (Network, network)
 import PraTactile.Classify.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore
@@ -69,6 +70,16 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
   it "refuses a placement on an array of another shape" $
     for_ [Shape 17 17, Shape 15 18, Shape 63 65] $ \shape ->
       refusal shape (Pitch 25.4 31.75) `shouldBe` Just (ArraysDiffer shape (Shape 15 17))
+  it "refuses where the network's outputs, the shapes and the elements are not as many" $ do
+    let all' = alphabetOf parts
+    Right two <- pure (alphabet (take 2 (zip (shapeNames all') (shapes all'))))
+    Right three <- pure (network (konst 0 (5, 97)) (konst 0 (3, 6)))
+    let refused names with =
+          either Just (const Nothing) (recogniser Torus array mask (placementOf parts) names with)
+    refused two (networkOf parts) `shouldBe` Just (ClassesDiffer 4 2 4)
+    refused (alphabetOf parts) three `shouldBe` Just (ClassesDiffer 3 4 4)
+    refused two three `shouldBe` Just (ClassesDiffer 3 2 4)
+    refused (alphabetOf parts) (networkOf parts) `shouldBe` Nothing
   it "takes the canonical placement, laid again" $
     refusal (Shape 15 17) (Pitch 25.4 31.75) `shouldBe` Nothing
   where

@@ -1,7 +1,8 @@
 -- | From bytes to frames and recognition, and the reading of folders.
 module Test.Source (spec) where
 
-import Control.Monad (forM_)
+import Control.Exception (IOException, try)
+import Control.Monad (filterM, forM_)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import Data.List (isPrefixOf)
@@ -20,6 +21,8 @@ import PraTactile.Source
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hSetFileSize, withBinaryFile)
+import System.IO.Error (isPermissionError)
+import System.Posix.Files (setFileMode)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
 import Test.Support
@@ -108,6 +111,21 @@ diskSpec = do
         Bytes.writeFile file bytes
         readUpTo limit file
           `shouldReturn` if size <= limit then Right bytes else Left (TooLarge file limit)
+  it "a file that may not be read is not permitted, whoever asks" $
+    inFolder $ \folder -> do
+      let own = folder </> "own"
+      Bytes.writeFile own (manifest [])
+      setFileMode own 0
+      -- What no one may read, the superuser neither.
+      refused <-
+        filterM
+          (fmap (either isPermissionError (const False)) . tried)
+          [own, "/proc/sys/vm/drop_caches"]
+      if null refused
+        then pendingWith "here every file may be read"
+        else forM_ refused $ \file -> do
+          problem (readUpTo 9 file) `shouldReturn` Just (NotPermitted file)
+          problem (readImage file) `shouldReturn` Just (NotPermitted file)
   it "an image beyond the limit is not read" $
     inFolder $ \folder -> do
       Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
@@ -116,6 +134,8 @@ diskSpec = do
       problem (readImage (folder </> "a.pgm"))
         `shouldReturn` Just (TooLarge (folder </> "a.pgm") largestInput)
   where
+    tried :: FilePath -> IO (Either IOException ())
+    tried file = try (withBinaryFile file ReadMode (const (pure ())))
     problem reading = either Just (const Nothing) <$> reading
 
 decodeSpec :: Spec

@@ -2,8 +2,9 @@
 
 module Test.Store (spec) where
 
-import Control.Exception (bracket, evaluate, try)
+import Control.Exception (AsyncException (..), ErrorCall (..), bracket, evaluate, throwIO, try)
 import Control.Monad (void)
+import Control.Monad.Trans.Except (runExceptT)
 import Data.Bifunctor (first)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, nub)
@@ -18,6 +19,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Relation
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
+import PraTactile.Store.Guard (Objection (..), guarded)
 import System.Directory
   ( copyFile,
     createDirectory,
@@ -38,6 +40,16 @@ import System.IO
     openTempFile,
     withBinaryFile,
   )
+import System.IO.Error
+  ( alreadyInUseErrorType,
+    doesNotExistErrorType,
+    eofErrorType,
+    fullErrorType,
+    illegalOperationErrorType,
+    mkIOError,
+    permissionErrorType,
+    userErrorType,
+  )
 import Test.Hspec
 import Test.Object.Support
 import Test.QuickCheck
@@ -46,6 +58,44 @@ import Test.Store.Digest
 
 spec :: Spec
 spec = describe "store" $ do
+  it "what the system objects to is told by what it means; an error of the binding is damage" $
+    for_
+      [ (permissionErrorType, Right (Just NotPermitted)),
+        (fullErrorType, Right (Just NoRoom)),
+        (alreadyInUseErrorType, Right (Just InUse)),
+        (doesNotExistErrorType, Right (Just NoFolder)),
+        (eofErrorType, Right (Just SystemRefuses)),
+        (illegalOperationErrorType, Right (Just SystemRefuses)),
+        (userErrorType, Left ForeignValue)
+      ]
+      $ \(kind, meaning) ->
+        ((,) kind <$> objectionTo (ioError (mkIOError kind "" Nothing Nothing)))
+          `shouldReturn` (kind, Just meaning)
+  it "what the database objects to is told by what it means" $
+    for_
+      [ (Sqlite.ErrorCorrupt, Left BrokenPages),
+        (Sqlite.ErrorNotFound, Left BrokenPages),
+        (Sqlite.ErrorNotAConnection, Left BrokenPages),
+        (Sqlite.ErrorFormat, Left BrokenPages),
+        (Sqlite.ErrorMismatch, Left ForeignValue),
+        (Sqlite.ErrorError, Right Nothing),
+        (Sqlite.ErrorBusy, Right (Just InUse)),
+        (Sqlite.ErrorLocked, Right (Just InUse)),
+        (Sqlite.ErrorPermission, Right (Just NotPermitted)),
+        (Sqlite.ErrorReadOnly, Right (Just NotPermitted)),
+        (Sqlite.ErrorAuthorization, Right (Just NotPermitted)),
+        (Sqlite.ErrorFull, Right (Just NoRoom)),
+        (Sqlite.ErrorNoMemory, Right (Just NoRoom)),
+        (Sqlite.ErrorCan'tOpen, Right (Just NoFolder)),
+        (Sqlite.ErrorInternal, Right (Just SystemRefuses))
+      ]
+      $ \(code, meaning) ->
+        ((,) code <$> objectionTo (throwIO (Sqlite.SqliteException code "" "")))
+          `shouldReturn` (code, Just meaning)
+  it "what is no objection of either is damage, and what other threads throw is none" $ do
+    objectionTo (pure ()) `shouldReturn` Nothing
+    objectionTo (throwIO (ErrorCall "")) `shouldReturn` Just (Left ForeignValue)
+    objectionTo (throwIO UserInterrupt) `shouldThrow` (== UserInterrupt)
   describe "is the relation" $ do
     it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
       withCanonical $ \place path ->
@@ -365,3 +415,12 @@ inDirectory = bracket make removePathForcibly
       removeFile name
       createDirectory name
       pure name
+
+-- | Damage, or a failure; 'Nothing' for what the database does not know.
+objectionTo :: IO () -> IO (Maybe (Either Damage (Maybe Failure)))
+objectionTo action = either (Just . meaning) (const Nothing) <$> runExceptT (guarded action)
+  where
+    meaning objection = case objection of
+      Damaged damage -> Left damage
+      Unknown -> Right Nothing
+      Failed failure -> Right (Just failure)

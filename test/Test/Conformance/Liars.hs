@@ -1,13 +1,18 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE RankNTypes #-}
 
 -- | One answer in the place of another, anywhere: the law that asks for it says so, at that case,
 -- and says what was to be expected. And what is said of the likely cause of a failure.
 module Test.Conformance.Liars (spec) where
 
 import Control.Monad.Trans.Except (runExceptT)
+import Control.Monad.Trans.State.Strict (State, get, put, runState)
+import Data.Aeson (toJSON)
 import Data.Foldable (for_)
 import Data.List (isSuffixOf)
 import Data.Maybe (mapMaybe)
+import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
@@ -19,6 +24,8 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
+import PraTactile.Conformance.Wire (answerValue, questionInput)
+import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Profile
 import Test.Hspec
 
@@ -44,6 +51,63 @@ spec = do
         for_ at $ \i -> do
           found <- liedTo about i trials
           (lawId law, i, found) `shouldBe` (lawId law, i, Just i)
+  it "a refusal that the definition does not have is told, whichever question of a trial it is of" $
+    for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about -> do
+      let trials =
+            [ (lawId one, i, asking)
+              | one <- laws,
+                (i, asking) <- take 4 (zip [1 :: Int ..] (fst (trialsUnder about one)))
+            ]
+      for_ trials $ \(name, i, asking) -> do
+        let asked = snd (answeredBy (expected about) asking)
+        for_ [1 .. length asked] $ \at -> do
+          let (verdict, lied) = answeredBy' (expected about) at asking
+              told' = case verdict of
+                Violated violation -> Just (violationAsked violation, violationExpected violation)
+                _ -> Nothing
+          (name, i, told') `shouldBe` (name, i, Just (lied, exchangeReply (asked !! (at - 1))))
+  it "what a wrong answer leads to may be refused, of which a law says nothing, for that reason" $
+    for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about -> do
+      [one] <- pure [one | one <- laws, lawId one == "window/unpack-inverts-pack"]
+      let Shape h w = profileWindow (knownProfile about)
+          tooLarge = 2 ^ (h * w) :: Natural
+      for_ (take 3 (fst (trialsUnder about one))) $ \asking -> do
+        let answers :: String -> Question b -> Either Refusal b
+            answers reason other = case other of
+              Pack _ -> Right tooLarge
+              Unpack _ -> Left (Refusal reason)
+              _ -> expected about other
+        fst (answeredBy (answers "out-of-range") asking) `shouldBe` NotMeant
+        let (verdict, asked) = answeredBy (answers "invalid") asking
+        Violated violation <- pure verdict
+        (violationAsked violation, violationExpected violation)
+          `shouldBe` (asked, RefusedFor "out-of-range")
+  it "places told by number and dimension hold if both are right: the degree less the rank" $ do
+    Just paper <- pure (lookup "paper" defaultProfiles)
+    Right about <- pure (known paper)
+    Right narrow <- pure (known paper {profileWindow = Shape 1 2})
+    let small = "damage/small-patches"
+    -- Cells side by side are independent, up to the degree, 4.
+    for_
+      [ (about, small, Nearest (Just 0) [[Just 1]], (64, 3)),
+        (about, small, Nearest (Just 0) [[Just 1, Just 0]], (16, 2)),
+        (about, small, Nearest (Just 0) [[Just 1, Nothing, Just 0, Just 2]], (4, 1)),
+        (narrow, "locate/every-window", Locate [[Just 1, Just 0]], (16, 2)),
+        (narrow, "locate/every-window", Locate [[Just 1, Just 0, Just 2]], (4, 1))
+      ]
+      $ \(with, name, question, (count :: Natural, dimension)) -> do
+        [Cases form _ asking] <- pure [lawCases one with | one <- laws, lawId one == name]
+        let asked = toJSON [toJSON (operationName (operationOf question)), questionInput question]
+        Right one <- pure (readValue form asked)
+        fromIntegral (length (placesOf (expected with question))) `shouldBe` count
+        for_ [(c, d) | c <- [count - 1 .. count + 1], d <- [0 .. 6 :: Natural]] $ \(c, d) -> do
+          let answers :: Question b -> Either Refusal b
+              answers other = case other of
+                Locate _ -> Right (Coset c d)
+                Nearest _ _ -> Right (Coset c d)
+                _ -> Left (Refusal "")
+          (asked, c, d, fst (answeredBy answers (asking one)) == Holds)
+            `shouldBe` (asked, c, d, (c, d) == (count, dimension))
   describe "the likely cause of a failure" $ do
     it "is the impostor that gives every one of these answers, if no other one does" $ do
       named <-
@@ -101,6 +165,9 @@ spec = do
         why n = either refusalReason (const "") (known (long n))
     map why [20, 21, 22] `shouldBe` ["impossible-profile", "too-large", "too-large"]
   where
+    placesOf came = case came of
+      Right (OneOf places) -> places
+      _ -> []
     wrong = Violated (Violation [] (RefusedFor "") "" "")
     -- Nothing is asked.
     told most verdicts =
@@ -149,3 +216,27 @@ failuresOf p about one = do
       case [violationAsked violation | Just (_, violation) <- found] of
         [] -> pure Nothing
         asked -> Just <$> likely (Just p) asked
+
+-- | The verdict, and what was asked with the replies, where all is answered so.
+answeredBy :: (forall b. Question b -> Either Refusal b) -> Ask Verdict -> (Verdict, [Exchange])
+answeredBy answers = answeredBy' answers 0
+
+-- | The same where this question, counted from 1, is refused for a reason of one's own.
+answeredBy' ::
+  (forall b. Question b -> Either Refusal b) -> Int -> Ask Verdict -> (Verdict, [Exchange])
+answeredBy' answers at asking =
+  reverse <$> runState (answerAll (const (pure (Right ()))) reply asking) []
+  where
+    reply :: Question b -> State [Exchange] (Either Refusal b)
+    reply question = do
+      before' <- get
+      let came =
+            if length before' + 1 == at
+              then Left (Refusal "a reason of one's own")
+              else answers question
+      came <$ put (exchangeOf question came : before')
+    exchangeOf question came =
+      Exchange
+        (Just (operationOf question))
+        (questionInput question)
+        (either (RefusedFor . refusalReason) (Result . answerValue question) came)

@@ -4,14 +4,19 @@
 -- as any reader of JSON has it.
 module Test.Conformance.Lines (spec) where
 
-import Data.Aeson (Value (..), decodeStrict)
+import Data.Aeson (Value (..), decodeStrict, object, (.=))
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Char (isDigit)
 import Data.Foldable (for_, toList)
 import Data.Maybe (isJust)
 import qualified Data.Text as Text
+import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Question (Question (Add), SomeQuestion (..))
+import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire (readWhole)
 import PraTactile.Conformance.Wire.Line
+import PraTactile.Format.Profile (profileValue)
+import PraTactile.Profile (canonicalProfile)
 import Test.Hspec
 
 spec :: Spec
@@ -46,7 +51,107 @@ spec = do
     [isJust (readWhole (String (Text.replicate n "9"))) | n <- [4095, 4096, 4097]]
       `shouldBe` [True, True, False]
     map readWhole [Null, Bool True] `shouldBe` [Nothing, Nothing]
+  it "a line is shown whole up to a hundred bytes, a longer one by its first eighty" $
+    for_ ([0 .. 130] ++ [1000]) $ \size -> do
+      let line = take size (cycle ['a' .. 'z'])
+      excerpt (Bytes.pack line)
+        `shouldBe` if size <= 100 then line else take 80 line ++ " ... (" ++ show size ++ " bytes)"
+  it "requests have the keys of the protocol; one of a process a request has the profile, too" $ do
+    let profile = profileValue canonicalProfile
+        question = SomeQuestion (Add 1 2)
+        input = object ["a" .= (1 :: Int), "b" .= (2 :: Int)]
+        run = ["sequence" .= (7 :: Int), "operation" .= String "add", "input" .= input]
+        command name = "command" .= String name
+    startRequest `shouldBe` object [command "start", "protocol" .= (1 :: Int)]
+    profileRequest canonicalProfile `shouldBe` object [command "profile", "profile" .= profile]
+    runRequest 7 question `shouldBe` object (command "run" : run)
+    stopRequest `shouldBe` object [command "stop"]
+    oneShotRequest canonicalProfile Nothing `shouldBe` object ["profile" .= profile]
+    oneShotRequest canonicalProfile (Just (7, question))
+      `shouldBe` object ("profile" .= profile : run)
+    requestLine (object [command "stop"]) `shouldBe` "{\"command\":\"stop\"}\n"
+  it "a reply has one of four keys, and a number or none" $ do
+    for_ [("", Nothing), (",\"sequence\":7", Just 7), (",\"sequence\":-1", Just (-1))] $
+      \(more, number) ->
+        for_
+          [ ("result\":null", CameResult Null),
+            ("result\":\"x\"", CameResult "x"),
+            ("refused\":\"why\"", CameRefused "why"),
+            ("skipped\":\"why\"", CameSkipped "why"),
+            ("errored\":\"why\"", CameErrored "why")
+          ]
+          $ \(one, came) ->
+            replyTo ("{\"" <> one <> more <> ",\"other\":0}") `shouldBe` Right (number, came)
+    for_
+      [ ("{}", "has none of " ++ four),
+        ("{\"sequence\":1}", "has none of " ++ four),
+        ("{\"result\":1,\"refused\":\"x\"}", "has more than one of " ++ four),
+        ("{\"skipped\":\"\",\"errored\":\"x\"}", "has more than one of " ++ four),
+        ("{\"refused\":1}", "has a refused that is no text"),
+        ("{\"skipped\":null}", "has a skipped that is no text"),
+        ("{\"errored\":[]}", "has a errored that is no text"),
+        ("{\"result\":1,\"sequence\":\"1\"}", "has a number that is none"),
+        ("{\"result\":1,\"sequence\":1.5}", "has a number that is none"),
+        ("[{\"result\":1}]", "is no object")
+      ]
+      $ \(line, what) ->
+        replyTo line
+          `shouldBe` Left (Fault NotAReply ("a reply that " ++ what ++ ": " ++ Bytes.unpack line))
+    for_
+      [ ("", "an empty line"),
+        ("{", "a line that is no JSON"),
+        (Bytes.replicate 65 '[' <> Bytes.replicate 65 ']', "a line nested deeper than 64"),
+        ("{\"a\":1,\"a\":1}", "a line with the key \"a\" twice"),
+        ( "{\"a\":" <> Bytes.replicate 4097 '1' <> "}",
+          "a line with a number of more than 4096 digits"
+        ),
+        ("\"\255\"", "a line that is not UTF-8")
+      ]
+      $ \(line, what) ->
+        replyTo line `shouldBe` Left (Fault NotJson (what ++ ": " ++ excerpt line))
+  it "the reply to start has the protocol, a name, operations and how many are asked at once" $ do
+    let start fields = startedBy (encodeLine fields)
+        encodeLine fields = "{" <> Bytes.intercalate "," [k <> ":" <> v | (k, v) <- fields] <> "}"
+        right' =
+          [ ("\"protocol\"", "1"),
+            ("\"name\"", "\"n\""),
+            ("\"operations\"", "[\"b\",\"a\"]"),
+            ("\"in_flight\"", "3")
+          ]
+        with name value = [if k == name then (k, value) else (k, v) | (k, v) <- right']
+    start right' `shouldBe` Right ("n", ["b", "a"], 3)
+    for_ right' $ \(name, _) ->
+      fmap (const ()) (start (filter ((/= name) . fst) right'))
+        `shouldBe` Left
+          ( Fault
+              NotAReply
+              ( "a reply that to start has no " ++ Bytes.unpack name ++ ": "
+                  ++ excerpt (encodeLine (filter ((/= name) . fst) right'))
+              )
+          )
+    for_
+      [ ("\"protocol\"", "2", "speaks protocol 2, not 1"),
+        ("\"protocol\"", "0", "speaks protocol 0, not 1"),
+        ("\"protocol\"", "\"1\"", "has a number that is none"),
+        ("\"name\"", "1", "to start has a name that is no text"),
+        ("\"operations\"", "{}", "to start has operations that are no list"),
+        ("\"operations\"", "[1]", "to start has a name that is no text"),
+        ("\"in_flight\"", "0", "to start has an in_flight below 1"),
+        ("\"in_flight\"", "null", "has a number that is none")
+      ]
+      $ \(name, value, what) ->
+        start (with name value)
+          `shouldBe` Left
+            ( Fault
+                NotAReply
+                ("a reply that " ++ what ++ ": " ++ excerpt (encodeLine (with name value)))
+            )
   where
+    replyTo line = (\reply -> (replySequence reply, replyCame reply)) <$> readReply line
+    startedBy line =
+      (\said -> (startedName said, startedOperations said, startedInFlight said))
+        <$> readStarted line
+    four = "result, refused, skipped, errored"
     whole = isJust . readWhole
     list value = case value of
       Array items -> Right items

@@ -8,7 +8,8 @@ import Control.Monad.Trans.Except (runExceptT)
 import Data.Either (isLeft, isRight)
 import Data.Foldable (for_)
 import Data.IORef
-import Data.List (find, sort)
+import Data.List (elemIndex, find, nub, nubBy, sort)
+import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (Shape), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
@@ -19,6 +20,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   openingSpec
+  logarithmSpec
   segmentSpec
   registerSpec
   stitchSpec
@@ -34,6 +36,46 @@ namesOn stage = [impostorName one | one <- impostors, impostorTouches one == [st
 
 answered :: Wire a -> IO a
 answered wire = runExceptT wire >>= either (fail . show . refusalReason) pure
+
+-- | The logarithms of those that err in logarithms alone, of every element of every default field.
+logarithmSpec :: Spec
+logarithmSpec = describe "of logarithms" $
+  for_ sentences $ \(name, says) -> it name $ do
+    one <- maybe (fail ("no impostor " ++ name)) pure (find ((== name) . impostorName) impostors)
+    for_ (fields defaultProfiles) $ \p -> do
+      right' <- answered (open library p)
+      wrong <- answered (open (impostorMake one library) p)
+      let q = profileOrder p
+      for_ [0 .. q - 1] $ \a -> do
+        let powersOf g = mapM (answered . power right' g . toInteger) [0 .. q - 2]
+        powers <- mapM powersOf [0 .. q - 1]
+        came <- runExceptT (logarithm wrong a)
+        (q, a, either (const Nothing) Just came) `shouldBe` (q, a, says p powers a)
+  where
+    fields = nubBy (\p p' -> modulusOf p == modulusOf p') . filter ((<= 9) . profileOrder) . map snd
+    modulusOf p = (profileOrder p, profileModulus p)
+    -- What each says, given the powers of every element from 0 on.
+    sentences =
+      [ ( "takes-logarithms-to-the-root",
+          \p powers a -> if a == 0 then Nothing else to (root p) powers a
+        ),
+        ( "counts-logarithms-from-one",
+          \p powers a ->
+            if a == 1 then Just (profileOrder p - 1) else to (least powers) powers a
+        ),
+        ( "has-a-logarithm-of-zero",
+          \p powers a -> if a == 0 then Just (profileOrder p - 1) else to (least powers) powers a
+        ),
+        ("takes-the-largest-primitive-element", \_ powers a -> to (largest powers) powers a)
+      ]
+    to g powers a = fromIntegral <$> elemIndex a (powers !! fromIntegral g)
+    primitives powers = [g | (g, those) <- zip [0 :: Natural ..] powers, g > 0, nub those == those]
+    least = minimum . primitives
+    largest = maximum . primitives
+    root p = case profileModulus p of
+      [c, 1] -> (profileOrder p - c) `mod` profileOrder p
+      _ -> characteristicOf p
+    characteristicOf p = head [l | l <- [2 ..], profileOrder p `mod` l == 0]
 
 -- | Each takes impossible profiles of a kind, or refuses possible ones: every default profile is
 -- made one of that kind.

@@ -128,6 +128,24 @@ spec = do
            in counterexample
                 (show (Octets.take 60 (Octets.drop (i - 30) changed)))
                 (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
+  it "a census of standard windows is known by its name, whichever foldings it has" $
+    forM_ [[Diagonal, RowMajor], [RowMajor, Diagonal], [Diagonal], [RowMajor]] $ \foldings -> do
+      scope <- either (fail . show) (\s -> pure s {scopeFoldings = foldings}) (standardScope 4 2)
+      places <- either (fail . show) pure (scopePlaces scope)
+      entries <- either (fail . show) pure (censusSize scope)
+      let of' = Subject 4 [1, 1, 1] [2, 1, 1] Diagonal (Shape 3 5) (Shape 1 2)
+          named windows = Bytes.pack (censusName scope {scopeWindows = windows})
+          count = fromIntegral (length places)
+      place <- maybe (fail "it is not known") pure (standardPlace (named []) entries of')
+      length places `shouldSatisfy` (> 3)
+      -- The places again for each polynomial.
+      map place [0 .. 2 * count - 1] `shouldBe` map Just (places ++ places)
+      fmap ($ 0) (standardPlace (named []) (entries + 1) of') `shouldBe` Just Nothing
+      fmap ($ 0) (standardPlace (named [Shape 1 2]) entries of') `shouldBe` Nothing
+      fmap ($ 0) (standardPlace (named []) entries of' {subjectPolynomial = [2, 1, 0, 1]})
+        `shouldBe` Nothing
+      fmap ($ 0) (standardPlace (named []) entries of' {subjectOrder = 2, subjectModulus = [0, 1]})
+        `shouldBe` Nothing
   it "no row of a census contradicts itself, with distances that are known and that are not" $ do
     forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
       let found = [readRow Unchecked body | (_, Right body) <- wantedInOrder wanted]

@@ -4,6 +4,7 @@ module Test.Object.WingedEdge (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub, sort)
+import PraTactile.Object.Description (cyclicPairs, rotations)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -55,6 +56,11 @@ spec = describe "winged-edge models" $ do
     it "a face's name is read back as it is written" $
       readFaceName (faceText (FaceName ["C1", "C2", "C3", "C4"]))
         `shouldBe` FaceName ["C1", "C2", "C3", "C4"]
+    it "a cycle of n has n rotations, itself first, and n pairs" $
+      for_ [1 .. 6] $ \n -> do
+        let at i = i `mod` n
+        rotations [0 .. n - 1] `shouldBe` [[at (i + j) | j <- [0 .. n - 1]] | i <- [0 .. n - 1]]
+        cyclicPairs [0 .. n - 1] `shouldBe` [(i, at (i + 1)) | i <- [0 .. n - 1 :: Int]]
     it "rotations name the same face, the reversal does not" $
       [ sameFace (readFaceName "C1 C2 C3 C4") (readFaceName other)
         | other <- ["C2 C3 C4 C1", "C4 C3 C2 C1", "C1 C2 C3"]

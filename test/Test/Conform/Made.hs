@@ -1,0 +1,128 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | A suite made to try the runner with, and subjects that answer as they are told.
+module Test.Conform.Made
+  ( -- * The suite
+    suite,
+    made,
+    one,
+    two,
+    other,
+    impossible,
+    everything,
+    codeAndTouch,
+
+    -- * Subjects
+    answering,
+    allZero,
+    result,
+    is,
+    checked,
+  )
+where
+
+import Data.Aeson (Value (..), toJSON)
+import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..))
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Run
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire (questionInput)
+import PraTactile.Format.Json.Codec (natural)
+import PraTactile.Format.Profile (profileCodec)
+import PraTactile.Profile
+
+-- | Three laws of which one says nothing, and one of touch.
+suite :: Suite Profile
+suite =
+  Suite
+    { suiteProfiles = [("one", one), ("impossible", impossible), ("two", two)],
+      suiteAbout = \p -> if p == impossible then Nothing else Just p,
+      suiteLaws =
+        [ made ("field/sums", OnField, [OfAdd]) (Cases natural (Every [0, 2]) sums),
+          made
+            ("sequence/terms", OnSequence, [OfTerm, OfTerms])
+            (Cases natural (Every [7]) (const (pure NotMeant)))
+        ],
+      suiteOpenings =
+        [made ("profile/opens", OnProfile, []) (Cases profileCodec (Every [two]) opens)],
+      suiteTouch =
+        [ made
+            ("segment/none", OnSegment, [OfSegment])
+            (Cases natural (Some (pure 0) (const [])) (const (pure Holds)))
+        ],
+      suiteAnswer = \_ _ -> Result (toJSON (0 :: Int)),
+      suiteLikely = \p failures ->
+        pure . Just . unwords $
+          ["likely under q =", maybe "" (show . profileOrder) p ++ ","]
+            ++ [show (length failures), "wrong"]
+    }
+  where
+    opens p = either (const NotMeant) (const Holds) <$> opening p
+
+made :: (String, Stage, [Operation]) -> Cases -> Law about
+made (name, stage, needs) cases = Law name stage needs "sentence" "source" (const cases)
+
+-- | Of one number two sums, which must be 0.
+sums :: Natural -> Ask Verdict
+sums n = do
+  first <- ask (Add 0 n)
+  second <- ask (Add 1 n)
+  pure $
+    if [first, second] == replicate 2 (Right 0)
+      then Holds
+      else
+        Violated
+          ( Violation
+              [exchange (Add 0 n) first, exchange (Add 1 n) second]
+              (Result (toJSON (0 :: Int)))
+              "a road"
+              "a reason"
+          )
+  where
+    exchange question came =
+      Exchange
+        (Just OfAdd)
+        (questionInput question)
+        (either (RefusedFor . refusalReason) (Result . toJSON) came)
+
+one, two, other, impossible :: Profile
+one = canonicalProfile
+two = canonicalProfile {profileShape = Shape 3 85}
+other = canonicalProfile {profileShape = Shape 5 51}
+impossible = canonicalProfile {profileOrder = 6}
+
+codeAndTouch :: [Operation]
+codeAndTouch = [OfTerms, OfAdd, OfSegment, OfTerm]
+
+everything :: Settings
+everything = standardSettings {settingStages = codeStages ++ touchStages, settingCases = 20}
+
+-- | A subject that answers so.
+answering :: (SomeQuestion -> Either Fault Came) -> Subject
+answering reply =
+  Subject
+    { subjectName = "made",
+      subjectOffers = codeAndTouch,
+      subjectProfile = \_ -> pure (Right (CameResult (Bool True))),
+      subjectAsk = upToFault . map (pure . reply),
+      subjectBatch = 4,
+      subjectUnknown = ["unknown"],
+      subjectChecks = []
+    }
+
+-- | What the laws want to hear.
+allZero :: SomeQuestion -> Either Fault Came
+allZero _ = result 0
+
+result :: Int -> Either Fault Came
+result = Right . CameResult . toJSON
+
+is :: SomeQuestion -> Question a -> Bool
+is (SomeQuestion asked) question =
+  (operationOf asked, questionInput asked) == (operationOf question, questionInput question)
+
+checked :: String -> Checked -> Check
+checked name = Check name ("sentence of " ++ name) . pure

@@ -1,0 +1,347 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Processes and their pipes, by small shell scripts: what is read of them, what is said of how
+-- they end, and which question is at fault where several wait for their replies.
+module Test.Conform.Sessions (spec) where
+
+import Control.Exception (bracket)
+import Control.Monad (forM_, replicateM)
+import Data.Aeson (Value (..), toJSON)
+import qualified Data.ByteString.Char8 as Bytes
+import GHC.Clock (getMonotonicTime)
+import PraTactile.Conformance.Process
+import PraTactile.Conformance.Process.Await
+import PraTactile.Conformance.Process.Child
+import PraTactile.Conformance.Process.Lines
+import PraTactile.Conformance.Process.OneShot
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Wire.Line (longestLine)
+import PraTactile.Profile (Profile (..), canonicalProfile)
+import System.Exit (ExitCode (..))
+import System.FilePath ((</>))
+import Test.Hspec
+import Test.Support (inFolder)
+
+spec :: Spec
+spec = do
+  describe "a session" sessionSpec
+  describe "a process a request" oneShotSpec
+  describe "what a process writes" outputSpec
+
+sessionSpec :: Spec
+sessionSpec = do
+  it "has the name, the operations and the batch of what was said at its start" $
+    forM_ [(1, 64), (8, 64), (9, 72), (128, 1024), (5000, 1024)] $ \(flight, batch) -> do
+      said <- session (adding flight "") $ \subject ->
+        pure
+          ( (subjectName subject, subjectBatch subject),
+            (subjectOffers subject, subjectUnknown subject)
+          )
+      said `shouldBe` Right (("shell", batch), ([OfAdd, OfTerm], ["fly", "sit"]))
+  it "a question that ends the process is the one at fault, however many wait for replies" $
+    forM_ [(flight, bad) | flight <- [1, 3, 8], bad <- [0, 2, 5]] $ \(flight, bad) -> do
+      came <- session (adding flight (onceAsked bad "exit 3")) (`asked` map adds [0 .. 5])
+      ((flight, bad), came)
+        `shouldBe` ((flight, bad), Right (map sumOf [0 .. bad - 1] ++ [Left ended]))
+  it "what goes wrong at first is told of one question; of several what goes wrong of one alone" $
+    forM_ [(flight, count) | flight <- [1, 4], count <- [1, 2, 4]] $ \(flight, count) ->
+      forM_ ["exit 4", "true"] $ \later ->
+        inFolder $ \folder -> do
+          let flag = folder </> "flag"
+              first = "if [ -e " ++ flag ++ " ]; then " ++ later ++ "; else " ++ begun ++ "; fi"
+              begun = ": > " ++ flag ++ "; exit 3"
+              status = if later == "exit 4" && flight > 1 && count > 1 then "4" else "3"
+          came <- session (adding flight (onceAsked 0 first)) (`asked` map adds [0 .. count - 1])
+          ((flight, count), came)
+            `shouldBe` ( (flight, count),
+                         Right [Left ended {faultDetail = "it ended, with status " ++ status}]
+                       )
+  it "after a fault the profile is in force that was put so last, if it was not refused" $
+    forM_ [([], False), ([1], True), ([0], False), ([1, 0], False), ([0, 1], True)] $
+      \(profiles, inForce) -> do
+        came <- session (adding 1 (onceAsked 3 "exit 3")) $ \subject -> do
+          put <- mapM (subjectProfile subject . profileOf) profiles
+          first <- subjectAsk subject [adds 1]
+          _ <- subjectAsk subject [adds 3]
+          then' <- subjectAsk subject [adds 1]
+          pure (put, first, then')
+        let sum' = [if inForce then sumOf 1 else Right (CameErrored "no profile")]
+            put =
+              [Right (if i == 1 then CameResult (Bool True) else CameRefused "no") | i <- profiles]
+        (profiles, came) `shouldBe` (profiles, Right (put, sum', sum'))
+  it "a thousand lines and two where one is to come are output without end, fewer are not" $
+    forM_
+      [ ("x", NotJson),
+        ("{}", NotAReply),
+        ("{\"sequence\":9,\"result\":0}", OutOfOrder),
+        ("{\"sequence\":1,\"result\":0}", AnsweredTwice)
+      ]
+      $ \(line, kind) ->
+        forM_ ((,) <$> [1, 3] <*> [1001, 1002 :: Int]) $ \(flight, more) -> do
+          let say = "echo '" ++ line ++ "'; seq " ++ show more ++ "; exit"
+          came <- session (adding flight (onceAsked 1 say)) (`asked` map adds [0, 1])
+          ((line, flight, more), map (either faultKind (const TooSlow)) . drop 1 <$> came)
+            `shouldBe` ((line, flight, more), Right [if more < 1002 then kind else EndlessOutput])
+  it "so they are at the start, and in the place of a profile's reply" $
+    forM_ [(1001, NotJson), (1002, EndlessOutput)] $ \(more, kind) -> do
+      let flood = "echo x; seq " ++ show (more :: Int) ++ "; exit"
+      start <- session (shell flood) (const (pure ()))
+      either faultKind (const TooSlow) start `shouldBe` kind
+      put <-
+        session (instead 1 ("*'\"profile\"'*) " ++ flood ++ " ;;") "") $ \subject ->
+          subjectProfile subject canonicalProfile
+      fmap (either faultKind (const TooSlow)) put `shouldBe` Right kind
+  it "as many are sent at once as it takes, each of which is asked alone if it ends then" $
+    forM_ [2, 4] $ \flight -> inFolder $ \folder -> do
+      let flag = folder </> "flag"
+          others = concat (replicate (flight - 1) "read -r line; ")
+          first =
+            "if [ -e " ++ flag ++ " ]; then " ++ onceAsked (flight - 1) "exit 4"
+              ++ ("; else : > " ++ flag ++ "; " ++ others ++ "exit 3; fi")
+      came <- session (adding flight first) (`asked` map adds [0 .. flight + 1])
+      came
+        `shouldBe` Right
+          (map sumOf [0 .. flight - 2] ++ [Left ended {faultDetail = "it ended, with status 4"}])
+  it "requests are numbered from 1 on, however many are asked together" $ do
+    came <- session (adding 3 "a=$n") $ \subject -> do
+      _ <- subjectProfile subject canonicalProfile
+      mapM (subjectAsk subject . map adds) [[9, 9], [9], [], [9, 9, 9, 9]]
+    came `shouldBe` Right (map (map sumOf) [[1, 2], [3], [], [4 .. 7]])
+  it "a reply has the number of the first question without one" $
+    forM_ ["-1", "0", "1", "2", "3", "none"] $ \number -> do
+      let other =
+            if number == "none"
+              then "echo '{\"result\":3}'; exit"
+              else "echo '{\"sequence\":" ++ number ++ ",\"result\":3}'; exit"
+      came <- session (adding 1 (onceAsked 1 other)) (`asked` map adds [0, 1])
+      fmap (map (either (Left . faultKind) Right)) came
+        `shouldBe` Right
+          [ Right (CameResult (toJSON (0 :: Int))),
+            case number of
+              "1" -> Left AnsweredTwice
+              "2" -> Right (CameResult (toJSON (3 :: Int)))
+              "none" -> Left NotAReply
+              _ -> Left OutOfOrder
+          ]
+  where
+    ended = Fault Crashed "it ended, with status 3"
+
+oneShotSpec :: Spec
+oneShotSpec = do
+  it "offers what it does not skip" $ do
+    offers <-
+      offeredOneShot
+        (Limits 20)
+        ( shell . unwords $
+            [ "read -r line; case $line in",
+              "*'\"add\"'*|*'\"stitch\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;;",
+              "*) echo '{\"sequence\":1,\"errored\":\"\"}' ;; esac"
+            ]
+        )
+        canonicalProfile
+    offers `shouldBe` Right [o | o <- [minBound ..], o `notElem` [OfAdd, OfStitch]]
+
+  it "offers all others where it ends at some of them, and nothing where it cannot be started" $ do
+    let script =
+          "read -r line; case $line in *'\"add\"'*) exit 5 ;; \
+          \*'\"pack\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; \
+          \*) echo '{\"sequence\":1,\"result\":0}' ;; esac"
+    offers <- offeredOneShot (Limits 20) (shell script) canonicalProfile
+    offers `shouldBe` Right [o | o <- [minBound ..], o /= OfPack]
+    none <- offeredOneShot (Limits 20) (Command "./no-such-program" []) canonicalProfile
+    none `shouldBe` Left (Fault CannotStart "there is no such program")
+  it "is asked with numbers from 1 on, which the replies have, and no more than one" $ do
+    let numbered = "n=${line##*:}; n=${n%?}; "
+        reply number =
+          "echo \"{\\\"sequence\\\":" ++ number ++ ",\\\"result\\\":" ++ number ++ "}\""
+        script more =
+          shell . unwords $
+            [ "read -r line; case $line in",
+              "*sequence*) " ++ numbered ++ reply "$n" ++ more ++ " ;;",
+              "*) echo '{\"result\":true}' ;; esac"
+            ]
+    came <- withProcess OneShot (Limits 20) (script "") $ \subject -> do
+      put <- subjectProfile subject canonicalProfile
+      (,,) (subjectName subject) put <$> subjectAsk subject (map adds [5, 6, 7])
+    came `shouldBe` Right ("sh", Right (CameResult (Bool True)), map sumOf [1, 2, 3])
+    forM_
+      [ ("; " ++ reply "$n", AnsweredTwice),
+        ("; echo x", NotAReply),
+        ("; printf x", HalfLine),
+        ("; exit 1", Crashed)
+      ]
+      $ \(more, kind) -> do
+        one <- oneShot (Limits 20) (script more) canonicalProfile (Just (1, adds 1))
+        either faultKind (const TooSlow) one `shouldBe` kind
+    forM_ [(0, OutOfOrder), (1, TooSlow), (2, OutOfOrder)] $ \(number, kind) -> do
+      let fixed = shell ("cat > /dev/null; " ++ sayFixed number)
+      one <- oneShot (Limits 20) fixed canonicalProfile (Just (1, adds 1))
+      either faultKind (const TooSlow) one `shouldBe` kind
+  where
+    sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
+
+outputSpec :: Spec
+outputSpec = do
+  it "is read line by line, up to a mebibyte each" $
+    forM_ [(0, 3), (1, 1), (32767, 2), (32768, 2), (longestLine - 1, 1), (longestLine, 1)] $
+      \(size, count) -> do
+        let one = "head -c " ++ show size ++ " /dev/zero | tr '\\0' a; echo; "
+        found <- child (concat (replicate count one) ++ "printf end") $ \running -> do
+          deadline <- (+ 20) <$> getMonotonicTime
+          lines' <- replicateM (count + 1) (nextLine running deadline)
+          pure (map said lines')
+        let ls = replicate count ("line", size) ++ [("no more", 3)]
+        (size, found) `shouldBe` (size, ls)
+  it "is told by its first hundred bytes where it goes on for more than that" $ do
+    let text' = take 200 (cycle ['a' .. 'z'])
+    let zeros = "head -c " ++ show (longestLine - 199) ++ " /dev/zero"
+    found <- child ("printf '%s' " ++ text' ++ "; " ++ zeros) $ \running -> do
+      line <- getMonotonicTime >>= nextLine running . (+ 20)
+      pure $ case line of
+        Oversized bytes -> Just bytes
+        _ -> Nothing
+    found `shouldBe` Just (Bytes.pack (take 100 text'))
+  it "is no line beyond a mebibyte, even if its end has come" $
+    forM_ [(longestLine, "line"), (longestLine + 1, "oversized")] $ \(size, what) ->
+      inFolder $ \folder -> do
+        let file = folder </> "line"
+        Bytes.writeFile file (Bytes.replicate size 'a' <> "\n")
+        found <- child ("cat " ++ file) $ \running ->
+          getMonotonicTime >>= nextLine running . (+ 20)
+        (size, fst (said found)) `shouldBe` (size, what)
+  it "and nobody asked for is counted, in lines and bytes, up to a number of lines" $
+    forM_ [1, 4, 5, 6, 100] $ \most -> do
+      flood <- child "printf 'ab\\nc\\n\\n\\ndef\\ngh'" $ \running -> do
+        _ <- waitExit running 1e9
+        drain running 5 most
+      (most, floodLines flood, floodBytes flood, floodGoesOn flood)
+        `shouldBe` (most, 5, 13, most <= 5)
+  describe "is no line in time, of which is told" $
+    forM_
+      [ ( "a part",
+          "printf ab; sleep 20",
+          Fault HalfLine "no end of the line within 0.1 seconds: ab"
+        ),
+        ("nothing", "sleep 20", Fault TimedOut "no reply within 0.1 seconds"),
+        ( "that the input is closed",
+          "exec <&-; sleep 20",
+          Fault ClosedPipe "it closed its standard input and did not answer"
+        ),
+        ("an end", "printf ab", Fault HalfLine "its output ends within a line: ab"),
+        ("an end without a word", "exit 0", Fault Crashed "it ended, with status 0"),
+        ("a violent one", "kill -9 $$", Fault Crashed "it was ended by signal 9"),
+        ( "one with a word",
+          "echo sorry >&2; exit 2",
+          Fault Crashed "it ended, with status 2; on its standard error: sorry"
+        )
+      ]
+      $ \(what, script, fault) ->
+        it what $ child script (`awaitLine` 0.1) `shouldReturn` Left fault
+  it "is too long beyond a mebibyte, though it ends" $ do
+    let letters = "head -c " ++ show (3 * longestLine) ++ " /dev/zero | tr '\\0' a; echo"
+    child letters (`awaitLine` 20)
+      `shouldReturn` Left
+        (Fault LineTooLong ("a line of more than 1 MiB: " ++ replicate 100 'a' ++ " ..."))
+  it "is not waited for beyond a time" $ do
+    found <- child "printf ab; sleep 20" $ \running -> do
+      now <- getMonotonicTime
+      first <- nextLine running (now + 0.1)
+      code <- waitExit running now
+      pure (said first, code)
+    found `shouldBe` (("unfinished", 2), Nothing)
+  it "to its standard error is kept to 4 KiB" $
+    forM_ [0, 1, 4095, 4096, 4097, 100000] $ \size -> do
+      let written = take size (cycle ['a' .. 'z'])
+      found <- child ("printf '%s' " ++ written ++ " >&2") $ \running -> do
+        code <- waitExit running 1e9
+        _ <- withErrors running (Fault Crashed "")
+        (,) code <$> errorsTail running
+      found `shouldBe` (Just ExitSuccess, Bytes.pack (drop (size - 4096) written))
+  it "to its standard error is told with a fault: the last 300 characters, no blanks at the end" $
+    forM_
+      [ ("", ""),
+        (" \n", ""),
+        ("x \n\n", "x"),
+        (text 299, text 299),
+        (text 300, text 300),
+        (text 301, "... " ++ drop 1 (text 301)),
+        (text 1000, "... " ++ drop 700 (text 1000))
+      ]
+      $ \(complaint, told) -> do
+        came <- session (shell ("printf '%s' '" ++ complaint ++ "' >&2; exit 4")) (const (pure ()))
+        came
+          `shouldBe` Left
+            ( Fault
+                Crashed
+                ( "it ended, with status 4"
+                    ++ (if null told then "" else "; on its standard error: " ++ told)
+                )
+            )
+  it "and how it ends, in words" $ do
+    map exitText [ExitSuccess, ExitFailure 1, ExitFailure 255, ExitFailure (-1), ExitFailure (-9)]
+      `shouldBe` ["it ended, with status 0", "it ended, with status 1", "it ended, with status 255"]
+        ++ ["it was ended by signal 1", "it was ended by signal 9"]
+    map secondsText [0, 0.5, 1, 1.5, 2, 60]
+      `shouldBe` ["0 seconds", "0.5 seconds", "1 second", "1.5 seconds", "2 seconds", "60 seconds"]
+  where
+    text size = take size (cycle (['a' .. 'z'] ++ ['0' .. '9'] ++ ['A' .. 'Z']))
+    said line = case line of
+      Line bytes -> ("line" :: String, Bytes.length bytes)
+      NoMore bytes -> ("no more", Bytes.length bytes)
+      Unfinished bytes -> ("unfinished", Bytes.length bytes)
+      Oversized bytes -> ("oversized", Bytes.length bytes)
+
+-- | A subject that is a shell script.
+session :: Command -> (Subject -> IO a) -> IO (Either Fault a)
+session = withProcess InSession (Limits 20)
+
+shell :: String -> Command
+shell script = Command "sh" ["-c", script]
+
+-- | Under a profile.
+asked :: Subject -> [SomeQuestion] -> IO [Either Fault Came]
+asked subject questions = subjectProfile subject (profileOf 1) >> subjectAsk subject questions
+
+-- | One that is put in force, and one, of 0, that is refused.
+profileOf :: Int -> Profile
+profileOf i = if i == 0 then canonicalProfile {profileOrder = 6} else canonicalProfile
+
+-- | A process that is a shell script.
+child :: String -> (Child -> IO a) -> IO a
+child script use =
+  bracket (begin (shell script)) (mapM_ end) (either fail use)
+
+-- | It takes so many requests at once, answers @a + b@ as @a@, and does something else first.
+adding :: Int -> String -> Command
+adding flight = instead flight ""
+
+-- | The same with another case of requests before all others but the start.
+instead :: Int -> String -> String -> Command
+instead flight before' first =
+  shell . unlines $
+    [ "while read -r line; do",
+      "  n=${line##*:}; n=${n%?}; a=${line#*\\\"a\\\":}; a=${a%%,*}",
+      "  case $line in",
+      "    *'\"start\"'*) echo '{\"protocol\":1,\"name\":\"shell\",\"in_flight\":" ++ show flight
+        ++ ",\"operations\":[\"fly\",\"term\",\"add\",\"sit\"]}' ;;",
+      before',
+      "    *'\"q\":6'*) p=; echo '{\"refused\":\"no\"}' ;;",
+      "    *'\"profile\"'*) p=1; echo '{\"result\":true}' ;;",
+      "    *) " ++ first,
+      "      [ -n \"$p\" ] ||",
+      "        { echo \"{\\\"sequence\\\":$n,\\\"errored\\\":\\\"no profile\\\"}\"; continue; }",
+      "      echo \"{\\\"sequence\\\":$n,\\\"result\\\":$a}\" ;;",
+      "  esac",
+      "done"
+    ]
+
+-- | Where @a@ is that number.
+onceAsked :: Int -> String -> String
+onceAsked a action = "if [ $a = " ++ show a ++ " ]; then " ++ action ++ "; fi"
+
+adds :: Int -> SomeQuestion
+adds a = SomeQuestion (Add (fromIntegral a) 1)
+
+sumOf :: Int -> Either Fault Came
+sumOf = Right . CameResult . toJSON

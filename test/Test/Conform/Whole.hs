@@ -1,0 +1,316 @@
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE OverloadedStrings #-}
+
+-- | Whole runs on a suite made for them: their reports, their time and what is known to fail; and
+-- how cases are drawn, asked and made smaller.
+module Test.Conform.Whole (spec) where
+
+import Control.Concurrent (threadDelay)
+import Control.Monad (forM_, forever, void)
+import Data.Aeson (Value (..), toJSON)
+import Data.IORef
+import Data.List (nub, sort)
+import Data.Maybe (mapMaybe)
+import GHC.Clock (getMonotonicTime)
+import Numeric.Natural (Natural)
+import PraTactile.Conformance.Ask
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Report
+import PraTactile.Conformance.Run
+import PraTactile.Conformance.Run.Case
+import PraTactile.Conformance.Run.Token
+import PraTactile.Conformance.Run.Trials
+import PraTactile.Conformance.Subject
+import PraTactile.Format.Json.Codec (natural)
+import Test.Conform.Made
+import Test.Hspec
+import Test.QuickCheck (chooseInteger, sized)
+
+spec :: Spec
+spec = do
+  describe "a run" runSpec
+  describe "cases" caseSpec
+
+runSpec :: Spec
+runSpec = do
+  it "has all that was chosen in its report, in order, and tells each as it is tried" $
+    forM_ [1, 2, 3, 7] $ \workers -> do
+      telling <- newIORef []
+      start <- getMonotonicTime
+      let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
+          settings = everything {settingSeed = 5, settingSkip = ["opens"]}
+          told law = atomicModifyIORef' telling (\all' -> (law : all', ()))
+      report <- runSuite settings suite told (replicate workers subject)
+      let said =
+            [ (lawReportId law, lawReportProfile law, lawReportOutcome law)
+              | law <- reportLaws report
+            ]
+      said
+        `shouldBe` [ ("profile/opens", Nothing, Skipped),
+                     ("field/sums", Just "one", Held),
+                     ("sequence/terms", Just "one", Skipped),
+                     ("field/sums", Just "two", Held),
+                     ("sequence/terms", Just "two", Skipped),
+                     ("segment/none", Nothing, Held),
+                     ("protocol/a", Nothing, Held)
+                   ]
+      countWork settings suite subject `shouldBe` length said
+      heard <- readIORef telling
+      sort (map lawReportId heard) `shouldBe` sort [name | (name, _, _) <- said]
+      (reportSubject report, reportSeed report, reportPartial report) `shouldBe` ("made", 5, True)
+      (reportAsks report, reportOffers report)
+        `shouldBe` (codeOperations ++ touchOperations, codeAndTouch)
+      (reportUnknown report, reportUnexpected report) `shouldBe` (["unknown"], [])
+      end <- getMonotonicTime
+      reportSeconds report `shouldSatisfy` (\seconds -> seconds > 0 && seconds <= end - start)
+      map
+        (\law -> (lawReportCases law, lawReportExhaustive law))
+        (filter ((== Held) . lawReportOutcome) (reportLaws report))
+        `shouldBe` [(2, True), (2, True), (20, False), (1, True)]
+  it "asks for the operations of its stages, and counts those that are offered of them" $
+    forM_
+      [ ([OnSequence], codeOperations, [OfTerms, OfAdd, OfTerm]),
+        ([OnSegment], touchOperations, [OfSegment])
+      ]
+      $ \(stages, asks, offers) -> do
+        report <-
+          runSuite everything {settingStages = stages} suite (const (pure ())) [answering allZero]
+        (reportAsks report, reportOffers report) `shouldBe` (asks, offers)
+  it "ends at the first failure, if that is asked for" $
+    forM_ [False, True] $ \failFast -> do
+      let subject =
+            (answering (const (result 9))) {subjectChecks = [checked "protocol/a" CheckHeld]}
+      report <-
+        runSuite everything {settingFailFast = failFast} suite (const (pure ())) [subject]
+      let note = if failFast then Just "not tried: another law failed before it" else Nothing
+      [(lawReportId law, lawReportOutcome law, lawReportNote law) | law <- reportLaws report]
+        `shouldBe` take
+          2
+          [("profile/opens", Held, Nothing), ("field/sums", Failed, Nothing)]
+          ++ if failFast
+            then
+              [ (name, Skipped, note)
+                | name <-
+                    words "sequence/terms field/sums sequence/terms segment/none protocol/a"
+              ]
+            else
+              [ ("sequence/terms", Skipped, Just "no case under this profile"),
+                ("field/sums", Failed, Nothing),
+                ("sequence/terms", Skipped, Just "no case under this profile"),
+                ("segment/none", Held, Nothing),
+                ("protocol/a", Held, Nothing)
+              ]
+  it "ends at no failure that there is not: what comes last is tried" $ do
+    let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
+    report <-
+      runSuite everything {settingFailFast = True} suite (const (pure ())) [subject]
+    map lawReportOutcome (reportLaws report)
+      `shouldBe` [Held, Held, Skipped, Held, Skipped, Held, Held]
+  it "without time left everything is too slow, but for what is left out" $
+    forM_ [0, -1] $ \limit -> do
+      let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
+      report <-
+        runSuite
+          everything {settingLimit = limit, settingSkip = ["opens"]}
+          suite
+          (const (pure ()))
+          [subject]
+      map lawReportOutcome (reportLaws report) `shouldBe` Skipped : replicate 6 Errored
+      map
+        (\shown -> (counterGot shown, counterReason shown))
+        (mapMaybe lawReportCounterexample (reportLaws report))
+        `shouldBe` replicate
+          6
+          ( Left (Fault TooSlow "the time for all of it was over"),
+            "--limit is the time for all laws together"
+          )
+  it "a law that takes longer than there is time is too slow, and those after it" $ do
+    let subject = (answering allZero) {subjectAsk = \_ -> forever (threadDelay 1000)}
+    report <-
+      runSuite
+        everything {settingLimit = 0.02, settingRun = ["field/*"]}
+        suite
+        (const (pure ()))
+        [subject]
+    map lawReportOutcome (reportLaws report) `shouldBe` [Errored, Errored]
+    let enough = everything {settingLimit = 0.9, settingRun = ["segment/*"]}
+    quick <- runSuite enough suite (const (pure ())) [answering allZero]
+    map lawReportOutcome (reportLaws quick) `shouldBe` [Held]
+  it "failures that are known are none; one that is said to fail and holds is unexpected" $ do
+    let failing = answering (const (result 9))
+        run settings subject = do
+          report <- runSuite settings suite (const (pure ())) [subject]
+          let sums = filter ((== "field/sums") . lawReportId) (reportLaws report)
+          pure (nub (map lawReportOutcome sums), reportUnexpected report)
+        known' = everything {settingKnown = ["field/*"]}
+        skipped' = everything {settingSkip = ["sums", "opens"], settingSkipMustFail = True}
+    run everything failing `shouldReturn` ([Failed], [])
+    run known' failing `shouldReturn` ([KnownFailure], [])
+    run known' (answering allZero) `shouldReturn` ([Held], ["field/*"])
+    run skipped' failing `shouldReturn` ([KnownFailure], ["opens"])
+    run skipped' {settingSkipMustFail = False} failing `shouldReturn` ([Skipped], [])
+    -- Of this none was tried that could have held.
+    run everything {settingKnown = ["sequence/*"]} failing `shouldReturn` ([Failed], [])
+    run known' (answering (const (Left (Fault Crashed "")))) `shouldReturn` ([KnownFailure], [])
+  it "checks of the protocol are chosen like laws, and say what came of them" $ do
+    let requests = [toJSON (1 :: Int)]
+        subject =
+          (answering allZero)
+            { subjectChecks =
+                [ checked "protocol/a" CheckHeld,
+                  checked "protocol/b" (CheckFailed requests (CameErrored "e") (CameSkipped "s")),
+                  checked "protocol/c" (CheckErred requests (Fault DoesNotStop "d"))
+                ]
+            }
+        run settings = do
+          report <- runSuite settings suite (const (pure ())) [subject]
+          length (reportLaws report) `shouldBe` countWork settings suite subject
+          pure [law | law <- reportLaws report, lawReportStage law == OnProtocol]
+        ids settings = map lawReportId <$> run settings
+        names = map ("protocol/" ++)
+    ids standardSettings `shouldReturn` names ["a", "b", "c"]
+    ids standardSettings {settingStages = [OnField]} `shouldReturn` []
+    ids standardSettings {settingRun = ["protocol/b"]} `shouldReturn` names ["b"]
+    ids standardSettings {settingSkip = ["protocol/b"]} `shouldReturn` names ["a", "c"]
+    ids standardSettings {settingSkip = ["protocol/b"], settingSkipMustFail = True}
+      `shouldReturn` names ["a", "b", "c"]
+    laws <- run standardSettings
+    map (\law -> (lawReportOutcome law, lawReportCases law, lawReportExhaustive law)) laws
+      `shouldBe` [(Held, 1, True), (Failed, 1, True), (Errored, 1, True)]
+    map
+      (\c -> (counterRequests c, counterExpected c, counterRoad c, counterGot c, counterReason c))
+      (mapMaybe lawReportCounterexample laws)
+      `shouldBe` [ ( requests,
+                     Just (CameErrored "e"),
+                     "the protocol",
+                     Right (CameSkipped "s"),
+                     "sentence of protocol/b"
+                   ),
+                   ( requests,
+                     Nothing,
+                     "the protocol",
+                     Left (Fault DoesNotStop "d"),
+                     "sentence of protocol/c"
+                   )
+                 ]
+  it "a token's case is tried again alone" $ do
+    let again token = replay everything {settingSeed = 3} suite token
+        case' n = Token "field/sums" (Just one) (toJSON (n :: Int))
+        wrong = answering (\asked -> if asked `is` Add 1 2 then result 7 else allZero asked)
+        summary report =
+          ( [ (lawReportId law, lawReportOutcome law, lawReportCases law)
+              | law <- reportLaws report
+            ],
+            (reportPartial report, reportSeed report, reportSubject report),
+            (reportAsks report, reportOffers report)
+          )
+        ofCode outcome =
+          Just
+            ( Just
+                ( [("field/sums", outcome, 1)],
+                  (True, 3, "made"),
+                  (codeOperations, [OfTerms, OfAdd, OfTerm])
+                )
+            )
+        run subject token = fmap (either (const Nothing) (Just . summary)) <$> again token subject
+    start <- getMonotonicTime
+    Just (Right alone) <- again (case' 2) wrong
+    end <- getMonotonicTime
+    map counterShrinks (mapMaybe lawReportCounterexample (reportLaws alone)) `shouldBe` [0]
+    reportSeconds alone `shouldSatisfy` (\seconds -> seconds > 0 && seconds <= end - start)
+    run wrong (case' 2) `shouldReturn` ofCode Failed
+    run wrong (case' 0) `shouldReturn` ofCode Held
+    run (answering allZero) (case' 2) `shouldReturn` ofCode Held
+    run wrong (Token "field/sums" (Just one) (String "x")) `shouldReturn` Just Nothing
+    run wrong (Token "field/none" (Just one) Null) `shouldReturn` Nothing
+
+caseSpec :: Spec
+caseSpec = do
+  it "are made smaller, unless each would take as long again" $
+    forM_ [minBound ..] $ \kind -> do
+      let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . Term)
+          judge' question = Holds <$ ask question
+      came <- tryLaw (Plan 1 3 2) (answering (const (Left (Fault kind "")))) "law" numbers
+      let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
+      (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
+        `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
+  it "of those that violate a law 256 are kept, of one search and of several" $ do
+    forM_ [1, 255, 256, 257, 300] $ \count -> do
+      came <- search (answering allZero) count (map violated [1 .. fromIntegral count])
+      (count, length (searchWrong came), searchCases came, fst <$> searchTrouble came)
+        `shouldBe` (count, min 256 count, 1, Just 0)
+    forM_ [(100, 160), (195, 255), (196, 256), (197, 256), (300, 256)] $ \(count, kept) -> do
+      let smaller n = if n > 0 then replicate 20 (n - 1) else []
+          twenty = Cases natural (Some (pure 3) smaller) violated
+      came <- tryLaw (Plan 1 count 400) (answering allZero) "law" twenty
+      (count, length . failureWrong <$> triedFailure came) `shouldBe` (count, Just kept)
+  it "one at a time is asked to its end and judged before the next, and none after one that fails" $
+    forM_ [1, 3, 6] $ \bad -> do
+      numbers <- newIORef []
+      let base = answering allZero
+          numbered asked' = modifyIORef numbers ([n | n <- [1 .. 20], asked' `is` Term n] ++)
+          subject =
+            base {subjectAsk = \questions -> mapM_ numbered questions >> subjectAsk base questions}
+          twice n =
+            ask (Term n)
+              >> if n == bad then violated (10 + n) else Holds <$ ask (Term (10 + n))
+      _ <- search subject 1 (map twice [1 .. 6])
+      (reverse <$> readIORef numbers) `shouldReturn` concat [[n, 10 + n] | n <- [1 .. bad]]
+  it "are as many as are wanted, though the law says nothing of all that are drawn first" $ do
+    -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
+    let says n = if n `mod` 10 == 0 then NotMeant else Holds
+        cases gen = Cases natural (Some gen (const [])) (pure . says)
+    later <- tryLaw (Plan 1 10 4) (answering allZero) "law" (cases (sized (pure . fromIntegral)))
+    (triedCases later, triedExhaustive later) `shouldBe` (10, False)
+    never <- tryLaw (Plan 1 10 4) (answering allZero) "law" (cases (pure 20))
+    triedCases never `shouldBe` 0
+  it "as many are asked at once as a subject takes, and of those that open profiles one" $
+    forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
+      counts <- newIORef []
+      let base = answering allZero
+          subject =
+            base
+              { subjectBatch = batch,
+                subjectAsk = \questions ->
+                  modifyIORef counts (length questions :) >> subjectAsk base questions
+              }
+          twelve stage = made ("a/b", stage, []) (Cases natural (Every [1 .. 12]) asksTerm)
+          run one' = do
+            writeIORef counts []
+            void (runSuite everything one' (const (pure ())) [subject])
+            reverse <$> readIORef counts
+      run alone {suiteLaws = [twelve OnSequence]} `shouldReturn` lengths
+      run alone {suiteTouch = [twelve OnSegment]} `shouldReturn` replicate 12 1
+  it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
+    forM_ [1, 2, 7, 100, 101] $ \count ->
+      asksOf (Plan 1 count 1) "law" (sized (pure . fromIntegral))
+        `shouldBe` ( count,
+                     [fromIntegral (i * 100 `div` count `mod` 101) | i <- [0 .. 10 * count - 1]]
+                   )
+    let draws seed name = snd (asksOf (Plan seed 5 1) name large)
+        large = fromInteger <$> chooseInteger (0, 10 ^ (9 :: Int))
+        of' = [draws seed name | seed <- [1, 2], name <- ["law", "lay", "other"]]
+    length (nub of') `shouldBe` 6
+    draws 1 "law" `shouldBe` draws 1 "law"
+  where
+    -- How many are judged, and the numbers that all are of.
+    asksOf plan name gen =
+      let (trials, most) =
+            trialsOf plan name (Cases natural (Some gen (const [])) asksTerm)
+       in (most, mapMaybe termOf trials)
+    termOf :: Ask Verdict -> Maybe Natural
+    termOf trial = case trial of
+      Asking (Term n) _ -> Just n
+      _ -> Nothing
+    violated n =
+      Violated (Violation [Exchange (Just OfTerm) (toJSON n) (Result Null)] (Result Null) "" "")
+        <$ ask (Term n)
+    asksTerm = fmap (const Holds) . ask . Term
+    alone =
+      suite
+        { suiteProfiles = [("one", one)],
+          suiteLaws = [],
+          suiteOpenings = [],
+          suiteTouch = []
+        }
