@@ -2,16 +2,21 @@
 -- definition on lists.
 module Test.Touch.PairParts (spec) where
 
+import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Pair.Alike
+import PraTactile.Stitch.Pair.Blind
 import PraTactile.Stitch.Pair.Correlation
 import PraTactile.Stitch.Pair.Overlap
 import PraTactile.Stitch.Pair.Straight
 import PraTactile.Stitch.Posterior
+import PraTactile.Stitch.Spectrum
 import PraTactile.Stitch.Turn
+import PraTactile.Symmetry
+import System.Random (mkStdGen, randomRs)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
@@ -21,6 +26,7 @@ spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
   overlapSpec
   correlationSpec
+  blindSpec
   straightSpec
   turnSpec
 
@@ -140,6 +146,30 @@ correlationSpec =
                 .&&. counterexample
                   (show (V.toList masses, wanted))
                   (and (zipWith (\m w -> abs (m - w) < 1e-9) (V.toList masses) wanted))
+
+blindSpec :: Spec
+blindSpec =
+  it "blind: relief alike along an axis leaves the place along it to the prior, in the median" $
+    sort (map offStep [1 .. 21]) !! 10 `shouldSatisfy` ((< 1) . abs)
+  where
+    -- How far along the axis, in the mean, from the step the posterior lies; of frames with rows
+    -- that are drawn by chance and noise of a hundredth.
+    offStep seed =
+      let (a, b) = (seen (100 * seed + 1), seen (100 * seed + 2))
+          known = spectra 16 16
+          process = processOf known 0 (map (coefficientsOf known) [a, b])
+          Posterior _ _ (columns, _) masses = blindPosterior known process step 3 a b
+          step = if upright then (0, 8) else (8, 0)
+          upright = even seed
+          seen k =
+            onRaster (if upright then turned 1 else identity) . generate 16 16 $ \x y ->
+              drawn seed y + 0.04 * drawn k (16 * y + x)
+       in sum
+            [ m * fromIntegral ((if upright then row else column) - 3)
+              | (i, m) <- zip [0 ..] (V.toList masses),
+                let (row, column) = i `quotRem` columns
+            ]
+    drawn seed k = randomRs (0, 1) (mkStdGen seed) !! k :: Double
 
 straightSpec :: Spec
 straightSpec = do

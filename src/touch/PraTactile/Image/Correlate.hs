@@ -61,10 +61,9 @@ data Reference = Reference
 -- of different size.
 reference :: Raster -> Raster -> Either ImageError Reference
 reference sums weights
-  | size sums /= size weights = Left (SizesDiffer (size sums) (size weights))
+  | rasterSize sums /= rasterSize weights =
+    Left (SizesDiffer (rasterSize sums) (rasterSize weights))
   | otherwise = Right (Reference sums weights)
-  where
-    size = rasterSize
 
 -- | A whole image as a reference, of weight 1 everywhere.
 referenceOf :: Raster -> Reference

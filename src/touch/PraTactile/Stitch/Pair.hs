@@ -120,14 +120,14 @@ tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
 -- | Where the second frame lies in the first. The tables must be for frames of their size.
 registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match
 registerPair tables pairing a b
-  | size a /= size b = Left (PairSizes (size a) (size b))
-  | outside (size a) || size a /= layoutFrame (templateLayout (tablesTemplates tables)) =
-    Left (PairFrameSize (size a))
+  | size /= rasterSize b = Left (PairSizes size (rasterSize b))
+  | outside size || size /= layoutFrame (templateLayout (tablesTemplates tables)) =
+    Left (PairFrameSize size)
   | not (all finite [a, b]) = Left PairNotFinite
   | not (sensible pairing) = Left (UnusablePairing pairing)
   | otherwise = Right (matched tables pairing a b)
   where
-    size = rasterSize
+    size = rasterSize a
     outside (w, h) = min w h < 4 || max w h > 256
     finite = V.all (\v -> not (isNaN v || isInfinite v)) . rasterValues
 
