@@ -361,7 +361,17 @@ jointly alphabet = do
 -- | The sum over all lattices under the first frame and all symbols in their cells, written down as
 -- it is defined.
 pairs :: Alphabet -> Spec
-pairs alphabet =
+pairs alphabet = do
+  it "may lie where they do, wherever the lattice lies under the first of them" $
+    for_ [(x, y) | (x, y) <- zip [0, 0.5 .. 19.5] (cycle [0, 0.5 .. 15.5])] $ \(x, y) -> do
+      let relief = scene alphabet 5 0
+          told = evidence (templates alphabet 0 16 16)
+          noisy k image = zipWithRaster image (take 256 (map fst (errorsOf 0.05 k)))
+          a = told (noisy 1 (felt relief (x, y)))
+          b = told (noisy 2 (felt relief (x + 8, y)))
+          Posterior _ _ _ masses = latticePosterior (8, 0) 1 a b
+      -- Of five by five places half a taxel apart, the one in the middle.
+      ((x, y), masses V.! 12) `shouldSatisfy` ((> 0.001) . snd)
   modifyMaxSuccess (const 6) $
     prop "lie as probably at each place as all lattices and symbols together say" $
       \seed -> forAll ((,) <$> elements [0.05, 0.1, 0.5, 1] <*> elements steps') $ \(sigma, step) ->
