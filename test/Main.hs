@@ -126,10 +126,14 @@ import qualified Test.Touch.SensorConstants
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
+import qualified Test.Touch.StitchAgreement
 import qualified Test.Touch.StitchArrange
+import qualified Test.Touch.StitchEvidence
+import qualified Test.Touch.StitchJoint
 import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
 import qualified Test.Touch.StitchSearch
+import qualified Test.Touch.Tilt
 import qualified Test.Touch.Train
 import qualified Test.Truth
 
@@ -196,12 +200,16 @@ specs = do
     describe "The search for a frame" Test.Touch.StitchSearch.spec
     describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
+    describe "What one frame tells of a lattice" Test.Touch.StitchEvidence.spec
+    describe "What joint registration is made of" Test.Touch.StitchJoint.spec
+    describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
     describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
     describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
+    describe "The angle of a composite" Test.Touch.Tilt.spec
     describe "Extents" Test.Touch.Extents.spec
     describe "Shapes" Test.Touch.Shape.spec
     describe "What recognising is made of" Test.Touch.ClassifyParts.spec

@@ -54,8 +54,11 @@ blending = do
                         weight = sum [share * worth 0.02 dead | (share, dead, _) <- told]
                         values = sum [share * worth 0.02 dead * v | (share, dead, v) <- told]
                         covered = sum [share * worth 0.5 dead | (share, dead, _) <- told]
-                        -- Where next to nothing is told, the mean is 0, or any.
-                        meanOr v = if weight < 0.0011 then v else values / weight,
+                        -- Where next to nothing is told, 0; and to rounding of what it is, any.
+                        meanOr v
+                          | weight < 0.0009 = 0
+                          | weight < 0.0011 = v
+                          | otherwise = values / weight,
                     Just image <- [index (compositeImage composite) x y],
                     Just coverage <- [index (compositeCoverage composite) x y]
                 ]

@@ -66,8 +66,13 @@ spec = do
                 ]
     it "sigmoid x = 1 / (1 + e^-x)" $
       property $
-        forAll (choose (-40, 40)) $ \x ->
-          abs (sigmoid x - 1 / (1 + exp (-x))) <= 2e-15 * sigmoid x
+        -- Where the powers of two end between which e^x is a series, too.
+        forAll (oneof [choose (-40, 40), besidePowers]) $ \x ->
+          let wanted = 1 / (1 + toThe (negate (toRational x)))
+           in abs (toRational (sigmoid x) / wanted - 1) < 3e-16
+    it "sigmoid is the same from -700 down" $ do
+      map sigmoid [-700.001, -1e4, -1 / 0] `shouldBe` replicate 3 (sigmoid (-700))
+      sigmoid (-700) `shouldSatisfy` (\y -> abs (y / exp (-700) - 1) < 1e-14)
     it "sigmoid rises from about 0 to 1, however far from 0 its argument" $ do
       let ys = map sigmoid [-1 / 0, -1e308, -1000, -1, 0, 1, 1000, 1e308, 1 / 0]
       ys `shouldSatisfy` \_ -> and (zipWith (<=) ys (drop 1 ys)) && all (\y -> y >= 0 && y <= 1) ys
@@ -231,6 +236,18 @@ spec = do
             >>= \n -> errorRates standardThresholds n a Aligned 0 1 1
         )
           `shouldBe` Left (WrongOutputCount 1 4)
+
+-- | Numbers near an odd number of halves of ln 2.
+besidePowers :: Gen Double
+besidePowers = do
+  k <- choose (-58, 58)
+  off <- choose (0, 0.03)
+  side <- elements [-1, 1]
+  pure ((fromIntegral (k :: Int) + 0.5) * log 2 + side * off)
+
+-- | e to the power of a number of at most 41 in size, exact to far more than a Double's digits.
+toThe :: Rational -> Rational
+toThe x = sum (take 200 (scanl (\term k -> term * x / k) 1 (iterate (+ 1) 1)))
 
 sizes :: T.Text
 sizes = "inputs 96 hidden H outputs Q"

@@ -1,21 +1,27 @@
--- | Which regions are of a symbol's size, which are none of a symbol, and where they are straight:
--- each against its definition.
+-- | Which regions are of a symbol's size, which are none of a symbol, and where they are straight;
+-- how high symbols stand, and what is foreign beside them: each against its definition.
 module Test.Touch.SegmentForeign (spec) where
 
-import Data.List (nub, sort)
+import Data.List (nub, sort, sortOn)
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (constant)
+import PraTactile.Image hiding (mean)
 import PraTactile.Segment.Foreign
+import PraTactile.Segment.Foreign.Extent
+import PraTactile.Segment.Foreign.Height
+import PraTactile.Segment.Level (Levels (..))
 import PraTactile.Segment.Region
-import PraTactile.Stitch.Composite (compositeOf)
-import Test.Hspec
+import PraTactile.Segment.Reject (Cause (..))
+import PraTactile.Stitch.Composite (Composite (..), compositeOf)
+import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
-import Test.QuickCheck
+import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = do
   modifyMaxSuccess (const 100) sizeSpec
   straightSpec
+  modifyMaxSuccess (const 40) heightSpec
+  modifyMaxSuccess (const 60) foreignSpec
 
 wide, high :: Int
 (wide, high) = (34, 30)
@@ -139,3 +145,141 @@ straightSpec = do
       let one = bar (16, 15) angle (long, short)
           other = bar at (angle + 90) (8, 12)
       pure (regionOf (\p -> one p || other p))
+
+-- | Bars of several heights on a slope, with some noise, of which not all was touched.
+genScene :: Gen Field
+genScene = do
+  count <- choose (0, 5)
+  bars <- vectorOf count $ do
+    centre <- (,) <$> choose (4, 29) <*> choose (4, 25)
+    angle <- choose (0, 180)
+    size <-
+      frequency
+        [ (4, (,) <$> choose (11, 13) <*> choose (7, 9)),
+          (1, (,) <$> choose (15, 34) <*> choose (2, 4)),
+          (1, (,) <$> choose (3, 9) <*> choose (3, 9))
+        ]
+    height <- frequency [(4, choose (0.4, 0.6)), (2, choose (0.15, 1)), (1, choose (-0.5, 0))]
+    pure (bar centre angle size, height)
+  slope <- elements [0, 0, 0.004]
+  rough <- elements [0, 0.02, 0.1]
+  noise <- vectorOf (wide * high) (choose (negate rough, rough))
+  untouched <- elements [0, 0, 60, 200]
+  touched <- (++ repeat True) . map (> (1 :: Int)) <$> vectorOf untouched (choose (0, 9))
+  let value x y =
+        0.3 + slope * fromIntegral x + noise !! (y * wide + x)
+          + sum [h | (holds, h) <- take 3 bars, holds (fromIntegral x, fromIntegral y)]
+          -- The last one stands by itself, at its own height.
+          + maximum (0 : [h | (holds, h) <- drop 3 bars, holds (fromIntegral x, fromIntegral y)])
+      coverage x y = if touched !! (y * wide + x) then 1 else 0
+  pure
+    ( fieldOf
+        0.5
+        (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
+    )
+
+-- | The element of a rank, from 0 to 1, of some; 0 of none.
+rankOf :: Double -> [Double] -> Double
+rankOf rank values = case drop (floor (rank * fromIntegral (length values))) (sort values) of
+  v : _ -> v
+  [] -> 0
+
+-- | Of some pixels those that are none of others.
+without :: Field -> [Int] -> [Int] -> [Int]
+without scene others = filter (not . (around scene 0 others V.!))
+
+-- | The field with these values, and nothing else touched.
+showing :: [(Int, Double)] -> Field
+showing pixels =
+  field
+    { fieldTouched = V.generate (wide * high) (`elem` map fst pixels),
+      fieldValues = V.generate (wide * high) (\p -> sum [v | (p', v) <- pixels, p' == p])
+    }
+
+heightSpec :: Spec
+heightSpec = do
+  it "of what lies three pixels from a symbol twelve must be touched" $
+    [ snd <$> symbolLevels (showing ([(p, 1) | p <- symbol] ++ [(p, 0) | p <- take n ring])) 0
+      | let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8)),
+        let ring = without field (grown field 2 symbol) (grown field 3 symbol),
+        n <- [11, 12]
+    ]
+      `shouldSatisfy` \found -> map (fmap length) found == [Nothing, Just 1]
+  it "symbols stand as high as the middle of what is of their size where it is cut at half height" $
+    forAllBlind genScene $ \scene -> forAll (elements [0, 0.01, 0.05]) $ \noise ->
+      let wanted = defined scene noise
+          found = symbolLevels scene noise
+          numbers (Levels a b, symbols) = (a, b, map sort symbols)
+       in label (maybe "none" (show . length . snd) wanted) $
+            fmap numbers found === fmap numbers wanted
+  where
+    defined scene noise
+      | null found = Nothing
+      | otherwise = Just (Levels low (low + usual), [region | (_, (region, _, _)) <- alike])
+      where
+        found = apart (sortOn fst (concatMap cut [1 .. 23]))
+        touched = [v | (True, v) <- zip (V.toList (fieldTouched scene)) (V.toList (fieldValues scene))]
+        cut :: Int -> [(Double, (Region, Double, Double))]
+        cut k =
+          let (bottom, top) = (minimum touched, maximum touched)
+              height = bottom + (top - bottom) * fromIntegral k / 24
+           in [ (misfit, (region, floor', up))
+                | not (null touched),
+                  gap <- [0, 2],
+                  region <- regions scene gap (marked scene (>= height)),
+                  symbolSized scene region,
+                  -- What lies three pixels from it, and is no nearer.
+                  let ring = without scene (grown scene 2 region) (grown scene 3 region),
+                  let beyond = [fieldValues scene V.! p | p <- ring, fieldTouched scene V.! p],
+                  length beyond >= 12,
+                  let (floor', up) = (rankOf 0.5 beyond, rankOf 0.7 (map (fieldValues scene V.!) region)),
+                  up - floor' >= max (2 / 255) (4 * noise),
+                  let misfit = abs (height - (floor' + up) / 2) / (up - floor'),
+                  misfit < 0.2
+              ]
+        -- Of those that share pixels the one that is cut nearest to half its height.
+        apart [] = []
+        apart (c@(_, (region, _, _)) : rest) =
+          c : apart [d | d@(_, (other, _, _)) <- rest, not (any (`elem` region) other)]
+        usual = rankOf 0.5 [up - low' | (_, (_, low', up)) <- found]
+        alike =
+          [ c
+            | c@(_, (_, low', up)) <- found,
+              let ratio = (up - low') / usual,
+              ratio > 0.5,
+              ratio < 1.6
+          ]
+        low = rankOf 0.5 [low' | (_, (_, low', _)) <- alike]
+
+foreignSpec :: Spec
+foreignSpec = do
+  it "of sunken pixels twelve are foreign, eleven are noise" $
+    [ length (foreignIn (showing [(p, -1) | p <- take n [9 * wide + 3 ..]]) (Levels 0 1) [])
+      | n <- [11, 12]
+    ]
+      `shouldBe` [0, 1]
+  it "foreign is what is too long and too high, what is straight and long, and what is sunk" $
+    forAllBlind genScene $ \scene -> forAll (choose (0.05, 0.5)) $ \contrast' ->
+      forAll (listOf (elements [0 .. wide * high - 1])) $ \pixels ->
+        let -- The levels of symbols, and where these are.
+            (low, symbols) = (0.3, [take 60 (grown scene 3 [p]) | p <- take 2 pixels])
+            found = foreignIn scene (Levels low (low + contrast')) symbols
+            kept = grown scene 1 (concat symbols)
+            free holds share =
+              [ p
+                | p <- [0 .. wide * high - 1],
+                  fieldTouched scene V.! p,
+                  holds (fieldValues scene V.! p) (low + share * contrast')
+              ]
+            parts = regions scene 0 . around scene 0 . without scene kept
+            rim by region = without scene kept (grown scene by region)
+            tall = map (rim 2) (filter (tooLong scene) (parts (free (>=) 1.5)))
+            level = without scene (concat tall) (free (>=) 0.35)
+            raised = concatMap (straight scene) (filter (tooLong scene) (parts level))
+            sunk = filter ((>= 12) . length) (parts (free (<=) (-0.35)))
+            wanted =
+              [(sort r, TooLarge, True) | r <- tall]
+                ++ [(sort (rim 1 r), TooLarge, False) | r <- raised]
+                ++ [(sort (rim 2 r), Hollow, True) | r <- sunk]
+         in collect (map length [tall, raised, sunk]) $
+              [(sort (strangePixels s), strangeCause s, strangeHeight s) | s <- found] === wanted

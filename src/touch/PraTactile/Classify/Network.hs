@@ -189,8 +189,8 @@ decide thresholds values = case sortOn (Down . snd) (zip [0 ..] values) of
     | otherwise -> Recognised k best
   [] -> NoSymbol 0
 
--- | The logistic function 1 / (1 + e^-x), with a relative error below 10^-15. Note [Own
--- exponential]
+-- | The logistic function 1 / (1 + e^-x), with a relative error below 3 10^-16; below -700 it is
+-- what it is there. Note [Own exponential]
 sigmoid :: Double -> Double
 sigmoid x = 1 / (1 + exponential (negate (max (-700) (min 700 x))))
 {-# INLINE sigmoid #-}

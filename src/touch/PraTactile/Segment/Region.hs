@@ -5,6 +5,7 @@ module PraTactile.Segment.Region
   ( -- * Pixels
     Field (..),
     fieldOf,
+    marked,
     pixelNoise,
     placeOf,
     beside,
@@ -58,6 +59,10 @@ fieldOf least composite = Field w h touched (V.generate (w * h) smooth)
               touched V.! p',
               let k = (if i == 0 then 2 else 1) * (if j == 0 then 2 else 1)
           ]
+
+-- | The touched pixels whose values are so.
+marked :: Field -> (Double -> Bool) -> V.Vector Bool
+marked field test = V.zipWith (\t v -> t && test v) (fieldTouched field) (fieldValues field)
 
 -- | The number of the pixel so far right of and below another one.
 beside :: Field -> Int -> (Int, Int) -> Maybe Int
@@ -116,7 +121,7 @@ type Region = [Int]
 -- | The connected regions of the marked pixels. Two pixels are connected when neither their columns
 -- nor their rows differ by more than the gap and one.
 regions :: Field -> Int -> Vector Bool -> [Region]
-regions field gap marked = runST (V.thaw padded >>= go 0)
+regions field gap these = runST (V.thaw padded >>= go 0)
   where
     (w, h) = (fieldWidth field, fieldHeight field)
     -- With a margin around, of pixels that are not marked, as wide as what is looked at from one.
@@ -125,7 +130,7 @@ regions field gap marked = runST (V.thaw padded >>= go 0)
     padded = V.generate (wide * (h + 2 * margin)) $ \i ->
       let (y, x) = i `quotRem` wide
        in x >= margin && x < w + margin && y >= margin && y < h + margin
-            && marked V.! ((y - margin) * w + x - margin)
+            && these V.! ((y - margin) * w + x - margin)
     pixel i = let (y, x) = i `quotRem` wide in (y - margin) * w + x - margin
     steps = V.fromList [j * wide + i | j <- [-margin .. margin], i <- [-margin .. margin]]
     go :: Int -> M.MVector s Bool -> ST s [Region]
