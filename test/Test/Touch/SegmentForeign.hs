@@ -218,7 +218,7 @@ heightSpec = do
       | otherwise = Just (Levels low (low + usual), [region | (_, (region, _, _)) <- alike])
       where
         found = apart (sortOn fst (concatMap cut [1 .. 23]))
-        touched = [v | (True, v) <- zip (V.toList (fieldTouched scene)) (V.toList (fieldValues scene))]
+        touched = V.toList (V.ifilter (\p _ -> fieldTouched scene V.! p) (fieldValues scene))
         cut :: Int -> [(Double, (Region, Double, Double))]
         cut k =
           let (bottom, top) = (minimum touched, maximum touched)
@@ -232,7 +232,8 @@ heightSpec = do
                   let ring = without scene (grown scene 2 region) (grown scene 3 region),
                   let beyond = [fieldValues scene V.! p | p <- ring, fieldTouched scene V.! p],
                   length beyond >= 12,
-                  let (floor', up) = (rankOf 0.5 beyond, rankOf 0.7 (map (fieldValues scene V.!) region)),
+                  let floor' = rankOf 0.5 beyond,
+                  let up = rankOf 0.7 (map (fieldValues scene V.!) region),
                   up - floor' >= max (2 / 255) (4 * noise),
                   let misfit = abs (height - (floor' + up) / 2) / (up - floor'),
                   misfit < 0.2

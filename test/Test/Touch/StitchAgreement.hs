@@ -83,7 +83,9 @@ genRelief side = do
 -- robot's that is most probable; over all, how much less each varies from the other than by itself.
 defined :: Registration -> [(Place, Raster)] -> Maybe Contradiction
 defined settings frames
-  | toldBest > toldGiven + 100 + toldGiven / 12, toldBest >= couldBest / 2 = Just (AgreeingAlong axes)
+  | toldBest > toldGiven + 100 + toldGiven / 12,
+    toldBest >= couldBest / 2 =
+    Just (AgreeingAlong axes)
   | couldGiven > 60, toldGiven < 0.3 * couldGiven = Just AgreeingNowhere
   | otherwise = Nothing
   where
@@ -117,10 +119,11 @@ defined settings frames
       where
         Overlap n va vb cov =
           snd . maximumBy (comparing fst) $
-            [ (0.4 * logLikelihood settings overlap - (i * i + j * j) / (4 * sigma * sigma), overlap)
+            [ (0.4 * logLikelihood settings overlap - squares / (4 * sigma * sigma), overlap)
               | j <- [-9 .. 9],
                 i <- [-9 .. 9],
-                i * i + j * j <= reach * reach,
+                let squares = i * i + j * j,
+                squares <= reach * reach,
                 let overlap =
                       overlapAt (referenceOf (image k)) (image l) (nearest x + i) (nearest y + j)
             ]

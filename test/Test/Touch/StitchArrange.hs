@@ -3,7 +3,7 @@
 module Test.Touch.StitchArrange (spec) where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (elemIndex, genericLength, nub)
+import Data.List (elemIndex, foldl', genericLength, nub)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -114,7 +114,59 @@ restSpec =
     place = (/ 8) . fromIntegral <$> choose (-16, 16 :: Int)
 
 solvedSpec :: Spec
-solvedSpec =
+solvedSpec = do
+  it "what pairs say mirrored, or with the axes exchanged, puts the frames where that has them" $
+    forAll (choose (2, 5)) $ \count ->
+      forAll (elements [1, 2, 3]) $ \sigma ->
+        forAll (undecided count) $ \links ->
+          conjoin
+            [ counterexample (show (found, seen)) $
+                and (zipWith close (map (move . fst) found) (map fst seen))
+              | move <-
+                  [\(x, y) -> (x, -y), \(x, y) -> (-x, y), \(x, y) -> (y, x)],
+                let found = IntMap.elems (solved sigma count links),
+                let seen =
+                      IntMap.elems
+                        ( solved
+                            sigma
+                            count
+                            [ Link k l [Hypothesis (move e) p | Hypothesis e p <- said]
+                              | Link k l said <- links
+                            ]
+                        )
+            ]
+  it "frames are put where their pairs have them in the mean, six times at each of five widths" $
+    forAll (choose (2, 5)) $ \count ->
+      forAll (elements [1, 2, 3]) $ \sigma ->
+        forAll (undecided count) $ \links ->
+          let rounds = [(w, k) | w <- [2, 1.4, 1, 0.7, 0.5], _ <- [1 .. 6 :: Int], k <- frames]
+              frames = [0 .. count - 1]
+              -- What pairs say of a frame, each as the place and how much it counts.
+              told width places k =
+                concat
+                  [ [(s / (sum (map fst fits) + 0.02) / (width * width), p) | (s, p) <- fits]
+                    | Link a b said <- links,
+                      (other, side) <- [(a, 1) | b == k] ++ [(b, -1) | a == k],
+                      let (ox, oy) = fst (places !! other),
+                      let fits =
+                            [ (p * normal width (fst (places !! k)) there, there)
+                              | Hypothesis (ex, ey) p <- said,
+                                let there = (ox + side * ex, oy + side * ey)
+                            ]
+                  ]
+              step places (width, k) =
+                let weights = (1 / (sigma * sigma), (0, 0)) : told width places k
+                    total' = sum (map fst weights)
+                    middle part = sum [m * part p | (m, p) <- weights] / total'
+                    placed = ((middle fst, middle snd), sqrt (1 / total'))
+                 in take k places ++ placed : drop (k + 1) places
+              normal w (x, y) (u, v) =
+                exp (-(((x - u) ^ (2 :: Int) + (y - v) ^ (2 :: Int)) / (2 * w * w)))
+              wanted = foldl' step (map (const ((0, 0), sigma)) frames) rounds
+              found = IntMap.elems (solved sigma count links)
+           in counterexample (show (found, wanted)) $
+                length found == count
+                  && and [close p q && abs (a - b) < 1e-9 | ((p, a), (q, b)) <- zip found wanted]
   it "each frame of all pairs is in the end where its pairs and the robot have it in the mean" $
     forAll (choose (2, 5)) $ \count ->
       forAll (elements [1, 2]) $ \sigma ->
@@ -154,6 +206,18 @@ solvedSpec =
                       ]
   where
     bothOf one = (,) <$> one <*> one
+    close (x, y) (u, v) = max (abs (x - u)) (abs (y - v)) < 1e-9
+    -- Pairs that cannot decide, some between a place and its mirror image.
+    undecided count =
+      sequence
+        [ do
+            places <- choose (1, 3) >>= (`vectorOf` bothOf (choose (-5, 5)))
+            (x, y) <- elements places
+            said <- elements [places, [(x, y), (x, -y)], [(x, y), (-x, y)]]
+            pure (Link k l [Hypothesis e (1 / genericLength said) | e <- said])
+          | l <- [1 .. count - 1],
+            k <- [0 .. l - 1]
+        ]
     -- Every pair says where the frames are, nearly, and with less probability another place.
     linksOf truth =
       sequence

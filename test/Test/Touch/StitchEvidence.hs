@@ -105,13 +105,14 @@ frameSpec =
           blocks x y = if at rough (x `quot` block) (y `quot` block) > 0.6 then 1 else 0
           ramp x y = 0.3 * fromIntegral x - 0.2 * fromIntegral y
       -- Blocks, a symbol as the tables have it, or a slope; with noise or without.
-      relief <- elements [blocks, blocks, symbol shape place, ramp]
+      relief <- elements [blocks, blocks, \x y -> symbol shape place (real x) (real y), ramp]
       share <- elements [0, 0.1, 1]
       pure (generate w h (\x y -> relief x y + share * at noise x y))
+    real = fromIntegral :: Int -> Double
     half = fmap ((/ 2) . fromIntegral) . choose :: (Int, Int) -> Gen Double
     symbol shape (px, py) x y =
       sum
-        [ seenAt (fromIntegral x - px - fromIntegral a) * seenAt (fromIntegral y - py - fromIntegral b)
+        [ seenAt (x - px - fromIntegral a) * seenAt (y - py - fromIntegral b)
           | b <- [0 .. symbolHeight - 1],
             a <- [0 .. symbolWidth - 1],
             embossedAt shape a b
@@ -129,7 +130,8 @@ first image = (gain, -0.15 * gain, noise)
           y <- [0 .. h - 2]
       ]
     -- Of white noise such a difference has four times the variance.
-    noise = max 1e-3 (min 0.95 (sum (map (^ (2 :: Int)) seconds) / (4 * fromIntegral (length seconds))))
+    noise = max 1e-3 (min 0.95 (squares / (4 * fromIntegral (length seconds))))
+    squares = sum (map (^ (2 :: Int)) seconds)
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
 -- | How likely everything is at a level: the squared error with a symbol less that without.

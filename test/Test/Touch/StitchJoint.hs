@@ -70,7 +70,7 @@ gridSpec =
 
 phaseSpec :: Spec
 phaseSpec =
-  it "the lattice lies where all frames, each anywhere that its prior lets it be, have it likeliest" $
+  it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
     forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
       forAll (choose (0.2, 0.5)) $ \sigma ->
         let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
@@ -97,7 +97,7 @@ phaseSpec =
 
 optionSpec :: Spec
 optionSpec =
-  it "a frame's displacements are those not less likely than the best by e^12, with what it sees" $
+  it "a frame may lie where that is not less likely than its best by e^12, and sees cells there" $
     forAllBlind genSeen $ \(phases, classes, place@(px, py), sigma) ->
       forAll (elements [0, 1]) $ \o ->
         forAll ((,) <$> choose (0, down - 1) <*> choose (0, across - 1)) $ \(phaseY, phaseX) ->
@@ -114,7 +114,7 @@ optionSpec =
               wanted = [d | d <- all', score d >= maximum (map score all') - 12]
               -- The cells of the lattice on the composite that lie on the frame's places.
               cells (dx, dy) =
-                [ ((i, j), V.toList (V.slice (((o * rows + y) * columns + x) * count) count classes))
+                [ ((i, j), classesAt ((o * rows + y) * columns + x))
                   | i <- [-9 .. 9],
                     let y = phaseY + down * i - ny - dy,
                     y >= 0 && y < rows,
@@ -122,6 +122,7 @@ optionSpec =
                     let x = phaseX + across * j - nx - dx,
                     x >= 0 && x < columns
                 ]
+              classesAt k = V.toList (V.slice (k * count) count classes)
               found = optionsOf (gridOf settings) o (phaseY, phaseX) (place, told)
            in conjoin $
                 (map optionShift found === wanted) :
@@ -222,7 +223,7 @@ locatedSpec = do
       let places = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
           found = locatedAt (0, 0) (zip places (map (/ sum weights) weights))
        in locatedProbability found <= 1 && locatedProbability found > 0.999
-  it "a frame is in the mean of the half taxels around where most lies; others lie two taxels off" $
+  it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
     forAll genPlace $ \place@(px, py) -> forAll genMasses $ \options ->
       let masses = Map.fromListWith (+) options
           beside (x, y) =

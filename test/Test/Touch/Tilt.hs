@@ -151,7 +151,8 @@ uprightSpec =
             [ (share * at (compositeCoverage composite) i j, at (compositeImage composite) i j)
               | i <- [floor x, floor x + 1],
                 j <- [floor y, floor y + 1],
-                let share = max 0 (1 - abs (x - fromIntegral i)) * max 0 (1 - abs (y - fromIntegral j))
+                let share = near (x - fromIntegral i) * near (y - fromIntegral j)
             ]
+          near t = max 0 (1 - abs t)
           weight = sum (map fst shares)
        in (if weight > 0 then sum [m * v | (m, v) <- shares] / weight else 0, weight)

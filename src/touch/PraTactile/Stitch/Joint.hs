@@ -55,7 +55,10 @@ registerJointly settings against frames = map snd (sortOn fst (zip order centred
     (orientation, phase) = commonPhase grid (spacedOut phaseFrames kept)
     options = [optionsOf grid orientation phase frame | frame <- again]
     settled = swept options
-    located = map (turnedTo angle) (zipWith locatedAt [place | (place, _, _) <- ordered] (map shifts settled))
+    located =
+      [ turnedTo angle (locatedAt place (shifts weights))
+        | ((place, _, _), weights) <- zip ordered settled
+      ]
     shifts weights = [(optionShift o, p) | (o, p) <- weights]
     n = fromIntegral (max 1 (length located))
     mean part = eighth (sum (map (part . locatedShift) located) / n)

@@ -45,7 +45,8 @@ locatedAt place options =
           Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p :
           instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
       _ -> []
-    far (x, y) (x', y') = max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * gridSpacing
+    far (x, y) (x', y') =
+      max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * gridSpacing
     (_, (rx, ry)) = onGrid place
     masses = Map.fromListWith (+) options
     reach = floor (gridSpacing * tolerance + 1e-9) :: Int

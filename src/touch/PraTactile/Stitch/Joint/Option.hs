@@ -1,5 +1,5 @@
--- | The displacements that a frame may have on a lattice, and what it says of the cells that it then
--- sees.
+-- | The displacements that a frame may have on a lattice, and what it says of the cells that it
+-- then sees.
 module PraTactile.Stitch.Joint.Option
   ( Option (..),
     Classes,
@@ -29,8 +29,8 @@ data Option = Option
 type Classes = Unboxed.Vector Double
 
 -- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
--- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the frame's
--- first place, in taxels, and what it tells.
+-- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the place
+-- of the frame's first one, in taxels, and what the frame tells.
 optionsOf :: Grid -> Int -> (Int, Int) -> (Place, Evidence) -> [Option]
 optionsOf grid orientation (phaseY, phaseX) (place, given) =
   [ Option (dx, dy) prior (cells dx dy)
