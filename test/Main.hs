@@ -109,6 +109,7 @@ import qualified Test.Touch.ClassifyParts
 import qualified Test.Touch.Cosine
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
+import qualified Test.Touch.LatticeAngle
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pair
@@ -132,6 +133,7 @@ import qualified Test.Touch.StitchEvidence
 import qualified Test.Touch.StitchJoint
 import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
+import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
 import qualified Test.Touch.Tilt
 import qualified Test.Touch.Train
@@ -201,6 +203,8 @@ specs = do
     describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
     describe "What one frame tells of a lattice" Test.Touch.StitchEvidence.spec
+    describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
+    describe "Registration one frame after the other" Test.Touch.StitchRegister.spec
     describe "What joint registration is made of" Test.Touch.StitchJoint.spec
     describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
     describe "Registration of pairs" Test.Touch.Pair.spec

@@ -16,6 +16,7 @@ import PraTactile.Probe.Sensor (HeightMap (..))
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Recognition (preferred)
 import PraTactile.Relief
 import PraTactile.Segment (SymbolImage (..), onComposite)
 import PraTactile.Segment.Tilt
@@ -33,6 +34,7 @@ spec = do
   describe "the tilt of a composite" tiltSpec
   describe "a composite set upright" uprightSpec
   describe "the tilt of symbols on a grid" gridSpec
+  describe "symbols read as they are, or set upright" preferredSpec
   either (it "the shipped parts fit together" . expectationFailure) id $ do
     layout <- shown canonicalPlacement
     net <- shown shippedNetwork
@@ -74,22 +76,47 @@ gridOf way angle (rowCount, columnCount) =
   FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] []
   where
     cells = [(i, j) | i <- [0 .. rowCount - 1], j <- [0 .. columnCount - 1]]
-    symbol n (i, j) = ((i, j), [readSymbol n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
+    symbol n (i, j) = ((i, j), [readSymbol way n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
     -- Cells are counted along the symbols' axes.
     along j i = onOffset (if exchangesAxes way then turned 1 else identity) (16 * j, 20 * i)
     turnedBy (x, y) =
       let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
        in (31 + c * x - s * y, 17 + s * x + c * y)
-    readSymbol n at =
-      ReadSymbol
-        { readNumber = n,
-          readSource = 0,
-          readImage = SymbolImage at (constant 8 12 0) 0 (8, 12),
-          readAt = at,
-          readClass = Just (way, 0),
-          readSeen = 1,
-          readLikeliest = (way, 0),
-          readChances = [((way, 0), 1)]
+
+-- | A symbol of class 0, seen in that rotation at a place, without a doubt.
+readSymbol :: Symmetry -> Int -> (Double, Double) -> ReadSymbol
+readSymbol way n at =
+  ReadSymbol
+    { readNumber = n,
+      readSource = 0,
+      readImage = SymbolImage at (constant 8 12 0) 0 (8, 12),
+      readAt = at,
+      readClass = Just (way, 0),
+      readSeen = 1,
+      readLikeliest = (way, 0),
+      readChances = [((way, 0), 1)]
+    }
+
+preferredSpec :: Spec
+preferredSpec =
+  prop "the reading with less doubt holds, or up to 7 degrees the one that is an answer" $
+    forAll (oneof [choose (-12, 12), elements [7, -7, 7.001, -7.001, 0]]) $ \angle ->
+      forAll ((,) <$> genReading <*> genReading) $ \(asGiven, setRight) ->
+        let answers = [either (const False) (const True) answer | (_, answer) <- [asGiven, setRight]]
+            surer = product (fst setRight) < product (fst asGiven)
+            oneAlone = abs angle <= 7 && or answers && not (and answers)
+            second = if oneAlone then answers == [False, True] else surer
+         in preferred angle (reading asGiven) (reading setRight)
+              === reading (if second then setRight else asGiven)
+  where
+    genReading = do
+      doubts <- choose (0, 4) >>= (`vectorOf` elements [1e-7, 1e-3, 0.1, 0.5])
+      answer <- elements [Left NoSymbols, Right (Several identity [])]
+      pure (doubts :: [Double], answer)
+    reading (doubts, answer) = Recognition (zipWith doubtful [0 ..] doubts) [] Nothing 0 answer
+    doubtful n doubt =
+      (readSymbol identity n (0, 0))
+        { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]
         }
 
 tiltSpec :: Spec

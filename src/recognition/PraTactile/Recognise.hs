@@ -40,7 +40,6 @@ module PraTactile.Recognise
   )
 where
 
-import Data.Either (isRight)
 import Data.List (inits, tails)
 import Data.Maybe (isJust, isNothing, mapMaybe)
 import PraTactile.Classify.Network (NetworkError)
@@ -111,12 +110,7 @@ recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composit
       asGiven <- axesTilted <$> recogniseUpright tolerance reader (AsFelt Nothing) composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
       turnedBack <- recogniseUpright tolerance reader SetUpright upright
-      let setRight = relocated angle places turnedBack
-          answeredBy = isRight . recognisedAnswer
-      pure $
-        if abs angle <= mostTilt && answeredBy asGiven /= answeredBy turnedBack
-          then if answeredBy asGiven then asGiven else setRight
-          else if certainty turnedBack > certainty asGiven then setRight else asGiven
+      pure (preferred angle asGiven (relocated angle places turnedBack))
   shown -> recogniseUpright tolerance reader (AsFelt shown) composites
   where
     composites = map cleaned given
@@ -127,11 +121,6 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
-
--- | Symbols that are turned by no more than this are still read as they are without error, if not
--- as often.
-mostTilt :: Double
-mostTilt = 7
 
 -- | How composites are read.
 data Lie

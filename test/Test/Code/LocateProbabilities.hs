@@ -96,6 +96,8 @@ codebookSpec = do
     decide 0.5 (posterior codebook p) `shouldBe` Refused Contradiction
     -- Where all positions are compared there is no list of words.
     posteriorWords (posterior codebook p) `shouldBe` 0
+    posteriorDoubt (posterior codebook p) `shouldBe` 1
+    posteriorEqualDoubt (posterior codebook p) `shouldBe` 1
   it "numbers that are no probabilities are refused" $ do
     let over4 = belief :: [Double] -> Either BeliefError (Belief GF4)
         refused = either Just (const Nothing) . over4
@@ -104,6 +106,8 @@ codebookSpec = do
         Just
         [BeliefLength 3 4, BeliefLength 5 4, BeliefNegative 1 (-0.5), BeliefSum 0.5]
     refused [0 / 0, 0, 0, 1] `shouldSatisfy` (/= Nothing)
+    -- Of too many no more than one is looked at.
+    refused (0.25 : 0.25 : 0.25 : 0.25 : 0 : undefined) `shouldBe` Just (BeliefLength 5 4)
 
 largeSpec :: Spec
 largeSpec = describe "on 2^60 cells" $ do

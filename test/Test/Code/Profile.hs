@@ -96,6 +96,8 @@ spec = do
     it "a modulus of another degree, or reducible" $ do
       (\p -> p {profileModulus = [1, 1, 0, 1]}) `refusedBy` ModulusDegree 3 2
       (\p -> p {profileModulus = []}) `refusedBy` ModulusDegree 0 2
+      -- Ten coefficients are looked at, one more than any field of this kind has.
+      (\p -> p {profileModulus = repeat 1}) `refusedBy` ModulusDegree 9 2
       (\p -> p {profileModulus = [1, 0, 1]}) `refusedBy` ProfileField (ModulusReducible 2 [1, 0, 1])
     it "a polynomial with foreign codes, not monic, or not primitive" $ do
       (\p -> p {profilePolynomial = [3, 2, 4, 0, 1]}) `refusedBy` ProfileField (CodeOutOfRange 4 4)

@@ -77,6 +77,14 @@ likenessSpec = do
               (match seen c image)
             | (c, shape) <- zip [0 ..] (shapes known)
           ]
+  it "is the same of an image at any gain, however faint" $ do
+    seen <- templates <$> drawnAlphabet
+    holds 15 $
+      forAll (genRasterOf 8 12) $ \image -> forAll (elements [1e-3, 0.1, 30]) $ \gain ->
+        conjoin
+          [ near (match seen c image) (match seen c (mapRaster (\v -> 0.3 + gain * v) image))
+            | c <- [0 .. 3]
+          ]
   it "is 0 of what is alike everywhere, of another size, and to a class that there is not" $ do
     seen <- templates <$> drawnAlphabet
     let shape = generate 8 12 (\x y -> fromIntegral (x * y))

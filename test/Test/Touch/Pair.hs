@@ -7,11 +7,15 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Random (normals)
 import PraTactile.Shape (Alphabet, embossedAt, paperAlphabet, shapes)
+import PraTactile.Stitch.Evidence (evidence)
 import PraTactile.Stitch.Pair
+import PraTactile.Stitch.Pair.Lattice (latticePosterior)
+import PraTactile.Stitch.Posterior (hypotheses)
+import PraTactile.Stitch.Template (templates)
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
-import Test.QuickCheck hiding (Blind, generate)
+import Test.QuickCheck hiding (Blind, generate, tables)
 
 spec :: Spec
 spec = do
@@ -26,6 +30,7 @@ spec = do
   modifyMaxSuccess (const 60) straight
   modifyMaxSuccess (const 30) rotations
   modifyMaxSuccess (const 20) turnedAbout
+  modifyMaxSuccess (const 10) byLattice
   it "ambiguous: a pattern that repeats within the search fixes neither axis" $
     refusalOf (\x y -> if even (x `div` 2 + y `div` 2) then 0 else 1) `shouldBe` Just Ambiguous
   it "no overlap: frames further apart than they are wide" $
@@ -167,6 +172,19 @@ clean relief = (generate 16 16 relief, generate 16 16 (\x y -> relief (x + 9) (y
 -- | The same with noise of that standard deviation.
 noisy :: Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisy = noisyBy 5
+
+-- | By the lattice, what both frames tell of symbols that lie upright.
+byLattice :: Spec
+byLattice =
+  prop "by the lattice the hypotheses are those of the phases of upright symbols" $
+    \seed -> forAll (choose (0, 0.3)) $ \sd ->
+      let (a, b) = noisyBy seed sd symbols
+          tables known = templates known 0 16 16
+          told known =
+            latticePosterior (8, 0) 3 (evidence (tables known) a) (evidence (tables known) b)
+          shifts = map hypothesisShift
+       in shifts (matchHypotheses (found' Lattice (a, b)))
+            === either (const []) (shifts . hypotheses 5 0.001 . told) paperAlphabet
 
 noisyBy :: Int -> Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisyBy seed sd relief = roughened seed sd (clean relief)

@@ -5,6 +5,8 @@ module Test.Touch.Probe (spec) where
 
 import qualified Data.ByteString as B
 import Data.Either (isLeft)
+import PraTactile.Geometry hiding (taxelPitch)
+import qualified PraTactile.Geometry as Geometry
 import PraTactile.Probe
 import PraTactile.Probe.Manifest
 import Test.Hspec
@@ -12,9 +14,19 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
+  describe "Sizes" sizes
   describe "Motions" motions
   describe "Plans" plans
   describe "Manifests" manifests
+
+-- | The paper's sections III and IV.
+sizes :: Spec
+sizes = do
+  it "the sensor has 16 elements a side, 1.5875 mm apart, a sixteenth of an inch" $
+    (sensorSide, Geometry.taxelPitch) `shouldBe` (16, 25.4 / 16 :: Rational)
+  it "symbols are 8 x 12 taxels, 1.5875 mm high, 25.4 mm apart across and 31.75 mm down" $ do
+    (symbolWidth, symbolHeight, symbolThickness) `shouldBe` (8, 12, 1.5875 :: Rational)
+    (columnPitch * 1.5875, rowPitch * 1.5875) `shouldBe` (25.4, 31.75 :: Rational)
 
 genMotion :: Gen Motion
 genMotion =

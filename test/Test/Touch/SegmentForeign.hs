@@ -198,6 +198,11 @@ showing pixels =
 
 heightSpec :: Spec
 heightSpec = do
+  it "the highest of 23 cuts counts: a symbol beside a hole ten times as deep as it is high" $
+    let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8))
+        rest = without field symbol [1 .. wide * high - 1]
+        found = symbolLevels (showing ((0, -10) : [(p, 0) | p <- rest] ++ [(p, 1) | p <- symbol])) 0
+     in fmap (length . snd) found `shouldBe` Just 1
   it "of what lies three pixels from a symbol twelve must be touched" $
     [ snd <$> symbolLevels (showing ([(p, 1) | p <- symbol] ++ [(p, 0) | p <- take n ring])) 0
       | let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8)),

@@ -263,6 +263,26 @@ spec = do
           area b < 96
       ]
         `shouldSatisfy` all (\l -> abs (l - 1) < 1e-12)
+    it "are edges, ridges, corners and discs, at every taxel or half of one, and the full window" $
+      ordinaryFeatures
+        `shouldMatchList` ( Full :
+                            [StepEdge n c | n <- directions, c <- map (far n) [-10, -8 .. 10]]
+                              ++ [ Ridge n (far n c) (far n c + far n wide)
+                                   | n <- directions,
+                                     c <- [-12 .. 10],
+                                     wide <- [4, 6, 8, 12]
+                                 ]
+                              ++ [ Corner n (far n c) (far n d)
+                                   | n <- directions,
+                                     c <- [-8, -6 .. 8],
+                                     d <- [-8, -6 .. 8]
+                                 ]
+                              ++ [ Disc (x, y) r
+                                   | x <- [-4, -2 .. 4],
+                                     y <- [-8, -6 .. 8],
+                                     r <- [6, 8, 10, 12]
+                                 ]
+                          )
     it "likeness is Pearson's correlation of the taxels" $
       property $
         forAll ((,) <$> shapeGen <*> elements ordinaryFeatures) $ \(b, f) ->
@@ -270,6 +290,20 @@ spec = do
     it "the set of them is closed under the half turn and the mirrors of the window" $ do
       let images = Set.fromList [bitmapWhere (raises f) | f <- ordinaryFeatures]
       Set.unions (map family (Set.toList images)) `shouldBe` images
+
+-- | Sixteen directions: along the axes, along the diagonals, and between.
+directions :: [(Int, Int)]
+directions =
+  nub
+    [ (s * a, t * b)
+      | (a, b) <- [(1, 0), (0, 1), (1, 1), (1, 2), (2, 1)],
+        s <- [1, -1],
+        t <- [1, -1]
+    ]
+
+-- | So many half taxels along a direction, as its vector's multiple: to the nearest whole number.
+far :: (Int, Int) -> Int -> Int
+far (a, b) c = floor (fromIntegral c * sqrt (fromIntegral (a * a + b * b)) + 0.5 :: Double)
 
 -- | The rectangle of an SVG element from its attributes on, and whether it is a frame.
 rectangleOf :: T.Text -> ((Int, Int, Int, Int), Bool)

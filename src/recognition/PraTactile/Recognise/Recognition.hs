@@ -4,6 +4,7 @@ module PraTactile.Recognise.Recognition
   ( Recognition (..),
     unanswered,
     certainty,
+    preferred,
     recognisedAngle,
     relocated,
     axesTilted,
@@ -20,6 +21,7 @@ module PraTactile.Recognise.Recognition
   )
 where
 
+import Data.Either (isRight)
 import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
 import PraTactile.Locate (Reason (..), reasonName, reasons)
@@ -107,6 +109,23 @@ unanswered symbols = Recognition symbols [] Nothing 0 . Left
 -- cut out.
 certainty :: Recognition -> Double
 certainty = sum . map (negate . log . max 1e-300 . readDoubt) . recognisedSymbols
+
+-- | Of what was recognised as the composites are, whose symbols lie at an angle (degrees), and of
+-- what was recognised from them set upright: what leaves less doubt about the symbols; but where
+-- both may be read, an answer before a refusal.
+preferred :: Double -> Recognition -> Recognition -> Recognition
+preferred angle asGiven setRight
+  | abs angle <= mostTilt && isAnswered asGiven /= isAnswered setRight =
+    if isAnswered asGiven then asGiven else setRight
+  | certainty setRight > certainty asGiven = setRight
+  | otherwise = asGiven
+  where
+    isAnswered = isRight . recognisedAnswer
+
+-- | Symbols that are turned by no more than this, in degrees, are still read as they are without
+-- error, if not as often.
+mostTilt :: Double
+mostTilt = 7
 
 -- | What was recognised in composites that were set upright by an angle, as of the composites as
 -- they were given, by where the places of the one are on the other.

@@ -106,9 +106,11 @@ data Feature
   deriving stock (Eq, Show)
 
 -- | Step edges and right-angled corners in 16 directions (the axes, the diagonals and those
--- between), ridges 2, 3, 4 and 6 taxels wide in 8, discs from 3 to 6 taxels in radius, all of them
--- at many places, and the full window. The set is closed under the symmetries of the window, so
--- likeness need not be tried under them.
+-- between) at every taxel, up to 5 and 4 from the window's middle; ridges 2, 3, 4 and 6 taxels wide
+-- in the same directions, which begin at every half taxel from 6 before the middle to 5 behind;
+-- discs from 3 to 6 taxels in radius around every taxel up to 2 from the middle across and 4 down;
+-- and the full window. The set is closed under the symmetries of the window, so likeness need not
+-- be tried under them.
 ordinaryFeatures :: [Feature]
 ordinaryFeatures =
   Full :
