@@ -76,7 +76,8 @@ gridOf way angle (rowCount, columnCount) =
   FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] []
   where
     cells = [(i, j) | i <- [0 .. rowCount - 1], j <- [0 .. columnCount - 1]]
-    symbol n (i, j) = ((i, j), [readSymbol way n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
+    symbol n (i, j) =
+      ((i, j), [readSymbol way n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
     -- Cells are counted along the symbols' axes.
     along j i = onOffset (if exchangesAxes way then turned 1 else identity) (16 * j, 20 * i)
     turnedBy (x, y) =
@@ -102,7 +103,7 @@ preferredSpec =
   prop "the reading with less doubt holds, or up to 7 degrees the one that is an answer" $
     forAll (oneof [choose (-12, 12), elements [7, -7, 7.001, -7.001, 0]]) $ \angle ->
       forAll ((,) <$> genReading <*> genReading) $ \(asGiven, setRight) ->
-        let answers = [either (const False) (const True) answer | (_, answer) <- [asGiven, setRight]]
+        let answers = map (either (const False) (const True) . snd) [asGiven, setRight]
             surer = product (fst setRight) < product (fst asGiven)
             oneAlone = abs angle <= 7 && or answers && not (and answers)
             second = if oneAlone then answers == [False, True] else surer

@@ -8,9 +8,10 @@ module Test.Conformance.Liars (spec) where
 
 import Control.Monad.Trans.Except (runExceptT)
 import Control.Monad.Trans.State.Strict (State, get, put, runState)
-import Data.Aeson (toJSON)
+import Data.Aeson (Value (..), toJSON)
+import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (for_)
-import Data.List (isSuffixOf)
+import Data.List (isSuffixOf, nub, sort)
 import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
@@ -25,7 +26,7 @@ import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Wire (answerValue, questionInput)
-import PraTactile.Format.Json.Codec (readValue)
+import PraTactile.Format.Json.Codec (listOf, natural, readValue)
 import PraTactile.Profile
 import Test.Hspec
 
@@ -66,6 +67,25 @@ spec = do
                 Violated violation -> Just (violationAsked violation, violationExpected violation)
                 _ -> Nothing
           (name, i, told') `shouldBe` (name, i, Just (lied, exchangeReply (asked !! (at - 1))))
+  it "of each polynomial that x does not divide the reciprocal is asked about too, made monic" $
+    for_ comparedProfiles $ \(_, _, about) -> do
+      [one] <- pure [one | one <- laws, lawId one == "polynomial/reciprocals-are-primitive-alike"]
+      let asked = map (snd . answeredBy (expected about)) (fst (trialsUnder about one))
+          polynomials = [[h | Just h <- map polynomialOf those] | those <- asked]
+          q = profileOrder (knownProfile about)
+          inverseOf a = [b | b <- [1 .. q - 1], expected about (Multiply a b) == Right 1]
+      for_ (filter (not . null) polynomials) $ \those -> do
+        let first = concat (take 1 those)
+        those
+          `shouldBe` [ first,
+                       [ c
+                         | a <- reverse first,
+                           b <- concatMap inverseOf (take 1 first),
+                           Right c <- [expected about (Multiply a b)]
+                       ]
+                     ]
+      -- Any constant coefficient but 0, and that is not asked about at all.
+      sort (nub (map (take 1 . concat) polynomials)) `shouldBe` [] : map pure [1 .. q - 1]
   it "what a wrong answer leads to may be refused, of which a law says nothing, for that reason" $
     for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about -> do
       [one] <- pure [one | one <- laws, lawId one == "window/unpack-inverts-pack"]
@@ -178,6 +198,14 @@ trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)
 trialsUnder about law = trialsOf plan (lawId law) (lawCases law about)
   where
     plan = Plan {planSeed = 1, planCases = 40, planWindow = 1}
+
+-- | What polynomial was asked about.
+polynomialOf :: Exchange -> Maybe [Natural]
+polynomialOf one = case exchangeInput one of
+  Object fields -> KeyMap.lookup "polynomial" fields >>= readAs
+  _ -> Nothing
+  where
+    readAs = either (const Nothing) Just . readValue (listOf natural)
 
 -- | At which case somebody is found who answers as the definition does, but for one answer: the
 -- first one that this case asks for.
