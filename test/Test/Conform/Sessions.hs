@@ -5,7 +5,7 @@
 module Test.Conform.Sessions (spec) where
 
 import Control.Exception (bracket)
-import Control.Monad (forM_, replicateM)
+import Control.Monad (forM_, replicateM, replicateM_)
 import Data.Aeson (Value (..), toJSON)
 import qualified Data.ByteString.Char8 as Bytes
 import GHC.Clock (getMonotonicTime)
@@ -18,6 +18,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Profile (Profile (..), canonicalProfile)
+import System.Directory (listDirectory)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import Test.Hspec
@@ -183,6 +184,11 @@ oneShotSpec = do
 
 outputSpec :: Spec
 outputSpec = do
+  it "of a process that has ended none of its pipes is open" $ do
+    let descriptors = length <$> listDirectory "/proc/self/fd"
+    before' <- descriptors
+    replicateM_ 9 (bracket (begin (Command "cat" [])) (mapM_ end) (const (pure ())))
+    descriptors `shouldReturn` before'
   it "is read line by line, up to a mebibyte each" $
     forM_ [(0, 3), (1, 1), (32767, 2), (32768, 2), (longestLine - 1, 1), (longestLine, 1)] $
       \(size, count) -> do
