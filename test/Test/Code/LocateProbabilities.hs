@@ -107,7 +107,7 @@ codebookSpec = do
         [BeliefLength 3 4, BeliefLength 5 4, BeliefNegative 1 (-0.5), BeliefSum 0.5]
     refused [0 / 0, 0, 0, 1] `shouldSatisfy` (/= Nothing)
     -- Of too many no more than one is looked at.
-    refused (0.25 : 0.25 : 0.25 : 0.25 : 0 : undefined) `shouldBe` Just (BeliefLength 5 4)
+    refused (repeat 0.25) `shouldBe` Just (BeliefLength 5 4)
 
 largeSpec :: Spec
 largeSpec = describe "on 2^60 cells" $ do

@@ -71,7 +71,7 @@ spec = do
     for_ comparedProfiles $ \(_, _, about) -> do
       [one] <- pure [one | one <- laws, lawId one == "polynomial/reciprocals-are-primitive-alike"]
       let asked = map (snd . answeredBy (expected about)) (fst (trialsUnder about one))
-          polynomials = [[h | Just h <- map polynomialOf those] | those <- asked]
+          polynomials = map (mapMaybe polynomialOf) asked
           q = profileOrder (knownProfile about)
           inverseOf a = [b | b <- [1 .. q - 1], expected about (Multiply a b) == Right 1]
       for_ (filter (not . null) polynomials) $ \those -> do
