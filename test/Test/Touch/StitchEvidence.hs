@@ -101,8 +101,7 @@ frameSpec =
       block <- elements [1, 3, 5]
       place <- (,) <$> half (-12, 24) <*> half (-16, 24)
       shape <- elements (either (error . show) shapes paperAlphabet)
-      let at image x y = fromMaybe 0 (index image x y)
-          blocks x y = if at rough (x `quot` block) (y `quot` block) > 0.6 then 1 else 0
+      let blocks x y = if at rough (x `quot` block) (y `quot` block) > 0.6 then 1 else 0
           ramp x y = 0.3 * fromIntegral x - 0.2 * fromIntegral y
       -- Blocks, a symbol as the tables have it, or a slope; with noise or without.
       relief <- elements [blocks, blocks, \x y -> symbol shape place (real x) (real y), ramp]
@@ -118,14 +117,16 @@ frameSpec =
             embossedAt shape a b
         ]
 
+at :: Raster -> Int -> Int -> Double
+at image x y = fromMaybe 0 (index image x y)
+
 -- | Gain and offset usual of symbols, and the noise from second differences.
 first :: Raster -> Reading
 first image = (gain, -0.15 * gain, noise)
   where
     (w, h) = rasterSize image
-    at x y = fromMaybe 0 (index image x y)
     seconds =
-      [ at x y - at (x + 1) y - at x (y + 1) + at (x + 1) (y + 1)
+      [ at image x y - at image (x + 1) y - at image x (y + 1) + at image (x + 1) (y + 1)
         | x <- [0 .. w - 2],
           y <- [0 .. h - 2]
       ]

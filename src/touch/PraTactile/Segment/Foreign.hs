@@ -41,7 +41,7 @@ data Cleaned = Cleaned
 -- pixel counts as touched, and what that is. Where all that is embossed is like symbols, or nothing
 -- is, and nothing is sunk, the composite stays as it is.
 withoutForeign :: Double -> Composite -> Cleaned
-withoutForeign least composite = case levels noise seen of
+withoutForeign least composite = case levels noise (touchedValues field) of
   Just found
     | any (unlikeSymbols field) (regions field 0 (marked field (>= share 0.5 found)))
         || not (null (hollows (marked field (<= share (-0.35) found)))),
@@ -50,7 +50,6 @@ withoutForeign least composite = case levels noise seen of
   _ -> Cleaned composite Nothing []
   where
     field = fieldOf least composite
-    seen = V.ifilter (\p _ -> fieldTouched field V.! p) (fieldValues field)
     noise = smoothing * pixelNoise field (compositeImage composite)
     hollows = filter ((>= leastHollow) . length) . regions field 0
 

@@ -6,6 +6,7 @@ module PraTactile.Segment.Region
     Field (..),
     fieldOf,
     marked,
+    touchedValues,
     pixelNoise,
     placeOf,
     beside,
@@ -63,6 +64,10 @@ fieldOf least composite = Field w h touched (V.generate (w * h) smooth)
 -- | The touched pixels whose values are so.
 marked :: Field -> (Double -> Bool) -> V.Vector Bool
 marked field test = V.zipWith (\t v -> t && test v) (fieldTouched field) (fieldValues field)
+
+-- | The values of the touched pixels, in order.
+touchedValues :: Field -> Vector Double
+touchedValues field = V.ifilter (\p _ -> fieldTouched field V.! p) (fieldValues field)
 
 -- | The number of the pixel so far right of and below another one.
 beside :: Field -> Int -> (Int, Int) -> Maybe Int

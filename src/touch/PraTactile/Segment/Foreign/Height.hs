@@ -62,7 +62,7 @@ candidates field noise
         candidateMisfit c < 0.2
     ]
   where
-    seen = V.ifilter (\p _ -> fieldTouched field V.! p) (fieldValues field)
+    seen = touchedValues field
     (bottom, top) = (V.minimum seen, V.maximum seen)
 
 -- | How many steps the ladder of thresholds has.
