@@ -52,10 +52,10 @@ command =
     "evaluate"
     "Simulate presses at random places on the faces in turn, and count how many are decoded \
     \right, wrong or refused, with stitching and without."
-    [ "pra-tactile evaluate --presses 40 --seed 1",
-      "pra-tactile evaluate --presses 20 --seed 1 --noise 0.3 --doubt 0.0001",
-      "pra-tactile evaluate --presses 40 --seed 1 --sensor real",
-      "pra-tactile evaluate --presses 40 --seed 1 --foreign 0.5"
+    [ "pra-tactile evaluate --presses 12 --seed 1",
+      "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
+      "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5"
     ]
     (run <$> arrayChoice <*> options)
   where

@@ -50,10 +50,10 @@ command =
     "Tell how often damaged patches are located right, wrong, or refused: simulated from a seed, \
     \decoded from symbols to the guaranteed radius, or a stated one (hard) and from probabilities \
     \(soft), beside the exact rates of the weight enumerator."
-    [ "pra-tactile rates --trials 2000",
+    [ "pra-tactile rates --trials 200",
       "pra-tactile rates --size 4x4 --errors 2 --erasures 15 --trials 20000",
       "pra-tactile rates --size 4x4 --errors 20 --radius 6",
-      "pra-tactile rates --trials 2000 --plot rates.svg"
+      "pra-tactile rates --trials 200 --plot rates.svg"
     ]
     (run <$> arrayChoice <*> optionsParser)
 

@@ -64,8 +64,8 @@ damageSpec ::
 damageSpec alphabetOfAll layout net array mask = do
   describe "missing symbols" $ do
     it "of a 3 x 3 block any four may be missing that leave four independent ones" $
-      for_ [Position 1 1, Position 5 6, Position 14 16] $ \place ->
-        for_ (choose4 [0 .. 8]) $ \gone -> do
+      for_ (zip (choose4 [0 .. 8]) (cycle [Position 1 1, Position 5 6, Position 14 16])) $
+        \(gone, place) -> do
           let kept = [o | (i, o) <- zip [0 :: Int ..] offsets3, i `notElem` gone]
           let damaged = removing gone (cells 3 3 place)
           answer <- read' damaged
@@ -93,8 +93,8 @@ damageSpec alphabetOfAll layout net array mask = do
       length [() | (_, _, Just _) <- told] `shouldSatisfy` (> 20)
   describe "wrong symbols" $ do
     it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
-      for_ [Position 0 0, Position 7 9, Position 13 15] $ \place ->
-        for_ [0 .. 8] $ \i -> for_ wrongs $ \change -> do
+      for_ (zip [0 .. 8] (cycle [Position 0 0, Position 7 9, Position 13 15])) $ \(i, place) ->
+        for_ wrongs $ \change -> do
           let damaged = changing i change (cells 3 3 place)
           recognition <- recognised damaged
           case recognisedAnswer recognition of

@@ -21,6 +21,7 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (toList)
 import qualified Data.Text as Text
 import System.FilePath ((</>))
+import System.Process (readProcess)
 import Test.CommandLine.Run
 import Test.Support (inFolder)
 
@@ -33,17 +34,24 @@ conform options subject = pra ("conform" : options ++ "--" : subject)
 adder :: [String] -> [String] -> IO Outcome
 adder options arguments =
   withProfile $ \profile ->
-    conform
-      (words "--run field/addition-as-defined --run protocol/ --profile" ++ profile : options)
-      ("python3" : "test/subjects/faulty.py" : arguments)
+    python ("test/subjects/faulty.py" : arguments)
+      >>= conform
+        (words "--run field/addition-as-defined --run protocol/ --profile" ++ profile : options)
 
 -- | The same with a process a request.
 once :: [String] -> [String] -> IO Outcome
 once options arguments =
   withProfile $ \profile ->
-    conform
-      (words "--one-shot --run field/addition-as-defined --profile" ++ profile : options)
-      ("python3" : "test/subjects/once.py" : arguments)
+    python ("test/subjects/once.py" : arguments)
+      >>= conform
+        (words "--one-shot --run field/addition-as-defined --profile" ++ profile : options)
+
+-- | The command that runs this in Python: the interpreter itself, as what is called python3 may be
+-- a script that takes longer than the interpreter to start.
+python :: [String] -> IO [String]
+python arguments = do
+  found <- readProcess "python3" ["-c", "import sys; print(sys.executable)"] ""
+  pure (takeWhile (/= '\n') found : "-S" : arguments)
 
 -- | With a file that has the paper's profile.
 withProfile :: (FilePath -> IO a) -> IO a

@@ -14,8 +14,9 @@ import Control.Monad.IO.Class (liftIO)
 import Control.Monad.Trans.Except (catchE, runExceptT, throwE)
 import Data.Aeson (Value (Null))
 import Data.Foldable (for_)
+import Data.List (sortOn)
 import Data.Maybe (isJust)
-import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
+import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
@@ -152,16 +153,17 @@ exchanged operation s other = case operation of
   OfStitch -> s
   OfSegment -> s
 
--- | Whether a law that needs the operation finds it.
+-- | Whether a law that needs the operation finds it; small arrays, and those that need little else,
+-- come first.
 foundBy :: Operation -> (Implementation -> Implementation) -> IO Bool
 foundBy operation make = isJust <$> firstJust (map (findsAt 1 comparedProfiles one) trials)
   where
     one = Impostor "made" "made" [] make
     trials =
       [ Kill (lawId law) name 0
-        | law <- laws,
-          operation `elem` lawNeeds law,
-          (name, _, _) <- comparedProfiles
+        | (name, _, _) <- sortOn (\(_, p, _) -> area (profileShape p)) comparedProfiles,
+          law <- sortOn (length . lawNeeds) laws,
+          operation `elem` lawNeeds law
       ]
 
 -- | The reasons that an operation refuses well-formed inputs for.
