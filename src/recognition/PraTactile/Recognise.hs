@@ -55,7 +55,7 @@ import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
 import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Segment.Tilt (leastTilt, setUpright, tilt)
-import PraTactile.Stitch (Composite (..), isUnregistered)
+import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',
@@ -139,7 +139,7 @@ angleLeft lie = case lie of
 -- | How the pixels of one came about.
 pixelsOf :: Lie -> Composite -> Pixels
 pixelsOf lie composite
-  | isUnregistered composite = Unregistered
+  | not (compositeCompared composite) = Unregistered
   | otherwise = case lie of
     AsFelt _ -> AsPut
     SetUpright -> Resampled

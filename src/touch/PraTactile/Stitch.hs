@@ -6,7 +6,6 @@ module PraTactile.Stitch
     Composite (..),
     Contradiction (..),
     compositeOf,
-    isUnregistered,
     compositePosition,
 
     -- * Stitching
@@ -30,6 +29,7 @@ import Data.Foldable (toList)
 import Data.List (sortOn)
 import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (isJust)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
@@ -53,7 +53,6 @@ import PraTactile.Stitch.Composite
     compositeOf,
     compositePixel,
     compositePosition,
-    isUnregistered,
   )
 import PraTactile.Stitch.Noise (frameNoise)
 import PraTactile.Stitch.Posterior (Hypothesis (..))
@@ -152,7 +151,10 @@ compose way settings frames = do
       at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
       together shifts =
-        blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts
+        (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
+          { compositeCompared = length frames == 1 || compared
+          }
+      compared = arrangedWay arrangement /= Nominal && isJust (arrangedResidual arrangement)
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements

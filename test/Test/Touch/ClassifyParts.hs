@@ -232,7 +232,7 @@ partSpec = do
               least = minimum (flat : concatMap (map snd . snd) distances)
               variance = asOne pixels * max 0.01 (least / taxels)
               normal d = exp (negate d / (2 * variance))
-              prior (x, y) = exp (negate (x * x + y * y) / 0.32)
+              prior (x, y) = exp (negate (x * x + y * y) / (2 * 0.35 * 0.35))
               whole = sum [prior (x, y) | x <- line, y <- line]
               ofShape moves = sum [prior m * normal d | (m, d) <- moves] / whole
               rubbish = nothingOfTheKind taxels
@@ -248,11 +248,11 @@ partSpec = do
   where
     line = [-1, -0.5, 0, 0.5, 1]
     nothingOfTheKind :: Double -> Double
-    nothingOfTheKind taxels = if taxels < 32 then 0.012 else 0.001
+    nothingOfTheKind taxels = if taxels < 32 then 0.006 else 0.001
     -- How many taxels count as one.
     asOne pixels = case pixels of
-      AsPut -> 2.5
-      Resampled -> 3.6
+      AsPut -> 2.25
+      Resampled -> 3
       Unregistered -> 5
     doubtOf known rows c =
       let part = upper rows (toRaster (shapes known !! c))

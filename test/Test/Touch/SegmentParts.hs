@@ -136,6 +136,7 @@ composed image coverage =
       compositeCoverage = coverage,
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
+      compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing
     }

@@ -12,6 +12,7 @@ import PraTactile.Probe
 import PraTactile.Probe.Sensor
 import PraTactile.Random (normalPair)
 import PraTactile.Stitch hiding (assemble)
+import qualified PraTactile.Stitch as Stitch (assemble)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
@@ -143,6 +144,19 @@ truth = do
       c
       `shouldBe` Right [replicate 8 1 ++ replicate 16 2 ++ replicate 8 1]
     fmap compositeDisplacements c `shouldBe` Right (replicate 3 (0, 0))
+  it "frames count as compared where some overlap and their places are not taken as they are" $ do
+    let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
+        three = region 32 16
+        compared assemble = fmap compositeCompared . assemble . frames
+        by way = fmap assemblyComposite . Stitch.assemble way standardRegistration
+        apart = [pose | (i, pose) <- zip [0 :: Int ..] three, even i]
+    -- Without an error all stay where they are, and have been compared all the same.
+    fmap compositeDisplacements (stitch standardRegistration (frames three))
+      `shouldBe` Right (replicate 3 (0, 0))
+    map (compared placeOnly) [three, take 1 three] `shouldBe` [Right False, Right True]
+    forM_ [Automatic, Incremental, Jointly, ByLattice] $ \way ->
+      map (compared (by way)) [three, take 1 three, apart]
+        `shouldBe` [Right True, Right True, Right False]
   where
     -- Up to two standard deviations, so that any two frames are within the search's reach of each
     -- other.

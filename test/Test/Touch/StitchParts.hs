@@ -3,11 +3,9 @@
 module Test.Touch.StitchParts (spec) where
 
 import Data.List (genericLength, nub, sort)
-import Data.List.NonEmpty (nonEmpty)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Stitch.Composite (blended, isUnregistered)
 import PraTactile.Stitch.Layout (Layout (..), layout)
 import PraTactile.Stitch.Neighbours
 import PraTactile.Stitch.Noise
@@ -242,12 +240,3 @@ placesSpec = do
            in -- A symbol's 8 x 12 taxels lie behind its place, and count two taxels around.
               ((x0, y0), (x0 + columns `div` q, y0 + rows `div` q), (columns `mod` q, rows `mod` q))
                 === ((left - 10, top - 14), (right' + 3, bottom + 3), (0, 0))
-  it "frames are unregistered where several lie at their nominal places" $
-    [ fmap isUnregistered (blendedAt places)
-      | places <- [[(0, 0)], [(1, 0)], [(0, 0), (0, 0)], [(0, 0), (0.5, 0)], [(0, -1), (0, 0)]]
-    ]
-      `shouldBe` map Just [False, False, True, False, False]
-  where
-    blendedAt shifts =
-      blended (0, 0) <$> nonEmpty [((place, constant 4 4 0.5), Nothing) | place <- shifts]
-        <*> pure shifts

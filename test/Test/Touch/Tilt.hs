@@ -29,6 +29,7 @@ genComposite sides = do
         compositeCoverage = generate w h (\x y -> covered !! (y * w + x)),
         compositeOrigin = origin,
         compositeDisplacements = [(0, 0)],
+        compositeCompared = True,
         compositeOthers = [],
         compositeContradiction = Nothing
       }
@@ -90,7 +91,7 @@ squares angle found = along (cos turn, sin turn) + along (-(sin turn), cos turn)
 
 -- | Where all nine pixels around were touched, from the composite's middle; with the gradient.
 gradients :: Composite -> [((Double, Double), (Double, Double))]
-gradients (Composite image coverage _ _ _ _) =
+gradients Composite {compositeImage = image, compositeCoverage = coverage} =
   [ ( (fromIntegral x - fromIntegral w / 2, fromIntegral y - fromIntegral h / 2),
       ( (10 * (p 1 0 - p (-1) 0) + 3 * (p 1 1 - p (-1) 1 + p 1 (-1) - p (-1) (-1))) / 32,
         (10 * (p 0 1 - p 0 (-1)) + 3 * (p 1 1 - p 1 (-1) + p (-1) 1 - p (-1) (-1))) / 32

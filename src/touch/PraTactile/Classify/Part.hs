@@ -71,7 +71,7 @@ partDistances shapesSeen part =
 -- How likely a part lies so many taxels right and down of where its neighbours have it: a normal
 -- law, but for a factor.
 misplacement :: (Double, Double) -> Double
-misplacement (x, y) = exp (negate (x * x + y * y) / (2 * 0.4 * 0.4))
+misplacement (x, y) = exp (negate (x * x + y * y) / (2 * 0.35 * 0.35))
 
 -- The least variance of a taxel.
 leastVariance :: Double
@@ -80,22 +80,23 @@ leastVariance = 0.01
 -- How many taxels err alike, as one.
 alike :: Pixels -> Double
 alike pixels = case pixels of
-  AsPut -> 2.5
-  Resampled -> 3.6
+  AsPut -> 2.25
+  Resampled -> 3
   Unregistered -> 5
 
 -- The probability of an image that is nothing of the kind, where so many taxels were seen. Of less
--- than a third of a symbol, frames that were put together a taxel wrong may make another symbol, so
--- that it is never beyond a hundredth of doubt.
+-- than a third of a symbol, frames that were put together a taxel wrong may make another symbol.
 nothingOfTheKind :: Double -> Double
-nothingOfTheKind taxels = if taxels < 32 then 0.012 else 0.001
+nothingOfTheKind taxels = if taxels < 32 then 0.006 else 0.001
 
 {- Note [Parts] Errors of neighbouring taxels are not independent: misplacement and blur spoil whole
    strokes. So a part may lie a little beside its place, in every direction alike, and the variance
    of what then still differs, that of the best of the shapes or the square of a tenth of the
-   contrast if that is more, counts for several taxels at once. The numbers are those that make the
-   parts of 3600 presses by every sensor, upright and at any angle, with noise to 0.5 and position
-   errors to three taxels, likeliest, rounded; with them about as many are wrong as are told to be,
-   under each condition. bench/calibration.py counts them, and docs/evaluation.md has what it
-   counted. At nominal places, which may be several taxels wrong, no number of taxels is right for
-   every robot (assumption). -}
+   contrast if that is more, counts for several taxels at once. With the numbers here the 7900 parts
+   of 2400 presses by every sensor, upright and at any angle, with noise to 0.5 and position errors
+   to three taxels, are nearly likeliest, and about as many of them wrong as are told to be under
+   each condition. Likeliest of all would be that next to nothing is nothing of the kind: of 3000
+   parts with no other doubt none was wrong (assumption: of another sensor some are).
+   bench/calibration.py counts other presses, and docs/evaluation.md has what it counted. At nominal
+   places, which may be several taxels wrong, no number of taxels is right for every robot
+   (assumption). -}

@@ -4,7 +4,6 @@ module PraTactile.Stitch.Composite
   ( Composite (..),
     Contradiction (..),
     compositeOf,
-    isUnregistered,
     compositePosition,
     compositePixel,
     blended,
@@ -34,6 +33,9 @@ data Composite = Composite
     -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
     -- frames.
     compositeDisplacements :: ![(Double, Double)],
+    -- | Whether somebody compared the frames with each other; 'False' where several lie at their
+    -- nominal places as the robot has them, or none overlaps another.
+    compositeCompared :: !Bool,
     -- | What the frames would show if they were put together otherwise, and how probable that is:
     -- each of these has one frame elsewhere, the most probable first.
     compositeOthers :: [(Double, Composite)],
@@ -53,15 +55,9 @@ data Contradiction
 -- | A single image, such as one read from a file, as a composite that was touched once everywhere,
 -- with its pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
-compositeOf image = Composite image everywhere (0, 0) [] [] Nothing
+compositeOf image = Composite image everywhere (0, 0) [] True [] Nothing
   where
     everywhere = constant (rasterWidth image) (rasterHeight image) 1
-
--- | Whether it is of several frames that all lie at their nominal places, which nobody compared.
-isUnregistered :: Composite -> Bool
-isUnregistered composite = length displacements > 1 && all (== (0, 0)) displacements
-  where
-    displacements = compositeDisplacements composite
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)
@@ -88,10 +84,10 @@ weighted composite =
     coverage = compositeCoverage composite
 
 -- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
--- displacements given, and no other way to put them together. Its grid is the origin's, moved by
--- whole taxels so that it holds all the images. With an image may stand the share of each pixel
--- that was felt, 0 to 1: the rest of it counts 'interpolated' in the mean, and 'known' in the
--- coverage.
+-- displacements given, as if these were compared, and no other way to put them together. Its grid
+-- is the origin's, moved by whole taxels so that it holds all the images. With an image may stand
+-- the share of each pixel that was felt, 0 to 1: the rest of it counts 'interpolated' in the mean,
+-- and 'known' in the coverage.
 blended :: (Double, Double) -> NonEmpty ((Place, Raster), Maybe Raster) -> [Place] -> Composite
 blended (left, top) images displacements =
   Composite
@@ -99,6 +95,7 @@ blended (left, top) images displacements =
       compositeCoverage = coverage,
       compositeOrigin = origin,
       compositeDisplacements = displacements,
+      compositeCompared = True,
       compositeOthers = [],
       compositeContradiction = Nothing
     }
