@@ -44,7 +44,7 @@ def at_fault(profile, request):
         while True:
             write("0" * 100000)
     elif FAULT == "long-line":
-        write(" " * 100_000_000 + "\n")
+        write(" " * 8_000_000 + "\n")
         honest.say(right)
     elif FAULT == "order":
         honest.say({**right, "sequence": number + 1})

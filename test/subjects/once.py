@@ -32,7 +32,7 @@ if FAULT == "garbage-after" and at_fault:
 if FAULT == "half-line-after" and at_fault:
     sys.stdout.write('{"sequence": 3')
 if FAULT == "long-line-after" and at_fault:
-    print(" " * 100_000_000)
+    print(" " * 8_000_000)
 if FAULT.startswith("lines-after-") and at_fault:
     sys.stdout.write("done\n" * int(FAULT.split("-")[2]))
 if FAULT == "status" and at_fault:
