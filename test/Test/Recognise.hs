@@ -259,6 +259,24 @@ recogniseSpec parts array reader = describe "recognition" $ do
       refusal (onRaster symmetry window) `shouldBe` Just Mirrored
   it "every refusal has a name of its own" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
+  it "the names of refusals are those that are promised" $
+    map refusalName refusals
+      `shouldMatchList` [ "no-symbols",
+                          "symbols-unclear",
+                          "mirrored",
+                          "orientation-contradiction",
+                          "grid-contradiction",
+                          "windows-contradiction",
+                          "frames-contradiction",
+                          "zero-window",
+                          "too-few-cells",
+                          "no-complete-window",
+                          "not-in-array",
+                          "contradiction",
+                          "off-sheet",
+                          "beyond-radius",
+                          "below-threshold"
+                        ]
   modifyMaxSuccess (const 40) $
     prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
       forAll (elements (reliefs parts array)) $ \face ->

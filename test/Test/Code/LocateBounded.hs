@@ -8,6 +8,7 @@ import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.Field.Named (GF4)
 import PraTactile.LinearCode.Elimination (rowFromList)
 import PraTactile.Locate
 import PraTactile.Locate.Decision
@@ -17,6 +18,7 @@ import PraTactile.Locate.Decoder.List.Bounds (Bounds (..), allBounds)
 import PraTactile.Locate.Decoder.List.Search (positionsOnSheet)
 import PraTactile.Locate.Decoder.ObservedCode (observedCode)
 import PraTactile.Locate.Patch (patchOf)
+import PraTactile.Symmetry (identity)
 import PraTactile.Window
 import PraTactile.Window.Distance
 import PraTactile.Window.Rank
@@ -163,6 +165,31 @@ boundsSpec = do
             told = if looked > 1024 then take 1 there else there
         (side, positionsOnSheet code (rowFromList word))
           `shouldBe` (side, fromIntegral (length told))
+  it "many solutions on a vast sheet: two that lie there suffice, else it is not known" $ do
+    array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
+    algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra Sheet array
+    -- A patch that leaves the sheet but where it begins in one of the first two rows: of the first
+    -- solutions none begins there.
+    let last' = Position (2 ^ (20 :: Int) - 3) 0
+        tall cells = patchOf (Shape (2 ^ (20 :: Int) - 2) 2) cells
+        two = zip cells (content array (Position 0 5) cells)
+          where
+            cells = [Position 0 0, last']
+        many =
+          zip
+            ([Position i 0 | i <- [0 .. 13]] ++ [Position i 1 | i <- [0 .. 12]] ++ [last'])
+            (cycle [1, 0, 0, 1, 1])
+    algebraPatch algebra (tall two)
+      `shouldBe` Right (AmbiguousMany (2 ^ (38 :: Int)) (Just 38))
+    -- Of the positions that are looked at, each agrees with a probability of 2^-28.
+    algebraPatch algebra (tall many) `shouldBe` Left (AlgebraSheet (2 ^ (12 :: Int)))
+  it "one patch is upright, on its surface, corrected as far as is certain, and none foreign" $ do
+    seen <- right (patch [[Just (Symbol (1 :: GF GF4)), Nothing]])
+    let query = onePatch Sheet seen
+    queryPatches query `shouldBe` [((0, 0), seen)]
+    (querySymmetries query, querySurface query, queryRadius query, queryDoubt query)
+      `shouldBe` ([identity], Sheet, Guaranteed, 0.001)
+    queryForeign query `shouldBe` Nothing
   it "a search that would be too long is refused, and other cells than those prepared for" $ do
     array <- vastArray
     algebra <- vastAlgebra

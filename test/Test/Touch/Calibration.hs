@@ -129,6 +129,11 @@ calibrating = do
           sensible = y `elem` [0, 4] && x `elem` [0, 3]
       either (const Nothing) Just (decodeCalibration (encodeCalibration given))
         `shouldBe` if sensible then Just given else Nothing
+  it "a file's gains are positive" $
+    for_ [-1, 0, 0.001] $ \gain -> do
+      let given = Calibration (constant 4 5 0) (constant 4 5 gain) []
+      either (const Nothing) Just (decodeCalibration (encodeCalibration given))
+        `shouldBe` if gain > 0 then Just given else Nothing
   it "another sensor's calibration is refused" $
     corrected
       (Calibration (constant 4 4 0) (constant 4 4 1) [])
