@@ -9,6 +9,7 @@ import qualified Test.Code.Census
 import qualified Test.Code.Certificate
 import qualified Test.Code.CertificateSteps
 import qualified Test.Code.Distance
+import qualified Test.Code.EllipticCurve
 import qualified Test.Code.Exhaustive
 import qualified Test.Code.Extension
 import qualified Test.Code.Factorisation
@@ -16,6 +17,7 @@ import qualified Test.Code.Field
 import qualified Test.Code.FieldFacts
 import qualified Test.Code.FieldStructure
 import qualified Test.Code.Folding
+import qualified Test.Code.LinearCode
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateBounded
 import qualified Test.Code.LocateBulk
@@ -153,6 +155,8 @@ specs = do
     describe "Fields" Test.Code.Field.spec
     describe "The structure of fields" Test.Code.FieldStructure.spec
     describe "Factorisation" Test.Code.Factorisation.spec
+    describe "Elliptic curves" Test.Code.EllipticCurve.spec
+    describe "Linear codes" Test.Code.LinearCode.spec
     describe "Polynomials" Test.Code.Polynomial.spec
     describe "Searching polynomials" Test.Code.PolynomialSearch.spec
     describe "Extension fields" Test.Code.Extension.spec

@@ -205,6 +205,26 @@ refusals = do
     decodeProfile "{}" `shouldBe` Left (Misfit [] (MissingKey "schema"))
     decodeTruth (encodeProfile canonicalProfile)
       `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
+  it "a truth's angle is from 0 to 360, and its orientation the nearest quarter turn" $ do
+    truth <- encodeTruth <$> generate someTruth
+    forM_ [(quarter, degrees) | quarter <- [0 .. 3 :: Int], degrees <- angles] $ \(quarter, degrees) -> do
+      let text = changed "orientation_deg" (toJSON (90 * quarter)) (changed "angle_deg" (toJSON degrees) truth)
+          apart = minimum [abs (degrees - 90 * fromIntegral quarter - turn) | turn <- [-360, 0, 360]]
+          turned read' = regionTurn (truthRegion read')
+      case decodeTruth text of
+        Right read' ->
+          (quarter, degrees, abs (turned read' - degrees) < 1e-9, apart < 45.01)
+            `shouldBe` (quarter, degrees, True, True)
+        Left why ->
+          (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
+            `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
+  it "a truth's region has sides of up to 100000 taxels" $ do
+    truth <- encodeTruth <$> generate someTruth
+    forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
+      fmap
+        (\read' -> (regionWidth (truthRegion read'), regionHeight (truthRegion read')))
+        (decodeTruth (changed "region_taxels" (toJSON [w, h :: Int]) truth))
+        `shouldBe` Right (w, h)
   it "what is no JSON, and no census file" $ do
     decodeProfile "{" `shouldBe` Left (JsonRefused NotJson)
     decodeTruth " " `shouldBe` Left (JsonRefused NoText)
@@ -220,6 +240,11 @@ refusals = do
     everyKey text decoder = forM_ (KeyMap.keys (fields text)) $ \key -> do
       (key, isLeft (decoder (written (KeyMap.delete key (fields text))))) `shouldBe` (key, True)
       (key, isLeft (decoder (changed key Null text))) `shouldBe` (key, True)
+    angles :: [Double]
+    angles =
+      [-360, -1e-9, 360, 400]
+        ++ [a + d | a <- [0, 45 .. 315], d <- [0, 0.1, 30, 44.9]]
+        ++ [359.9999]
     wrongProfiles =
       [ ("q", Number (-1), [], NotNatural),
         ("q", Number 1.5, [], NotNatural),

@@ -115,6 +115,18 @@ spec = do
     array <- right (folded Diagonal (Shape 15 17) h)
     codeArrays code `shouldBe` 1
     codeGrid code 0 `shouldBe` either (const (Left (CodeTooLarge 0 0))) Right (toGrid array)
+  it "tells cells of arrays that are too large to be held, and refuses to hold them" $ do
+    h <- firstOver gf2 60
+    code <- coded (Shape (2 ^ (30 :: Int) - 1) (2 ^ (30 :: Int) + 1)) h
+    codeArrays code `shouldBe` 1
+    [codeCellAt code (placeOfIndex code i) | i <- [0 .. 60]]
+      `shouldBe` take 61 (mSequence h (canonicalState h))
+    codeGrid code 0 `shouldBe` Left (CodeTooLarge (2 ^ (60 :: Int) - 1) largestGrid)
+    -- A mask whose contents are few enough to be visited, were the arrays held.
+    window <- right (rectangle (Shape 1 2))
+    (verdict, _) <- right (proveCode code window)
+    (codeProved verdict, codeVisited verdict, codeMaskRank verdict, codeCollision verdict)
+      `shouldBe` (False, Nothing, 2, Nothing)
   it "refuses shapes that do not divide the period, and sides that are not coprime" $ do
     h <- right first6
     let refusal shape = either Just (const Nothing) (foldCode shape h (canonicalState h))

@@ -50,6 +50,33 @@ spec = do
            in whenRight (listed 100000 tolerated algebra p) $ \found ->
                 counterexample (show found) $
                   not close ==> decide tolerated found === decide tolerated exact
+  it "such a list's margin is at least that of what it has and of all that it has not" $ do
+    array <- paperArray
+    algebra <- paperAlgebra Torus
+    holds 400 $
+      forAll
+        ( (,,)
+            <$> genChancesOver array
+            <*> QuickCheck.elements [1, 3, 10, 30, 100, 10000]
+            <*> QuickCheck.elements [0, 0.001, 0.1]
+        )
+        $ \(chances, most, tolerated) -> softly chances $ \p ->
+          whenRight (listed most tolerated algebra p) $ \found ->
+            counterexample (show found) $
+              let unlisted = fromMaybe 1 (posteriorUnlisted found)
+                  share x = 0 <= x && x <= 1
+               in conjoin
+                    [ property (share (posteriorDoubt found)),
+                      property (share (posteriorEqualDoubt found)),
+                      property (share unlisted),
+                      -- Where one position is the likeliest of those listed.
+                      case (posteriorRanking found, posteriorMargin found) of
+                        ((_, a) : others, Just margin)
+                          | all ((< a) . snd) (take 1 others) ->
+                            property
+                              (margin >= log a - log (maximum (unlisted : map snd others)) - 1e-6)
+                        _ -> property True
+                    ]
   it "such a list decides as Bayes' theorem does, in one symmetry or several" $
     onArray (3, 3, Diagonal, Shape 2 13, Shape 1 3) (listingDecides 300)
   it "in several symmetries a list of any length gives no doubt too small, and misses no more" $

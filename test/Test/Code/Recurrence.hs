@@ -41,13 +41,17 @@ spec = do
                 == take 40000 (mSequence g (canonicalState g))
             )
               `shouldBe` (q, True)
-    it "is left alone where the recurrence would look outside it" $ do
-      let r = recurrenceOf [1, 0, 1 :: GF GF2]
-          untouched way from to =
-            Primitive.toList (runWay way r from to (replicate 10 0)) == replicate 10 0
-      [untouched (Way stepwise) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
-      [untouched (Way blockwise) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
-      [untouched (Way continue) from to | (from, to) <- [(2, 10), (3, 11)]] `shouldBe` [True, True]
+    it "is left alone where the recurrence would look outside it, and else goes on" $
+      forM_ [(from, to) | from <- [-1 .. 11], to <- [-1 .. 11]] $ \(from, to) -> do
+        -- v(i) = v(i-1) + v(i-3).
+        let r = recurrenceOf [1, 0, 1 :: GF GF2]
+            start = [1, 1, 0, 0, 1, 1, 0, 1, 1, 1]
+            goneOn v i =
+              if i < to then goneOn (take i v ++ [v !! (i - 1) + v !! (i - 3)] ++ drop (i + 1) v) (i + 1) else v
+            expected = if from >= 3 && to <= 10 then goneOn start from else start
+            come way = Primitive.toList (runWay way r from to start)
+        (from, to, map come [Way stepwise, Way blockwise, Way continue])
+          `shouldBe` (from, to, replicate 3 expected)
   describe "a jump" $ do
     it "to s(t) is the combination of the initial state that x^t modulo h says, over every field" $
       forM_ everyField $ \(q, SomeField k) -> forM_ (if q > 16 then [1, 2] else [1 .. 5]) $ \n -> do

@@ -4,7 +4,7 @@
 -- and on continuing.
 module Test.Formats.CensusFile (spec) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM_, replicateM)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Octets
 import Data.ByteString.Char8 (ByteString)
@@ -166,6 +166,31 @@ spec = do
         found = concat [limits body | (_, Right body) <- wantedInOrder (wantedOf 2 6)]
     length found `shouldSatisfy` (> 20)
     [one | one@(came, wanted) <- found, came /= Right wanted] `shouldBe` []
+  it "a field that is a number is one in its only form, and every other text is refused" $ do
+    row <- case [body | (_, Right body) <- wantedInOrder (wantedOf 2 4)] of
+      body : _ -> pure (Bytes.split ',' body)
+      [] -> fail "an empty census"
+    let columns' = Bytes.split ',' (headerOf Unchecked)
+        with column text =
+          Bytes.intercalate "," [if c == column then text else given | (c, given) <- zip columns' row]
+        refused column text = readRow Unchecked (with column text) == Left (FieldForm column text)
+        -- All texts of at most three of these.
+        texts = map Bytes.pack (concat [replicateM n "019+- x" | n <- [0 .. 3]])
+        digits text = Bytes.all (`elem` ['0' .. '9']) text && not (Bytes.null text)
+        number text = digits text && (text == "0" || Bytes.take 1 text /= "0")
+        isNumbers = all number . Bytes.split ' '
+        isShape text = length (Bytes.split 'x' text) == 2 && all number (Bytes.split 'x' text)
+    forM_ ["entry", "entries", "q", "rank", "needed", "windows", "different"] $ \column ->
+      (column, [text | text <- texts, refused column text == number text]) `shouldBe` (column, [])
+    forM_ ["modulus", "polynomial"] $ \column ->
+      (column, [text | text <- texts, refused column text == isNumbers text]) `shouldBe` (column, [])
+    forM_ ["shape", "window"] $ \column ->
+      (column, [text | text <- texts, refused column text == isShape text]) `shouldBe` (column, [])
+    forM_ ["proved", "rank_road", "folding"] $ \column ->
+      (column, filter (not . refused column) texts) `shouldBe` (column, [])
+    filter (not . refused "enumeration") texts `shouldBe` [""]
+    filter (not . refused "distance") (texts ++ ["1..", "..1", "1.2", "01..2", "1..2..3"])
+      `shouldBe` filter number texts
   it "in an old file, a verdict that contradicts itself or the rest is refused" $
     forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
   it "in an old file, a row with another entry's number or census is refused" $ do

@@ -24,7 +24,6 @@ where
 import Control.Monad (when)
 import Data.ByteString.Char8 (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
-import Data.Char (isDigit)
 import Data.List (find)
 import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
@@ -203,13 +202,11 @@ agrees scope entries entry row = take (length keys) (Bytes.split ',' (rowText ro
   where
     keys = keyFields scope entries entry
 
--- | Digits without zeros before them.
+-- | A number as 'show' writes it.
 natural :: ByteString -> Maybe Natural
-natural text
-  | Bytes.null text || not (Bytes.all isDigit text) || padded = Nothing
-  | otherwise = fromInteger . fst <$> Bytes.readInteger text
-  where
-    padded = "0" `Bytes.isPrefixOf` text && text /= "0"
+natural text = case Bytes.readInteger text of
+  Just (n, _) | n >= 0, Bytes.pack (show n) == text -> Just (fromInteger n)
+  _ -> Nothing
 
 naturals :: ByteString -> Maybe [Natural]
 naturals = traverse natural . Bytes.split ' '
