@@ -22,6 +22,7 @@ import qualified Test.Code.Locate
 import qualified Test.Code.LocateBounded
 import qualified Test.Code.LocateBulk
 import qualified Test.Code.LocateChance
+import qualified Test.Code.LocateChoice
 import qualified Test.Code.LocateContents
 import qualified Test.Code.LocateDefinition
 import qualified Test.Code.LocateForeign
@@ -183,6 +184,7 @@ specs = do
     describe "Locating with damage" Test.Code.LocateNearest.spec
     describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
     describe "Chance" Test.Code.LocateChance.spec
+    describe "Locating: which decoder" Test.Code.LocateChoice.spec
     describe "Locating from probabilities" Test.Code.LocateProbabilities.spec
     describe "Unknown orientation" Test.Code.LocateOrientation.spec
     describe "Every decoder is the definition" Test.Code.LocateDefinition.spec

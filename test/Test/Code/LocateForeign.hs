@@ -2,6 +2,7 @@
 module Test.Code.LocateForeign (spec) where
 
 import Data.Foldable (for_)
+import Data.Maybe (catMaybes)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -58,6 +59,43 @@ spec = do
         posteriorDoubt found - place - foreign' `shouldSatisfy` ((< 1e-12) . abs)
         sum (map snd (posteriorRanking found)) + foreign' - 1 `shouldSatisfy` ((< 1e-9) . abs)
       other -> expectationFailure (show other)
+  it "of symbols that several places have, listed or counted, it is Bayes' theorem over these" $ do
+    array <- paperArray
+    window <- paperWindow
+    vast <- vastArray
+    vastWindow <- right (rectangle (Shape 15 2))
+    let bayes cells places' count =
+          let theirs = 0.3 / 4 ^^ length cells
+              ours = 0.7 * fromIntegral count * (0.99 + 0.01 / 4) ^ length cells / places'
+           in theirs / (ours + theirs)
+        told made cells tolerated = do
+          seen <- right (patch [map (Just . Symbol) cells])
+          right (locate made (asking seen tolerated (Just 0.3)))
+        small = locator Nothing MostSignificantFirst array window
+        large = locator Nothing MostSignificantFirst vast vastWindow
+        located outcome = case outcome of
+          Unique _ _ -> 1 :: Natural
+          Ambiguous several _ -> fromIntegral (length several)
+          AmbiguousMany count _ -> count
+          Refused _ -> 0
+        places' = fromIntegral . area . arrayShape
+        codesAt from cells at = take cells (catMaybes (concat (look from (Shape 1 9) at)))
+    for_ [1 .. 6] $ \cells -> for_ [Position 6 5, Position 0 0] $ \at ->
+      for_
+        [ (small, codesAt array cells at, places' array),
+          (large, codesAt vast cells at, places' vast)
+        ]
+        $ \(made, codes, count) -> do
+          answer <- told made codes 0.999
+          let found = maybe 0 doubtOfForeign (answerDoubts answer)
+          (codes, located (answerOutcome answer)) `shouldSatisfy` ((> 0) . snd)
+          (codes, found, bayes codes count (located (answerOutcome answer)))
+            `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9
+          -- Tolerated is a doubt that is as large.
+          refusal <- told made codes (found - 1e-12)
+          equal <- told made codes found
+          answerOutcome refusal `shouldBe` Refused BelowThreshold
+          answerOutcome equal `shouldBe` answerOutcome answer
   it "where places are unlisted, the likeliest alone speaks for the array" $ do
     array <- paperArray
     window <- paperWindow
