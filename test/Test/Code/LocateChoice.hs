@@ -54,9 +54,9 @@ spec = do
                    Right InformationSetDecoder,
                    Right ListDecoder
                  ]
-    [ asked Torus array window choice Guaranteed unsure
-      | choice <- [Nothing, Just PosteriorDecoder, Just ListDecoder]
-      ]
+    map
+      (\choice -> asked Torus array window choice Guaranteed unsure)
+      [Nothing, Just PosteriorDecoder, Just ListDecoder]
       `shouldBe` [Right ListDecoder, tooMany, Right ListDecoder]
   it "on a surface that is not the array's own, those that go by the sequence refuse" $ do
     array <- paperArray

@@ -35,7 +35,7 @@ spec = do
           ours = (1 - share) * together / fromIntegral (length chances)
           theirs = share / fromIntegral q ^^ cells
           found =
-            foreignChance (ForeignComparison share q (places chances) chosen (1 - best / together))
+            foreignChance (ForeignComparison share q (places chances) chosen (best / together))
        in counterexample (show (found, theirs / (ours + theirs))) $
             abs (found - theirs / (ours + theirs)) < 1e-9
   it "where it is not thought of nothing is told, and a share of none changes nothing" $
@@ -105,7 +105,7 @@ spec = do
           right $
             locate (locator (Just name) MostSignificantFirst array window) (asking seen 0.5 share)
         foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
-        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0)
+        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 1)
     listed <- asked ListDecoder Nothing
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder

@@ -25,8 +25,9 @@ data ForeignComparison = ForeignComparison
     foreignPlaces :: Natural,
     -- | how probable the array's symbol at the likeliest place is in each observed cell
     foreignExpected :: [Double],
-    -- | the probability that among the places it is another one
-    foreignElsewhere :: Double
+    -- | the probability that, among the places, it is the likeliest one; of many alike it is small,
+    -- so that it is no doubt taken from 1
+    foreignLikeliest :: Double
   }
   deriving stock (Eq, Show)
 
@@ -35,12 +36,12 @@ data ForeignComparison = ForeignComparison
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 0))
+-- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 1))
 -- 5
--- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 0) < 1e-5
+-- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 1) < 1e-5
 -- True
 foreignChance :: ForeignComparison -> Double
-foreignChance (ForeignComparison share symbols places expected elsewhere)
+foreignChance (ForeignComparison share symbols places expected likeliest)
   | share <= 0 = 0
   | otherwise = 1 / (1 + exp (ours - theirs))
   where
@@ -48,7 +49,7 @@ foreignChance (ForeignComparison share symbols places expected elsewhere)
     theirs = log share - fromIntegral (length expected) * log q
     ours =
       log (1 - share) + sum (map seen expected)
-        - log (max 1e-300 (1 - elsewhere))
+        - log (max 1e-300 likeliest)
         - log (fromIntegral places)
     seen chance = log ((1 - misleading) * chance + misleading / q)
 

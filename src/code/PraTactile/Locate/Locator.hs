@@ -237,7 +237,7 @@ weighedPosterior made query decoder possible seen = do
           query {querySymmetries = possible}
           seen
           (map (chanceAt best) (observedCells seen))
-          (maybe (posteriorDoubt found) (const 0) (posteriorUnlisted found))
+          (maybe (1 - posteriorDoubt found) (const 1) (posteriorUnlisted found))
       doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found (`weighed` found) alien)
 
@@ -251,17 +251,16 @@ foreignSymbolsAt made query seen outcome = do
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), fromIntegral count)
     _ -> Nothing
-  foreignGiven made query seen expected (1 - 1 / count)
+  foreignGiven made query seen expected (1 / count)
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
 
 -- | The probability that a patch is foreign, if the question weighs that, given how likely each
--- cell is at the likeliest candidate, and the probability that among all candidates it is another
--- one.
+-- cell is at the likeliest candidate, and the probability that among all candidates it is this one.
 foreignGiven ::
   KnownField k => Locator k -> Query k -> Patch symbol -> [Double] -> Double -> Maybe Double
-foreignGiven made query seen expected another = do
+foreignGiven made query seen expected likeliest' = do
   share <- queryForeign query
   places <- sphereCentres <$> spheresOf made query seen
   Just $
@@ -271,7 +270,7 @@ foreignGiven made query seen expected another = do
           foreignSymbols = fieldOrder (locatorArray made),
           foreignPlaces = places,
           foreignExpected = expected,
-          foreignElsewhere = another
+          foreignLikeliest = likeliest'
         }
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.
