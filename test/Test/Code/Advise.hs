@@ -49,6 +49,13 @@ spec = do
       advice <- asked 4 15 273 (Just (Shape 2 3))
       [(optionLayout o, optionShape o) | o <- adviceOptions advice]
         `shouldBe` [(Single RowMajor, Shape 15 273)]
+  it "a window longer than a side of an array fits there in no other way either" $ do
+    advice <- asked 2 1 1 (Just (Shape 4 2))
+    let seen = [(n, shape) | WindowBeyondArray n _ shape <- adviceObstacles advice]
+    seen `shouldSatisfy` (not . null)
+    [x | x@(_, shape) <- seen, rows shape >= 4 && columns shape >= 2] `shouldBe` []
+    [o | o <- adviceOptions advice, rows (optionShape o) < 4 || columns (optionShape o) < 2]
+      `shouldBe` []
   it "of 2^32 states or fewer 32 polynomials are tried, of more 4" $ do
     forM_ [(20, 32), (32, 32), (33, 4)] $ \(n, count) ->
       (n, length (candidates (Proxy :: Proxy GF2) n)) `shouldBe` (n, count)

@@ -166,6 +166,10 @@ gridSpec = do
     gridFromRows 1 [[0]] `shouldBe` Left (GridAlphabet 1)
     gridFromRows 257 [[0]] `shouldBe` Left (GridAlphabet 257)
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2]) `shouldBe` Left (GridCells 3)
+    gridFromVector 4 (Shape 2 0) (Primitive.fromList []) `shouldBe` Left GridEmpty
+    forM_ [1, 2, 256, 257] $ \q ->
+      (q, () <$ gridFromVector q (Shape 1 2) (Primitive.fromList [0, 1]))
+        `shouldBe` (q, if q >= 2 && q <= 256 then Right () else Left (GridAlphabet q))
     gridFromVector 4 (Shape 2 2) (Primitive.fromList [0, 1, 2, 4])
       `shouldBe` Left (GridCode (Position 1 1) 4)
   it "canonicalPosition is a remainder by the sides, or on the twisted torus of the index" $

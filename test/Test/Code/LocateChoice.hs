@@ -8,8 +8,13 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.DiscreteLog (LogarithmError (..))
 import PraTactile.Field
+import PraTactile.Field.Named (GF4)
 import PraTactile.Locate
-import PraTactile.Locate.Decoder.Algebra (AlgebraError (..))
+import PraTactile.Locate.Decision
+import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.InformationSet (DecodingError (..), decodePatch)
+import PraTactile.Locate.Decoder.List (listPatch, standardListing)
+import PraTactile.Locate.Definition (searchPatch)
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Code.Generators
@@ -90,6 +95,62 @@ spec = do
     forM_ [AlgebraDecoder, InformationSetDecoder, ListDecoder] $ \name ->
       asked Torus array window (Just name) Guaranteed Symbol
         `shouldBe` Left (LocatorAlgebra infeasible)
+  it "of more cells than a window may have, those that solve equations refuse" $ do
+    array <- paperArray
+    window <- paperWindow
+    let tooMany = AlgebraCells (WindowTooLarge 4097)
+        about cells choice =
+          askedAbout (rowsOf cells (take (fromIntegral cells) (cycle [Symbol one, Symbol zero]))) choice
+        askedAbout cells choice = do
+          seen <- either (Left . LocatorPatch) Right (patch (map (map Just) cells))
+          answerDecoder
+            <$> locate
+              (locator choice MostSignificantFirst array window)
+              (Query [((0, 0), seen)] [identity] Torus Guaranteed 0.01 Nothing)
+    map (about 4097) everyChoice
+      `shouldBe` [ Right NearestDecoder,
+                   Right TableDecoder,
+                   Left (LocatorAlgebra tooMany),
+                   Right SearchDecoder,
+                   Right NearestDecoder,
+                   Right PosteriorDecoder,
+                   Left (LocatorDecoding (DecodingAlgebra tooMany)),
+                   Left (LocatorAlgebra tooMany)
+                 ]
+    map (about 4096 . Just) [AlgebraDecoder, NearestDecoder]
+      `shouldBe` [Right AlgebraDecoder, Right NearestDecoder]
+  it "of nothing that was observed each decoder by itself says so, in each symmetry alike" $ do
+    array <- paperArray
+    window <- paperWindow
+    algebra <- paperAlgebra Torus
+    nothing <- right (patch [[Nothing, Nothing :: Maybe (GF GF4)]])
+    unknown <- right (patch [[Nothing :: Maybe (Belief GF4)]])
+    algebraPatch algebra nothing `shouldBe` Right (Refused TooFewCells)
+    searchPatch Torus array window nothing `shouldBe` Right (Refused TooFewCells)
+    forM_ [(Guaranteed, 0), (UpTo 3, 3)] $ \(radius, e) ->
+      decodePatch algebra radius nothing
+        `shouldBe` Right
+          (Decision (Refused TooFewCells) (Distances [] Nothing Nothing (Exactly 0) e))
+    let many possible =
+          posteriorMany <$> listPatch standardListing 0.001 algebra possible unknown
+    many [identity] `shouldBe` Right (Just (255, Just 4))
+    many rotations `shouldBe` Right (Just (4 * 255, Nothing))
+    many symmetries `shouldBe` Right (Just (8 * 255, Nothing))
+  it "places that are listed in one symmetry and only counted in another are counted together" $ do
+    let decision outcome = Decision outcome (Distances [] (Just (Exactly 1)) Nothing (Exactly 3) 1)
+        over outcomes =
+          decisionOutcome . overSymmetries (Exactly 3) 1 $
+            [(o, Shape 2 2, decision outcome) | (o, outcome) <- zip rotations outcomes]
+        at = Position 3 4
+    over [Unique at [], AmbiguousMany 5000 (Just 6)] `shouldBe` AmbiguousMany 5001 Nothing
+    over [Ambiguous [at, Position 0 1] [], AmbiguousMany 5000 (Just 6), AmbiguousMany 7 Nothing]
+      `shouldBe` AmbiguousMany 5009 Nothing
+    over [Refused NotInArray, AmbiguousMany 5000 (Just 6)] `shouldBe` AmbiguousMany 5000 (Just 6)
+    over [Refused NotInArray, Unique at []] `shouldBe` Unique (Candidate (rotations !! 1) at) []
+    -- What came farthest.
+    over [Refused ZeroWindow, Refused BeyondRadius] `shouldBe` Refused BeyondRadius
+    over [Refused ZeroWindow, Refused NotInArray, Refused OffSheet] `shouldBe` Refused OffSheet
+    over [Refused TooFewCells] `shouldBe` Refused TooFewCells
   it "in no symmetry there is no question, and of no cells no answer" $ do
     array <- paperArray
     window <- paperWindow

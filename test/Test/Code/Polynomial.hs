@@ -80,6 +80,9 @@ spec = do
                       (Factorisation.factorise (fromIntegral q ^ n - 1))
             (q, n, either (const Nothing) Just (countPrimitive k n)) `shouldBe` (q, n, expected)
             (q, n, Just (fromIntegral (length (primitives k n)))) `shouldBe` (q, n, expected)
+    it "are none of degree 0, which has no root" $
+      forM_ (fieldsUpTo 9) $ \(q, SomeField k) ->
+        (q, countPrimitive k 0) `shouldBe` (q, Left PolynomialConstant)
     it "are those whose root takes q^n - 1 steps to return to 1" $
       forM_ [(2, 6), (3, 4), (4, 3), (5, 2), (9, 2)] $ \(q, top) ->
         overField q $ \k ->

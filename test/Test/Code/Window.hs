@@ -33,6 +33,8 @@ spec = do
         `shouldBe` Left (WindowTooLarge (10 ^ (18 :: Int)))
       isLeft (rectangle (Shape 64 64)) `shouldBe` False
       rectangle (Shape 64 65) `shouldBe` Left (WindowTooLarge 4160)
+      isLeft (mask [(0, j) | j <- [1 .. 4096]]) `shouldBe` False
+      mask [(0, j) | j <- [1 .. 4097]] `shouldBe` Left (WindowTooLarge 4097)
     it "are drawn with # and ., rows parted by slashes" $ do
       fmap offsets (maskFromDrawing "##./.##") `shouldBe` Right [(0, 0), (0, 1), (1, 1), (1, 2)]
       fmap maskDrawing (mask [(3, 1), (0, 0)]) `shouldBe` Right "#./../../.#"
