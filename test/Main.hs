@@ -85,6 +85,7 @@ import qualified Test.Formats.Json
 import qualified Test.Formats.Rates
 import qualified Test.Formats.Registration
 import qualified Test.Formats.Reports
+import qualified Test.Formats.Values
 import qualified Test.Hostile
 import qualified Test.House
 import Test.Hspec (Spec, describe)
@@ -243,6 +244,7 @@ specs = do
   describe "Formats: rates" Test.Formats.Rates.spec
   describe "Formats: registrations" Test.Formats.Registration.spec
   describe "Formats: reports of answers" Test.Formats.Reports.spec
+  describe "Formats: values" Test.Formats.Values.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
   describe "Pictures" Test.Picture.spec
   describe "Pictures of assemblies" Test.PictureAssembly.spec

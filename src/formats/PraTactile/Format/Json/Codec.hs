@@ -139,8 +139,9 @@ wholeNumber value = case value of
     whole :: Scientific -> Either Double Integer
     whole = floatingOrInteger
 
--- | A number, as a double has it; what is too large for one is refused, however it is written:
--- 1e400, or with 400 zeros, which 'toBoundedRealFloat' alone takes for infinity.
+-- | A number, as a double has it; what is too large for one, or too small without being 0, is
+-- refused, however it is written: 1e400, or with 400 zeros, which 'toBoundedRealFloat' alone takes
+-- for infinity.
 real :: Codec Double
 real = Codec id $ \value -> case value of
   Number n | Right x <- toBoundedRealFloat n, not (isInfinite x) -> Right x
