@@ -3,12 +3,14 @@
 # processes of about the same length; the last line is then their sum, "N passed, N failed". Their random cases are drawn
 # from SEED, which stands here unless it is given: so a commit fails always or never, and other seeds are for looking further.
 # The arguments are hspec's, and then it is one process, as in: tools/test.sh --match "/The command line: census/"
+# With TESTED=FOLDER the suite is spec there, and the program pra-tactile there.
 set -eu
 cd "$(dirname "$0")/.."
 # The tests of the command line run the program that was built with them.
-PATH=$PWD/bin:$PATH
+PATH=${TESTED:-$PWD/bin}:$PATH
 export PATH
-spec=$(tools/cabal.sh list-bin -v0 test:spec)
+spec=${TESTED:+$TESTED/spec}
+: "${spec:=$(tools/cabal.sh list-bin -v0 test:spec)}"
 [ $# -eq 0 ] || exec "$spec" "$@"
 
 # One shows its tests as they end, the other once it has ended. They are parted so that both take about as long.

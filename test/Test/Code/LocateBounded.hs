@@ -109,8 +109,7 @@ boundsSpec = do
         )
   it "dependent cells that do not tell positions apart: a coset, or too many if one is wrong" $ do
     -- The 20 rows of a column are a subfield; each of the next 2 follows from them.
-    array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
-    algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra Torus array
+    (array, algebra) <- bits40 Torus
     let column' wrong =
           right . patch $
             zipWith
@@ -166,8 +165,7 @@ boundsSpec = do
         (side, positionsOnSheet code (rowFromList word))
           `shouldBe` (side, fromIntegral (length told))
   it "many solutions on a vast sheet: two that lie there suffice, else it is not known" $ do
-    array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
-    algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra Sheet array
+    (array, algebra) <- bits40 Sheet
     -- A patch that leaves the sheet but where it begins in one of the first two rows: of the first
     -- solutions none begins there.
     let last' = Position (2 ^ (20 :: Int) - 3) 0
@@ -238,6 +236,12 @@ boundsSpec = do
   where
     -- Of what has probability 0 too.
     genLogarithm = frequency [(5, choose (-40, 0)), (1, pure (-1 / 0))]
+  where
+    -- 2^40 cells over GF(2).
+    bits40 surface = do
+      array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
+      algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra surface array
+      pure (array, algebra)
 
 -- | At random positions of an array for this window, with this many cells missing, as many wrong
 -- ones are found as the distance that is proved guarantees, which is at least the first number; and
