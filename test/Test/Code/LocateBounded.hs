@@ -236,7 +236,6 @@ boundsSpec = do
   where
     -- Of what has probability 0 too.
     genLogarithm = frequency [(5, choose (-40, 0)), (1, pure (-1 / 0))]
-  where
     -- 2^40 cells over GF(2).
     bits40 surface = do
       array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
