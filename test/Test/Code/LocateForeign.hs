@@ -35,7 +35,7 @@ spec = do
           ours = (1 - share) * together / fromIntegral (length chances)
           theirs = share / fromIntegral q ^^ cells
           found =
-            foreignChance (ForeignComparison share q (places chances) chosen (best / together))
+            foreignChance (ForeignComparison share q (places chances) chosen (log (best / together)))
        in counterexample (show (found, theirs / (ours + theirs))) $
             abs (found - theirs / (ours + theirs)) < 1e-9
   it "where it is not thought of nothing is told, and a share of none changes nothing" $
@@ -96,6 +96,16 @@ spec = do
           equal <- told made codes found
           answerOutcome refusal `shouldBe` Refused BelowThreshold
           answerOutcome equal `shouldBe` answerOutcome answer
+  it "places may be as many as there are of 2^1024 cells in eight symmetries, and alike" $
+    for_ [0, 100, 700, 1024] $ \alike ->
+      -- As many as alike are told apart by so many cells; each cell speaks for the array.
+      let cells = 1030
+          found =
+            foreignChance
+              (ForeignComparison 0.5 2 (2 ^ (1027 :: Int)) (replicate cells 1) (-(alike * log 2)))
+          -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
+          odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
+       in (alike, found, 1 / (1 + exp odds)) `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9 * b
   it "where places are unlisted, the likeliest alone speaks for the array" $ do
     array <- paperArray
     window <- paperWindow
@@ -105,7 +115,7 @@ spec = do
           right $
             locate (locator (Just name) MostSignificantFirst array window) (asking seen 0.5 share)
         foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
-        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 1)
+        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0)
     listed <- asked ListDecoder Nothing
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder

@@ -23,13 +23,13 @@ module PraTactile.Locate.Chance
   )
 where
 
-import Data.Bits (shiftR)
 import Data.List (genericTake, nub, scanl')
 import Data.Ratio ((%))
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Grid (admissible, extentOf)
+import PraTactile.Locate.Logarithm
 import PraTactile.Symmetry
 
 -- | A share of all contents of the observed cells.
@@ -118,13 +118,13 @@ chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
     share
       | m <= mostExactCells = fromRational (toInteger (n * sphereVolume q m r) % toInteger (q ^ m))
       | n == 0 = 0
-      | otherwise = exp (logarithm n + logVolume - fromIntegral m * logarithm q)
+      | otherwise = exp (naturalLogarithm n + logVolume - fromIntegral m * naturalLogarithm q)
     -- The logarithms of the terms of the volume, and of their sum, relative to the largest.
     terms =
       scanl'
         (+)
         0
-        [ logarithm (m - i) - logarithm (i + 1) + logarithm (q - 1)
+        [ naturalLogarithm (m - i) - naturalLogarithm (i + 1) + naturalLogarithm (q - 1)
           | i <- genericTake (min r m) [0 ..]
         ]
     largest = maximum terms
@@ -142,9 +142,3 @@ mostExactCells = 4096
 sphereVolume :: Natural -> Natural -> Natural -> Natural
 sphereVolume q m r =
   sum (scanl' (\term i -> term * (m - i) * (q - 1) `div` (i + 1)) 1 (genericTake (min r m) [0 ..]))
-
--- | Of a number above 0 of any size.
-logarithm :: Natural -> Double
-logarithm n
-  | n < 2 ^ (512 :: Int) = log (fromIntegral n)
-  | otherwise = 512 * log 2 + logarithm (n `shiftR` 512)

@@ -14,6 +14,7 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Locate.Answer
+import PraTactile.Locate.Logarithm
 
 -- | What observed cells are compared with foreign ones by.
 data ForeignComparison = ForeignComparison
@@ -25,8 +26,8 @@ data ForeignComparison = ForeignComparison
     foreignPlaces :: Natural,
     -- | how probable the array's symbol at the likeliest place is in each observed cell
     foreignExpected :: [Double],
-    -- | the probability that, among the places, it is the likeliest one; of many alike it is small,
-    -- so that it is no doubt taken from 1
+    -- | the logarithm of the probability that, among the places, it is the likeliest one: of many
+    -- alike that may be too small for a double
     foreignLikeliest :: Double
   }
   deriving stock (Eq, Show)
@@ -36,9 +37,9 @@ data ForeignComparison = ForeignComparison
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 1))
+-- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 0))
 -- 5
--- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 1) < 1e-5
+-- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 0) < 1e-5
 -- True
 foreignChance :: ForeignComparison -> Double
 foreignChance (ForeignComparison share symbols places expected likeliest)
@@ -49,8 +50,8 @@ foreignChance (ForeignComparison share symbols places expected likeliest)
     theirs = log share - fromIntegral (length expected) * log q
     ours =
       log (1 - share) + sum (map seen expected)
-        - log (max 1e-300 likeliest)
-        - log (fromIntegral places)
+        - likeliest
+        - naturalLogarithm places
     seen chance = log ((1 - misleading) * chance + misleading / q)
 
 -- | The share of symbols that are not what they seem, where the array's are compared with foreign

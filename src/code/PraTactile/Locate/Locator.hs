@@ -28,6 +28,7 @@ import PraTactile.Locate.Decoder
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Foreign
 import PraTactile.Locate.Joint
+import PraTactile.Locate.Logarithm
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Symmetry
@@ -237,7 +238,7 @@ weighedPosterior made query decoder possible seen = do
           query {querySymmetries = possible}
           seen
           (map (chanceAt best) (observedCells seen))
-          (maybe (1 - posteriorDoubt found) (const 1) (posteriorUnlisted found))
+          (maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found))
       doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found (`weighed` found) alien)
 
@@ -249,15 +250,16 @@ foreignSymbolsAt made query seen outcome = do
     Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
     Ambiguous candidates@(first' : _) _ ->
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
-    AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), fromIntegral count)
+    AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
-  foreignGiven made query seen expected (1 / count)
+  foreignGiven made query seen expected (negate (naturalLogarithm count))
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
 
 -- | The probability that a patch is foreign, if the question weighs that, given how likely each
--- cell is at the likeliest candidate, and the probability that among all candidates it is this one.
+-- cell is at the likeliest candidate, and the logarithm of the probability that among all candidates
+-- it is this one.
 foreignGiven ::
   KnownField k => Locator k -> Query k -> Patch symbol -> [Double] -> Double -> Maybe Double
 foreignGiven made query seen expected likeliest' = do

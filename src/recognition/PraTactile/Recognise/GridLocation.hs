@@ -209,7 +209,7 @@ foreignAt codebook share seen place doubt =
         foreignSymbols = fieldOrder array,
         foreignPlaces = area size,
         foreignExpected = [chanceOf offset b | (offset, b) <- observedCells seen],
-        foreignLikeliest = 1 - doubt
+        foreignLikeliest = log (1 - doubt)
       }
   where
     array = codebookArray codebook

@@ -1,0 +1,17 @@
+-- | Logarithms of numbers that no 'Double' holds.
+module PraTactile.Locate.Logarithm
+  ( naturalLogarithm,
+  )
+where
+
+import Data.Bits (shiftR)
+import Numeric.Natural (Natural)
+
+-- | The logarithm to base e of a number above 0 of any size.
+--
+-- >>> abs (naturalLogarithm (10 ^ 1000) - 1000 * log 10) < 1e-9
+-- True
+naturalLogarithm :: Natural -> Double
+naturalLogarithm n
+  | n < 2 ^ (512 :: Int) = log (fromIntegral n)
+  | otherwise = 512 * log 2 + naturalLogarithm (n `shiftR` 512)
