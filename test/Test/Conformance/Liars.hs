@@ -142,6 +142,17 @@ spec = do
       -- Where several err alike in these answers none is named; else it is the one.
       [(name, cause) | (name, Just cause) <- ofFailures, name /= cause] `shouldBe` []
       length (mapMaybe snd ofFailures) `shouldSatisfy` (>= 3)
+    it "is of touch the impostor of touch that answers so, without a profile" $ do
+      let blank = questionInput (Segment (replicate 4 (replicate 4 0)))
+          answers found = [[Exchange (Just OfSegment) blank (Result (symbols found))]]
+          symbols found = answerValue (Segment []) [Symbol (x, y) 0 | (x, y) <- found]
+      likely Nothing (answers [(0, 2)]) `shouldReturn` Just "sees-a-symbol-in-nothing"
+      -- The right answer is that of all others of touch; nobody gives the last one.
+      likely Nothing (answers []) `shouldReturn` Nothing
+      likely Nothing (answers [(1, 1)]) `shouldReturn` Nothing
+      -- Under a profile touch is not asked.
+      for_ (take 1 comparedProfiles) $ \(_, p, _) ->
+        likely (Just p) (answers [(0, 2)]) `shouldReturn` Nothing
     it "is none of no answers, of right ones, and on arrays of more than 300 cells" $ do
       likely Nothing [] `shouldReturn` Nothing
       for_ (take 1 comparedProfiles) $ \(_, p, _) -> do
