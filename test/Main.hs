@@ -66,6 +66,8 @@ import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawings
 import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Failures
+import qualified Test.Conformance.Forms
+import qualified Test.Conformance.InForce
 import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
@@ -253,7 +255,9 @@ specs = do
   describe "Conformance: what impostors say of themselves" Test.Conformance.Sentences.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
+  describe "Conformance: profiles in force" Test.Conformance.InForce.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec
+  describe "Conformance: questions and answers" Test.Conformance.Forms.spec
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec

@@ -64,7 +64,9 @@ patchQuestions about =
         -- Of the first row alone, or of as many cells as it has.
         [[Just 1, Nothing, Nothing, Nothing], [Just 0, Just 1, Just 0, Just 1]],
         [[Nothing, Nothing, Just 1, Nothing, Just 0], [Just 1, Just 0, Just 0, Just 1, Just 0]],
-        [[Nothing, Nothing], [Just 1, Nothing], [Just 0, Just 1], [Just 1, Just 1]]
+        [[Nothing, Nothing], [Just 1, Nothing], [Just 0, Just 1], [Just 1, Just 1]],
+        [Just 1 : replicate 6 Nothing, map Just [1, 0, 0, 1, 1, 0, 1]],
+        [Nothing : Just 1 : replicate 6 Nothing, map Just [1, 1, 0, 0, 0, 1, 0, 1]]
       ]
         ++ map (uncurry zeros) [(1, 1), (1, 4), (2, 2), (3, 3), (2, 5)]
     zeros a b = replicate a (replicate b (Just 0))
