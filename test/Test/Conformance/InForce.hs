@@ -83,7 +83,8 @@ spec = do
           replies <- subjectAsk subject questions
           pure (map (either (Left . crash) Right) replies)
         crash fault =
-          (faultKind fault, filter (`isInfixOf` faultDetail fault) ["no such term", "no such reason"])
+          (faultKind fault, filter (`isInfixOf` faultDetail fault) said)
+        said = ["no such term", "no such reason"]
         three = Right (CameResult (toJSON [3 :: Int]))
     came [SomeQuestion (Terms 0 3), SomeQuestion (Terms 0 2), SomeQuestion (Terms 0 3)]
       `shouldReturn` [three, Left (Crashed, ["no such term"])]
@@ -111,7 +112,7 @@ spec = do
                          else Just ([Exchange Nothing profile' (reply came)], reply right')
                      )
         (came == right', verdict == Holds) `shouldBe` (verdict == Holds, came == right')
-  it "a suite is about profiles that describe arrays, and knows others; the first other is named" $ do
+  it "a suite is about profiles that describe arrays; the first that does not is named" $ do
     let under = [("one", possible), ("two", other)]
         failure = either Just (const Nothing)
     failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))
