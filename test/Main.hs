@@ -54,6 +54,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conform
+import qualified Test.Conform.Checks
 import qualified Test.Conform.Choice
 import qualified Test.Conform.Reported
 import qualified Test.Conform.Run
@@ -265,6 +266,7 @@ specs = do
   describe "Conformance: what the runner reports" Test.Conform.Reported.spec
   describe "Conformance: whole runs" Test.Conform.Whole.spec
   describe "Conformance: what processes write" Test.Conform.Sessions.spec
+  describe "Conformance: what must hold of processes" Test.Conform.Checks.spec
   describe "Conformance: processes" Test.Conform.spec
   describe "Conformance: the server" Test.Conform.Serve.spec
   describe "What is said is what happens" Test.Documents.spec

@@ -3,17 +3,20 @@
 -- | The server: this library through the pipe, and what it says to requests that are none.
 module Test.Conform.Serve (spec) where
 
-import Data.Aeson (Value (..), encode, object, (.=))
+import Data.Aeson (Value (..), decode, encode, object, (.=))
 import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString.Lazy.Char8 as Lazy.Char8
 import Data.Foldable (for_)
 import Data.Function (on)
 import Data.List (isPrefixOf, nubBy)
 import Data.Maybe (listToMaybe)
+import PraTactile.Conformance.Implementation (Implementation (implementationName))
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Law (lawId, touchStages)
 import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Question (operationName)
 import PraTactile.Conformance.Serve (serveOnce)
 import PraTactile.Conformance.Wire.Line (longestLine)
 import PraTactile.Format.Profile (profileValue)
@@ -52,6 +55,19 @@ spec = do
     once' "" `shouldReturn` (0, "{\"result\":true}\n", "")
     (_, unknown, _) <- once' (", " ++ operation "divide" "{}")
     unknown `shouldSatisfy` ("{\"skipped\":" `isPrefixOf`)
+  it "says what it is, what it offers, and that it takes 64 requests at once" $ do
+    (status, out, _) <- praWith ["serve"] "{\"command\": \"start\", \"protocol\": 1}\n"
+    (status, decode (Lazy.Char8.pack out))
+      `shouldBe` ( 0,
+                   Just
+                     ( object
+                         [ "protocol" .= (1 :: Int),
+                           "name" .= implementationName library,
+                           "operations" .= map operationName [minBound ..],
+                           "in_flight" .= (64 :: Int)
+                         ]
+                     )
+                 )
   it "a process a request reads a line of a mebibyte, with its end or without, and no more" $
     for_ [(size, lineEnd) | size <- [-1, 0, 1], lineEnd <- ["", "\n"]] $ \(more, lineEnd) ->
       inFolder $ \folder -> do

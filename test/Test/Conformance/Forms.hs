@@ -15,9 +15,11 @@ import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..))
 import PraTactile.Conformance
+import PraTactile.Conformance.Law (Cases (..))
 import PraTactile.Conformance.Process.OneShot (samples)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
+import PraTactile.Format.Json.Codec (readValue, writeValue)
 import Test.Hspec
 
 spec :: Spec
@@ -58,6 +60,31 @@ spec = do
         unless (allowed question value other) $
           (operationOf question, other, again other)
             `shouldBe` (operationOf question, other, Nothing)
+  it "a case of a law of single questions is the pair of an operation's name and its input" $
+    for_ [about | (name, p) <- defaultProfiles, name == "gf2-3x5", Right about <- [known p]] $
+      \about -> do
+        [Cases form _ _] <-
+          pure [lawCases one about | one <- laws, lawId one == "field/addition-as-defined"]
+        let again :: Value -> Maybe Value
+            again value = either (const Nothing) (Just . writeValue form) (readValue form value)
+            named operation input = toJSON [toJSON (operationName operation), input]
+        for_ questions $ \(SomeQuestion question) -> do
+          let one = named (operationOf question) (questionInput question)
+          again one `shouldBe` Just one
+        -- What is no input stays what it is.
+        for_ [Null, object [], Number 1] $ \input ->
+          again (named OfAdd input) `shouldBe` Just (named OfAdd input)
+        map
+          again
+          [ toJSON [String "divide", object []],
+            toJSON [String "add"],
+            toJSON [String "add", object [], object []],
+            toJSON [Number 1, object []],
+            toJSON ([] :: [Value]),
+            object [],
+            String "add"
+          ]
+          `shouldBe` replicate 7 Nothing
   it "of a place exactly one is told: a position, several, or how many" $ do
     let at r c = object ["row" .= (r :: Int), "column" .= (c :: Int)]
         position = "position" .= at 1 2

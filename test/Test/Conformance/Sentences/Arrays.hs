@@ -6,7 +6,7 @@ module Test.Conformance.Sentences.Arrays (spec, names) where
 
 import Control.Monad (replicateM)
 import Data.List (genericIndex, genericLength, genericTake)
-import qualified Data.Map as Map
+import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (..), Surface (..), area, naturalSurface)
 import PraTactile.Conformance

@@ -17,7 +17,7 @@ module Test.Conformance.Sentences.Patches
 where
 
 import Data.List (nub)
-import qualified Data.Map as Map
+import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), Surface (..))
@@ -124,7 +124,7 @@ observedIn patch =
 
 noPatch :: Known -> Patch -> Bool
 noPatch about patch =
-  null (concat patch)
+  all null patch
     || length (nub (map length patch)) > 1
     || any (>= profileOrder (knownProfile about)) (catMaybes (concat patch))
 

@@ -4,8 +4,8 @@
 -- | What impostors say of proofs and distances, of looking up and of correcting.
 module Test.Conformance.Sentences.Places (spec, names) where
 
-import Data.List (genericLength, intersect, sort, transpose)
-import qualified Data.Map as Map
+import Data.List (genericLength, sort, transpose)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe, isJust, isNothing)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..))
@@ -130,7 +130,7 @@ lookedUp about surface how patch
   | Map.null observed = refused "too-few-cells"
   | null complete = refused "no-complete-window"
   | null occurring =
-    refused (if all (all (== 0)) (map contentOf complete) then "zero-window" else "not-in-array")
+    refused (if all (all (== 0) . contentOf) complete then "zero-window" else "not-in-array")
   | not (null kept) = Right (placeOf (sort kept))
   | any (keeps how . catMaybes . agreeing) places = refused "off-sheet"
   | otherwise = refused "contradiction"
@@ -152,10 +152,8 @@ lookedUp about surface how patch
           map Just content == [surface (r + a, c + b) | (a, b) <- window]
       ]
     occurring = windowsOf how (filter (not . null . placesWith . contentOf) complete)
-    places =
-      foldr1
-        intersect
-        [map (\at -> from how p at offset) (placesWith (contentOf offset)) | offset <- occurring]
+    places = [at | at <- concat (take 1 found), all (at `elem`) found]
+    found = [map (\at -> from how p at offset) (placesWith (contentOf offset)) | offset <- occurring]
     agreeing (r, c) =
       [(== code) <$> surface (r + i, c + j) | ((i, j), code) <- Map.toList observed]
     kept =

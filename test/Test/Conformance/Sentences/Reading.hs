@@ -29,7 +29,7 @@ spec = describe "of reading inputs" $
         unless (alike about (Raw operation other) said came) $
           (operation, given, came) `shouldBe` (operation, given, said)
   where
-    values text = [value | Just value <- [decode (Lazy.pack text) :: Maybe Value]]
+    values text = maybe [] pure (decode (Lazy.pack text)) :: [Value]
 
 -- | The impostors of which something is said here.
 names :: [String]
