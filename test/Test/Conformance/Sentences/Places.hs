@@ -153,7 +153,10 @@ lookedUp about surface how patch
       ]
     occurring = windowsOf how (filter (not . null . placesWith . contentOf) complete)
     places = [at | at <- concat (take 1 found), all (at `elem`) found]
-    found = [map (\at -> from how p at offset) (placesWith (contentOf offset)) | offset <- occurring]
+    found =
+      [ map (\at -> from how p at offset) (placesWith (contentOf offset))
+        | offset <- occurring
+      ]
     agreeing (r, c) =
       [(== code) <$> surface (r + i, c + j) | ((i, j), code) <- Map.toList observed]
     kept =
