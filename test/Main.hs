@@ -76,6 +76,7 @@ import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
 import qualified Test.ForgedCertificates
+import qualified Test.Explorations
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -96,7 +97,9 @@ import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
+import qualified Test.RecogniseDefinition
 import qualified Test.RecogniseGrid
+import qualified Test.RecogniseSteps
 import qualified Test.Schemas
 import qualified Test.Source
 import qualified Test.Store
@@ -113,6 +116,7 @@ import qualified Test.Touch.LatticeAngle
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pair
+import qualified Test.Touch.PairMatch
 import qualified Test.Touch.PairParts
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
@@ -124,6 +128,7 @@ import qualified Test.Touch.SegmentParts
 import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.SensorConstants
+import qualified Test.Touch.SensorSteps
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
@@ -137,6 +142,7 @@ import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
 import qualified Test.Touch.Tilt
 import qualified Test.Touch.Train
+import qualified Test.Touch.TrainSteps
 import qualified Test.Truth
 
 main :: IO ()
@@ -195,6 +201,7 @@ specs = do
     describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
     describe "The sensor" Test.Touch.Sensor.spec
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
+    describe "The sensor as a whole" Test.Touch.SensorSteps.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
@@ -208,6 +215,7 @@ specs = do
     describe "What joint registration is made of" Test.Touch.StitchJoint.spec
     describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
+    describe "Registration of pairs as a whole" Test.Touch.PairMatch.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
     describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
@@ -219,6 +227,7 @@ specs = do
     describe "What recognising is made of" Test.Touch.ClassifyParts.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
+    describe "Training step by step" Test.Touch.TrainSteps.spec
     describe "Training images and parts" Test.Touch.Specimens.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
@@ -231,6 +240,9 @@ specs = do
   describe "Recognition at any angle" Test.RecogniseAngle.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
+  describe "Recognition step by step" Test.RecogniseSteps.spec
+  describe "Recognition by its definition" Test.RecogniseDefinition.spec
+  describe "Explorations and trials" Test.Explorations.spec
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
