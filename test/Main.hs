@@ -109,6 +109,7 @@ import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
 import qualified Test.Touch.ClassifyParts
+import qualified Test.Touch.Clusters
 import qualified Test.Touch.Cosine
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
@@ -140,6 +141,7 @@ import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
 import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
+import qualified Test.Touch.StitchWays
 import qualified Test.Touch.Tilt
 import qualified Test.Touch.Train
 import qualified Test.Touch.TrainSteps
@@ -213,11 +215,13 @@ specs = do
     describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
     describe "Registration one frame after the other" Test.Touch.StitchRegister.spec
     describe "What joint registration is made of" Test.Touch.StitchJoint.spec
+    describe "The ways to register frames" Test.Touch.StitchWays.spec
     describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Registration of pairs as a whole" Test.Touch.PairMatch.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "Symbols in clusters" Test.Touch.Clusters.spec
     describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
     describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec

@@ -298,10 +298,10 @@ countSpec =
 
 resultSpec :: KnownField k => Recogniser k -> [(LaidFace, HeightMap)] -> Spec
 resultSpec reader faces = do
-  modifyMaxSuccess (const 3)
+  modifyMaxSuccess (const 2)
     . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
     $ forAll (elements faces) $ \face ->
-      forAll (choose (1, 99999)) $ \seed ->
+      forAll (choose (1, 99999 :: Int)) $ \seed ->
         case trial idealSensor rotations (40, 52) face (mkStdGen seed) of
           Nothing -> property False
           Just t ->
@@ -320,8 +320,9 @@ resultSpec reader faces = do
                     t {trialFace = other},
                     t {trialRegion = (trialRegion t) {regionSymmetry = about}}
                   ]
-                    ++ map moved [(9, 0), (-9, 0), (0, 11), (0, -11)]
-                stillRight = map moved [(7, 0), (-7, 0), (0, 9), (0, -9)]
+                    ++ map moved [(sign * 9, 0), (0, sign * 11)]
+                stillRight = map moved [(sign * 7, 0), (0, sign * 9)]
+                sign = if even seed then 1 else -1
                 stitched = doubtIn (stitch standardRegistration (trialFrames t))
                 placed = doubtIn (placeOnly (trialFrames t))
                 both a b = TrialResult <$> a <*> b

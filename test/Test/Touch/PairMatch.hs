@@ -20,7 +20,7 @@ import PraTactile.Stitch.Pair.Straight
 import PraTactile.Stitch.Posterior
 import PraTactile.Stitch.Rotation
 import PraTactile.Stitch.Spectrum
-import PraTactile.Stitch.Template (templates)
+import PraTactile.Stitch.Template (Templates, templates)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables, within)
@@ -196,46 +196,49 @@ straightSpec =
               Just along -> label "straight" (alike came (wanted along))
               Nothing -> came === found
 
+-- | What frames of 16 x 16 are asked with, made once.
+tables16 :: Maybe (Tables, Templates)
+tables16 = either (const Nothing) (Just . made) paperAlphabet
+  where
+    made known = (tablesFor known 16 16, templates known 0 16 16)
+
+spectra16 :: Spectra
+spectra16 = spectra 16 16
+
 matchSpec :: Spec
 matchSpec =
-  modifyMaxSuccess (const 40)
+  modifyMaxSuccess (const 25)
     . it "a pair is answered from its posterior, or refused for the first reason that there is"
     $ forAllBlind (genFrames 16 16) $ \(frames, (dx, dy)) ->
       forAll (elements [minBound .. maxBound]) $ \method ->
         forAll ((,) <$> elements [0, 0.3, 9, 20] <*> elements [0, 1, 2]) $ \(off, search) ->
-          let step = (fromIntegral dx + off, fromIntegral dy)
-              pairing = Pairing step search method 0.99
-              first = asked pairing frames
+          let pairing = Pairing (fromIntegral dx + off, fromIntegral dy) search method 0.99
+              told@(_, _, sure) = posteriors pairing frames
+              best = foldr const (Hypothesis (0, 0) 0) (hypotheses 1 0 sure)
               -- The confidences at which an answer, or an axis, is just sure enough.
-              limits = nub (0.99 : maybe [] (limitsOf . snd) first)
-           in label (show (fmap (matchRefusal . fst) first)) $
+              limits =
+                [fst (marginals sure), snd (marginals sure)]
+                  ++ [probabilityAround sure (hypothesisShift best)]
+              asked c = do
+                (tables, _) <- tables16
+                either (const Nothing) Just $
+                  uncurry (registerPair tables pairing {pairingConfidence = c}) frames
+           in label (show (matchRefusal <$> asked 0.99)) $
                 conjoin
-                  [ case asked pairing {pairingConfidence = c} frames of
-                      Just (found, sure) ->
-                        answered pairing {pairingConfidence = c} frames found sure
+                  [ case asked c of
+                      Just found -> answered pairing {pairingConfidence = c} frames found told
                       Nothing -> property False
-                    | c <- limits
+                    | c <- nub (0.99 : filter (<= 1) limits)
                   ]
-  where
-    asked pairing frames@(a, b) = do
-      known <- either (const Nothing) Just paperAlphabet
-      found <- either (const Nothing) Just (registerPair (tablesFor known 16 16) pairing a b)
-      pure (found, posteriors pairing frames)
-    limitsOf (_, _, sure) =
-      let (x, y) = marginals sure
-          p = probabilityAround sure (hypothesisShift (bestOf sure))
-       in [c | c <- [x, y, p], c >= 0, c <= 1]
-    bestOf = foldr const (Hypothesis (0, 0) 0) . hypotheses 1 0
 
 -- | The method, what it makes of the place, and how much of that is sure.
 posteriors :: Pairing -> (Raster, Raster) -> (Method, Posterior, Posterior)
 posteriors (Pairing step search method _) (a, b) = (used, found, sure)
   where
-    tables = spectra 16 16
-    process = processOf tables 0 (map (coefficientsOf tables) [a, b])
-    told = case paperAlphabet of
-      Right known -> map (evidence (templates known 0 16 16)) [a, b]
-      Left _ -> []
+    process = processOf spectra16 0 (map (coefficientsOf spectra16) [a, b])
+    told = case tables16 of
+      Just (_, known) -> map (evidence known) [a, b]
+      Nothing -> []
     -- Whether the lattice is likelier than relief of any other kind.
     latticed = sum (map evidenceLog told) > sum (processLogs process)
     used
@@ -244,7 +247,7 @@ posteriors (Pairing step search method _) (a, b) = (used, found, sure)
     found = case (used, told) of
       (Lattice, [one, other]) -> latticePosterior step search one other
       (Correlation, _) -> correlationPosterior step search a b
-      _ -> blindPosterior tables process step search a b
+      _ -> blindPosterior spectra16 process step search a b
     sure
       | used == Blind = alongStraight step search a b found
       | used == Lattice, not latticed = priorAlone search step found
@@ -282,9 +285,8 @@ answered (Pairing step search _ confidence) (a, b) match (used, found, sure) =
     flat image =
       let values = V.toList (rasterValues image)
        in maximum values - minimum values <= 1e-9
-    tables = spectra 16 16
-    coefficients = map (coefficientsOf tables) [a, b]
-    process = processOf tables 0 coefficients
+    coefficients = map (coefficientsOf spectra16) [a, b]
+    process = processOf spectra16 0 coefficients
     noiseAlone =
       or (zipWith (\logs c -> logs - whiteness c < 5) (processLogs process) coefficients)
     refusal
