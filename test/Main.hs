@@ -75,8 +75,8 @@ import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
-import qualified Test.ForgedCertificates
 import qualified Test.Explorations
+import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -99,6 +99,7 @@ import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
 import qualified Test.RecogniseDefinition
 import qualified Test.RecogniseGrid
+import qualified Test.RecogniseReading
 import qualified Test.RecogniseSteps
 import qualified Test.Schemas
 import qualified Test.Source
@@ -244,6 +245,7 @@ specs = do
   describe "Recognition at any angle" Test.RecogniseAngle.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
+  describe "Recognition: what is read" Test.RecogniseReading.spec
   describe "Recognition step by step" Test.RecogniseSteps.spec
   describe "Recognition by its definition" Test.RecogniseDefinition.spec
   describe "Explorations and trials" Test.Explorations.spec
