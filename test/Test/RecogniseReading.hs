@@ -2,7 +2,7 @@
 -- which all is known.
 module Test.RecogniseReading (spec) where
 
-import Data.List (sortOn)
+import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -190,79 +190,115 @@ knownSpec known reader = do
 partSpec :: Alphabet -> Templates -> Reader -> Spec
 partSpec known seen reader =
   it "beside its symbols each composite has the parts that are likelier one than all others" $
-    forAll (elements [identity, turned 1]) $ \turn ->
+    forAll (elements [identity, turned 1]) $ \axis ->
       forAll (genDrawn False (3, 3)) $ \drawn ->
-        forAll ((,) <$> choose (0, 14) <*> choose (0, 16)) $ \(left, top) ->
+        forAll (vectorOf 2 ((,) <$> choose (0, 14) <*> choose (0, 16))) $ \corners ->
           forAll (elements [AsPut, Resampled, Unregistered]) $ \pixels ->
             let whole = picture known False (3, 3) drawn
-                cut =
-                  generate (48 - left) (60 - top) $ \x y ->
-                    fromMaybe 0 (index whole (x + left) (y + top))
-                axis = if exchangesAxes turn then turned 1 else identity
-                composite = compositeOf (onRaster turn cut)
-             in case readSymbols reader axis 0 [cleanly composite] of
-                  Right [view]
-                    | Just grid <- faceGrid (groups (viewSymbols view)) ->
-                      let (more, parts) = withParts reader (const pixels) [view] 50 grid
-                          wanted = expected pixels view grid
+                composites = map (cleanly . cut axis whole) corners
+             in case readSymbols reader axis 0 composites of
+                  Right views
+                    | Just grid <- faceGrid (groups (concatMap viewSymbols views)) ->
+                      let (more, parts) = withParts reader (const pixels) views 50 grid
+                          wanted = concatMap (partsIn seen pixels grid) views
                        in label (show (length parts)) $
                             conjoin
                               [ map readNumber parts === take (length wanted) [50 ..],
                                 length parts === length wanted,
-                                conjoin (zipWith alike (map told parts) (map snd wanted)),
-                                Map.map (map readNumber) (gridCells more)
+                                conjoin (zipWith alike parts (map snd wanted)),
+                                Map.map (sort . map readNumber) (gridCells more)
                                   === joined (gridCells grid) wanted parts
                               ]
                   _ -> property True
   where
-    told s = (readLikeliest s, readChances s, readAt s, readSeen s, readClass s, readSource s)
-    alike (what, chances, (x, y), share, class', source) (what', chances', (x', y'), share', c, n) =
-      counterexample (show ((what, x, y, share), (what', x', y', share'))) $
-        (what, map fst chances, class', source) == (what', map fst chances', c, n)
-          && and (zipWith near [x, y, share] [x', y', share'])
-          && and (zipWith near (map snd chances) (map snd chances'))
+    -- What of an image lies right of and below a place, turned about the robot's origin.
+    cut axis whole (left, top) =
+      let (w, h) = (48 - left, 60 - top)
+          part = generate w h (\x y -> fromMaybe 0 (index whole (x + left) (y + top)))
+          (x0, y0)
+            | axis == identity = (left, top)
+            | otherwise = (negate (top + h - 1), left)
+       in (compositeOf (onRaster axis part))
+            { compositeOrigin = (taxelPitch * fromIntegral x0, taxelPitch * fromIntegral y0)
+            }
+    alike a b =
+      counterexample (show (a, b)) $
+        readLikeliest a == readLikeliest b
+          && map fst (readChances a) == map fst (readChances b)
+          && (readSource a, readClass a) == (readSource b, readClass b)
+          && nearly (readAt a) (readAt b)
+          && nearly (symbolCentre (readImage a)) (symbolCentre (readImage b))
+          && symbolAxis (readImage a) == symbolAxis (readImage b)
+          && symbolSize (readImage a) == symbolSize (readImage b)
+          && symbolPixels (readImage a) `same` symbolPixels (readImage b)
+          && near (readSeen a) (readSeen b)
+          && and (zipWith near (map snd (readChances a)) (map snd (readChances b)))
+    same a b = V.and (V.zipWith near (rasterValues a) (rasterValues b))
+    nearly (x, y) (x', y') = near x x' && near y y'
     near p q = abs (p - q) < 1e-6
     joined cells wanted parts =
       let all' =
             Map.unionWith
               (++)
-              cells
-              (Map.fromListWith (flip (++)) [(cell, [p]) | ((cell, _), p) <- zip wanted parts])
+              (Map.map (map readNumber) cells)
+              ( Map.fromListWith
+                  (flip (++))
+                  [(cell, [readNumber p]) | ((cell, _), p) <- zip wanted parts]
+              )
           low part = minimum (0 : map part (Map.keys all'))
-       in Map.map (map readNumber) (Map.mapKeys (\(i, j) -> (i - low fst, j - low snd)) all')
-    -- What each free cell around symbols shows, where they have its middle in the mean.
-    expected pixels view grid =
-      [ (cell, (what, chances, at', share, Nothing, 0))
-        | cell@(i, j) <- Map.keys (Map.fromList [(c, ()) | c <- around']),
-          let at' =
-                mean
-                  [ (x + dx, y + dy)
-                    | ((i', j'), s) <- own,
-                      abs (i' - i) <= 1,
-                      abs (j' - j) <= 1,
-                      let (x, y) = readAt s,
-                      let (dx, dy) =
-                            onOffset
-                              (viewAxis view)
-                              (16 * fromIntegral (j - j'), 20 * fromIntegral (i - i'))
-                  ],
-          Just part <- [partAt (viewComposite view) (viewSegmentation view) (onView view at')],
-          let estimated = estimatePart seen pixels part,
-          estimateDoubt estimated < 0.5,
-          let share = V.sum (rasterValues (partSeen part)) / 96,
-          let along (c, way) = (viewAxis view <> way, c),
-          let what = along (estimateLikeliest estimated),
-          let chances = [(along w, p) | (w, p) <- estimateChances estimated]
+          ordered = Map.map sort all'
+       in Map.mapKeys (\(i, j) -> (i - low fst, j - low snd)) ordered
+
+-- | What each free cell around a composite's symbols shows, where they have its middle in the mean.
+partsIn :: Templates -> Pixels -> FaceGrid -> View -> [((Int, Int), ReadSymbol)]
+partsIn seen pixels grid view =
+  [ (cell, found)
+    | cell@(i, j) <- Map.keys (Map.fromList [(c, ()) | c <- free]),
+      let (x, y) =
+            middleOf
+              [ (u + dx, v + dy)
+                | ((i', j'), s) <- own,
+                  abs (i' - i) <= 1,
+                  abs (j' - j) <= 1,
+                  let (u, v) = readAt s,
+                  let (dx, dy) =
+                        onOffset
+                          (viewAxis view)
+                          (16 * fromIntegral (j - j'), 20 * fromIntegral (i - i'))
+              ],
+      Just part <- [partAt (viewComposite view) (viewSegmentation view) (onView view (x, y))],
+      let estimated = estimatePart seen pixels part,
+      estimateDoubt estimated < 0.5,
+      let along (c, way) = (viewAxis view <> way, c),
+      let (shiftX, shiftY) = viewShift view,
+      let found =
+            (symbolOf 0 (x, y) (along (estimateLikeliest estimated)))
+              { readSource = viewSource view,
+                readImage =
+                  SymbolImage
+                    (x - shiftX, y - shiftY)
+                    (partPixels part)
+                    (90 * fromIntegral (quarterTurns (viewAxis view)))
+                    (8, 12),
+                readClass = Nothing,
+                readSeen = V.sum (rasterValues (partSeen part)) / 96,
+                readChances = [(along w, p) | (w, p) <- estimateChances estimated]
+              }
+  ]
+  where
+    own =
+      [ (cell, s)
+        | (cell, here) <- Map.toList (gridCells grid),
+          s <- here,
+          readSource s == viewSource view
       ]
-      where
-        own = [(cell, s) | (cell, here) <- Map.toList (gridCells grid), s <- here]
-        around' =
-          [ (i + di, j + dj)
-            | ((i, j), _) <- own,
-              di <- [-1, 0, 1],
-              dj <- [-1, 0, 1],
-              (i + di, j + dj) `notElem` map fst own
-          ]
-        mean places =
-          let n = fromIntegral (length places)
-           in (sum (map fst places) / n, sum (map snd places) / n)
+    free =
+      [ (i + di, j + dj)
+        | ((i, j), _) <- own,
+          di <- [-1, 0, 1],
+          dj <- [-1, 0, 1],
+          (i + di, j + dj) `notElem` map fst own
+      ]
+    middleOf places =
+      let n = fromIntegral (length places)
+       in (sum (map fst places) / n, sum (map snd places) / n)
