@@ -320,11 +320,11 @@ recognitionSpec = do
           recognisedParts = [axis (-0.5) one]
         }
   it "turn the face by the orientation and the tilt, from 0 up to 360 degrees" $
-    for_ [-45, -10, -0.25, 0, 0.25, 44] $ \tilt' -> for_ [0 .. 3] $ \quarters -> do
+    for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \tilt' -> for_ [0 .. 3] $ \quarters -> do
       let whole = 90 * fromIntegral quarters + tilt'
           recognition = Recognition [] [] Nothing tilt' (Left NoSymbols)
       recognisedAngle recognition (turned quarters)
-        `shouldBe` (if whole < 0 then whole + 360 else whole)
+        `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
   prop "show something else just where no window of theirs is one of what was found" $
     forAll ((,) <$> genFinding <*> genFinding) $ \(found, other) ->
       let at f = map windowPosition (foundWindow f : foundWindows f)
@@ -366,10 +366,14 @@ recognitionSpec = do
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0
+  it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
+    let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
+    unanswered symbols Mirrored `shouldBe` Recognition symbols [] Nothing 0 (Left Mirrored)
   it "have each refusal in the list of them once" $
     for_ ([NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts] ++ later) $ \refusal ->
       length (filter ((== refusalName refusal) . refusalName) refusals) `shouldBe` 1
   where
+    head' = foldr const (-1)
     several = Right (Several identity [Position 0 1])
     none = Left NoSymbols
     later = [GridContradicts, WindowsContradict]

@@ -57,7 +57,45 @@ angleSpec = do
     map (isNaN . poseRotation . move stay . Pose 0 0) [0 / 0] `shouldBe` [True]
 
 scaleSpec :: Spec
-scaleSpec =
+scaleSpec = do
+  it "askew, an element reads the mean of 8 x 8 points of its aperture, as a share of it" $
+    forAll ((,) <$> elements [10, 37, 200, -75] <*> elements [0.7, 1.5875, 2]) $ \(turn, cell) ->
+      forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
+        let sensor = idealSensor {sensorColumns = 3, sensorRows = 4}
+            heights = generate 14 12 (\u v -> fromIntegral ((u * 5 + v * 3) `mod` 7) / 4 - 0.2)
+            point u v =
+              let (px, py) = movePoint (Motion turn x y) (u, v)
+               in fromMaybe 0 (index heights (floor (px / cell)) (floor (py / cell)))
+            element i j =
+              sum
+                [ point
+                    (1.5875 * (fromIntegral i - 1.5 + (a + 0.5) / 8))
+                    (1.5875 * (fromIntegral j - 2 + (b + 0.5) / 8))
+                  | a <- [0 .. 7],
+                    b <- [0 .. 7]
+                ]
+                / 64
+            wanted = generate 3 4 (\i j -> max 0 (min 1 (element i j / sensorFullScale sensor)))
+         in closeTo (forwardImage sensor (HeightMap cell heights) (Pose x y turn)) wanted
+  it "under tabs it reads the share of each on the face times its height, spread below them" $
+    forAll ((,) <$> elements [0, 30, 90] <*> elements [0, 0.7]) $ \(turn, depth) ->
+      forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
+        let sensor =
+              idealSensor
+                { sensorColumns = 5,
+                  sensorRows = 4,
+                  sensorTab = 1.2,
+                  sensorDepth = depth,
+                  sensorExponent = 0.8
+                }
+            heights = generate 14 12 (\u v -> fromIntegral ((u * 5 + v * 3) `mod` 7) / 2 - 1)
+            under = footing (sensorLayout sensor) 1.2 (HeightMap 1.5 heights) (Pose x y turn)
+            share i j =
+              at (footingShare under) i j
+                * max 0 (min 1 (at (footingHeight under) i j / sensorFullScale sensor))
+            felt = spreadForces 1.5875 depth (generate 5 4 share)
+            wanted = mapRaster (\v -> max 0 (min 1 (max 0 v ** 0.8))) felt
+         in closeTo (forwardImage sensor (HeightMap 1.5 heights) (Pose x y turn)) wanted
   it "no reading is above it, however it comes about" $ do
     let steep = HeightMap taxelPitch (constant 16 16 50)
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
@@ -233,15 +271,14 @@ pressSpec = do
             ((a, b), _) = drawn tilt (0, 0) normalPair g1
             -- At least a twentieth of the force.
             force = 12 * max 0.05 (1 + forceSpread * force')
-            pressed =
-              displacements
-                0.19
-                force
-                (a * tilt * 1.5875, b * tilt * 1.5875)
-                (footing (sensorLayout sensor) 1.2 relief pose)
-            felt = spreadForces taxelPitch 0.7 (mapRaster (0.19 *) pressed)
-            wanted = mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) felt
+            under = footing (sensorLayout sensor) 1.2 relief pose
+            seen newtons tilts =
+              mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) $
+                spreadForces taxelPitch 0.7 $
+                  mapRaster (0.19 *) (displacements 0.19 newtons tilts under)
+            wanted = seen force (a * tilt * 1.5875, b * tilt * 1.5875)
          in closeTo (fst (press sensor relief pose (mkStdGen seed))) wanted
+              .&&. closeTo (forwardImage sensor relief pose) (seen 12 (0, 0))
   where
     genPose = Pose <$> choose (-3, 3) <*> choose (-3, 3) <*> elements [0, 90, 15]
 
@@ -344,6 +381,11 @@ calibrationSpec = do
                   then either (const []) id (traverse (corrected (none lit)) frames)
                   else frames
            in classify applies "stuck" (withoutStuck frames === wanted)
+  it "where no element is stuck nothing is changed, not even readings above full scale" $ do
+    let frame k = Frame (Pose (20 * k) 0 0) 0 (generate 4 4 (felt k)) taxelPitch [(1, 1)]
+        felt k x y = if fromIntegral (x + y) == k then 1.5 else 0.25 :: Double
+        frames = map frame [0 .. 6]
+    withoutStuck frames `shouldBe` frames
   where
     darks = [0, 0, 0.125, 0.5, 0.5625]
     rises = [0, 0.0625, 0.125, 0.25, 0.25, 0.5, 0.875]

@@ -77,6 +77,20 @@ descentSpec = do
         kept (growth * 1.0001) `shouldBe` Right (False, -0.01)
         kept (growth * 0.9999) `shouldBe` Right (True, -0.005)
       Left e -> expectationFailure (show e)
+  it "begins with weights drawn one after the other, uniform between -0.1 and 0.1" $
+    forAll ((,,) <$> choose (-1, 3) <*> choose (-1, 3) <*> choose (1, 99999)) $
+      \(hidden, outs, seed) ->
+        let (first, g) = drawsOf (hidden * 97) (mkStdGen seed)
+            (second, g') = drawsOf (outs * (hidden + 1)) g
+            matrix c = fromLists . cut c . map (\u -> 0.2 * u - 0.1)
+            cut c values = if null values then [] else take c values : cut c (drop c values)
+         in case initialNetwork hidden outs (mkStdGen seed) of
+              Left e -> (e, hidden < 1 || outs < 1) === (LayersDoNotFit, True)
+              Right (n, rest) ->
+                (hiddenUnits n, outputUnits n)
+                  === (matrix 97 first, matrix (hidden + 1) second)
+                  .&&. fst (uniform rest)
+                  === fst (uniform g')
   it "ends where the error is nothing" $ do
     let perfect = do
           n <- network (fromLists [replicate 97 0]) (fromLists [[0, -1000]])
