@@ -193,7 +193,7 @@ pressSpec = do
 
 trialSpec :: Spec
 trialSpec = do
-  modifyMaxSuccess (const 15)
+  modifyMaxSuccess (const 6)
     . it "each is of the next face, with a generator of its own, split from the seed"
     $ forAll ((,) <$> choose (1, 3) <*> choose (1, 99999)) $ \(count, seed) ->
       forAll (elements [AnyAngle, AmongTurns rotations, TurnedBy 30]) $ \turns ->

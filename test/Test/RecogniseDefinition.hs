@@ -40,7 +40,7 @@ spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
     withProfile canonicalProfile $ \array mask ->
       case mapM (\surface -> recogniser surface array mask layout known net) [Torus, Sheet] of
         Right readers -> do
-          modifyMaxSuccess (const 150) (locatedSpec readers)
+          modifyMaxSuccess (const 400) (locatedSpec readers)
           modifyMaxSuccess (const 200) (foundSpec readers)
         Left e -> it "the array has a recogniser" (expectationFailure (show e))
   where

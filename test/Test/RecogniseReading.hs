@@ -31,7 +31,7 @@ spec = either (it "the shipped parts fit together" . expectationFailure) id $ do
   let seen = templates known
       reader = Reader seen network
   pure $ do
-    modifyMaxSuccess (const 20) (symbolSpec known reader)
+    modifyMaxSuccess (const 10) (symbolSpec known reader)
     modifyMaxSuccess (const 20) (placeSpec known reader)
     knownSpec known reader
     modifyMaxSuccess (const 20) (partSpec known seen reader)

@@ -23,7 +23,7 @@ spec = do
   straightSpec
   modifyMaxSuccess (const 40) heightSpec
   modifyMaxSuccess (const 60) foreignSpec
-  modifyMaxSuccess (const 100) removedSpec
+  modifyMaxSuccess (const 50) removedSpec
 
 wide, high :: Int
 (wide, high) = (34, 30)

@@ -257,7 +257,7 @@ roundSpec =
 
 countSpec :: Spec
 countSpec =
-  modifyMaxSuccess (const 10)
+  modifyMaxSuccess (const 6)
     . it "are of verdicts on images drawn one after the other, by class, from the seed"
     $ forAllBlind genNetwork $ \n ->
       forAll ((,) <$> choose (0, 20) <*> choose (1, 9999)) $ \(count, seed) ->
