@@ -207,7 +207,7 @@ spectra16 = spectra 16 16
 
 matchSpec :: Spec
 matchSpec =
-  modifyMaxSuccess (const 32)
+  modifyMaxSuccess (const 20)
     . it "a pair is answered from its posterior, or refused for the first reason that there is"
     $ forAllBlind (genFrames 16 16) $ \(frames, (dx, dy)) ->
       forAll (elements [minBound .. maxBound]) $ \method ->
