@@ -57,6 +57,7 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Conform
+import qualified Test.Conform.Checks
 import qualified Test.Conform.Choice
 import qualified Test.Conform.Reported
 import qualified Test.Conform.Run
@@ -69,6 +70,8 @@ import qualified Test.Conformance.Definition
 import qualified Test.Conformance.Drawings
 import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Failures
+import qualified Test.Conformance.Forms
+import qualified Test.Conformance.InForce
 import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
@@ -78,6 +81,7 @@ import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
+import qualified Test.Explorations
 import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
@@ -100,7 +104,10 @@ import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
+import qualified Test.RecogniseDefinition
 import qualified Test.RecogniseGrid
+import qualified Test.RecogniseReading
+import qualified Test.RecogniseSteps
 import qualified Test.Schemas
 import qualified Test.Source
 import qualified Test.Store
@@ -110,6 +117,7 @@ import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
 import qualified Test.Touch.ClassifyParts
+import qualified Test.Touch.Clusters
 import qualified Test.Touch.Cosine
 import qualified Test.Touch.Extents
 import qualified Test.Touch.Image
@@ -117,6 +125,7 @@ import qualified Test.Touch.LatticeAngle
 import qualified Test.Touch.ManifestDefinition
 import qualified Test.Touch.Network
 import qualified Test.Touch.Pair
+import qualified Test.Touch.PairMatch
 import qualified Test.Touch.PairParts
 import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
@@ -128,6 +137,7 @@ import qualified Test.Touch.SegmentParts
 import qualified Test.Touch.SegmentTurned
 import qualified Test.Touch.Sensor
 import qualified Test.Touch.SensorConstants
+import qualified Test.Touch.SensorSteps
 import qualified Test.Touch.Shape
 import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
@@ -139,8 +149,10 @@ import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
 import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
+import qualified Test.Touch.StitchWays
 import qualified Test.Touch.Tilt
 import qualified Test.Touch.Train
+import qualified Test.Touch.TrainSteps
 import qualified Test.Truth
 
 main :: IO ()
@@ -202,6 +214,7 @@ specs = do
     describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
     describe "The sensor" Test.Touch.Sensor.spec
     describe "The sensor's constants" Test.Touch.SensorConstants.spec
+    describe "The sensor as a whole" Test.Touch.SensorSteps.spec
     describe "Calibration and other sensors" Test.Touch.Calibration.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
@@ -213,10 +226,13 @@ specs = do
     describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
     describe "Registration one frame after the other" Test.Touch.StitchRegister.spec
     describe "What joint registration is made of" Test.Touch.StitchJoint.spec
+    describe "The ways to register frames" Test.Touch.StitchWays.spec
     describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
     describe "Registration of pairs" Test.Touch.Pair.spec
+    describe "Registration of pairs as a whole" Test.Touch.PairMatch.spec
     describe "Blending and growing" Test.Touch.Blend.spec
     describe "Segmentation" Test.Touch.Segment.spec
+    describe "Symbols in clusters" Test.Touch.Clusters.spec
     describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
     describe "What segmentation is made of" Test.Touch.SegmentParts.spec
     describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
@@ -226,6 +242,7 @@ specs = do
     describe "What recognising is made of" Test.Touch.ClassifyParts.spec
     describe "The network" Test.Touch.Network.spec
     describe "Training" Test.Touch.Train.spec
+    describe "Training step by step" Test.Touch.TrainSteps.spec
     describe "Training images and parts" Test.Touch.Specimens.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
@@ -238,6 +255,10 @@ specs = do
   describe "Recognition at any angle" Test.RecogniseAngle.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec
   describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
+  describe "Recognition: what is read" Test.RecogniseReading.spec
+  describe "Recognition step by step" Test.RecogniseSteps.spec
+  describe "Recognition by its definition" Test.RecogniseDefinition.spec
+  describe "Explorations and trials" Test.Explorations.spec
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
@@ -261,7 +282,9 @@ specs = do
   describe "Conformance: what impostors say of themselves" Test.Conformance.Sentences.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
+  describe "Conformance: profiles in force" Test.Conformance.InForce.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec
+  describe "Conformance: questions and answers" Test.Conformance.Forms.spec
   describe "Conformance: reports" Test.Conformance.Reports.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
   describe "Conformance: the runner" Test.Conform.Run.spec
@@ -269,6 +292,7 @@ specs = do
   describe "Conformance: what the runner reports" Test.Conform.Reported.spec
   describe "Conformance: whole runs" Test.Conform.Whole.spec
   describe "Conformance: what processes write" Test.Conform.Sessions.spec
+  describe "Conformance: what must hold of processes" Test.Conform.Checks.spec
   describe "Conformance: processes" Test.Conform.spec
   describe "Conformance: the server" Test.Conform.Serve.spec
   describe "What is said is what happens" Test.Documents.spec

@@ -23,6 +23,7 @@ module PraTactile.Explore
   )
 where
 
+import Data.Bifunctor (first)
 import PraTactile.Object.Placement (LaidFace (..), Spot (..))
 import PraTactile.Probe (Frame, Motion (..), ProbeError, movePoint, planScanOf, taxelPitch)
 import PraTactile.Probe.Sensor
@@ -166,19 +167,16 @@ drawnRegion turns (width, height) face generator
       | beyond == 0 = share * space
       | space - 2 * beyond <= 0 = space / 2
       | otherwise = beyond + share * (space - 2 * beyond)
-    (symmetry, angle) = case turns of
-      AmongTurns possible -> (drawnOf possible, 0)
-      TurnedBy degrees -> nearestQuarter degrees
-      AnyAngle -> nearestQuarter (360 * z)
+    ((symmetry, angle), generator4) = case turns of
+      AmongTurns possible -> ((drawnOf possible, 0), generator3)
+      TurnedBy degrees -> (nearestQuarter degrees, generator3)
+      AnyAngle -> first (nearestQuarter . (360 *)) (uniform generator3)
     drawnOf possible = case drop (floor (w * fromIntegral (length possible))) possible of
       one : _ -> one
       [] -> identity
     (u, generator1) = uniform generator
     (v, generator2) = uniform generator1
     (w, generator3) = uniform generator2
-    (z, generator4) = case turns of
-      AnyAngle -> uniform generator3
-      _ -> (0, generator3)
 
 -- | A face that lies upright or turned by 180 degrees.
 halfTurns :: [Symmetry]

@@ -1,9 +1,14 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | The runner on laws made for it: what it finds does not depend on how many trials go on at once,
 -- counterexamples are the first or the smallest, and tokens say all.
 module Test.Conform.Run (spec) where
 
 import Control.Monad (forM)
-import Data.Aeson (Value, toJSON)
+import Data.Aeson (Value (..), encode, toJSON)
+import qualified Data.Aeson.KeyMap as KeyMap
+import qualified Data.ByteString.Lazy.Char8 as Lazy
+import Data.List (intercalate)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Conformance.Ask
@@ -16,6 +21,7 @@ import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Json.Codec (Codec, natural, pairOf)
+import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile
 import Test.Hspec
 import Test.QuickCheck (Gen, chooseInteger)
@@ -46,11 +52,53 @@ spec = do
     -- Characters whose last eight bits are those of what may stand there.
     let movedBy by = map (toEnum . (+ by) . fromEnum) (writeToken alone)
     map (readToken . movedBy) [256, 512, 1024] `shouldBe` replicate 3 Nothing
+  it "a token is of version 1, and its profile a row of ten values" $ do
+    Object keys <- pure (profileValue canonicalProfile)
+    let whole =
+          [ Lazy.unpack (encode value)
+            | name <-
+                ["q", "modulus", "polynomial", "reading", "state"]
+                  ++ ["folding", "shape", "window", "surface", "packing"],
+              Just value <- [KeyMap.lookup name keys]
+          ]
+        list parts = "[" ++ intercalate "," parts ++ "]"
+        token parts = readToken (base64 (list parts))
+        with profile' = ["1", show "field/some", profile', "[1]"]
+        read' = Just (Token "field/some" (Just canonicalProfile) (toJSON [1 :: Int]))
+    token (with (list whole)) `shouldBe` read'
+    token (with "null") `shouldBe` (\one -> one {tokenProfile = Nothing}) <$> read'
+    map (token . with . list) [init whole, whole ++ ["0"], whole ++ [last whole], [], drop 1 whole]
+      `shouldBe` replicate 5 Nothing
+    map token [drop 1 (with "null"), init (with "null"), with "null" ++ ["0"], with "{}", with "1"]
+      `shouldBe` replicate 5 Nothing
+    map (\n -> token (n : drop 1 (with "null"))) ["0", "2", show "1"] `shouldBe` replicate 3 Nothing
+  it "trials that open profiles and such that ask are tried beside each other, each of them" $ do
+    let trial bad n
+          | even n = Holds <$ ask (Terms n 1)
+          | otherwise = do
+            _ <- opening canonicalProfile
+            pure (if n == bad then Violated (Violation [] (Result (toJSON ())) "" "") else Holds)
+        some = [0 .. 40 :: Natural] ++ [1, 3, 2, 4, 5, 7, 9]
+        cases bad = Cases natural (Every some) (trial bad)
+    found <- forM [1, 2, 3, 7, 64] $ \window -> tried window (cases 100)
+    map summary found `shouldBe` replicate 5 (Nothing, length some)
+    worse <- forM [1, 2, 3, 7, 64] $ \window -> tried window (cases 13)
+    map summary worse `shouldBe` replicate 5 (Just (toJSON (13 :: Natural), 0), 14)
   it "patterns are of the whole id with * or ?, of a part of it without" $
     map
       (`matches` "field/addition-commutes")
       ["field/*", "*commute", "commutes", "field/?ddition-*", ""]
       `shouldBe` [True, False, True, True, True]
+
+-- | In the alphabet of URLs, without padding.
+base64 :: String -> String
+base64 = concatMap digits . groups
+  where
+    groups text = if null text then [] else let (a, b) = splitAt 3 text in a : groups b
+    digits three =
+      let n = sum (zipWith (*) [65536, 256, 1] (map fromEnum three))
+       in [alphabet !! (n `div` d `mod` 64) | d <- take (length three + 1) [262144, 4096, 64, 1]]
+    alphabet = ['A' .. 'Z'] ++ ['a' .. 'z'] ++ ['0' .. '9'] ++ "-_"
 
 -- | Wrong where a < b and the terms at both are 1, by two questions, one after the other.
 judged :: (Natural, Natural) -> Ask Verdict

@@ -3,18 +3,30 @@
 -- | The server: this library through the pipe, and what it says to requests that are none.
 module Test.Conform.Serve (spec) where
 
-import Data.Aeson (Value (..))
+import Data.Aeson (Value (..), decode, encode, object, (.=))
+import qualified Data.ByteString.Lazy as Lazy
+import qualified Data.ByteString.Lazy.Char8 as Lazy.Char8
 import Data.Foldable (for_)
 import Data.Function (on)
 import Data.List (isPrefixOf, nubBy)
 import Data.Maybe (listToMaybe)
+import PraTactile.Conformance.Implementation (Implementation (implementationName))
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Killers
 import PraTactile.Conformance.Law (lawId, touchStages)
 import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
+import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Question (operationName)
+import PraTactile.Conformance.Serve (serveOnce)
+import PraTactile.Conformance.Wire.Line (longestLine)
+import PraTactile.Format.Profile (profileValue)
+import PraTactile.Profile (canonicalProfile)
+import System.FilePath ((</>))
+import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
 import Test.Conform.Subjects
 import Test.Hspec
+import Test.Support (inFolder)
 
 spec :: Spec
 spec = do
@@ -43,6 +55,38 @@ spec = do
     once' "" `shouldReturn` (0, "{\"result\":true}\n", "")
     (_, unknown, _) <- once' (", " ++ operation "divide" "{}")
     unknown `shouldSatisfy` ("{\"skipped\":" `isPrefixOf`)
+  it "says what it is, what it offers, and that it takes 64 requests at once" $ do
+    (status, out, _) <- praWith ["serve"] "{\"command\": \"start\", \"protocol\": 1}\n"
+    (status, decode (Lazy.Char8.pack out))
+      `shouldBe` ( 0,
+                   Just
+                     ( object
+                         [ "protocol" .= (1 :: Int),
+                           "name" .= implementationName library,
+                           "operations" .= map operationName [minBound ..],
+                           "in_flight" .= (64 :: Int)
+                         ]
+                     )
+                 )
+  it "a process a request reads a line of a mebibyte, with its end or without, and no more" $
+    for_ [(size, lineEnd) | size <- [-1, 0, 1], lineEnd <- ["", "\n"]] $ \(more, lineEnd) ->
+      inFolder $ \folder -> do
+        let request = encode (object ["profile" .= profileValue canonicalProfile])
+            size = fromIntegral longestLine + more - Lazy.length request
+            padded = request <> Lazy.replicate size 32 <> lineEnd
+        Lazy.writeFile (folder </> "request") padded
+        withBinaryFile (folder </> "request") ReadMode $ \input ->
+          withBinaryFile (folder </> "reply") WriteMode (serveOnce library input)
+        reply <- Lazy.readFile (folder </> "reply")
+        -- What is read at once may have the line's end beyond the limit.
+        let late = more == 1 && lineEnd == ""
+        (more, lineEnd, reply)
+          `shouldBe` ( more,
+                       lineEnd,
+                       if late
+                         then "{\"errored\":\"a line of more than 1 MiB\"}\n"
+                         else "{\"result\":true}\n"
+                     )
   for_ strange $ \(what, requests, replies) -> it what $ do
     (status, out, err) <- praWith ["serve"] (unlines requests)
     (status, err) `shouldBe` (0, "")

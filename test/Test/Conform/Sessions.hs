@@ -199,6 +199,21 @@ outputSpec = do
           pure (map said lines')
         let ls = replicate count ("line", size) ++ [("no more", 3)]
         (size, found) `shouldBe` (size, ls)
+  describe "is without end where it goes on for more than a mebibyte, though it has few lines" $
+    forM_
+      [ ("zeros without end", "cat /dev/zero", EndlessOutput),
+        ("a few bytes without end", "while :; do printf x; sleep 0.05; done", NotJson),
+        ("three mebibytes", "head -c " ++ show (3 * longestLine) ++ " /dev/zero", NotJson)
+      ]
+      $ \(what, script, kind) -> it what $ do
+        fault <- child script $ \running -> flooded running 1 (Fault NotJson "detail")
+        let more = if kind == EndlessOutput then "more output than was asked for: " else ""
+        fault `shouldBe` Fault kind (more ++ "detail")
+  it "of which nobody can read on is no flood" $
+    forM_ (filter (`notElem` [NotJson, NotAReply, OutOfOrder, AnsweredTwice]) [minBound ..]) $
+      \kind ->
+        child "cat /dev/zero" (\running -> flooded running 1 (Fault kind "detail"))
+          `shouldReturn` Fault kind "detail"
   it "is told by its first hundred bytes where it goes on for more than that" $ do
     let text' = take 200 (cycle ['a' .. 'z'])
     let zeros = "head -c " ++ show (longestLine - 199) ++ " /dev/zero"

@@ -11,16 +11,20 @@ import Data.Aeson (encode, object, (.=))
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Foldable (for_)
 import Data.List (isPrefixOf)
-import PraTactile.Array (Position (..))
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.InProcess (inProcess)
+import PraTactile.Conformance.Law (codeStages, touchStages)
 import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Properties (lawsReported)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Profile (Profile (..))
+import System.Exit (ExitCode (..))
 import Test.Hspec
 import Test.QuickCheck
 
@@ -69,6 +73,39 @@ spec = do
         map same [several, Coset 3 1, Coset 2 1, Coset 4 1] `shouldBe` [True, True, False, False]
         map same [OneOf [Position 0 0], At (Position 0 0)] `shouldBe` [False, False]
         agrees about (Locate [[Nothing]]) (Coset 3 1) (Coset 3 1) `shouldBe` True
+  it "probabilities are the same to 10^-9, those left out being 0, of each position of the array" $
+    for_ [about | (_, p) <- take 1 defaultProfiles, Right about <- [known p]] $ \about -> do
+      let Shape n1 n2 = profileShape (knownProfile about)
+          wanted = [(Position 0 0, 0.75), (Position (n1 - 1) (n2 - 1), 0.25)]
+          same = agrees about (Posterior [[Unfelt]])
+      for_ [0, 1e-10, 1e-9, 1.0001e-9, 1e-8] $ \d -> do
+        let near = d <= (1e-9 :: Double)
+        (d, same wanted ((Position 1 1, d) : wanted)) `shouldBe` (d, near)
+        (d, same ((Position 1 1, d) : wanted) wanted) `shouldBe` (d, near)
+      map (\d -> same wanted [(at, x + d) | (at, x) <- wanted]) [5e-10, -5e-10, 2e-9, -2e-9]
+        `shouldBe` [True, True, False, False]
+      same wanted (reverse wanted) `shouldBe` True
+      -- Twice the same position, and none of the array, whatever its probability.
+      same wanted ((Position 0 0, 0.75) : wanted) `shouldBe` False
+      for_ [Position n1 0, Position 0 n2, Position n1 n2, Position (n1 + 1) 0] $ \beyond ->
+        same wanted ((beyond, 0) : wanted) `shouldBe` False
+      for_ [Position (n1 - 1) 0, Position 0 (n2 - 1)] $ \inside ->
+        same wanted ((inside, 0) : wanted) `shouldBe` True
+  it "of all laws in one call the status is 0 if they certify it, 1 if not, 2 without an array" $ do
+    let one = [under | under@(name, _) <- defaultProfiles, name == "gf2-3x5"]
+        spoilt = [("spoilt", p {profileOrder = 6}) | (_, p) <- one]
+        adding = library {offered = [OfAdd]}
+        status stages profiles = fmap fst . lawsReported stages profiles
+    status codeStages one adding `shouldReturn` ExitSuccess
+    [wrong] <- pure [i | i <- impostors, impostorName i == "keeps-the-second-summand"]
+    status codeStages one (impostorMake wrong adding) `shouldReturn` ExitFailure 1
+    status codeStages one (library {offered = []}) `shouldReturn` ExitFailure 1
+    status touchStages [] adding `shouldReturn` ExitFailure 1
+    lawsReported codeStages (one ++ spoilt) adding
+      `shouldReturn` (ExitFailure 2, "spoilt: this profile describes no array\n")
+    (_, said) <- lawsReported codeStages one adding
+    said `shouldContain` "1 operation of 19 offered, 1 profile, seed 1"
+    said `shouldContain` "certified: "
   where
     ofAddition = (== "field/addition-as-defined, gf3-2x13")
     line = Lazy.toStrict . encode

@@ -6,6 +6,7 @@
 -- and says what was to be expected. And what is said of the likely cause of a failure.
 module Test.Conformance.Liars (spec) where
 
+import Control.Monad (unless)
 import Control.Monad.Trans.Except (runExceptT)
 import Control.Monad.Trans.State.Strict (State, get, put, runState)
 import Data.Aeson (Value (..), toJSON)
@@ -13,8 +14,9 @@ import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (for_)
 import Data.List (isSuffixOf, nub, sort)
 import Data.Maybe (mapMaybe)
+import Data.Traversable (for)
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..))
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition
@@ -52,6 +54,28 @@ spec = do
         for_ at $ \i -> do
           found <- liedTo about i trials
           (lawId law, i, found) `shouldBe` (lawId law, i, Just i)
+  it "another last answer than the definition's is found, in whatever part it is another one" $
+    for_ [about | (name, _, about) <- comparedProfiles, name `elem` ["gf2-3x5", "gf3-2x13"]] $
+      \about -> for_ laws $ \one -> do
+        let trials = take 8 (fst (trialsUnder about one))
+            meant = [asking | asking <- trials, fst (answeredBy (expected about) asking) == Holds]
+        found <- for meant $ \asking -> do
+          let asked = snd (answeredBy (expected about) asking)
+              lie i = answeredAs (lyingAt about (length asked) i) asking
+              lies = takeWhile ((/= asked) . snd) (map lie [0 ..])
+          for lies $ \(verdict, others') -> do
+            let told' = case verdict of
+                  Violated violation -> [(violationAsked violation, violationExpected violation)]
+                  _ -> []
+                wanted = exchangeReply (last asked)
+            -- All that was asked is told, and what the last answer should have been.
+            unless (lawId one `elem` byOthers) $
+              (lawId one, filter (/= (others', wanted)) told') `shouldBe` (lawId one, [])
+            pure (verdict == Holds)
+        let held = length (filter id (concat found))
+        if lawId one `elem` notAlways
+          then (lawId one, held < length (concat found)) `shouldBe` (lawId one, True)
+          else (lawId one, held) `shouldBe` (lawId one, 0)
   it "a refusal that the definition does not have is told, whichever question of a trial it is of" $
     for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about -> do
       let trials =
@@ -142,6 +166,17 @@ spec = do
       -- Where several err alike in these answers none is named; else it is the one.
       [(name, cause) | (name, Just cause) <- ofFailures, name /= cause] `shouldBe` []
       length (mapMaybe snd ofFailures) `shouldSatisfy` (>= 3)
+    it "is of touch the impostor of touch that answers so, without a profile" $ do
+      let blank = questionInput (Segment (replicate 4 (replicate 4 0)))
+          answers found = [[Exchange (Just OfSegment) blank (Result (symbols found))]]
+          symbols found = answerValue (Segment []) [Symbol (x, y) 0 | (x, y) <- found]
+      likely Nothing (answers [(0, 2)]) `shouldReturn` Just "sees-a-symbol-in-nothing"
+      -- The right answer is that of all others of touch; nobody gives the last one.
+      likely Nothing (answers []) `shouldReturn` Nothing
+      likely Nothing (answers [(1, 1)]) `shouldReturn` Nothing
+      -- Under a profile touch is not asked.
+      for_ (take 1 comparedProfiles) $ \(_, p, _) ->
+        likely (Just p) (answers [(0, 2)]) `shouldReturn` Nothing
     it "is none of no answers, of right ones, and on arrays of more than 300 cells" $ do
       likely Nothing [] `shouldReturn` Nothing
       for_ (take 1 comparedProfiles) $ \(_, p, _) -> do
@@ -185,6 +220,17 @@ spec = do
         why n = either refusalReason (const "") (known (long n))
     map why [20, 21, 22] `shouldBe` ["impossible-profile", "too-large", "too-large"]
   where
+    -- What one term is decides only if its coefficient is not 0; of two others in a period the
+    -- differences may be as often as before, and it may be the same one a step further; a distance
+    -- that is not coprime to the period decimates nothing.
+    notAlways =
+      [ "sequence/obeys-the-recurrence",
+        "sequence/autocorrelates-by-minus-one",
+        "sequence/is-its-own-qth-decimation",
+        "sequence/decimates"
+      ]
+    -- Told is what would fit to the other answers; of several places the one that was looked at.
+    byOthers = ["proof/distance-is-0-where-the-rank-is-less", "locate/inverse-of-looking"]
     placesOf came = case came of
       Right (OneOf places) -> places
       _ -> []
@@ -252,16 +298,71 @@ answeredBy answers = answeredBy' answers 0
 -- | The same where this question, counted from 1, is refused for a reason of one's own.
 answeredBy' ::
   (forall b. Question b -> Either Refusal b) -> Int -> Ask Verdict -> (Verdict, [Exchange])
-answeredBy' answers at asking =
+answeredBy' answers at =
+  answeredAs $ \i question ->
+    if i == at then Left (Refusal "a reason of one's own") else answers question
+
+-- | The right answers, but for the question of that number, which has this one of the others.
+lyingAt :: Known -> Int -> Int -> Int -> Question b -> Either Refusal b
+lyingAt about count which i question = case expected about question of
+  Right answer
+    | i == count, other : _ <- drop which (others about question answer) -> Right other
+  came -> came
+
+-- | Other answers: another number, one element another one, one less or more, another part.
+others :: Known -> Question b -> b -> [b]
+others about question answer = case question of
+  Add _ _ -> code answer
+  Multiply _ _ -> code answer
+  Negate _ -> code answer
+  Inverse _ -> code answer
+  Power _ _ -> code answer
+  Logarithm _ -> [answer + 1]
+  Trace _ -> code answer
+  Primitive _ -> [not answer]
+  FirstPrimitive _ -> list answer
+  Term _ -> code answer
+  Terms _ _ -> list answer
+  Cell _ _ -> code answer
+  Pack _ -> [answer + 1]
+  Unpack _ -> list answer
+  Locate _ -> place answer
+  Nearest _ _ -> place answer
+  Posterior _ -> [(at, x / 2) : more | (at, x) : more <- [answer]]
+  Prove _ ->
+    [ answer {proofHolds = not (proofHolds answer)},
+      answer {proofWindows = proofWindows answer + 1}
+    ]
+  Distance _ -> [if answer == 0 then 1 else 0]
+  _ -> []
+  where
+    q = profileOrder (knownProfile about)
+    Shape n1 n2 = profileShape (knownProfile about)
+    next a = (a + 1) `mod` q
+    code :: Code -> [Code]
+    code a = [next a]
+    list :: [Code] -> [[Code]]
+    list codes =
+      [take i codes ++ next a : drop (i + 1) codes | (i, a) <- zip [0 ..] codes]
+        ++ [take (length codes - 1) codes | not (null codes)]
+        ++ [codes ++ [0]]
+    place :: Place -> [Place]
+    place found = case found of
+      At (Position r c) ->
+        [At (Position ((r + 1) `mod` n1) c), At (Position r ((c + 1) `mod` n2))]
+      OneOf places -> [OneOf (drop 1 places)]
+      Coset _ _ -> []
+
+-- | The same where each question, counted from 1, is answered so.
+answeredAs ::
+  (forall b. Int -> Question b -> Either Refusal b) -> Ask Verdict -> (Verdict, [Exchange])
+answeredAs answers asking =
   reverse <$> runState (answerAll (const (pure (Right ()))) reply asking) []
   where
     reply :: Question b -> State [Exchange] (Either Refusal b)
     reply question = do
       before' <- get
-      let came =
-            if length before' + 1 == at
-              then Left (Refusal "a reason of one's own")
-              else answers question
+      let came = answers (length before' + 1) question
       came <$ put (exchangeOf question came : before')
     exchangeOf question came =
       Exchange

@@ -1,6 +1,7 @@
--- | What impostors say of themselves is what they do: those of touch to the answers of somebody who
--- always gives the same ones, and to what is asked of them; those of opening to every profile of
--- the kind that they take, or do not.
+-- | What impostors say of themselves is what they do: those of the code under small profiles, where
+-- the right answers are known; those of touch to the answers of somebody who always gives the same
+-- ones, and to what is asked of them; those of opening to every profile of the kind that they take,
+-- or do not.
 module Test.Conformance.Sentences (spec) where
 
 import Control.Monad.IO.Class (liftIO)
@@ -13,14 +14,20 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (Shape), area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
-import PraTactile.Conformance.Law (Stage (..))
+import PraTactile.Conformance.Law (Stage (..), codeStages)
 import PraTactile.Profile (Profile (..))
+import qualified Test.Conformance.Sentences.Arrays as Arrays
+import qualified Test.Conformance.Sentences.Chances as Chances
+import qualified Test.Conformance.Sentences.Fields as Fields
+import qualified Test.Conformance.Sentences.Places as Places
+import qualified Test.Conformance.Sentences.Reading as Reading
 import Test.Hspec
 
 spec :: Spec
 spec = do
   openingSpec
   logarithmSpec
+  codeSpec
   segmentSpec
   registerSpec
   stitchSpec
@@ -37,10 +44,30 @@ namesOn stage = [impostorName one | one <- impostors, impostorTouches one == [st
 answered :: Wire a -> IO a
 answered wire = runExceptT wire >>= either (fail . show . refusalReason) pure
 
+-- | Of each impostor of the code that takes all possible profiles something is said, once.
+codeSpec :: Spec
+codeSpec = do
+  it "of the code there is a sentence for each" $
+    sort
+      ( map fst ofLogarithms ++ Reading.names ++ Fields.names ++ Arrays.names
+          ++ Places.names
+          ++ Chances.names
+      )
+      `shouldBe` sort
+        [ impostorName one
+          | one <- impostors,
+            all (`elem` drop 2 codeStages) (impostorTouches one)
+        ]
+  Reading.spec
+  Fields.spec
+  Arrays.spec
+  Places.spec
+  Chances.spec
+
 -- | The logarithms of those that err in logarithms alone, of every element of every default field.
 logarithmSpec :: Spec
 logarithmSpec = describe "of logarithms" $
-  for_ sentences $ \(name, says) -> it name $ do
+  for_ ofLogarithms $ \(name, says) -> it name $ do
     one <- maybe (fail ("no impostor " ++ name)) pure (find ((== name) . impostorName) impostors)
     for_ (fields defaultProfiles) $ \p -> do
       right' <- answered (open library p)
@@ -54,20 +81,23 @@ logarithmSpec = describe "of logarithms" $
   where
     fields = nubBy (\p p' -> modulusOf p == modulusOf p') . filter ((<= 9) . profileOrder) . map snd
     modulusOf p = (profileOrder p, profileModulus p)
-    -- What each says, given the powers of every element from 0 on.
-    sentences =
-      [ ( "takes-logarithms-to-the-root",
-          \p powers a -> if a == 0 then Nothing else to (root p) powers a
-        ),
-        ( "counts-logarithms-from-one",
-          \p powers a ->
-            if a == 1 then Just (profileOrder p - 1) else to (least powers) powers a
-        ),
-        ( "has-a-logarithm-of-zero",
-          \p powers a -> if a == 0 then Just (profileOrder p - 1) else to (least powers) powers a
-        ),
-        ("takes-the-largest-primitive-element", \_ powers a -> to (largest powers) powers a)
-      ]
+
+-- | What each says, given the powers of every element from 0 on.
+ofLogarithms :: [(String, Profile -> [[Natural]] -> Natural -> Maybe Natural)]
+ofLogarithms =
+  [ ( "takes-logarithms-to-the-root",
+      \p powers a -> if a == 0 then Nothing else to (root p) powers a
+    ),
+    ( "counts-logarithms-from-one",
+      \p powers a ->
+        if a == 1 then Just (profileOrder p - 1) else to (least powers) powers a
+    ),
+    ( "has-a-logarithm-of-zero",
+      \p powers a -> if a == 0 then Just (profileOrder p - 1) else to (least powers) powers a
+    ),
+    ("takes-the-largest-primitive-element", \_ powers a -> to (largest powers) powers a)
+  ]
+  where
     to g powers a = fromIntegral <$> elemIndex a (powers !! fromIntegral g)
     primitives powers = [g | (g, those) <- zip [0 :: Natural ..] powers, g > 0, nub those == those]
     least = minimum . primitives
@@ -216,10 +246,20 @@ segmentSpec = describe "of finding symbols" $ do
           [(even', some, [(10, 20, 95), (27.5, 41, 183), (3, 4, 268)])]
         ),
         ("sees-every-symbol-upright", [(even', some, [(10, 20, 0), (27.5, 41, 0), (3, 4, 0)])]),
-        ("knows-four-directions", [(even', some, [(10, 20, 0), (27.5, 41, 90), (3, 4, 180)])]),
+        ( "knows-four-directions",
+          (even', some, [(10, 20, 0), (27.5, 41, 90), (3, 4, 180)]) :
+            [ (even', [(1, 2, a)], [(1, 2, nearest')])
+              | a <- [0, 0.25 .. 359.75],
+                let quarters = [90 * k | k <- [0 .. 4], abs (a - 90 * k) < 45],
+                nearest' <- quarters
+            ]
+        ),
         ( "finds-upright-symbols-only",
           [ (even', some, [(10, 20, 5), (3, 4, 178)]),
-            (even', [(0, 0, a) | a <- [44, 46, 134, 136]], [(0, 0, 44), (0, 0, 136)])
+            ( even',
+              [(0, 0, a) | a <- [0, 44, 44.5, 45.5, 46, 90, 134, 134.5, 135.5, 136, 179]],
+              [(0, 0, a) | a <- [0, 44, 44.5, 135.5, 136, 179]]
+            )
           ]
         ),
         ( "overlooks-the-last-symbol",

@@ -12,9 +12,11 @@ import Data.List (intercalate, nub, sort, transpose)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
+import PraTactile.Array (Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Profile (Profile (..), canonicalProfile)
 import Test.Hspec
 import Test.QuickCheck (shrinkIntegral, vectorOf)
 import Test.QuickCheck.Gen (unGen)
@@ -25,10 +27,13 @@ spec :: Spec
 spec = do
   it "of a question: one number smaller, one cell less or with less in it, one row or column less" $
     do
-      Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
+      Just (Right paper) <- pure (known <$> lookup "paper" defaultProfiles)
+      -- Over a field of more than 16 elements those of the field are drawn, too.
+      Right large <- pure (known over37)
       let drawnLaws =
             [ (lawId law, drawn (lawCases law about))
-              | law <- laws,
+              | about <- [paper, large],
+                law <- laws,
                 lawId law `notElem` ofOwnForm
             ]
           asked =
@@ -38,10 +43,37 @@ spec = do
                 String name <- toList one
             ]
       sort (nub asked)
-        `shouldBe` ["cell", "distance", "locate", "nearest", "posterior", "power"]
-          ++ ["primitive", "prove", "term", "terms"]
+        `shouldBe` ["add", "cell", "distance", "inverse", "locate", "logarithm", "multiply"]
+          ++ ["nearest", "negate", "pack", "posterior", "power", "primitive", "prove"]
+          ++ ["term", "terms", "trace", "unpack"]
       for_ drawnLaws $ \(law, cases) -> for_ cases $ \(one, less) ->
         (law, one, less) `shouldBe` (law, one, fromMaybe [] (smallerQuestion one))
+  it "of what has a form of its own: one number smaller, or one less, where the law is of such" $ do
+    let owns =
+          [ ("polynomial/reciprocals-are-primitive-alike", filter monic . fewerOrLess),
+            ("array/cells-are-terms", map toJSON . naturals),
+            ("window/unpack-inverts-pack", map toJSON . maybe [] (each naturals) . listOf),
+            ("locate/inverse-of-looking", sides)
+          ]
+        monic one = case listOf one of
+          Just codes -> length codes > 1 && last codes == (1 :: Natural)
+          Nothing -> False
+        fewerOrLess one =
+          [toJSON less | Just codes <- [listOf one], less <- fewer codes ++ each naturals codes]
+        sides one =
+          [ Object (KeyMap.insert side less keys)
+            | Object keys <- [one],
+              side <- ["row", "column"],
+              Just value <- [KeyMap.lookup side keys],
+              less <- naturals value
+          ]
+    sort (map fst owns ++ damage) `shouldBe` sort ofOwnForm
+    for_ [p | (name, p) <- defaultProfiles, name `elem` ["paper", "gf3-2x13"]] $ \p -> do
+      Right about <- pure (known p)
+      for_ owns $ \(name, how) -> do
+        [cases] <- pure [drawn (lawCases law about) | law <- laws, lawId law == name]
+        for_ cases $ \(one, less) -> (name, one, less) `shouldBe` (name, one, how one)
+        concatMap snd cases `shouldSatisfy` (not . null)
   it "of a patch that was damaged: one cell mended" $ do
     Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
     for_ [drawn (lawCases law about) | law <- laws, lawId law `elem` damage] $ \cases ->
@@ -57,6 +89,16 @@ spec = do
              "window/unpack-inverts-pack",
              "locate/inverse-of-looking"
            ]
+    -- 37 is prime, and x + 35 has the root 2, which is primitive modulo 37.
+    over37 =
+      canonicalProfile
+        { profileOrder = 37,
+          profileModulus = [35, 1],
+          profilePolynomial = [5, 1, 1],
+          profileState = [0, 1],
+          profileShape = Shape 8 171,
+          profileWindow = Shape 1 2
+        }
 
 -- | Some cases of a law, each with the smaller ones; none of a law that draws none.
 drawn :: Cases -> [(Value, [Value])]
@@ -72,6 +114,8 @@ smallerQuestion one = case one of
   Array parts
     | [String name, Object keys] <- toList parts ->
       Just [toJSON [String name, Object less] | less <- smallerInput name keys]
+    -- Codes, of as many elements as the law is about.
+    | otherwise -> Just (map toJSON (each naturals (toList parts)))
   _ -> Nothing
 
 -- | By the operation: which keys become smaller, in which order, and how.
@@ -84,6 +128,11 @@ smallerInput name keys =
   ]
   where
     ways = case name of
+      "add" -> [("a", naturals), ("b", naturals)]
+      "multiply" -> [("a", naturals), ("b", naturals)]
+      "pack" -> [("cells", maybe [] (map toJSON . each naturals) . listOf)]
+      "unpack" -> [("packed", naturals)]
+      _ | name `elem` ["negate", "inverse", "logarithm", "trace"] -> [("a", naturals)]
       "power" -> [("a", naturals), ("exponent", integers)]
       "term" -> [("index", naturals)]
       "terms" -> [("from", naturals), ("length", naturals)]

@@ -141,6 +141,57 @@ spec = describe "placement" $ do
         theCube $ \solid_ ->
           theParallelepiped $ \other -> build [solid_, other] `shouldBe` Left fault
 
+  describe "any placement" layingSpec
+
+-- | Blocks of any size, anywhere, at any pitch, on the cube's faces, which are squares of 127 mm.
+layingSpec :: Spec
+layingSpec =
+  it "is laid, each block in the middle of its face, or refused for the first fault" $
+    theCube $ \it_ ->
+      holds 400 $
+        forAll (Pitch <$> elements pitches <*> elements pitches) $ \between ->
+          forAll (choose (0, 3) >>= (`vectorOf` genLaying (solidFaces it_))) $ \layings ->
+            placed between it_ layings
+              === defined between layings
+  where
+    pitches = [127 / 5, 127 / 4, 127 / 2, 30]
+    sheet = Shape 9 11
+    genLaying names = do
+      named <- elements (take 3 names)
+      at <- Position <$> elements [0, 3, 4, 5, 6] <*> elements [0, 4, 6, 7, 8]
+      Laying (Face "cube" named) at <$> (Shape <$> elements [0 .. 5] <*> elements [0 .. 5])
+    placed between it_ layings = laidFaces <$> placement sheet between [it_] layings
+    defined between layings = do
+      laid <- traverse (one between) layings
+      let two = [(a, b) | (k, a) <- zip [0 :: Int ..] laid, b <- drop (k + 1) laid]
+      mapM_ Left (take 1 [FaceLaidTwice (laidFace a) | (a, b) <- two, laidFace a == laidFace b])
+      mapM_
+        Left
+        ( take
+            1
+            [ FacesOverlap (laidFace a) (laidFace b) both
+              | (a, b) <- two,
+                let both = filter (`elem` cellsIn b) (cellsIn a),
+                not (null both)
+            ]
+        )
+      pure laid
+    cellsIn laid =
+      [ Position (row (laidAt laid) + i) (column (laidAt laid) + j)
+        | Position i j <- cellsOf (laidGrid laid)
+      ]
+    one between (Laying face at grid@(Shape high wide))
+      | high == 0 || wide == 0 = Left (EmptyGrid face grid)
+      | across > 127 || down > 127 =
+        Left (GridLargerThanFace face (Spot across down) (Spot 127 127))
+      | row at + high > 9 || column at + wide > 11 = Left (OutsideArray face at grid)
+      | otherwise =
+        Right
+          (LaidFace face at grid (Spot 127 127) (Spot ((127 - across) / 2) ((127 - down) / 2)))
+      where
+        across = fromIntegral wide * pitchRight between
+        down = fromIntegral high * pitchDown between
+
 mm :: Integer -> Rational
 mm micrometres = fromInteger micrometres / 1000
 
@@ -154,8 +205,10 @@ nearFace = Face "cube" (readFaceName "C2 C6 C7 C3")
 
 mutations :: [(String, [Solid] -> Either PlacementError Placement, PlacementError)]
 mutations =
-  [ ("an array without cells", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17)),
-    ("a pitch of nothing", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
+  [ ("an array without rows", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17)),
+    ("an array without columns", with' (Shape 15 0) canonicalPitch [], EmptyArray (Shape 15 0)),
+    ("a pitch of nothing along rows", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
+    ("a pitch of nothing along columns", with' sheet (Pitch 1 0) [], PitchNotPositive (Pitch 1 0)),
     ( "two objects of one name",
       \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) [],
       RepeatedObject "cube"

@@ -88,7 +88,8 @@ likenessSpec = do
   it "is 0 of what is alike everywhere, of another size, and to a class that there is not" $ do
     seen <- templates <$> drawnAlphabet
     let shape = generate 8 12 (\x y -> fromIntegral (x * y))
-    [match seen c (constant 8 12 0.3) | c <- [0 .. 3]] `shouldSatisfy` all ((< 1e-9) . abs)
+    [match seen c (constant 8 12 v) | c <- [0 .. 3], v <- [0, 0.3, 0.5, 1]]
+      `shouldSatisfy` all ((< 1e-9) . abs)
     for_ [(8, 11), (12, 8), (0, 0)] $ \(w, h) ->
       match seen 0 (generate w h (\x y -> fromIntegral (x * y))) `shouldBe` 0
     [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]

@@ -3,14 +3,15 @@
 module Test.Touch.SegmentForeign (spec) where
 
 import Data.List (nub, sort, sortOn)
+import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
 import PraTactile.Segment.Foreign
 import PraTactile.Segment.Foreign.Extent
 import PraTactile.Segment.Foreign.Height
-import PraTactile.Segment.Level (Levels (..))
+import PraTactile.Segment.Level (Levels (..), levels)
 import PraTactile.Segment.Region
-import PraTactile.Segment.Reject (Cause (..))
+import PraTactile.Segment.Reject (Cause (..), Reject (..))
 import PraTactile.Stitch.Composite (Composite (..), compositeOf)
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -22,6 +23,7 @@ spec = do
   straightSpec
   modifyMaxSuccess (const 40) heightSpec
   modifyMaxSuccess (const 60) foreignSpec
+  modifyMaxSuccess (const 50) removedSpec
 
 wide, high :: Int
 (wide, high) = (34, 30)
@@ -146,9 +148,13 @@ straightSpec = do
           other = bar at (angle + 90) (8, 12)
       pure (regionOf (\p -> one p || other p))
 
--- | Bars of several heights on a slope, with some noise, of which not all was touched.
+-- | What was felt, and where, of such a composite.
 genScene :: Gen Field
-genScene = do
+genScene = fieldOf 0.5 <$> genComposite
+
+-- | Bars of several heights on a slope, with some noise, of which not all was touched.
+genComposite :: Gen Composite
+genComposite = do
   count <- choose (0, 5)
   bars <- vectorOf count $ do
     centre <- (,) <$> choose (4, 29) <*> choose (4, 25)
@@ -172,11 +178,7 @@ genScene = do
           -- The last one stands by itself, at its own height.
           + maximum (0 : [h | (holds, h) <- drop 3 bars, holds (fromIntegral x, fromIntegral y)])
       coverage x y = if touched !! (y * wide + x) then 1 else 0
-  pure
-    ( fieldOf
-        0.5
-        (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
-    )
+  pure (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
 
 -- | The element of a rank, from 0 to 1, of some; 0 of none.
 rankOf :: Double -> [Double] -> Double
@@ -289,3 +291,47 @@ foreignSpec = do
                 ++ [(sort (rim 2 r), Hollow, True) | r <- sunk]
          in collect (map length [tall, raised, sunk]) $
               [(sort (strangePixels s), strangeCause s, strangeHeight s) | s <- found] === wanted
+
+removedSpec :: Spec
+removedSpec =
+  it "what is foreign is taken out where there is something unlike symbols, beside symbols" $
+    forAllBlind (oneof [genComposite, genHole]) $ \composite ->
+      let scene = fieldOf 0.5 composite
+          noise = 6 / 16 * pixelNoise scene (compositeImage composite)
+          found = do
+            Levels low high' <- levels noise (touchedValues scene)
+            let at share = low + share * (high' - low)
+                those holds share = regions scene 0 (marked scene (`holds` at share))
+                strange =
+                  any (unlikeSymbols scene) (those (>=) 0.5)
+                    || any ((>= 12) . length) (those (<=) (-0.35))
+            (own, symbols) <- symbolLevels scene noise
+            if strange then Just (foreignIn scene own symbols) else Nothing
+          wanted = case found of
+            Just strange@(_ : _) ->
+              Cleaned
+                (blanked composite (concatMap strangePixels strange))
+                (Just (blanked composite (concatMap strangePixels (filter strangeHeight strange))))
+                [Reject (regionBox scene (strangePixels s)) (strangeCause s) | s <- strange]
+            _ -> Cleaned composite Nothing []
+       in label (maybe "none" (show . length) found) (withoutForeign 0.5 composite === wanted)
+  where
+    -- A symbol, and a hole of about as many pixels as count.
+    genHole = do
+      (w, h) <- (,) <$> choose (1, 6) <*> choose (1, 3)
+      depth <- elements [0.5, 0.7, 1, 3]
+      let symbol = bar (16, 12) 0 (12, 8)
+          value x y
+            | symbol (fromIntegral x, fromIntegral y) = 1
+            | x >= 4 && x < 4 + w && y >= 24 && y < 24 + h = negate depth
+            | otherwise = 0
+      pure (compositeOf (generate wide high value))
+    blanked composite pixels =
+      composite
+        { compositeImage = blank (compositeImage composite),
+          compositeCoverage = blank (compositeCoverage composite)
+        }
+      where
+        blank image =
+          generate wide high $ \x y ->
+            if y * wide + x `elem` pixels then 0 else fromMaybe 0 (index image x y)

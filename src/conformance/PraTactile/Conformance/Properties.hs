@@ -4,6 +4,7 @@ module PraTactile.Conformance.Properties
   ( runLaws,
     runLawsUnder,
     runTouchLaws,
+    lawsReported,
     lawProperties,
     lawProperty,
     openingProperty,
@@ -46,14 +47,22 @@ runTouchLaws :: Implementation -> IO ExitCode
 runTouchLaws = runStages touchStages []
 
 runStages :: [Stage] -> [(String, Profile)] -> Implementation -> IO ExitCode
-runStages stages profiles implementation = case standardSuite profiles of
-  Left name -> ExitFailure 2 <$ putStrLn (name ++ ": this profile describes no array")
+runStages stages profiles implementation = do
+  (status, said) <- lawsReported stages profiles implementation
+  status <$ putStr said
+
+-- | The exit status, and what is printed, of the laws of these stages.
+lawsReported :: [Stage] -> [(String, Profile)] -> Implementation -> IO (ExitCode, String)
+lawsReported stages profiles implementation = case standardSuite profiles of
+  Left name -> pure (ExitFailure 2, name ++ ": this profile describes no array\n")
   Right suite -> do
     subject <- inProcess implementation
     report <-
       runSuite standardSettings {settingStages = stages} suite (const (pure ())) [subject]
-    putStr (reportText (const "runLaws") report)
-    pure (if certified report then ExitSuccess else ExitFailure 1)
+    pure
+      ( if certified report then ExitSuccess else ExitFailure 1,
+        reportText (const "runLaws") report
+      )
 
 -- | All laws of the code that an implementation offers what they need, under the default profiles,
 -- each with its id and the profile's name.

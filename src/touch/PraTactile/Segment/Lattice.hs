@@ -42,7 +42,8 @@ data Cluster symbol
 -- | How distances between symbols contradict each other. Cells count from an arbitrary symbol of
 -- the cluster.
 data Conflict symbol
-  = -- | Two paths from neighbour to neighbour lead to two cells for the symbol.
+  = -- | Two paths from neighbour to neighbour lead to two cells for the symbol, first that of the
+    -- shorter path.
     TwoCells !symbol !Cell !Cell
   | -- | Two symbols lie in one cell.
     SharedCell !Cell !symbol !symbol

@@ -209,9 +209,7 @@ edges =
       ways
         { goesOn = \p (r, c) ->
             let (n1, n2) = sizes p
-             in onTorus
-                  p
-                  (if r < 2 * n1 then r else 2 * n1 - 1, if c < 2 * n2 then c else 2 * n2 - 1)
+             in onTorus p (min r (2 * n1 - 1), min c (2 * n2 - 1))
         },
     mistaken "counts-cells-from-one" "counts rows and columns from 1" $ \s ->
       s

@@ -5,7 +5,6 @@ module PraTactile.Conformance.Impostors.Impostor
     mistouched,
     misstepped,
     missearching,
-    elsewhere,
     elsewhereIn,
   )
 where
@@ -58,11 +57,8 @@ missearching name mistake change =
     []
     (decoder rightWays (change rightSearching))
 
--- | What the same implementation would answer under another profile, where that is possible.
-elsewhere :: String -> String -> (Profile -> Profile) -> Impostor
-elsewhere name mistake change = elsewhereIn name mistake change const
-
--- | The same in some operations: given the session under the other profile, and the right one.
+-- | In some operations as the same implementation would answer under another profile, where that is
+-- possible: given the session under the other profile, and the right one.
 elsewhereIn ::
   String -> String -> (Profile -> Profile) -> (Session -> Session -> Session) -> Impostor
 elsewhereIn name mistake change join =

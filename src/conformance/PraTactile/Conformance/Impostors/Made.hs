@@ -58,7 +58,7 @@ made ways p = this
     q = fromIntegral (profileOrder p) :: Int
     table operation =
       let values = Vector.fromList [operation a b `mod` q | a <- [0 .. q - 1], b <- [0 .. q - 1]]
-       in \a b -> fromMaybe 0 (values Vector.!? (a * q + b))
+       in \a b -> values Vector.! (a * q + b)
 
 -- | s(0), s(1), ... by the recurrence.
 sequenceOf :: Made -> [Int]

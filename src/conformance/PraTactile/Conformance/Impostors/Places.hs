@@ -159,7 +159,7 @@ locateImpostors =
         how {taken = withoutFirst},
     mistaken
       "refuses-cells-not-felt"
-      "refuses a patch of which a cell was not felt as one without a complete window"
+      "refuses a patch of which a cell was not felt as one of which none was"
       $ \s ->
         s
           { locate = \cells ->
@@ -253,10 +253,7 @@ radii =
       "takes the distance of the patch's first row that has an observed cell"
       $ \how ->
         how
-          { measured = \cells ->
-              take
-                (length (concat (take 1 (filter (any isJust) cells))))
-                (measured how cells)
+          { measured = measured how . take 1 . filter (any isJust)
           },
     missearching "stops-before-the-radius" "takes a radius as a bound that is not reached" $ \how ->
       how {within = \n radius -> if radius == 0 then n == 0 else n < radius},

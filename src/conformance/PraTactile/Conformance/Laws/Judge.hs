@@ -130,7 +130,7 @@ samePlace known rows wanted got = case (wanted, got) of
   _ -> wanted == got
   where
     degree = fromIntegral (length (profilePolynomial (knownProfile known))) - 1
-    less r = if r > degree then 0 else degree - r
+    less r = degree - min degree r
     rank = either (const Nothing) proofRank (expected known (Prove (map (map drawn) rows)))
     drawn cell = maybe '.' (const '#') cell
 

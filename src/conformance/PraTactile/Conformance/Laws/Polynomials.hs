@@ -116,20 +116,19 @@ relationLaws =
 
 alike :: Known -> [Code] -> Ask Verdict
 alike known codes = case inverted of
-  Right factor
-    | head' codes /= 0 -> trial $ do
-      one' <- answer known (Primitive codes)
-      let mirrored = traverse (expected known . Multiply factor) (reverse codes)
-      case mirrored of
-        Right backwards -> do
-          other <- answer known (Primitive backwards)
-          demand
-            (Because "a theorem" "the roots of the reciprocal are the inverses of the roots")
-            (Primitive backwards)
-            one'
-            (one' == other)
-        Left _ -> notMeant
-  _ -> trial notMeant
+  Right factor -> trial $ do
+    one' <- answer known (Primitive codes)
+    let mirrored = traverse (expected known . Multiply factor) (reverse codes)
+    case mirrored of
+      Right backwards -> do
+        other <- answer known (Primitive backwards)
+        demand
+          (Because "a theorem" "the roots of the reciprocal are the inverses of the roots")
+          (Primitive backwards)
+          one'
+          (one' == other)
+      Left _ -> notMeant
+  Left _ -> trial notMeant
   where
     inverted = expected known (Inverse (head' codes))
     head' xs = case xs of

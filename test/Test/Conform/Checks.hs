@@ -1,0 +1,111 @@
+-- | What must hold of the exchange with a process, whatever it is asked: how it ends, and what it
+-- does without a profile; by small shell scripts.
+module Test.Conform.Checks (spec) where
+
+import Control.Monad (forM, forM_)
+import Data.Aeson (Value (..), toJSON)
+import PraTactile.Conformance.Process
+import PraTactile.Conformance.Process.Reply
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Subject
+import PraTactile.Profile (Profile (..), canonicalProfile)
+import System.Posix.Signals (Handler (..), installHandler, sigHUP)
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "at its end any status is well, and a signal or a word is not; it ends when it is told to" $ do
+    -- Who ignores a signal has processes that do.
+    before' <- installHandler sigHUP Default Nothing
+    forM_
+      [ ("exit 0", Nothing),
+        ("exit 1", Nothing),
+        ("exit 255", Nothing),
+        ("kill -1 $$", Just (Fault Crashed "it was ended by signal 1")),
+        ("kill -9 $$", Just (Fault Crashed "it was ended by signal 9")),
+        ("echo; exit 0", Just (Fault OutputAfterStop "")),
+        ("printf x; exit 0", Just (Fault OutputAfterStop "x"))
+      ]
+      $ \(ending, fault) -> do
+        let script =
+              "while read -r line; do case $line in *start*) " ++ started ""
+                ++ (" ;; *stop*) " ++ ending ++ " ;; esac; done; ")
+                ++ ending
+        came <- session (shell script) $ \subject ->
+          forM (subjectChecks subject) $ \one -> (,) (checkId one) <$> checkTry one
+        let judged request = maybe CheckHeld (CheckErred [request]) fault
+        (ending, came)
+          `shouldBe` ( ending,
+                       Right
+                         [ ("protocol/none-in-force-after-a-refusal", CheckHeld),
+                           ("protocol/ends-with-its-input", judged startRequest),
+                           ("protocol/ends-when-stopped", judged stopRequest)
+                         ]
+                     )
+    _ <- installHandler sigHUP before' Nothing
+    pure ()
+  it "after a refused profile none is in force: what is answered all the same is told" $ do
+    let impossible = canonicalProfile {profileOrder = 6}
+        operands = SomeQuestion (Add 1 0)
+        requests =
+          [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 operands]
+        noProfile = CameErrored "no profile is in force"
+        answers possible' refusal run =
+          unlines
+            [ "while read -r line; do case $line in",
+              "  *'\"start\"'*) " ++ started "\"add\"" ++ " ;;",
+              "  *'\"q\":6'*) " ++ refusal ++ " ;;",
+              "  *'\"profile\"'*) " ++ possible' ++ " ;;",
+              "  *) " ++ run ++ " ;;",
+              "esac; done"
+            ]
+        yes = "echo '{\"result\":true}'"
+        no = "echo '{\"refused\":\"no\"}'"
+        three = "echo '{\"sequence\":1,\"result\":3}'"
+        ends = "exit 3"
+        gone = Fault Crashed "it ended, with status 3"
+        kept = CameResult (toJSON (3 :: Int))
+    forM_
+      [ (answers yes no "echo '{\"sequence\":1,\"errored\":\"none\"}'", CheckHeld),
+        (answers no no "echo '{\"sequence\":1,\"errored\":\"none\"}'", CheckHeld),
+        (answers yes no three, CheckFailed requests noProfile kept),
+        ( answers yes no "echo '{\"skipped\":\"s\"}'",
+          CheckFailed requests noProfile (CameSkipped "s")
+        ),
+        (answers yes yes three, CheckFailed requests noProfile (CameResult (Bool True))),
+        (answers ends no three, CheckErred requests gone),
+        (answers yes ends three, CheckErred requests gone),
+        (answers yes no ends, CheckErred requests gone)
+      ]
+      $ \(script, wanted) -> do
+        came <- session (shell script) $ \subject ->
+          forM (take 1 (subjectChecks subject)) $ \one -> (,) (checkId one) <$> checkTry one
+        came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
+  it "each thing that must hold of the exchange itself says so in a sentence" $ do
+    let ids = map checkId
+        once' = "echo '{\"sequence\":1,\"result\":0}'"
+        answering = "read -r line; " ++ started "" ++ "; read -r line"
+        texts those = [(checkId one, checkSentence one) | one <- those]
+    Right inSession <- session (shell answering) (pure . subjectChecks)
+    ids inSession
+      `shouldBe` ["protocol/none-in-force-after-a-refusal", "protocol/ends-with-its-input"]
+        ++ ["protocol/ends-when-stopped"]
+    Right alone <-
+      withProcess OneShot (Limits 20) (shell once') $ \subject -> do
+        (subjectBatch subject, subjectUnknown subject) `shouldBe` (32, [])
+        pure (subjectChecks subject)
+    ids alone `shouldBe` ["protocol/unknown-operation-is-skipped"]
+    texts (inSession ++ alone) `shouldBe` checkTexts
+    map snd checkTexts `shouldSatisfy` notElem ""
+
+-- | A subject that is a shell script.
+session :: Command -> (Subject -> IO a) -> IO (Either Fault a)
+session = withProcess InSession (Limits 20)
+
+shell :: String -> Command
+shell script = Command "sh" ["-c", script]
+
+-- | The reply to the start, with these operations.
+started :: String -> String
+started operations =
+  "echo '{\"protocol\":1,\"name\":\"s\",\"in_flight\":1,\"operations\":[" ++ operations ++ "]}'"

@@ -1,0 +1,139 @@
+{-# LANGUAGE RankNTypes #-}
+
+-- | Which profile is in force in this process, what is not offered, and what laws of profiles say.
+module Test.Conformance.InForce (spec) where
+
+import Control.Monad (forM, forM_)
+import Control.Monad.IO.Class (liftIO)
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Aeson (Value (..), toJSON)
+import Data.Functor.Identity (runIdentity)
+import Data.IORef
+import Data.List (isInfixOf)
+import PraTactile.Conformance
+import PraTactile.Conformance.Ask (answerAll)
+import PraTactile.Conformance.Definition
+import PraTactile.Conformance.InProcess (inProcess)
+import PraTactile.Conformance.Law
+import PraTactile.Conformance.Process.OneShot (samples)
+import PraTactile.Conformance.Question
+import PraTactile.Conformance.Run (Suite (..))
+import PraTactile.Conformance.Subject
+import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Wire
+import PraTactile.Format.Json.Codec (writeValue)
+import PraTactile.Profile (Profile (..))
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  it "who has no operation refuses each as not offered, and what is no input as invalid" $ do
+    map (\(SomeQuestion question) -> operationOf question) samples `shouldBe` [minBound ..]
+    forM_ samples $ \(SomeQuestion question) -> do
+      let session = noOperations possible
+          operation = operationOf question
+          ofTouch = operation `elem` touchOperations
+          says wire = either refusalReason (const "answered") <$> runExceptT wire
+          byTouch :: Question b -> IO (Maybe String)
+          byTouch = traverse says . touched noTouch
+          ifTouch reason = if ofTouch then Just reason else Nothing
+      says (answerOf session question) `shouldReturn` "not-offered"
+      says (answerOf session (Raw operation (questionInput question)))
+        `shouldReturn` "not-offered"
+      says (answerOf session (Raw operation Null)) `shouldReturn` "invalid"
+      byTouch question `shouldReturn` ifTouch "not-offered"
+      byTouch (Raw operation (questionInput question)) `shouldReturn` ifTouch "not-offered"
+      byTouch (Raw operation Null) `shouldReturn` ifTouch "invalid"
+      Right about <- pure (known possible)
+      (operation, either refusalReason (const "") (expected about question) == "not-offered")
+        `shouldBe` (operation, ofTouch)
+  it "in this process a profile is in force until another is asked for; touch needs none" $ do
+    opened <- newIORef []
+    subject <-
+      inProcess
+        library
+          { implementationName = "mine",
+            offered = [OfTerm, OfAdd],
+            open = \p -> liftIO (modifyIORef opened (p :)) >> open library p
+          }
+    (subjectName subject, subjectOffers subject, subjectBatch subject)
+      `shouldBe` ("mine", [OfTerm, OfAdd], 64)
+    (subjectUnknown subject, length (subjectChecks subject)) `shouldBe` ([], 0)
+    let sum' = subjectAsk subject [SomeQuestion (Add 1 1), SomeQuestion (Add 1 0)]
+        none = map (Right . CameErrored) ["no profile is in force", "no profile is in force"]
+        sums = map (Right . CameResult . toJSON) [0, 1 :: Int]
+        blank = replicate 4 (replicate 4 0)
+    sum' `shouldReturn` none
+    subjectAsk subject [SomeQuestion (Segment blank)]
+      `shouldReturn` [Right (CameResult (answerValue (Segment blank) []))]
+    subjectProfile subject possible `shouldReturn` Right (CameResult (Bool True))
+    sum' `shouldReturn` sums
+    subjectProfile subject impossible `shouldReturn` Right (CameRefused "impossible-profile")
+    sum' `shouldReturn` none
+    reverse <$> readIORef opened `shouldReturn` [possible, impossible]
+  it "in this process an answer is computed to its end, a reason too; what throws ends a batch" $ do
+    let session p =
+          (noOperations p)
+            { terms = \_ count -> pure (if count == 2 then [1, error "no such term"] else [count]),
+              term = \i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
+            }
+    subject <- inProcess library {open = pure . session}
+    _ <- subjectProfile subject possible
+    let came questions = do
+          replies <- subjectAsk subject questions
+          pure (map (either (Left . crash) Right) replies)
+        crash fault =
+          (faultKind fault, filter (`isInfixOf` faultDetail fault) said)
+        said = ["no such term", "no such reason"]
+        three = Right (CameResult (toJSON [3 :: Int]))
+    came [SomeQuestion (Terms 0 3), SomeQuestion (Terms 0 2), SomeQuestion (Terms 0 3)]
+      `shouldReturn` [three, Left (Crashed, ["no such term"])]
+    came [SomeQuestion (Term 1), SomeQuestion (Term 2), SomeQuestion (Terms 0 3)]
+      `shouldReturn` [Right (CameRefused "because"), Left (Crashed, ["no such reason"])]
+    came [SomeQuestion (Terms 0 3), SomeQuestion (Term 1)]
+      `shouldReturn` [three, Right (CameRefused "because")]
+  it "laws of profiles hold if possible ones are opened and others refused, for that reason" $ do
+    verdicts <- forM openingLaws $ \one -> case lawCases one (map snd defaultProfiles) of
+      Cases form (Every cases) trial ->
+        pure [(lawId one, writeValue form case', trial case') | case' <- cases]
+      Cases _ (Some _ _) _ -> fail (lawId one ++ " draws")
+    forM_ (concat verdicts) $ \(name, profile', trial) -> do
+      let opens = name == "profile/possible-ones-are-opened"
+          right' = if opens then Right () else refusedFor "impossible-profile"
+      forM_ [Right (), refusedFor "impossible-profile", refusedFor "invalid"] $ \came -> do
+        let verdict = runIdentity (answerAll (const (pure came)) (const (pure noAnswer)) trial)
+            told = case verdict of
+              Violated violation -> Just (violationAsked violation, violationExpected violation)
+              _ -> Nothing
+        (name, told)
+          `shouldBe` ( name,
+                       if came == right'
+                         then Nothing
+                         else Just ([Exchange Nothing profile' (reply came)], reply right')
+                     )
+        (came == right', verdict == Holds) `shouldBe` (verdict == Holds, came == right')
+  it "a suite is about profiles that describe arrays; the first that does not is named" $ do
+    let under = [("one", possible), ("two", other)]
+        failure = either Just (const Nothing)
+    failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))
+      `shouldBe` Just "three"
+    suite <- either fail pure (standardSuite under)
+    suiteProfiles suite `shouldBe` under
+    map (fmap knownProfile . suiteAbout suite) [possible, other, third, impossible]
+      `shouldBe` [Just possible, Just other, Just third, Nothing]
+    map lawId (suiteLaws suite) `shouldBe` map lawId laws
+    map lawId (suiteOpenings suite) `shouldBe` map lawId openingLaws
+    map lawId (suiteTouch suite) `shouldBe` map lawId touchLaws
+    Just about <- pure (suiteAbout suite possible)
+    map (suiteAnswer suite about) [SomeQuestion (Add 1 1), SomeQuestion (Inverse 0)]
+      `shouldBe` [Result (toJSON (0 :: Int)), RefusedFor "division-by-zero"]
+  where
+    named name = head [p | (name', p) <- defaultProfiles, name' == name]
+    possible = named "gf2-3x5"
+    other = named "gf3-2x13"
+    third = named "gf5-4x31"
+    impossible = possible {profileOrder = 6}
+    refusedFor = Left . Refusal
+    noAnswer :: Either Refusal b
+    noAnswer = refusedFor "not-offered"
+    reply = either (RefusedFor . refusalReason) (const (Result (Bool True)))

@@ -1,0 +1,358 @@
+-- | Explorations and what comes of them: regions, presses, trials and their counts, each against
+-- its definition.
+module Test.Explorations (spec) where
+
+import Data.Foldable (for_)
+import Data.List (genericLength, nub, unfoldr)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import qualified Data.Vector.Storable as V
+import PraTactile.Array
+import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Image
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..))
+import PraTactile.Probe
+import PraTactile.Probe.Sensor
+import PraTactile.Profile
+import PraTactile.Random (uniform)
+import PraTactile.Recognise
+import PraTactile.Relief
+import PraTactile.Shape (paperAlphabet)
+import PraTactile.Stitch (Composite, StitchError, placeOnly, standardRegistration, stitch)
+import PraTactile.Symmetry
+import System.Random (StdGen, mkStdGen, split)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+
+spec :: Spec
+spec = do
+  describe "Regions" regionSpec
+  describe "Presses" pressSpec
+  describe "Trials" trialSpec
+  describe "Results" $ do
+    countSpec
+    either (it "the shipped parts fit together" . expectationFailure) id $ do
+      layout <- shown canonicalPlacement
+      net <- shown shippedNetwork
+      known <- shown paperAlphabet
+      shown $
+        withProfile canonicalProfile $ \array mask ->
+          case (recogniser Torus array mask layout known net, raised array layout known) of
+            (Right reader, Right faces) -> resultSpec reader faces
+            (Left e, _) -> it "the array has a recogniser" (expectationFailure (show e))
+            (_, Left e) -> it "the faces have reliefs" (expectationFailure (show e))
+  where
+    shown :: Show e => Either e a -> Either String a
+    shown = either (Left . show) Right
+    raised array layout known =
+      traverse (\face -> (,) face <$> relief array layout known face) (laidFaces layout)
+
+-- | A face of that many taxels, with a grid of that many rows and columns.
+faceOf :: (Int, Int) -> Shape -> LaidFace
+faceOf (wide, high) grid =
+  LaidFace
+    { laidFace = Face (ObjectName "thing") (FaceName []),
+      laidAt = Position 0 0,
+      laidGrid = grid,
+      laidExtent = Spot (taxels wide) (taxels high),
+      laidMargin = Spot 0 0
+    }
+  where
+    taxels n = fromIntegral n * 127 / 80
+
+-- | So many draws, and the generator after them.
+draws :: Int -> StdGen -> ([Double], StdGen)
+draws n g = (take n (unfoldr (Just . uniform) g), iterate (snd . uniform) g !! n)
+
+near :: Double -> Double -> Property
+near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
+
+genTurns :: Gen Turns
+genTurns =
+  oneof
+    [ AmongTurns <$> elements [[], [turned 3], halfTurns, rotations, [turned 1, turned 2, mirror]],
+      TurnedBy <$> oneof [elements [0, 90, -90, 360], choose (-400, 400)],
+      pure AnyAngle
+    ]
+
+regionSpec :: Spec
+regionSpec = do
+  it "the smallest rectangle around a region lies uniformly on the face, or in its middle" $
+    forAll genTurns $ \turns ->
+      forAll ((,) <$> choose (1, 60) <*> choose (1, 60)) $ \(width, height) ->
+        forAll ((,) <$> choose (30, 90) <*> choose (30, 90)) $ \(wide, high) ->
+          forAll (choose (1, 1000000)) $ \seed ->
+            let found =
+                  drawnRegion
+                    turns
+                    (width, height)
+                    (faceOf (wide, high) (Shape 1 1))
+                    (mkStdGen seed)
+                three = draws 3 (mkStdGen seed)
+                ((u, v, w, z), end) = case (turns, draws 4 (mkStdGen seed)) of
+                  (AnyAngle, ([a, b, c, d], g)) -> ((a, b, c, d), g)
+                  (_, ([a, b, c, _], _)) -> ((a, b, c, 0), snd three)
+                  (_, (_, g)) -> ((0, 0, 0, 0), g)
+                (symmetry, angle) = case turns of
+                  AmongTurns [] -> (identity, 0)
+                  AmongTurns ways -> (ways !! floor (w * genericLength ways), 0)
+                  TurnedBy degrees -> nearestQuarter degrees
+                  AnyAngle -> nearestQuarter (360 * z)
+                (across, down)
+                  | exchangesAxes symmetry = (height, width)
+                  | otherwise = (width, height)
+                -- Where the region's middle is, as its distance from the face's edge.
+                middle share face along other
+                  | rectangle >= fromIntegral face = fromIntegral face / 2
+                  | otherwise = rectangle / 2 + share * (fromIntegral face - rectangle)
+                  where
+                    rectangle =
+                      cos (angle * pi / 180) * fromIntegral along
+                        + abs (sin (angle * pi / 180)) * fromIntegral other
+                fits = across <= wide && down <= high
+             in label (if fits then "room" else "no room") $ case found of
+                  Nothing -> property (not fits || across == wide || down == high)
+                  Just (region, rest) ->
+                    conjoin
+                      [ property fits,
+                        near
+                          (regionRight region + fromIntegral across / 2)
+                          (middle u wide across down),
+                        near
+                          (regionDown region + fromIntegral down / 2)
+                          (middle v high down across),
+                        (regionWidth region, regionHeight region) === (width, height),
+                        (regionSymmetry region, regionAngle region) === (symmetry, angle),
+                        regionExtent region === (across, down),
+                        fst (draws 2 rest) === fst (draws 2 end)
+                      ]
+  it "a region's corner is its taxels in millimetres, and its turn from 0 up to 360 degrees" $
+    forAll ((,) <$> choose (0, 50) <*> choose (0, 50)) $ \(right', down) ->
+      forAll (choose (0, 3)) $ \quarters ->
+        forAll (elements [-45, -30, -0.5, 0, 12, 45]) $ \angle ->
+          let region = Region right' down 9 7 (turned quarters) angle
+              whole = 90 * fromIntegral quarters + angle
+           in near (fst (regionCorner region)) (1.5875 * right')
+                .&&. near (snd (regionCorner region)) (1.5875 * down)
+                .&&. regionTurn region === (if whole < 0 then 360 + whole else whole)
+  it "of rotations each is drawn as often, within five standard errors" $ do
+    let way seed =
+          maybe (turned 3) (regionSymmetry . fst) $
+            drawnRegion
+              (AmongTurns [identity, turned 1, turned 2])
+              (9, 9)
+              (faceOf (30, 30) (Shape 1 1))
+              (mkStdGen seed)
+        counts = Map.fromListWith (+) [(quarterTurns (way seed), 1 :: Double) | seed <- [1 .. 900]]
+    Map.keys counts `shouldBe` [0, 1, 2]
+    maximum [abs (n - 300) | n <- Map.elems counts] `shouldSatisfy` (< 5 * sqrt 200)
+
+pressSpec :: Spec
+pressSpec = do
+  it "neighbouring presses are half a sensor's shorter side apart, and a taxel at least" $
+    forAll ((,) <$> choose (1, 40) <*> choose (1, 40)) $ \(wide, high) ->
+      defaultSpacing idealSensor {sensorColumns = wide, sensorRows = high}
+        === (if min wide high < 2 then 1 else min wide high `div` 2)
+  modifyMaxSuccess (const 15)
+    . it "a region's frames are the plan's, with what is felt where the region has them"
+    $ forAll ((,,) <$> elements [16, 12] <*> elements [8, 10, 16] <*> choose (1, 9)) $
+      \(wide, high, spacing) -> forAll ((,) <$> choose (16, 24) <*> choose (16, 24)) $ \size ->
+        forAll ((,) <$> elements rotations <*> elements [0, 0, 20]) $ \(symmetry, angle) ->
+          let sensor = idealSensor {sensorColumns = wide, sensorRows = high}
+              region = Region 3.25 5.5 (fst size) (snd size) symmetry angle
+              scene =
+                HeightMap
+                  taxelPitch
+                  (generate 40 40 (\x y -> fromIntegral ((x * 7 + y * 5) `mod` 11) / 8))
+              explored =
+                fst
+                  <$> exploreWith sensor spacing (flawless sensor) scene region (mkStdGen 1)
+              usual = fst <$> explore sensor scene region (mkStdGen 1)
+              frames distance = map frame <$> planScanOf (sensorLayout sensor) distance (0, 0) size
+              frame pose =
+                Frame
+                  pose
+                  (sensorForce sensor)
+                  (forwardImage sensor scene (move (regionMotion region) pose))
+                  (sensorTaxel sensor)
+                  []
+           in explored === frames spacing .&&. usual === frames (min wide high `div` 2)
+  it "a specimen is drawn before it explores" $ do
+    let sensor = standardSensor {sensorGainSpread = 0.2, sensorDead = 0.1}
+        scene = HeightMap taxelPitch (constant 60 60 1)
+        region = Region 3 5 20 24 identity 0
+        (specimen, rest) = drawSpecimen sensor (mkStdGen 5)
+    fmap fst (explore sensor scene region (mkStdGen 5))
+      `shouldBe` fmap fst (exploreWith sensor 8 specimen scene region rest)
+
+trialSpec :: Spec
+trialSpec = do
+  modifyMaxSuccess (const 6)
+    . it "each is of the next face, with a generator of its own, split from the seed"
+    $ forAll ((,) <$> choose (1, 3) <*> choose (1, 99999)) $ \(count, seed) ->
+      forAll (elements [AnyAngle, AmongTurns rotations, TurnedBy 30]) $ \turns ->
+        let faces = [(faceOf (64 + k, 70) (Shape 2 3), scene) | k <- take count [0 ..]]
+            how = exploration idealSensor turns (30, 24)
+            generators = unfoldr (Just . split) (mkStdGen seed)
+            told t = (trialFace t, trialRegion t, trialForeign t, map framePose (trialFrames t))
+         in map (fmap told) (take 5 (trialsOf how faces seed))
+              === take 5 (zipWith (\face -> fmap told . trialOf how face) (cycle faces) generators)
+              .&&. fmap told (trial idealSensor rotations (30, 24) (face0 faces) (mkStdGen seed))
+              === fmap told (trialOf (amongRotations how) (face0 faces) (mkStdGen seed))
+  it "a trial is the region drawn, and its frames are the presses of it" $
+    forAll (choose (1, 99999)) $ \seed ->
+      let how = (exploration noisy (AmongTurns rotations) (20, 18)) {explorationSpacing = 5}
+          face = faceOf (40, 44) (Shape 2 2)
+          wanted = do
+            (region, g) <- drawnRegion (AmongTurns rotations) (20, 18) face (mkStdGen seed)
+            let (specimen, g') = drawSpecimen noisy g
+            let explored = exploreWith noisy 5 specimen scene region g'
+            (frames, _) <- either (const Nothing) Just explored
+            pure (face, region, frames, False)
+          told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
+       in isJust wanted .&&. fmap told (trialOf how (face, scene) (mkStdGen seed)) === wanted
+  it "as many presses are foreign as is said, within five standard errors" $
+    for_ [(0, 0), (0.3, 5 * sqrt (600 * 0.21)), (1, 0)] $ \(share, most) -> do
+      let found = concatMap (trialOn share (const True)) [1 .. 600]
+      length found `shouldBe` 600
+      abs (genericLength (filter id found) - 600 * share) `shouldSatisfy` (<= most)
+  it "foreign symbols fill the face's grid, each class in each cell as likely as any" $ do
+    let those predicate = concatMap (trialOn 1 predicate) [1 .. 600]
+        often predicate = genericLength (those predicate) / 600 :: Double
+        nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600)
+    length (those (\symbols -> map length symbols == [4, 4, 4])) `shouldBe` 600
+    length (those (all (all (`elem` [0 .. 2])))) `shouldBe` 600
+    for_ [0 .. 2] $ \c ->
+      for_ [(0, 0), (1, 2), (2, 3)] $ \(i, j) ->
+        often (\symbols -> symbols !! i !! j == c) `shouldSatisfy` nearly (1 / 3)
+    -- Neighbours are alike as often as chance has it, along rows and from row to row.
+    often (\symbols -> symbols !! 0 !! 0 == symbols !! 0 !! 1) `shouldSatisfy` nearly (1 / 3)
+    often (\symbols -> symbols !! 0 !! 3 == symbols !! 1 !! 0) `shouldSatisfy` nearly (1 / 3)
+  it "what is foreign is pressed in place of the face, and what has no relief is no trial" $ do
+    let pressed drawn =
+          trialOf
+            (exploration idealSensor (AmongTurns [identity]) (16, 16))
+              { explorationForeign = Just (Foreign 1 3 (\_ _ -> drawn))
+              }
+            (faceOf (40, 44) (Shape 2 2), scene)
+            (mkStdGen 1)
+        plateau = HeightMap taxelPitch (constant 40 44 (sensorFullScale idealSensor / 2))
+    fmap (map (flatAt 0.5 . frameImage) . trialFrames) (pressed (Just plateau))
+      `shouldBe` Just [True]
+    isJust (pressed Nothing) `shouldBe` False
+  where
+    noisy = standardSensor {sensorGainSpread = 0.2}
+    flatAt level image = V.all (\v -> abs (v - level) < 1e-9) (rasterValues image)
+    scene = HeightMap taxelPitch (constant 60 60 1)
+    face0 = foldr const (faceOf (1, 1) (Shape 1 1), scene)
+    amongRotations how = how {explorationTurns = AmongTurns rotations}
+    -- Whether it is foreign, of a trial whose foreign symbols are so; none if they are not.
+    trialOn share predicate seed =
+      [ trialForeign t
+        | Just t <-
+            [ trialOf
+                (exploration idealSensor (AmongTurns [identity]) (16, 16))
+                  { explorationForeign =
+                      Just
+                        ( Foreign
+                            share
+                            3
+                            (\_ symbols -> if predicate symbols then Just scene else Nothing)
+                        )
+                  }
+                (faceOf (64, 60) (Shape 3 4), scene)
+                (mkStdGen seed)
+            ]
+      ]
+
+countSpec :: Spec
+countSpec =
+  it "results are counted: right, wrong, refused by name, and the doubts of all answers" $
+    forAll (listOf genResult) $ \results ->
+      let counted = tally results
+          names = nub [name | NoAnswer name <- results]
+       in conjoin
+            [ tallyRight counted === length [() | Correct _ <- results],
+              tallyWrong counted === length [() | Mistaken _ <- results],
+              near
+                (tallyExpected counted)
+                (sum [d | Correct d <- results] + sum [d | Mistaken d <- results]),
+              tallyRefused counted
+                === Map.fromList [(n, length (filter (== NoAnswer n) results)) | n <- names],
+              noResults === tally [],
+              foldl counting noResults results === counted
+            ]
+  where
+    genResult =
+      oneof
+        [ Correct <$> choose (0, 0.01),
+          Mistaken <$> choose (0, 0.01),
+          NoAnswer <$> elements ["a", "b", "c"]
+        ]
+
+resultSpec :: KnownField k => Recogniser k -> [(LaidFace, HeightMap)] -> Spec
+resultSpec reader faces = do
+  modifyMaxSuccess (const 2)
+    . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
+    $ forAll (elements faces) $ \face ->
+      forAll (choose (1, 99999 :: Int)) $ \seed ->
+        case trial idealSensor rotations (40, 52) face (mkStdGen seed) of
+          Nothing -> property False
+          Just t ->
+            let moved (dx, dy) =
+                  let r = trialRegion t
+                      (x, y) = (regionRight r + dx, regionDown r + dy)
+                   in t {trialRegion = r {regionRight = x, regionDown = y}}
+                (w, h) = regionExtent (trialRegion t)
+                about = turned 2 <> regionSymmetry (trialRegion t)
+                -- The same place on the face, seen the other way up.
+                other = fst (head' (filter ((/= trialFace t) . fst) faces))
+                answers = map asked wrong
+                asked = runTrial standardTolerance reader standardRegistration
+                wrong =
+                  [ t {trialForeign = True},
+                    t {trialFace = other},
+                    t {trialRegion = (trialRegion t) {regionSymmetry = about}}
+                  ]
+                    ++ map moved [(sign * 9, 0), (0, sign * 11)]
+                stillRight = map moved [(sign * 7, 0), (0, sign * 9)]
+                sign = if even seed then 1 else -1
+                stitched = doubtIn (stitch standardRegistration (trialFrames t))
+                placed = doubtIn (placeOnly (trialFrames t))
+                both a b = TrialResult <$> a <*> b
+             in counterexample (show (trialRegion t, w, h)) $
+                  conjoin
+                    [ Just (asked t)
+                        === both (Correct <$> stitched) (Correct <$> placed),
+                      map Just answers
+                        === map (const (both (Mistaken <$> stitched) (Mistaken <$> placed))) wrong,
+                      [ Just (withStitching (asked t'))
+                        | t' <- stillRight
+                      ]
+                        === map (const (Correct <$> stitched)) stillRight
+                    ]
+  it "no answer has the refusal's name, and frames that are not put together one of their own" $ do
+    let asked frames' =
+          runTrial
+            standardTolerance
+            reader
+            standardRegistration
+            (Trial (fst (head' faces)) (Region 0 0 40 52 identity 0) frames' False)
+        flat = Frame (Pose 0 0 0) 1 (constant 16 16 0) taxelPitch []
+        both name = TrialResult (NoAnswer name) (NoAnswer name)
+    asked [] `shouldBe` both "not-stitched"
+    asked [flat] `shouldBe` both "no-symbols"
+  where
+    head' = foldr const (faceOf (1, 1) (Shape 1 1), HeightMap 1 (constant 1 1 0))
+    doubtIn :: Either StitchError Composite -> Maybe Double
+    doubtIn together = do
+      composite <- either (const Nothing) Just together
+      recognition <-
+        either (const Nothing) Just (recogniseWith standardTolerance reader [composite])
+      evidenceDoubt <$> recognisedEvidence recognition
