@@ -207,9 +207,12 @@ refusals = do
       `shouldBe` Left (Misfit [] (OtherSchema "pra-tactile/profile/1" "pra-tactile/truth/1"))
   it "a truth's angle is from 0 to 360, and its orientation the nearest quarter turn" $ do
     truth <- encodeTruth <$> generate someTruth
-    forM_ [(quarter, degrees) | quarter <- [0 .. 3 :: Int], degrees <- angles] $ \(quarter, degrees) -> do
-      let text = changed "orientation_deg" (toJSON (90 * quarter)) (changed "angle_deg" (toJSON degrees) truth)
-          apart = minimum [abs (degrees - 90 * fromIntegral quarter - turn) | turn <- [-360, 0, 360]]
+    forM_ ((,) <$> [0 .. 3 :: Int] <*> angles) $ \(quarter, degrees) -> do
+      let text =
+            changed "orientation_deg" (toJSON (90 * quarter)) $
+              changed "angle_deg" (toJSON degrees) truth
+          beyond = degrees - 90 * fromIntegral quarter
+          apart = minimum [abs (beyond - turn) | turn <- [-360, 0, 360]]
           turned read' = regionTurn (truthRegion read')
       case decodeTruth text of
         Right read' ->

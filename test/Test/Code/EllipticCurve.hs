@@ -8,7 +8,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   it "the multiples of a point have the x that addition gives them" $
-    forM_ [(p, c) | p <- takeWhile (< 120) primes, p > 3, c <- [2 .. 9], regular p c] $ \(p, c) -> do
+    forM_ (curvesOf (dropWhile (<= 3) (takeWhile (< 120) primes)) 9) $ \(p, c) -> do
       let points = take 150 (multiplesOf p c)
       (p, c, [sameX p (multiple p c k (Point 2 1)) point | (k, point) <- zip [1 ..] points])
         `shouldBe` (p, c, map (const True) points)
@@ -18,11 +18,11 @@ spec = do
         let points = take 300 (multiplesOf r c)
         (r, c, [sameX r (multiple (p * q) c k (Point 2 1)) point | (k, point) <- zip [1 ..] points])
           `shouldBe` (r, c, map (const True) points)
-  it "the second stage shows every order that is a prime from the limit to 50 times it, and no larger" $
+  it "the second stage shows every order that is a prime from its limit to 50 times that" $
     forM_ [4, 10, 30, 430] $ \limit -> do
       let cases =
             [ (p, c, l)
-              | (p, c) <- [(p, c) | p <- [499, 997, 1499, 1999, 2503], c <- [2 .. 6], regular p c],
+              | (p, c) <- curvesOf [499, 997, 1499, 1999, 2503] 6,
                 l <- [l | l <- dropWhile (< max 106 limit) primes', orderOf p c `mod` l == 0],
                 l <= 50 * limit || l > 50 * limit + 210
             ]
@@ -33,7 +33,7 @@ spec = do
       (limit, length cases) `shouldSatisfy` ((> 1) . snd)
       (limit, [(x, shown x) | x <- cases])
         `shouldBe` (limit, [(x, l <= 50 * limit) | x@(_, _, l) <- cases])
-  it "a curve finds a factor if the order of its point there divides lcm (1 .. 2000), or nearly" $ do
+  it "a curve finds a factor if its point's order there divides lcm (1 .. 2000), or nearly" $ do
     let (p, q) = (17383, 19997)
         found = map toInteger (take 8 (curveDivisors (fromInteger (p * q))))
         smooth c = product [r | r <- [p, q], foldr lcm 1 [2 .. 2000] `mod` orderOf r c == 0]
@@ -45,6 +45,10 @@ spec = do
       let affordable n = if size <= 200 then n else max 1 (n * 40000 `div` (size * size))
       (size, length (curveDivisors (2 ^ size - 1)))
         `shouldBe` (size, 2 * sum (map affordable [30, 75, 60]))
+
+-- | The curves modulo these primes, the second to this one.
+curvesOf :: [Integer] -> Integer -> [(Integer, Integer)]
+curvesOf moduli most = [(p, c) | p <- moduli, c <- [2 .. most], regular p c]
 
 primes :: [Integer]
 primes = [n | n <- 2 : [3, 5 ..], all (\d -> n `mod` d /= 0) (takeWhile (\d -> d * d <= n) [2 ..])]

@@ -81,7 +81,7 @@ spec = do
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
             sets = informationSets size (codeBasis code)
-            places = map (Primitive.toList . setPlaces) sets
+            places = map placesOf sets
             used = scanl (++) [] places
             column i = map (!! i) rows
             -- Those of which the column is no combination of the columns before it.
@@ -112,12 +112,15 @@ spec = do
        in forAll (genElements size) $ \y ->
             conjoin
               [ forAll (listOf ((,) <$> choose (0, setSize set - 1) <*> genElement)) $ \terms ->
-                  let at = Primitive.toList (setPlaces set)
+                  let at = placesOf set
                       rest = Primitive.toList (setRest set)
                       unit i = combination set [(i, one)]
                       once = Map.toList (Map.fromList terms)
                       sumOf several =
-                        foldr (zipWith (+)) (replicate size zero) [map (a *) (rowToList (unit i)) | (i, a) <- several]
+                        foldr
+                          (zipWith (+))
+                          (replicate size zero)
+                          [map (a *) (rowToList (unit i)) | (i, a) <- several]
                       agreeing = sumOf (zip [0 ..] (map (y !!) at))
                    in conjoin
                         [ conjoin
@@ -146,9 +149,10 @@ spec = do
             let differences at x = length (filter id [(x !! i) /= (y !! i) | i <- at])
                 seenBy step =
                   Set.filter
-                    ((`elem` stepLevels step) . differences (Primitive.toList (setPlaces (stepSet step))))
+                    ((`elem` stepLevels step) . differences (placesOf (stepSet step)))
                     (words' size rows)
-                nearer most = Set.filter ((<= most) . differences [0 .. size - 1]) (words' size rows)
+                nearer most =
+                  Set.filter ((<= most) . differences [0 .. size - 1]) (words' size rows)
              in conjoin
                   [ counterexample (show (i, stepSeen step)) $
                       stepWords step === sum (map count (stepLevels step))
@@ -201,7 +205,9 @@ spec = do
       let numbered = zip [10, 8 ..] letters
           made = bestFirst numbered
           every =
-            [ (sum (map snd options), sort [(i, o) | (i, (o, _)) <- zip (map fst numbered) options, o > 0])
+            [ ( sum (map snd options),
+                sort [(i, o) | (i, (o, _)) <- zip (map fst numbered) options, o > 0]
+              )
               | options <- traverse (zip [0 ..]) letters
             ]
        in conjoin
@@ -209,6 +215,7 @@ spec = do
               sort [(cost, sort changed) | (cost, changed) <- made] === sort every
             ]
   where
+    placesOf = Primitive.toList . setPlaces
     -- The combinations of this many rows that leave no more than the limit of the rest, each with
     -- how much.
     wanted set rest w limit =

@@ -23,7 +23,7 @@ import Test.Paper
 
 spec :: Spec
 spec = do
-  it "each decoder answers what it can, and refuses wrong cells or probabilities if it takes none" $ do
+  it "each decoder answers what it can, and refuses wrong cells or probabilities if it has to" $ do
     array <- paperArray
     window <- paperWindow
     let asking = asked Torus array window
@@ -36,7 +36,9 @@ spec = do
         (choice, asking choice radius Symbol) `shouldBe` (choice, answering NearestDecoder)
       (choice, asking choice (UpTo 1) Symbol)
         `shouldBe` ( choice,
-                     if exact then Left (NothingCorrected (chosen choice)) else answering NearestDecoder
+                     if exact
+                       then Left (NothingCorrected (chosen choice))
+                       else answering NearestDecoder
                    )
       (choice, asking choice Guaranteed unsure)
         `shouldBe` ( choice,
@@ -99,10 +101,10 @@ spec = do
     array <- paperArray
     window <- paperWindow
     let tooMany = AlgebraCells (WindowTooLarge 4097)
-        about cells choice =
-          askedAbout (rowsOf cells (take (fromIntegral cells) (cycle [Symbol one, Symbol zero]))) choice
-        askedAbout cells choice = do
-          seen <- either (Left . LocatorPatch) Right (patch (map (map Just) cells))
+        about cells choice = do
+          seen <-
+            either (Left . LocatorPatch) Right . patch $
+              [take cells (cycle [Just (Symbol one), Just (Symbol zero)])]
           answerDecoder
             <$> locate
               (locator choice MostSignificantFirst array window)
@@ -188,4 +190,6 @@ asked surface array window choice radius seenAs = do
 unsure :: KnownField k => GF k -> Cell k
 unsure a =
   either (error . show) Probabilities $
-    belief [if b == a then 0.9 else 0.1 / fromIntegral (fieldOrder a - 1) | b <- elements `asTypeOf` [a]]
+    belief [if b == a then 0.9 else others | b <- elements `asTypeOf` [a]]
+  where
+    others = 0.1 / fromIntegral (fieldOrder a - 1)

@@ -34,8 +34,8 @@ spec = do
           chosen = concat (take 1 [expected | expected <- chances, likely expected == best])
           ours = (1 - share) * together / fromIntegral (length chances)
           theirs = share / fromIntegral q ^^ cells
-          found =
-            foreignChance (ForeignComparison share q (places chances) chosen (log (best / together)))
+          likeliest = log (best / together)
+          found = foreignChance (ForeignComparison share q (places chances) chosen likeliest)
        in counterexample (show (found, theirs / (ours + theirs))) $
             abs (found - theirs / (ours + theirs)) < 1e-9
   it "where it is not thought of nothing is told, and a share of none changes nothing" $

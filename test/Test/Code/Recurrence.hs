@@ -46,8 +46,10 @@ spec = do
         -- v(i) = v(i-1) + v(i-3).
         let r = recurrenceOf [1, 0, 1 :: GF GF2]
             start = [1, 1, 0, 0, 1, 1, 0, 1, 1, 1]
-            goneOn v i =
-              if i < to then goneOn (take i v ++ [v !! (i - 1) + v !! (i - 3)] ++ drop (i + 1) v) (i + 1) else v
+            goneOn v i
+              | i < to =
+                goneOn (take i v ++ [v !! (i - 1) + v !! (i - 3)] ++ drop (i + 1) v) (i + 1)
+              | otherwise = v
             expected = if from >= 3 && to <= 10 then goneOn start from else start
             come way = Primitive.toList (runWay way r from to start)
         (from, to, map come [Way stepwise, Way blockwise, Way continue])

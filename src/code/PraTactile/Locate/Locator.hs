@@ -258,8 +258,8 @@ foreignSymbolsAt made query seen outcome = do
     symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
 
 -- | The probability that a patch is foreign, if the question weighs that, given how likely each
--- cell is at the likeliest candidate, and the logarithm of the probability that among all candidates
--- it is this one.
+-- cell is at the likeliest candidate, and the logarithm of the probability that it is this one of
+-- all candidates.
 foreignGiven ::
   KnownField k => Locator k -> Query k -> Patch symbol -> [Double] -> Double -> Maybe Double
 foreignGiven made query seen expected likeliest' = do
