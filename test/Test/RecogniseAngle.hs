@@ -28,6 +28,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, generate, tolerance)
 import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)
+import Test.RecognisedSymbols
 
 spec :: Spec
 spec = do
@@ -86,17 +87,7 @@ gridOf way angle (rowCount, columnCount) =
 
 -- | A symbol of class 0, seen in that rotation at a place, without a doubt.
 readSymbol :: Symmetry -> Int -> (Double, Double) -> ReadSymbol
-readSymbol way n at =
-  ReadSymbol
-    { readNumber = n,
-      readSource = 0,
-      readImage = SymbolImage at (constant 8 12 0) 0 (8, 12),
-      readAt = at,
-      readClass = Just (way, 0),
-      readSeen = 1,
-      readLikeliest = (way, 0),
-      readChances = [((way, 0), 1)]
-    }
+readSymbol way n at = symbolOf n at (way, 0)
 
 preferredSpec :: Spec
 preferredSpec =

@@ -29,7 +29,7 @@ import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, reason, tolerance, total)
-import Test.RecogniseSteps (symbolOf)
+import Test.RecognisedSymbols
 
 spec :: Spec
 spec = either (it "the shipped parts fit together" . expectationFailure) id $ do

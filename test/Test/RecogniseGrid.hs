@@ -22,11 +22,11 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
-import PraTactile.Segment (SymbolImage (..))
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
+import Test.RecognisedSymbols
 import Test.Support
 
 spec :: Spec
@@ -61,17 +61,7 @@ gridSpec =
 
 -- | A symbol of that number that is that for certain, and known to the network, in a cell.
 symbolAt :: Int -> (Int, Int) -> (Symmetry, Int) -> ReadSymbol
-symbolAt n (i, j) what =
-  ReadSymbol
-    { readNumber = n,
-      readSource = 0,
-      readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
-      readAt = centre,
-      readClass = Just what,
-      readSeen = 1,
-      readLikeliest = what,
-      readChances = [(what, 1)]
-    }
+symbolAt n (i, j) = symbolOf n centre
   where
     centre = (16 * fromIntegral j, 20 * fromIntegral i)
 

@@ -22,7 +22,7 @@ import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
-import Test.RecogniseSteps (symbolOf)
+import Test.RecognisedSymbols
 
 spec :: Spec
 spec = either (it "the shipped parts fit together" . expectationFailure) id $ do

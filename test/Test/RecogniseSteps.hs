@@ -1,10 +1,6 @@
 -- | The steps between symbols and an answer, each against its definition: groups, the grid that
 -- they are put on and its tilt, the way up, and what is done to recognitions.
-module Test.RecogniseSteps
-  ( spec,
-    symbolOf,
-  )
-where
+module Test.RecogniseSteps (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sort)
@@ -28,6 +24,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (certainty, elements, generate)
 import qualified Test.QuickCheck as QuickCheck
+import Test.RecognisedSymbols
 
 spec :: Spec
 spec = do
@@ -46,21 +43,6 @@ near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
 
 nearPlace :: (Double, Double) -> (Double, Double) -> Property
 nearPlace (x, y) (x', y') = near x x' .&&. near y y'
-
--- | A symbol with that number at that place of the first composite, of that orientation and class,
--- known to the network as that.
-symbolOf :: Int -> (Double, Double) -> (Symmetry, Int) -> ReadSymbol
-symbolOf n place what =
-  ReadSymbol
-    { readNumber = n,
-      readSource = 0,
-      readImage = SymbolImage place (constant 8 12 0) 0 (8, 12),
-      readAt = place,
-      readClass = Just what,
-      readSeen = 1,
-      readLikeliest = what,
-      readChances = [(what, 1)]
-    }
 
 groupSpec :: Spec
 groupSpec =

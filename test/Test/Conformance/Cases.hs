@@ -1,5 +1,9 @@
 -- | What laws of conformance ask where they exhaust what they are about: exactly what they say.
-module Test.Conformance.Cases (spec) where
+module Test.Conformance.Cases
+  ( spec,
+    over37,
+  )
+where
 
 import Data.Aeson (Value, encode)
 import Data.Foldable (for_)
@@ -53,16 +57,6 @@ spec = do
           name
             `elem` ["gf2-3x5", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16", "paper", "paper-sheet"]
       ]
-    -- 37 is prime, and x + 35 has the root 2, which is primitive modulo 37.
-    over37 =
-      canonicalProfile
-        { profileOrder = 37,
-          profileModulus = [35, 1],
-          profilePolynomial = [5, 1, 1],
-          profileState = [0, 1],
-          profileShape = Shape 8 171,
-          profileWindow = Shape 1 2
-        }
     ofInvalid law = "-refuses-what-is-invalid" `isSuffixOf` lawId law
     cellsIn value = length [() | c <- show (encode value), c == ',']
 
@@ -84,3 +78,16 @@ every :: Cases -> Maybe [Value]
 every (Cases form domain _) = case domain of
   Every cases -> Just (map (writeValue form) cases)
   Some _ _ -> Nothing
+
+-- | A profile over a large field: 37 is prime, and x + 35 has the root 2, which is primitive modulo
+-- 37.
+over37 :: Profile
+over37 =
+  canonicalProfile
+    { profileOrder = 37,
+      profileModulus = [35, 1],
+      profilePolynomial = [5, 1, 1],
+      profileState = [0, 1],
+      profileShape = Shape 8 171,
+      profileWindow = Shape 1 2
+    }

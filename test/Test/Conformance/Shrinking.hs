@@ -12,11 +12,10 @@ import Data.List (intercalate, nub, sort, transpose)
 import Data.Maybe (fromMaybe)
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
-import PraTactile.Array (Shape (..))
 import PraTactile.Conformance
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Format.Json.Codec (writeValue)
-import PraTactile.Profile (Profile (..), canonicalProfile)
+import Test.Conformance.Cases (over37)
 import Test.Hspec
 import Test.QuickCheck (shrinkIntegral, vectorOf)
 import Test.QuickCheck.Gen (unGen)
@@ -89,16 +88,6 @@ spec = do
              "window/unpack-inverts-pack",
              "locate/inverse-of-looking"
            ]
-    -- 37 is prime, and x + 35 has the root 2, which is primitive modulo 37.
-    over37 =
-      canonicalProfile
-        { profileOrder = 37,
-          profileModulus = [35, 1],
-          profilePolynomial = [5, 1, 1],
-          profileState = [0, 1],
-          profileShape = Shape 8 171,
-          profileWindow = Shape 1 2
-        }
 
 -- | Some cases of a law, each with the smaller ones; none of a law that draws none.
 drawn :: Cases -> [(Value, [Value])]
