@@ -4,6 +4,7 @@ module Test.Limits (spec) where
 
 import qualified PraTactile.Census as Census
 import qualified PraTactile.Classify.Estimate as Estimate
+import qualified PraTactile.Classify.Regimen as Regimen
 import qualified PraTactile.Conformance.Question.Touch as Touch
 import qualified PraTactile.DiscreteLog as DiscreteLog
 import qualified PraTactile.Factorisation as Factorisation
@@ -43,6 +44,8 @@ spec = do
       `shouldBe` [262144, 1099511627776]
     length (show Factorisation.largestPower) `shouldBe` 309
     [Factorisation.largestPower `mod` m | m <- [7, 11, 13]] `shouldBe` [2, 5, 3]
+  it "of training: the seed of the shipped network, which 'train' takes if none is given" $
+    Regimen.shippedSeed `shouldBe` 2004
   it "of decoders" $ do
     [MemoryTable.largestTable, Definition.largestSearchedArray, Separation.largestOrientedSearch]
       `shouldBe` [67108864, 1048576, 262144]

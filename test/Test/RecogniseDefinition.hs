@@ -74,8 +74,9 @@ genScene reader doubts = do
   (high, wide) <- elements [(1, 1), (2, 2), (2, 3), (3, 3), (1, 5), (3, 4)]
   wrong <- frequency [(3, pure 0), (2, choose (0, 0.4))]
   gaps <- frequency [(3, pure 0), (1, choose (0, 0.7))]
+  unknown <- frequency [(5, pure (1 / 6)), (1, pure 1)]
   let cells = [(i, j) | i <- [0 .. high - 1], j <- [0 .. wide - 1]] :: [(Int, Int)]
-  here <- traverse (symbolsIn orientation position wrong gaps) cells
+  here <- traverse (symbolsIn orientation position (wrong, unknown) gaps) cells
   let drawn = concat (zipWith (\cell -> map ((,) cell)) cells here)
       numbered = zipWith (\n (cell, s) -> (cell, [s {readNumber = n}])) [0 ..] drawn
   pure (Scene orientation position (Map.fromListWith (flip (++)) numbered))
@@ -84,12 +85,12 @@ genScene reader doubts = do
       empty <- chance gaps
       count <- if empty then pure 0 else frequency [(6, pure 1), (1, pure 2)]
       vectorOf count (symbolIn orientation position wrong cell)
-    symbolIn orientation position wrong (i, j) = do
+    symbolIn orientation position (wrong, unknown) (i, j) = do
       spoilt <- chance wrong
       about <- chance (wrong / 3)
       other <- choose (0, 3)
       doubt <- elements doubts
-      known <- frequency [(5, pure True), (1, pure False)]
+      known <- not <$> chance unknown
       source <- choose (0, 2)
       seen <- frequency [(8, pure 1), (1, pure (1 / 3)), (1, pure 0.3)]
       jitter <- (,) <$> choose (-1, 1) <*> choose (-1, 1)

@@ -272,6 +272,9 @@ spec = describe "store" $ do
         outcome `shouldSatisfy` isDamaged path
     it "a table that is missing" $
       tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that there is besides" $
+      tampered "ALTER TABLE edge ADD COLUMN length_um INTEGER NOT NULL DEFAULT 7" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
     it "a column that is missing" $
       tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
         outcome `shouldBe` Left (TablesDiffer path)

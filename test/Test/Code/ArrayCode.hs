@@ -127,6 +127,14 @@ spec = do
     (verdict, _) <- right (proveCode code window)
     (codeProved verdict, codeVisited verdict, codeMaskRank verdict, codeCollision verdict)
       `shouldBe` (False, Nothing, 2, Nothing)
+  it "of more than 2^30 contents the windows are not visited, and the rank decides" $ do
+    h <- firstOver gf2 4
+    code <- coded (Shape 3 5) h
+    forM_ [(20, True), (31, False)] $ \(cells, visited) -> do
+      window <- right (rectangle (Shape 1 cells))
+      (verdict, _) <- right (proveCode code window)
+      (cells, codeProved verdict, codeVisited verdict)
+        `shouldBe` (cells, True, if visited then Just 15 else Nothing)
   it "refuses shapes that do not divide the period, and sides that are not coprime" $ do
     h <- right first6
     let refusal shape = either Just (const Nothing) (foldCode shape h (canonicalState h))

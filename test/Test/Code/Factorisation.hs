@@ -79,6 +79,12 @@ spec = do
     it "is the factorisation of b^n - 1" $
       [(b, n) | b <- [2 .. 9], n <- [1 .. 12], factorisePowerMinusOne b n /= factorise (b ^ n - 1)]
         `shouldBe` []
+    it "of a large base, and of the largest exponent" $ do
+      forM_ [1025, 10 ^ (9 :: Int) + 7, 2 ^ (64 :: Int)] $ \b ->
+        factorisePowerMinusOne b 2 `shouldBe` factorise (b * b - 1)
+      factorisePowerMinusOne 2 1025 `shouldBe` Left (PowerTooLarge 2 1025)
+      factorisePowerMinusOne (2 ^ (512 :: Int) + 1) 2
+        `shouldBe` Left (PowerTooLarge (2 ^ (512 :: Int) + 1) 2)
     it "refuses what is zero" $ do
       factorisePowerMinusOne 1 5 `shouldBe` Left FactorisationOfZero
       factorisePowerMinusOne 7 0 `shouldBe` Left FactorisationOfZero

@@ -80,6 +80,11 @@ spec = do
                       (Factorisation.factorise (fromIntegral q ^ n - 1))
             (q, n, either (const Nothing) Just (countPrimitive k n)) `shouldBe` (q, n, expected)
             (q, n, Just (fromIntegral (length (primitives k n)))) `shouldBe` (q, n, expected)
+    it "are shown as they are written, in parentheses where they are an argument" $ do
+      let h = polynomial [1, 1, 0, 1] :: Polynomial GF2
+      [showsPrec d h "" | d <- [0, 10, 11]]
+        `shouldBe` ["polynomial [1,1,0,1]", "polynomial [1,1,0,1]", "(polynomial [1,1,0,1])"]
+      (signum h, signum (h - h), abs h) `shouldBe` (1, 0, h)
     it "are none of degree 0, which has no root" $
       forM_ (fieldsUpTo 9) $ \(q, SomeField k) ->
         (q, countPrimitive k 0) `shouldBe` (q, Left PolynomialConstant)

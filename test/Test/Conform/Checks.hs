@@ -1,13 +1,16 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- | What must hold of the exchange with a process, whatever it is asked: how it ends, and what it
 -- does without a profile; by small shell scripts.
 module Test.Conform.Checks (spec) where
 
 import Control.Monad (forM, forM_)
-import Data.Aeson (Value (..), toJSON)
+import Data.Aeson (Value (..), object, toJSON, (.=))
 import PraTactile.Conformance.Process
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
+import PraTactile.Format.Profile (profileValue)
 import PraTactile.Profile (Profile (..), canonicalProfile)
 import System.Posix.Signals (Handler (..), installHandler, sigHUP)
 import Test.Hspec
@@ -81,6 +84,26 @@ spec = do
         came <- session (shell script) $ \subject ->
           forM (take 1 (subjectChecks subject)) $ \one -> (,) (checkId one) <$> checkTry one
         came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
+  it "of a process a request, an operation that there is not is skipped; what else comes is told" $ do
+    let request =
+          object
+            [ "profile" .= profileValue canonicalProfile,
+              "sequence" .= (1 :: Int),
+              "operation" .= ("no-such-operation" :: String),
+              "input" .= object []
+            ]
+        zero = CameResult (toJSON (0 :: Int))
+        other = "echo '{\"sequence\":1,\"result\":0}'"
+    forM_
+      [ ("echo '{\"sequence\":1,\"skipped\":\"s\"}'", CheckHeld),
+        ("echo '{\"sequence\":1,\"result\":0}'", CheckFailed [request] (CameSkipped "not known") zero),
+        ("exit 3", CheckErred [request] (Fault Crashed "it ended, with status 3"))
+      ]
+      $ \(script, wanted) -> do
+        came <-
+          withProcess OneShot (Limits 20) (shell ("read -r line; case $line in *no-such*) " ++ script ++ " ;; *) " ++ other ++ " ;; esac")) $ \subject ->
+            forM (subjectChecks subject) checkTry
+        (script, came) `shouldBe` (script, Right [wanted])
   it "each thing that must hold of the exchange itself says so in a sentence" $ do
     let ids = map checkId
         once' = "echo '{\"sequence\":1,\"result\":0}'"

@@ -4,11 +4,11 @@
 -- counterexamples are the first or the smallest, and tokens say all.
 module Test.Conform.Run (spec) where
 
-import Control.Monad (forM)
+import Control.Monad (forM, replicateM)
 import Data.Aeson (Value (..), encode, toJSON)
 import qualified Data.Aeson.KeyMap as KeyMap
 import qualified Data.ByteString.Lazy.Char8 as Lazy
-import Data.List (intercalate)
+import Data.List (intercalate, nub)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Conformance.Ask
@@ -63,7 +63,8 @@ spec = do
           ]
         list parts = "[" ++ intercalate "," parts ++ "]"
         token parts = readToken (base64 (list parts))
-        with profile' = ["1", show "field/some", profile', "[1]"]
+        with profile' = ["1", show id', profile', "[1]"]
+        id' = "field/some" :: String
         read' = Just (Token "field/some" (Just canonicalProfile) (toJSON [1 :: Int]))
     token (with (list whole)) `shouldBe` read'
     token (with "null") `shouldBe` (\one -> one {tokenProfile = Nothing}) <$> read'
@@ -71,7 +72,7 @@ spec = do
       `shouldBe` replicate 5 Nothing
     map token [drop 1 (with "null"), init (with "null"), with "null" ++ ["0"], with "{}", with "1"]
       `shouldBe` replicate 5 Nothing
-    map (\n -> token (n : drop 1 (with "null"))) ["0", "2", show "1"] `shouldBe` replicate 3 Nothing
+    map (\n -> token (n : drop 1 (with "null"))) ["0", "2", "\"1\""] `shouldBe` replicate 3 Nothing
   it "trials that open profiles and such that ask are tried beside each other, each of them" $ do
     let trial bad n
           | even n = Holds <$ ask (Terms n 1)
@@ -89,6 +90,27 @@ spec = do
       (`matches` "field/addition-commutes")
       ["field/*", "*commute", "commutes", "field/?ddition-*", ""]
       `shouldBe` [True, False, True, True, True]
+  it "in a pattern * is any text, ? any character, and every other one itself" $ do
+    let texts alphabet = concat [replicateM n alphabet | n <- [0 .. 4]]
+        -- What may stand before the end of the pattern's characters so far.
+        reached name = foldl (further name) [0]
+        further name starts c =
+          nub $
+            concat
+              [ case c of
+                  '*' -> [at .. length name]
+                  '?' -> [at + 1 | at < length name]
+                  _ -> [at + 1 | take 1 (drop at name) == [c]]
+                | at <- starts
+              ]
+    let wrong =
+          [ (pattern', name)
+            | pattern' <- texts "ab*?",
+              any (`elem` ("*?" :: String)) pattern',
+              name <- texts "ab",
+              matches pattern' name /= (length name `elem` reached name pattern')
+          ]
+    wrong `shouldBe` []
 
 -- | In the alphabet of URLs, without padding.
 base64 :: String -> String

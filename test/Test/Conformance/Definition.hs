@@ -51,6 +51,20 @@ spec = describe "the definition and the library agree" $ do
           abs (sum (map snd chances) - 1) `shouldSatisfy` (< 1e-12)
           [p | (Position 0 0, p) <- chances] `shouldSatisfy` all (> 0.999999)
           length [() | (Position 0 0, _) <- chances] `shouldBe` 1
+  it "an array of a polynomial of degree 1, whose windows are single cells" $ do
+    -- x + 3 has the root 2, of which the powers modulo 5 are 1, 2, 4, 3.
+    let powers =
+          canonicalProfile
+            { profileOrder = 5,
+              profileModulus = [0, 1],
+              profilePolynomial = [3, 1],
+              profileState = [1],
+              profileShape = Shape 1 4,
+              profileWindow = Shape 1 1
+            }
+    fmap (\k -> traverse (expected k . Cell 0) [0 .. 3]) (known powers)
+      `shouldBe` Right (Right [1, 2, 4, 3])
+    disagreements powers `shouldReturn` []
   it "which profiles are possible" (openedOtherwise `shouldReturn` [])
 
 underName :: String -> [Known]

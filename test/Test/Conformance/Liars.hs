@@ -12,7 +12,7 @@ import Control.Monad.Trans.State.Strict (State, get, put, runState)
 import Data.Aeson (Value (..), toJSON)
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Foldable (for_)
-import Data.List (isSuffixOf, nub, sort)
+import Data.List (isPrefixOf, isSuffixOf, nub, sort)
 import Data.Maybe (mapMaybe)
 import Data.Traversable (for)
 import Numeric.Natural (Natural)
@@ -68,6 +68,8 @@ spec = do
                   Violated violation -> [(violationAsked violation, violationExpected violation)]
                   _ -> []
                 wanted = exchangeReply (last asked)
+            [violationRoad violation | Violated violation <- [verdict]]
+              `shouldSatisfy` all (\road -> any (`isPrefixOf` road) roads)
             -- All that was asked is told, and what the last answer should have been.
             unless (lawId one `elem` byOthers) $
               (lawId one, filter (/= (others', wanted)) told') `shouldBe` (lawId one, [])
@@ -223,6 +225,10 @@ spec = do
     -- What one term is decides only if its coefficient is not 0; of two others in a period the
     -- differences may be as often as before, and it may be the same one a step further; a distance
     -- that is not coprime to the period decimates nothing.
+    -- How it begins by which road a law knows what should have come.
+    roads =
+      ["the definition", "a theorem", "an axiom of fields", "the folding", "the other answer"]
+        ++ ["the profile's ", "the protocol", "the window was read there"]
     notAlways =
       [ "sequence/obeys-the-recurrence",
         "sequence/autocorrelates-by-minus-one",

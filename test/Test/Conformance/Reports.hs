@@ -100,6 +100,24 @@ spec = do
                    ]
   it "as JSON: every count, and every law" $
     decodeStrict (encodeReport whole) `shouldBe` Just json
+  it "in XML a character is itself, its name, or a question mark if XML has none of it" $ do
+    let every = ['\0' .. '\x2FFF'] ++ ['\xD7F0' .. '\xE010'] ++ ['\xFFF0' .. '\x1000F'] ++ [maxBound]
+        text = junitText (const every) whole {reportLaws = [failed "field/c" Nothing]}
+        -- The characters of XML 1.0, section 2.2.
+        allowed c =
+          c `elem` ("\t\n\r" :: String)
+            || or
+              [ low <= c && c <= high
+                | (low, high) <-
+                    [('\x20', '\xD7FF'), ('\xE000', '\xFFFD'), ('\x10000', '\x10FFFF')]
+              ]
+        written c = case lookup c names of
+          Just name -> "&" ++ name ++ ";"
+          Nothing -> [if allowed c then c else '?']
+        names = zip "<>&\"\t\n\r" ["lt", "gt", "amp", "quot", "#9", "#10", "#13"]
+    -- The text has a line end in it only where an element ends.
+    [line | line <- lines text, "<failure" `isPrefixOf` line]
+      `shouldBe` ["<failure message=\"sentence\">" ++ concatMap written every ++ "</failure>"]
   it "as JUnit's XML: a suite a profile with its counts, a case a law" $
     junitText lawReportId whole
       `shouldBe` unlines

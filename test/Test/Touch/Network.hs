@@ -2,16 +2,18 @@
 
 module Test.Touch.Network (spec) where
 
-import Control.Monad (replicateM)
+import Control.Monad (forM_, replicateM)
 import Data.Either (isRight)
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (fromLists, toLists)
+import PraTactile.Classify.Estimate (estimate)
 import PraTactile.Classify.Evaluate
 import PraTactile.Classify.Network
 import PraTactile.Classify.Network.File
 import PraTactile.Classify.Specimens
+import PraTactile.Classify.Templates (templates)
 import PraTactile.Image
   ( Raster,
     constant,
@@ -23,6 +25,7 @@ import PraTactile.Shape
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (classify, generate)
+import Test.Support
 
 spec :: Spec
 spec = do
@@ -148,6 +151,16 @@ spec = do
             NetworkFileEnds "1 weights and a bias",
             UnexpectedNetworkLine 5 "the end of the file" "1.0 2.0"
           ]
+    it "has numbers of at most 32 characters" $ do
+      let with number =
+            parseNetwork
+              ( "pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n"
+                  <> T.unwords (replicate 97 number)
+                  <> "\n1.0 2.0\n"
+              )
+          digits n = "0." <> T.replicate (n - 2) "5"
+      forM_ [3, 31, 32, 33, 40] $ \n ->
+        (n, isRight (with (digits n))) `shouldBe` (n, n <= 32)
     it "does not hold numbers too large for a Double" $
       fmap
         (const ())
@@ -231,10 +244,11 @@ spec = do
         ]
           `shouldBe` replicate 12 50
     it "are refused for a network with another number of classes than the alphabet" $
-      onShipped $ \_ a ->
-        ( network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
-            >>= \n -> errorRates standardThresholds n a Aligned 0 1 1
-        )
+      onShipped $ \_ a -> do
+        single <- right (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]))
+        errorRates standardThresholds single a Aligned 0 1 1
+          `shouldBe` Left (WrongOutputCount 1 4)
+        (() <$ estimate (templates a) single (constant 8 12 0))
           `shouldBe` Left (WrongOutputCount 1 4)
 
 -- | Numbers near an odd number of halves of ln 2.

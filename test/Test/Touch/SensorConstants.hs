@@ -306,6 +306,35 @@ presets = do
     map (limits 1) ["hysteresis", "gain_spread", "drift", "dead_taxels"]
       ++ map (limits 0.5) ["crosstalk", "noise_row", "noise_column"]
       `shouldSatisfy` all ((== [False, True, True, False]) . snd)
+  it "the ranges are promises: what was taken once must be taken later" $
+    [(constantName c, constantRange c, constantWhole c) | c <- constants]
+      `shouldBe` [ ("columns", (4, 256), True),
+                   ("rows", (4, 256), True),
+                   ("taxel_pitch", (0.05, 50), False),
+                   ("tab_diameter", (0, 50), False),
+                   ("position_error", (0, 1000), False),
+                   ("rotation_error", (0, 180), False),
+                   ("force", (0.001, 100000), False),
+                   ("force_spread", (0, 1), False),
+                   ("tilt_spread", (0, 1), False),
+                   ("full_scale_height", (0.0001, 1000), False),
+                   ("tab_stiffness", (0, 100000), False),
+                   ("overlay_depth", (0, 50), False),
+                   ("hysteresis", (0, 1), False),
+                   ("conductance_exponent", (0.1, 4), False),
+                   ("break_force", (0, 100000), False),
+                   ("full_scale_force", (0.000001, 100000), False),
+                   ("gain_spread", (0, 1), False),
+                   ("drift", (0, 1), False),
+                   ("crosstalk", (0, 0.5), False),
+                   ("dead_taxels", (0, 1), False),
+                   ("adc_bits", (0, 16), True),
+                   ("adc_zeroed", (0, 65535), True),
+                   ("noise", (0, 1000), False),
+                   ("noise_slope", (0, 1000), False),
+                   ("noise_row", (0, 0.5), False),
+                   ("noise_column", (0, 0.5), False)
+                 ]
   it "out of its range, or unknown, it is refused" $ do
     let refused = either (maybe "unknown" constantName) (const "taken")
     map

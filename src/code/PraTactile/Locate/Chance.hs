@@ -117,7 +117,6 @@ chance (Spheres q m n r d) = Chance (min 1 share) (2 * r < d)
   where
     share
       | m <= mostExactCells = fromRational (toInteger (n * sphereVolume q m r) % toInteger (q ^ m))
-      | n == 0 = 0
       | otherwise = exp (naturalLogarithm n + logVolume - fromIntegral m * naturalLogarithm q)
     -- The logarithms of the terms of the volume, and of their sum, relative to the largest.
     terms =

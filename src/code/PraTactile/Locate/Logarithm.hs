@@ -7,7 +7,7 @@ where
 import Data.Bits (shiftR)
 import Numeric.Natural (Natural)
 
--- | The logarithm to base e of a number above 0 of any size.
+-- | The logarithm to base e of a number of any size; of 0 it is minus infinity.
 --
 -- >>> abs (naturalLogarithm (10 ^ 1000) - 1000 * log 10) < 1e-9
 -- True

@@ -67,6 +67,7 @@ escaped = concatMap one
       '&' -> "&amp;"
       '"' -> "&quot;"
       '\n' -> "&#10;"
+      '\r' -> "&#13;"
       '\t' -> "&#9;"
       _
         | c < ' ' || c == '\xFFFE' || c == '\xFFFF' || (c >= '\xD800' && c <= '\xDFFF') -> "?"
