@@ -76,6 +76,42 @@ spec = do
               ]
               .&&. leastWeight 10000 code === least
               .&&. counterexample "too large" (leastWeight 1 code <= least)
+    codes "is searched until it cannot be lighter, or gives up before the effort is exceeded" $
+      \size rows ->
+        let code = spannedBy size (map rowFromList rows)
+            q = fieldOrder code
+            k = dimension code
+            -- Of multiples one is looked at.
+            count w = if w == 0 then 0 else changes q k w `div` fromIntegral (q - 1)
+            steps = schedule count (informationSets size (codeBasis code))
+            weightOf = length . filter (/= zero)
+            at step x = weightOf (map (x !!) (placesOf (stepSet step)))
+            seen step = filter ((`elem` stepLevels step) . at step) (Set.toList (words' size rows))
+            -- After each step: the words looked at, the lightest codeword seen, and the weight
+            -- that all others have at least.
+            after =
+              [ ( sum (map stepWords those),
+                  minimum (size + 1 : filter (> 0) (map weightOf (concatMap seen those))),
+                  maybe (size + 1) (+ 1) (stepSeen (last those))
+                )
+                | i <- [1 .. length steps],
+                  let those = take i steps
+              ]
+            needed = [cost | (cost, least, bound) <- after, least <= bound]
+         in conjoin
+              [ case (lightest effort code, needed) of
+                  (NoCodeword, _) -> k === 0
+                  (Lightest _, cost : _) -> property (cost <= effort)
+                  (Between low high, cost : _) ->
+                    let done = takeWhile (\(spent, _, _) -> spent <= effort) after
+                        (least, bound) = case reverse done of
+                          (_, a, b) : _ -> (min size a, b)
+                          [] -> (size, 0)
+                     in counterexample (show (effort, cost)) (cost > effort)
+                          .&&. (low, high) === (max 1 bound, least)
+                  _ -> property False
+                | effort <- [0 .. 40]
+              ]
   describe "the information sets of a code" $ do
     codes "are places that determine a codeword, of which each takes the first that are free" $
       \size rows ->

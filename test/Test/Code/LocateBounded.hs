@@ -2,17 +2,20 @@
 -- compared with the definition in "Test.Code.LocateDefinition".
 module Test.Code.LocateBounded (spec) where
 
-import Control.Monad (forM_)
+import Control.Monad (forM, forM_)
+import Data.Bits (testBit)
 import Data.List (sort)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
+import PraTactile.DiscreteLog
 import PraTactile.Field
 import PraTactile.Field.Named (GF4)
 import PraTactile.LinearCode.Elimination (rowFromList)
 import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Algebra
+import PraTactile.Locate.Decoder.Equations
 import PraTactile.Locate.Decoder.InformationSet
 import PraTactile.Locate.Decoder.List.Bounds (Bounds (..), allBounds)
 import PraTactile.Locate.Decoder.List.Search (positionsOnSheet)
@@ -181,6 +184,40 @@ boundsSpec = do
       `shouldBe` Right (AmbiguousMany (2 ^ (38 :: Int)) (Just 38))
     -- Of the positions that are looked at, each agrees with a probability of 2^-28.
     algebraPatch algebra (tall many) `shouldBe` Left (AlgebraSheet (2 ^ (12 :: Int)))
+  it "of many solutions the first 1024 are looked at: two on the sheet suffice, one does not" $ do
+    (array, algebra) <- bits40 Sheet
+    logarithms <- right (prepareLogarithms (arrayPrimitive array))
+    -- A tall patch may begin in so many rows, a few solutions in a thousand do. That one of the
+    -- positions looked at afterwards agrees has a probability of 2^-12.
+    told <- forM [(2048, 1), (2048, 2)] $
+      \(begins, seed) -> do
+        let offsets =
+              [Position i 0 | i <- [0 .. 12]]
+                ++ [Position i 1 | i <- [0 .. 11]]
+                ++ [Position (2 ^ (20 :: Int) - 1 - begins) 0]
+            codes = [if testBit (seed * 40503 :: Int) (i `mod` 17) then 1 else 0 | i <- [0 ..]]
+            cells = zip offsets codes
+        solutions <- solve 40 <$> right (equations array cells)
+        let places =
+              [ positionOfIndex array t
+                | x <- take 1024 (solutionResidues (arrayPrimitive array) solutions),
+                  Right t <- [logarithmFrom logarithms x]
+              ]
+            there = length (filter ((< begins) . row) places)
+            came = algebraPatch algebra (patchOf (Shape (2 ^ (20 :: Int) - begins) 2) cells)
+        (begins, seed, solutionCount solutions) `shouldSatisfy` \(_, _, n) -> n > 1024
+        (begins, seed, came)
+          `shouldBe` ( begins,
+                       seed,
+                       if there > 1
+                         then
+                           Right . AmbiguousMany (solutionCount solutions) $
+                             Just (solutionFreedom solutions)
+                         else Left (AlgebraSheet (solutionCount solutions))
+                     )
+        pure there
+    -- One has exactly one, the other more.
+    told `shouldSatisfy` \counts -> elem 1 counts && any (> 1) counts
   it "one patch is upright, on its surface, corrected as far as is certain, and none foreign" $ do
     seen <- right (patch [[Just (Symbol (1 :: GF GF4)), Nothing]])
     let query = onePatch Sheet seen
