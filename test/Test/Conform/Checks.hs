@@ -84,7 +84,7 @@ spec = do
         came <- session (shell script) $ \subject ->
           forM (take 1 (subjectChecks subject)) $ \one -> (,) (checkId one) <$> checkTry one
         came `shouldBe` Right [("protocol/none-in-force-after-a-refusal", wanted)]
-  it "of a process a request, an operation that there is not is skipped; what else comes is told" $ do
+  it "an operation that there is not is skipped by a process a request; all else is told" $ do
     let request =
           object
             [ "profile" .= profileValue canonicalProfile,
@@ -92,18 +92,20 @@ spec = do
               "operation" .= ("no-such-operation" :: String),
               "input" .= object []
             ]
-        zero = CameResult (toJSON (0 :: Int))
-        other = "echo '{\"sequence\":1,\"result\":0}'"
+        zero = "echo '{\"sequence\":1,\"result\":0}'"
+        answering reply =
+          "read -r line; case $line in *no-such*) " ++ reply ++ " ;; *) " ++ zero ++ " ;; esac"
+        notKnown = CameSkipped "not known"
     forM_
       [ ("echo '{\"sequence\":1,\"skipped\":\"s\"}'", CheckHeld),
-        ("echo '{\"sequence\":1,\"result\":0}'", CheckFailed [request] (CameSkipped "not known") zero),
+        (zero, CheckFailed [request] notKnown (CameResult (toJSON (0 :: Int)))),
         ("exit 3", CheckErred [request] (Fault Crashed "it ended, with status 3"))
       ]
-      $ \(script, wanted) -> do
+      $ \(reply, wanted) -> do
         came <-
-          withProcess OneShot (Limits 20) (shell ("read -r line; case $line in *no-such*) " ++ script ++ " ;; *) " ++ other ++ " ;; esac")) $ \subject ->
+          withProcess OneShot (Limits 20) (shell (answering reply)) $ \subject ->
             forM (subjectChecks subject) checkTry
-        (script, came) `shouldBe` (script, Right [wanted])
+        (reply, came) `shouldBe` (reply, Right [wanted])
   it "each thing that must hold of the exchange itself says so in a sentence" $ do
     let ids = map checkId
         once' = "echo '{\"sequence\":1,\"result\":0}'"

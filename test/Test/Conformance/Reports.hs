@@ -101,7 +101,9 @@ spec = do
   it "as JSON: every count, and every law" $
     decodeStrict (encodeReport whole) `shouldBe` Just json
   it "in XML a character is itself, its name, or a question mark if XML has none of it" $ do
-    let every = ['\0' .. '\x2FFF'] ++ ['\xD7F0' .. '\xE010'] ++ ['\xFFF0' .. '\x1000F'] ++ [maxBound]
+    let every =
+          concat
+            [['\0' .. '\x2FFF'], ['\xD7F0' .. '\xE010'], ['\xFFF0' .. '\x1000F'], [maxBound]]
         text = junitText (const every) whole {reportLaws = [failed "field/c" Nothing]}
         -- The characters of XML 1.0, section 2.2.
         allowed c =
