@@ -89,7 +89,7 @@ spec = do
             seen step = filter ((`elem` stepLevels step) . at step) (Set.toList (words' size rows))
             -- After each step: the words looked at, the lightest codeword seen, and the weight
             -- that all others have at least.
-            after =
+            progress =
               [ ( sum (map stepWords those),
                   minimum (size + 1 : filter (> 0) (map weightOf (concatMap seen those))),
                   maybe (size + 1) (+ 1) (stepSeen (last those))
@@ -97,13 +97,13 @@ spec = do
                 | i <- [1 .. length steps],
                   let those = take i steps
               ]
-            needed = [cost | (cost, least, bound) <- after, least <= bound]
+            needed = [cost | (cost, least, bound) <- progress, least <= bound]
          in conjoin
               [ case (lightest effort code, needed) of
                   (NoCodeword, _) -> k === 0
                   (Lightest _, cost : _) -> property (cost <= effort)
                   (Between low high, cost : _) ->
-                    let done = takeWhile (\(spent, _, _) -> spent <= effort) after
+                    let done = takeWhile (\(spent, _, _) -> spent <= effort) progress
                         (least, bound) = case reverse done of
                           (_, a, b) : _ -> (min size a, b)
                           [] -> (size, 0)
@@ -151,7 +151,7 @@ spec = do
                   let at = placesOf set
                       rest = Primitive.toList (setRest set)
                       unit i = combination set [(i, one)]
-                      once = Map.toList (Map.fromList terms)
+                      single = Map.toList (Map.fromList terms)
                       sumOf several =
                         foldr
                           (zipWith (+))
@@ -167,7 +167,7 @@ spec = do
                                 .&&. counterexample "no codeword" (isCodeword (unit i))
                               | i <- [0 .. setSize set - 1]
                             ],
-                          rowToList (combination set once) === sumOf once,
+                          rowToList (combination set single) === sumOf single,
                           rowToList (combinationFrom set (rowFromList y) terms)
                             === zipWith (+) agreeing (sumOf terms),
                           rowToList (agreeingAt set (rowFromList y))

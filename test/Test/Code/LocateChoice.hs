@@ -12,7 +12,7 @@ import PraTactile.Field.Named (GF4)
 import PraTactile.Locate
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Algebra
-import PraTactile.Locate.Decoder.InformationSet (DecodingError (..), decodePatch)
+import PraTactile.Locate.Decoder.InformationSet (decodePatch)
 import PraTactile.Locate.Decoder.List (listPatch, standardListing)
 import PraTactile.Locate.Definition (searchPatch)
 import PraTactile.Symmetry

@@ -34,8 +34,8 @@ spec = do
           chosen = concat (take 1 [expected | expected <- chances, likely expected == best])
           ours = (1 - share) * together / fromIntegral (length chances)
           theirs = share / fromIntegral q ^^ cells
-          likeliest = log (best / together)
-          found = foreignChance (ForeignComparison share q (places chances) chosen likeliest)
+          highest = log (best / together)
+          found = foreignChance (ForeignComparison share q (places chances) chosen highest)
        in counterexample (show (found, theirs / (ours + theirs))) $
             abs (found - theirs / (ours + theirs)) < 1e-9
   it "where it is not thought of nothing is told, and a share of none changes nothing" $
@@ -64,16 +64,16 @@ spec = do
     window <- paperWindow
     vast <- vastArray
     vastWindow <- right (rectangle (Shape 15 2))
-    let bayes cells places' count =
+    let bayes cells all' count =
           let theirs = 0.3 / 4 ^^ length cells
-              ours = 0.7 * fromIntegral count * (0.99 + 0.01 / 4) ^ length cells / places'
+              ours = 0.7 * fromIntegral count * (0.99 + 0.01 / 4) ^ length cells / all'
            in theirs / (ours + theirs)
         told made cells tolerated = do
           seen <- right (patch [map (Just . Symbol) cells])
           right (locate made (asking seen tolerated (Just 0.3)))
         small = locator Nothing MostSignificantFirst array window
         large = locator Nothing MostSignificantFirst vast vastWindow
-        located outcome = case outcome of
+        fitting outcome = case outcome of
           Unique _ _ -> 1 :: Natural
           Ambiguous several _ -> fromIntegral (length several)
           AmbiguousMany count _ -> count
@@ -88,8 +88,8 @@ spec = do
         $ \(made, codes, count) -> do
           answer <- told made codes 0.999
           let found = maybe 0 doubtOfForeign (answerDoubts answer)
-          (codes, located (answerOutcome answer)) `shouldSatisfy` ((> 0) . snd)
-          (codes, found, bayes codes count (located (answerOutcome answer)))
+          (codes, fitting (answerOutcome answer)) `shouldSatisfy` ((> 0) . snd)
+          (codes, found, bayes codes count (fitting (answerOutcome answer)))
             `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9
           -- Tolerated is a doubt that is as large.
           refusal <- told made codes (found - 1e-12)

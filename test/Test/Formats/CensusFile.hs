@@ -167,29 +167,29 @@ spec = do
     length found `shouldSatisfy` (> 20)
     [one | one@(came, wanted) <- found, came /= Right wanted] `shouldBe` []
   it "a field that is a number is one in its only form, and every other text is refused" $ do
-    row <- case [body | (_, Right body) <- wantedInOrder (wantedOf 2 4)] of
+    first' <- case [body | (_, Right body) <- wantedInOrder (wantedOf 2 4)] of
       body : _ -> pure (Bytes.split ',' body)
       [] -> fail "an empty census"
     let columns' = Bytes.split ',' (headerOf Unchecked)
-        with column text = Bytes.intercalate "," (zipWith (given column text) columns' row)
-        given column text c = if c == column then const text else id
-        refused column text = readRow Unchecked (with column text) == Left (FieldForm column text)
+        with name text = Bytes.intercalate "," (zipWith (given name text) columns' first')
+        given name text c = if c == name then const text else id
+        refused name text = readRow Unchecked (with name text) == Left (FieldForm name text)
         -- All texts of at most three of these.
         texts = map Bytes.pack (concat [replicateM n "019+- x" | n <- [0 .. 3]])
         digits text = Bytes.all (`elem` ['0' .. '9']) text && not (Bytes.null text)
         number text = digits text && (text == "0" || Bytes.take 1 text /= "0")
         isNumbers = all number . Bytes.split ' '
         isShape text = length (Bytes.split 'x' text) == 2 && all number (Bytes.split 'x' text)
-    forM_ ["entry", "entries", "q", "rank", "needed", "windows", "different"] $ \column ->
-      (column, filter (\text -> refused column text == number text) texts) `shouldBe` (column, [])
-    forM_ ["modulus", "polynomial"] $ \column ->
-      (column, filter (\text -> refused column text == isNumbers text) texts)
-        `shouldBe` (column, [])
-    forM_ ["shape", "window"] $ \column ->
-      (column, filter (\text -> refused column text == isShape text) texts)
-        `shouldBe` (column, [])
-    forM_ ["proved", "rank_road", "folding"] $ \column ->
-      (column, filter (not . refused column) texts) `shouldBe` (column, [])
+    forM_ ["entry", "entries", "q", "rank", "needed", "windows", "different"] $ \name ->
+      (name, filter (\text -> refused name text == number text) texts) `shouldBe` (name, [])
+    forM_ ["modulus", "polynomial"] $ \name ->
+      (name, filter (\text -> refused name text == isNumbers text) texts)
+        `shouldBe` (name, [])
+    forM_ ["shape", "window"] $ \name ->
+      (name, filter (\text -> refused name text == isShape text) texts)
+        `shouldBe` (name, [])
+    forM_ ["proved", "rank_road", "folding"] $ \name ->
+      (name, filter (not . refused name) texts) `shouldBe` (name, [])
     filter (not . refused "enumeration") texts `shouldBe` [""]
     filter (not . refused "distance") (texts ++ ["1..", "..1", "1.2", "01..2", "1..2..3"])
       `shouldBe` filter number texts

@@ -28,7 +28,6 @@ import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge (readFaceName)
 import PraTactile.Probe.Sensor.Constants
 import PraTactile.Stitch
-import PraTactile.Stitch.Arrange
 import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec
@@ -169,7 +168,7 @@ names = do
     let face = Face "cube" (readFaceName "C1 C2 C3 C4")
         truth = Truth face (Region 10 20 28 36 identity 0) (1.5, -2.5)
         claim = Claim face identity (1, 2) (3, 4) Nothing
-        compared answer verdict = decodeStrict (encodeComparison truth answer verdict)
+        encoded answer verdict = decodeStrict (encodeComparison truth answer verdict)
         expected agree difference answer far =
           Just
             ( Aeson.object
@@ -181,14 +180,14 @@ names = do
                   "distance_mm" .= (far :: Maybe Double)
                 ]
             )
-    compared (Just claim) (Right 0.5) `shouldBe` expected True Nothing (Just claim) (Just 0.5)
-    compared (Just claim) (Left (Just OtherFace))
+    encoded (Just claim) (Right 0.5) `shouldBe` expected True Nothing (Just claim) (Just 0.5)
+    encoded (Just claim) (Left (Just OtherFace))
       `shouldBe` expected False (Just "other-face") (Just claim) Nothing
-    compared (Just claim) (Left (Just OtherWayUp))
+    encoded (Just claim) (Left (Just OtherWayUp))
       `shouldBe` expected False (Just "other-orientation") (Just claim) Nothing
-    compared (Just claim) (Left (Just (Elsewhere 25)))
+    encoded (Just claim) (Left (Just (Elsewhere 25)))
       `shouldBe` expected False (Just "elsewhere") (Just claim) (Just 25)
-    compared Nothing (Left Nothing) `shouldBe` expected False (Just "no-place") Nothing Nothing
+    encoded Nothing (Left Nothing) `shouldBe` expected False (Just "no-place") Nothing Nothing
   it "a frame is doubted that is alone in its group beside others, or not likely in its place" $
     forM_
       [ ([(0, Nothing)], [Nothing]),

@@ -26,7 +26,7 @@ sizes = do
     (sensorSide, Geometry.taxelPitch) `shouldBe` (16, 25.4 / 16 :: Rational)
   it "symbols are 8 x 12 taxels, 1.5875 mm high, 25.4 mm apart across and 31.75 mm down" $ do
     (symbolWidth, symbolHeight, symbolThickness) `shouldBe` (8, 12, 1.5875 :: Rational)
-    (columnPitch * 1.5875, rowPitch * 1.5875) `shouldBe` (25.4, 31.75 :: Rational)
+    (columnPitch * 1.5875, rowPitch * 1.5875) `shouldBe` (25.4 :: Rational, 31.75 :: Rational)
 
 genMotion :: Gen Motion
 genMotion =

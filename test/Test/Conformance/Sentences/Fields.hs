@@ -130,10 +130,10 @@ productModulo p modulus a b = codeOf p (remainder full)
     l = charOf p
     m = length modulus - 1
     full =
-      [ sum [x * y | (i, x) <- terms a, (j, y) <- terms b, i + j == k] `mod` l
+      [ sum [x * y | (i, x) <- numbered a, (j, y) <- numbered b, i + j == k] `mod` l
         | k <- [0 .. 2 * degreeOf p - 2]
       ]
-    terms x = zip [0 :: Int ..] (digitsOf p x)
+    numbered x = zip [0 :: Int ..] (digitsOf p x)
     remainder cs
       | length cs <= m = cs
       | otherwise =

@@ -8,7 +8,6 @@ import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Foldable (for_)
 import Data.List (find)
 import PraTactile.Conformance
-import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Question
 import Test.Conformance.Sentences.Said
