@@ -275,7 +275,7 @@ spec = do
 
 -- | A law of the vectors that span a code, of their length, over some small fields.
 codes :: String -> (forall k. KnownField k => Int -> [[GF k]] -> Property) -> Spec
-codes name law = it name . withMaxSuccess 300 $
+codes name law = it name . withMaxSuccess 1000 $
   forAll (QuickCheck.elements [(2, 7), (3, 5), (4, 4), (5, 4)]) $ \(q, longest) ->
     forAll (choose (1, longest)) $ \size ->
       case lookup q everyField of
