@@ -51,7 +51,7 @@ spec = do
             counted basis =
               Map.fromListWith
                 (+)
-                [(length (filter (/= zero) x), 1) | x <- Set.toList (words' size basis)]
+                [(weightOf x, 1) | x <- Set.toList (words' size basis)]
          in conjoin
               [ weights code === counted rows,
                 weightsOfDual (fieldOrder code) size (counted rows)
@@ -60,7 +60,7 @@ spec = do
     codes "has a lightest codeword, or bounds of its weight where the effort is too small" $
       \size rows ->
         let code = spannedBy size (map rowFromList rows)
-            lighter = [length (filter (/= zero) x) | x <- Set.toList (words' size rows)] \\ [0]
+            lighter = [weightOf x | x <- Set.toList (words' size rows)] \\ [0]
             least = if null lighter then 0 else minimum lighter
          in conjoin
               [ case lightest effort code of
@@ -84,7 +84,6 @@ spec = do
             -- Of multiples one is looked at.
             count w = if w == 0 then 0 else changes q k w `div` fromIntegral (q - 1)
             steps = schedule count (informationSets size (codeBasis code))
-            weightOf = length . filter (/= zero)
             at step x = weightOf (map (x !!) (placesOf (stepSet step)))
             seen step = filter ((`elem` stepLevels step) . at step) (Set.toList (words' size rows))
             -- After each step: the words looked at, the lightest codeword seen, and the weight
@@ -262,7 +261,7 @@ spec = do
             length terms == w,
             let x = rowToList (combination set terms)
                 at = Primitive.toList (setRest set)
-                left = length (filter (/= zero) (zipWith (-) rest (map (x !!) at))),
+                left = weightOf (zipWith (-) rest (map (x !!) at)),
             left <= limit
         ]
     tuples :: Int -> Int -> [[Int]]
@@ -290,6 +289,10 @@ codes name law = it name . withMaxSuccess 1000 $
       sparse <- QuickCheck.elements [0, 1, 3 :: Int]
       vectorOf count . vectorOf size $
         frequency [(1, genElement), (sparse, pure zero)]
+
+-- | The number of elements that are not zero.
+weightOf :: [GF k] -> Int
+weightOf = length . filter (/= zero)
 
 -- | All combinations of these vectors of one length.
 words' :: KnownField k => Int -> [[GF k]] -> Set.Set [GF k]

@@ -17,6 +17,7 @@ import PraTactile.Locate.Decoder.List (listPatch, standardListing)
 import PraTactile.Locate.Definition (searchPatch)
 import PraTactile.Symmetry
 import PraTactile.Window
+import Test.Code.Asking
 import Test.Code.Generators
 import Test.Hspec
 import Test.Paper
@@ -106,9 +107,7 @@ spec = do
             either (Left . LocatorPatch) Right . patch $
               [take cells (cycle [Just (Symbol one), Just (Symbol zero)])]
           answerDecoder
-            <$> locate
-              (locator choice MostSignificantFirst array window)
-              (Query [((0, 0), seen)] [identity] Torus Guaranteed 0.01 Nothing)
+            <$> ask choice (Torus, array, window) [identity] Guaranteed 0.01 (alone seen)
     map (about 4097) everyChoice
       `shouldBe` [ Right NearestDecoder,
                    Right TableDecoder,
@@ -158,10 +157,10 @@ spec = do
     window <- paperWindow
     seen <- right (patch [[Nothing, Nothing]])
     forM_ everyChoice $ \choice -> do
-      let made = locator choice MostSignificantFirst array window
-          question possible = Query [((0, 0), seen)] possible Torus Guaranteed 0.01 Nothing
-      (() <$ locate made (question [])) `shouldBe` Left NoSymmetry
-      (choice, fmap answerOutcome (locate made (question [identity])))
+      let answered possible =
+            ask choice (Torus, array, window) possible Guaranteed 0.01 (alone seen)
+      (() <$ answered []) `shouldBe` Left NoSymmetry
+      (choice, fmap answerOutcome (answered [identity]))
         `shouldSatisfy` (isRight . snd)
   where
     everyChoice = Nothing : map Just [minBound .. maxBound]
@@ -179,10 +178,7 @@ asked ::
   Either LocatorError DecoderName
 asked surface array window choice radius seenAs = do
   seen <- either (Left . LocatorPatch) Right (patch (map (map (fmap seenAs)) cells))
-  answerDecoder
-    <$> locate
-      (locator choice MostSignificantFirst array window)
-      (Query [((0, 0), seen)] [identity] surface radius 0.01 Nothing)
+  answerDecoder <$> ask choice (surface, array, window) [identity] radius 0.01 (alone seen)
   where
     cells = look array (Shape 1 9) (Position 0 5)
 
