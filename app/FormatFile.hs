@@ -16,10 +16,10 @@ import ExitStatus
 import Files (readBytes, readBytesUpTo)
 import Message (formatMessage, profileMessage)
 import PraTactile.Format
-import PraTactile.Probe.Calibration (Calibration)
-import PraTactile.Probe.Manifest (Manifest)
-import PraTactile.Probe.Sensor (Sensor)
 import PraTactile.Profile
+import PraTactile.Sensor (Sensor)
+import PraTactile.Sensor.Calibration (Calibration)
+import PraTactile.Sensor.Manifest (Manifest)
 import PraTactile.Truth (Claim, Truth)
 
 -- | The profile in a file, which must name an array.

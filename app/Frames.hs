@@ -32,10 +32,10 @@ import PraTactile.Files
 import PraTactile.Format (encodeManifest)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Probe (Frame (..), Layout (..), sensorSide, standardLayout)
-import PraTactile.Probe.Manifest
+import PraTactile.Registration hiding (assemble)
+import PraTactile.Sensor.Frame (Frame (..), Layout (..), sensorSide, standardLayout)
+import PraTactile.Sensor.Manifest
 import PraTactile.Source
-import PraTactile.Stitch hiding (assemble)
 import System.Directory (doesDirectoryExist, doesFileExist)
 import System.FilePath (takeDirectory, takeFileName, (</>))
 

@@ -14,9 +14,9 @@ import FormatFile (readCalibration)
 import Frames (Preparation (..))
 import Message
 import Options
-import PraTactile.Probe (Frame (..))
-import PraTactile.Probe.Calibration (corrected, withoutStuck)
-import PraTactile.Probe.Manifest (Axes, axesNamed)
+import PraTactile.Sensor.Calibration (corrected, withoutStuck)
+import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Sensor.Manifest (Axes, axesNamed)
 
 -- | What was said about the frames.
 data FramesChoice = FramesChoice

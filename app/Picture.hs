@@ -21,8 +21,8 @@ import PraTactile.Array (Position (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (lieText, shownTilt, upperLeftVertex)
+import PraTactile.Registration (Composite)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite)
 import Recognised
 
 -- | The parts of the picture, each where it is on the page.

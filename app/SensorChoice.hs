@@ -20,8 +20,8 @@ import FormatFile (readSensorFile)
 import Message (rangeText)
 import Options
 import PraTactile.Explore (defaultSpacing)
-import PraTactile.Probe.Sensor
-import PraTactile.Probe.Sensor.Constants
+import PraTactile.Sensor
+import PraTactile.Sensor.Constants
 import System.Directory (doesPathExist)
 import Visible
 

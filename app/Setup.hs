@@ -19,8 +19,8 @@ import Files (readBytes)
 import Json (shapeText)
 import Message
 import Options
-import PraTactile.Classify.Network (Network, NetworkError (..))
-import PraTactile.Classify.Network.File (parseNetwork, shippedNetwork)
+import PraTactile.Classification.Network (Network, NetworkError (..))
+import PraTactile.Classification.Network.File (parseNetwork, shippedNetwork)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge

@@ -14,8 +14,8 @@ import Options
 import Output (sayWritten, writeWhole)
 import PraTactile.Format (encodeCalibration)
 import PraTactile.Image (rasterHeight, rasterWidth)
-import PraTactile.Probe (Frame (..))
-import PraTactile.Probe.Calibration
+import PraTactile.Sensor.Calibration
+import PraTactile.Sensor.Frame (Frame (..))
 
 command :: Mod CommandFields (IO ExitStatus)
 command =

@@ -25,9 +25,9 @@ import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitio
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Registration (Composite (..), compositePosition)
 import PraTactile.Relief (faceClasses)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite (..), compositePosition)
 import Recognised
 import Setup
 import SvgFile

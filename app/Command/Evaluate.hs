@@ -21,11 +21,11 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
 import PraTactile.Object.Placement
-import PraTactile.Probe (planScanOf)
-import PraTactile.Probe.Sensor (HeightMap, Sensor (..), sensorLayout)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Relief
+import PraTactile.Sensor (HeightMap, Sensor (..), sensorLayout)
+import PraTactile.Sensor.Frame (planScanOf)
 import PraTactile.Shape (shapes)
 import PraTactile.Symmetry (rotations)
 import Progress

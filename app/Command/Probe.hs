@@ -24,11 +24,11 @@ import PraTactile.Explore
 import PraTactile.Format (encodeTruth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Probe.Sensor
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Relief
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth (Truth (..))
 import SensorChoice

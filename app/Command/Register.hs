@@ -16,11 +16,11 @@ import Options
 import PraTactile.Files (readImage)
 import PraTactile.Format.Registration
 import PraTactile.Image (Raster, rasterSize)
-import PraTactile.Probe.Calibration (CalibrationError, correctedImage)
+import PraTactile.Registration (compositeImage)
+import PraTactile.Registration.Pair
+import PraTactile.Sensor.Calibration (CalibrationError, correctedImage)
 import PraTactile.Shape (Alphabet, paperAlphabet)
 import PraTactile.Source (imageComposite)
-import PraTactile.Stitch (compositeImage)
-import PraTactile.Stitch.Pair
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
 

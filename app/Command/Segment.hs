@@ -14,8 +14,8 @@ import Frames
 import FramesChoice
 import Options
 import PraTactile.Format.Segmentation
-import PraTactile.Segment.Reject
-import PraTactile.Segment.Turned
+import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Turned
 import Text.Printf (printf)
 import Visible
 

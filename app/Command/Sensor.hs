@@ -8,7 +8,7 @@ import Data.List (dropWhileEnd, find)
 import ExitStatus
 import Options
 import PraTactile.Format (encodeSensor)
-import PraTactile.Probe.Sensor.Constants
+import PraTactile.Sensor.Constants
 import SensorChoice (readSensor)
 import Text.Printf (printf)
 

@@ -25,9 +25,9 @@ import PraTactile.Format.Registration (encodeAssembly, wayName)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
-import PraTactile.Probe (Frame (..))
-import PraTactile.Stitch hiding (Assembly, assemble)
-import qualified PraTactile.Stitch as Stitch
+import PraTactile.Registration hiding (Assembly, assemble)
+import qualified PraTactile.Registration as Stitch
+import PraTactile.Sensor.Frame (Frame (..))
 import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
 import Visible (visibleName)

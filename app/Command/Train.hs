@@ -11,9 +11,9 @@ import ExitStatus
 import Message
 import Options
 import Output
-import PraTactile.Classify.Network.File (renderNetwork)
-import PraTactile.Classify.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
-import PraTactile.Classify.Train (Progress (..))
+import PraTactile.Classification.Network.File (renderNetwork)
+import PraTactile.Classification.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
+import PraTactile.Classification.Train (Progress (..))
 import PraTactile.Steps (counted, stepsDone)
 import Progress
 import Setup

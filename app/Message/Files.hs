@@ -14,7 +14,7 @@ import qualified Data.Text as Text
 import Message.Touch
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Probe.Manifest (manifestHeader)
+import PraTactile.Sensor.Manifest (manifestHeader)
 import PraTactile.Source (SourceError (..), manifestName)
 import System.FilePath ((</>))
 

@@ -16,15 +16,15 @@ import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import Data.List (intercalate)
 import qualified Data.Text as Text
-import PraTactile.Classify.Network (NetworkError (..))
+import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Image.Error
 import PraTactile.Image.Pgm (formatName, maxPixels)
-import PraTactile.Probe (ProbeError (..))
-import PraTactile.Probe.Calibration (CalibrationError (..))
-import PraTactile.Probe.Manifest (ManifestError (..), axesName, manifestHeader)
+import PraTactile.Registration (Contradiction (..), StitchError (..))
+import PraTactile.Registration.Pair (PairError (..))
+import PraTactile.Sensor.Calibration (CalibrationError (..))
+import PraTactile.Sensor.Frame (ProbeError (..))
+import PraTactile.Sensor.Manifest (ManifestError (..), axesName, manifestHeader)
 import PraTactile.Shape (ShapeError (..))
-import PraTactile.Stitch (Contradiction (..), StitchError (..))
-import PraTactile.Stitch.Pair (PairError (..))
 import Text.Printf (printf)
 
 imageMessage :: ImageError -> String

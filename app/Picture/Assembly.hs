@@ -18,8 +18,8 @@ import Picture.Style
 import PraTactile.Format.Registration (groupsOf, reasonsOf, wayName)
 import PraTactile.Geometry (taxelPitch)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
-import PraTactile.Probe (Frame (..), Pose (..))
-import PraTactile.Stitch
+import PraTactile.Registration
+import PraTactile.Sensor.Frame (Frame (..), Pose (..))
 import Text.Printf (printf)
 import Visible (visibleName)
 

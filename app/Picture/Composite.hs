@@ -23,9 +23,9 @@ import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, ta
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Registration (Composite (..))
+import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry (exchangesAxes)
 
 -- | What was made of a symbol or a part of one.

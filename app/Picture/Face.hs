@@ -14,10 +14,10 @@ import PraTactile.Array (Position (..))
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (Motion (..), movePoint, taxelPitch)
 import PraTactile.Recognise
+import PraTactile.Registration (Composite (..))
+import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 import PraTactile.Shape (Alphabet)
-import PraTactile.Stitch (Composite (..))
 import PraTactile.Symmetry
 
 -- | What is drawn of a face.

@@ -20,7 +20,7 @@ import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore (halfTurns, standardRegionSize)
 import PraTactile.Field
@@ -29,13 +29,13 @@ import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, laidFaces)
 import PraTactile.Polynomial
-import PraTactile.Probe.Sensor (standardSensor)
 import PraTactile.Profile (canonicalProfile, withProfile)
 import PraTactile.Recognise
+import PraTactile.Registration (compositeOf, standardRegistration)
 import PraTactile.Relief (relief)
+import PraTactile.Sensor (standardSensor)
 import PraTactile.Sequence
 import PraTactile.Shape (paperAlphabet)
-import PraTactile.Stitch (compositeOf, standardRegistration)
 import PraTactile.Window
 import PraTactile.Window.Proof
 

@@ -51,7 +51,7 @@ module PraTactile
     Candidate (..),
     Reason (..),
 
-    -- * Images of touch: "PraTactile.Image", "PraTactile.Probe", "PraTactile.Stitch"
+    -- * Images of touch: "PraTactile.Image", "PraTactile.Sensor.Frame", "PraTactile.Registration"
     Raster,
     Frame (..),
     Pose (..),
@@ -88,19 +88,19 @@ module PraTactile
 where
 
 import PraTactile.Array
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Decode
 import PraTactile.Image (Raster)
 import PraTactile.Locate (answerOutcome)
 import PraTactile.Locate hiding (Answer (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Probe
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (summary)
+import PraTactile.Registration
+import PraTactile.Sensor.Frame
 import PraTactile.Shape (paperAlphabet)
 import PraTactile.Source
-import PraTactile.Stitch
 import PraTactile.Window
 import PraTactile.Window.Proof

@@ -8,7 +8,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
@@ -16,14 +16,14 @@ import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge (FaceName (..), ObjectName (..))
-import PraTactile.Probe
-import PraTactile.Probe.Sensor
 import PraTactile.Profile
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
+import PraTactile.Registration (Composite, StitchError, placeOnly, standardRegistration, stitch)
 import PraTactile.Relief
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
 import PraTactile.Shape (paperAlphabet)
-import PraTactile.Stitch (Composite, StitchError, placeOnly, standardRegistration, stitch)
 import PraTactile.Symmetry
 import System.Random (StdGen, mkStdGen, split)
 import Test.Hspec

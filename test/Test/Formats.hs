@@ -24,7 +24,7 @@ import PraTactile.Files
 import PraTactile.Format
 import PraTactile.Object.Placement (Face (..), placementSolids)
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (taxelPitch)
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry (identity, rotations)
 import PraTactile.Truth
 import System.Timeout (timeout)

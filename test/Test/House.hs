@@ -69,6 +69,20 @@ spec = describe "the house" $
             ]
       length linear `shouldSatisfy` (> 1)
       others `shouldBe` []
+    it "touch's folders follow the data: each imports only itself and those above it" $ \(house, _) -> do
+      let folder name = takeWhile (/= '.') (drop (length "PraTactile.") name)
+          above one = takeWhile (/= folder (sourceName one)) touchFolders
+          backwards =
+            [ (sourceName one, name)
+              | one <- house,
+                sourceWing one == Touch,
+                name <- sourceImports one,
+                Just Touch == Map.lookup name (wingsOf house),
+                folder name `notElem` (folder (sourceName one) : above one)
+            ]
+      filter (`notElem` touchFolders) [folder (sourceName one) | one <- house, sourceWing one == Touch]
+        `shouldBe` []
+      backwards `shouldBe` []
     it "the definition of conformance has of the code types alone" $ \(house, _) -> do
       let definition = filter (below "PraTactile.Conformance.Definition" . sourceName) house
           conformance =
@@ -249,3 +263,8 @@ dependencies section =
           (drop 1 (dropWhile (/= "  build-depends:") (lines section))),
       name : _ <- [words (filter (/= ',') line)]
   ]
+
+-- | The folders of touch, and the modules of their names, in the order of the data.
+touchFolders :: [String]
+touchFolders =
+  words "Geometry Steps Image Shape Sensor Composite Registration Segmentation Classification"

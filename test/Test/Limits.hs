@@ -3,8 +3,8 @@
 module Test.Limits (spec) where
 
 import qualified PraTactile.Census as Census
-import qualified PraTactile.Classify.Estimate as Estimate
-import qualified PraTactile.Classify.Regimen as Regimen
+import qualified PraTactile.Classification.Estimate as Estimate
+import qualified PraTactile.Classification.Regimen as Regimen
 import qualified PraTactile.Conformance.Question.Touch as Touch
 import qualified PraTactile.DiscreteLog as DiscreteLog
 import qualified PraTactile.Factorisation as Factorisation
@@ -20,9 +20,9 @@ import qualified PraTactile.Locate.Joint as Joint
 import qualified PraTactile.Locate.Separation as Separation
 import qualified PraTactile.Rates.Formulas as Formulas
 import qualified PraTactile.Rates.Setup as Setup
-import qualified PraTactile.Segment as Segment
-import qualified PraTactile.Stitch as Stitch
-import qualified PraTactile.Stitch.Search as Search
+import qualified PraTactile.Registration as Stitch
+import qualified PraTactile.Registration.Search as Search
+import qualified PraTactile.Segmentation as Segment
 import qualified PraTactile.Window.Distance as Distance
 import qualified PraTactile.Window.Enumeration as Enumeration
 import Test.Hspec

@@ -13,8 +13,8 @@ import Drawing
 import Drawing.Svg
 import Picture
 import PraTactile.Array (PseudorandomArray, Surface (..))
-import PraTactile.Classify.Network (Network)
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate (Trial (..), trial)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
@@ -22,15 +22,15 @@ import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Probe (taxelPitch)
-import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Summary (shownTilt)
+import PraTactile.Registration
 import PraTactile.Relief
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor (HeightMap (..), standardSensor)
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Shape (Alphabet, paperAlphabet)
-import PraTactile.Stitch
 import PraTactile.Symmetry
 import PraTactile.Truth
 import System.Random (mkStdGen)

@@ -9,8 +9,8 @@ import Data.Text (Text)
 import Drawing
 import Picture.Assembly
 import PraTactile.Image
-import PraTactile.Probe
-import PraTactile.Stitch
+import PraTactile.Registration
+import PraTactile.Sensor.Frame
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (generate)

@@ -6,8 +6,8 @@ import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
 import Numeric.LinearAlgebra (konst)
 import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface (..), cellAt)
-import PraTactile.Classify.Network (Network, network)
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network (Network, network)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
@@ -16,15 +16,15 @@ import PraTactile.Image
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Canonical (canonicalLayings, canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Probe (movePoint, taxelPitch)
-import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Reading (Group (..), groups)
+import PraTactile.Registration (compositeOf, standardRegistration)
 import PraTactile.Relief
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor (HeightMap (..), standardSensor)
+import PraTactile.Sensor.Frame (movePoint, taxelPitch)
 import PraTactile.Shape
-import PraTactile.Stitch (compositeOf, standardRegistration)
 import PraTactile.Symmetry
 import PraTactile.Window (Mask)
 import System.Random (mkStdGen)

@@ -5,23 +5,23 @@ import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, mapMaybe)
 import PraTactile.Array
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Composite.Tilt
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Probe (Motion (..), movePoint, taxelPitch)
-import PraTactile.Probe.Sensor (HeightMap (..))
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition (preferred)
+import PraTactile.Registration (Composite (..), Contradiction (..), compositeOf, compositePosition)
 import PraTactile.Relief
-import PraTactile.Segment (SymbolImage (..), onComposite)
-import PraTactile.Segment.Tilt
+import PraTactile.Segmentation (SymbolImage (..), onComposite)
+import PraTactile.Sensor (HeightMap (..))
+import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 import PraTactile.Shape
-import PraTactile.Stitch (Composite (..), Contradiction (..), compositeOf, compositePosition)
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)

@@ -10,11 +10,11 @@ import Data.Maybe (catMaybes, fromMaybe)
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
-import PraTactile.Classify.Estimate
-import PraTactile.Classify.Network (Network)
-import PraTactile.Classify.Network.File (shippedNetwork)
-import PraTactile.Classify.Part
-import PraTactile.Classify.Templates
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Network (Network)
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Part
+import PraTactile.Classification.Templates
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Field
@@ -22,15 +22,15 @@ import PraTactile.Image
 import PraTactile.Locate (Radius (..), Reason (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Probe (movePoint, taxelPitch)
-import PraTactile.Probe.Sensor
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Recognition (doubting)
+import PraTactile.Registration
 import PraTactile.Relief (relief)
-import PraTactile.Segment
+import PraTactile.Segmentation
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame (movePoint, taxelPitch)
 import PraTactile.Shape hiding (area)
-import PraTactile.Stitch
 import PraTactile.Symmetry
 import PraTactile.Window
 import Test.Hspec

@@ -9,7 +9,7 @@ import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import Data.Ord (comparing)
 import qualified Data.Set as Set
 import PraTactile.Array
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Locate (Chance (..), Outcome (..), Radius (..), Reason (..), locate, onePatch)
 import qualified PraTactile.Locate as Locate

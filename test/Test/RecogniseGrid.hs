@@ -15,13 +15,13 @@ import PraTactile.Files (readFolder)
 import PraTactile.Image
 import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
-import PraTactile.Probe (taxelPitch)
-import PraTactile.Probe.Sensor (HeightMap (..), idealSensor)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
+import PraTactile.Sensor (HeightMap (..), idealSensor)
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec

@@ -6,18 +6,18 @@ import Data.List (sort, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Classify.Estimate
-import PraTactile.Classify.Network.File (shippedNetwork)
-import PraTactile.Classify.Part
-import PraTactile.Classify.Templates
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Classification.Part
+import PraTactile.Classification.Templates
 import PraTactile.Image hiding (mean)
-import PraTactile.Probe (taxelPitch)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
-import PraTactile.Segment
+import PraTactile.Registration (Composite (..), compositeOf)
+import PraTactile.Segmentation
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Shape
-import PraTactile.Stitch (Composite (..), compositeOf)
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

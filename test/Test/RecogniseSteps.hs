@@ -17,8 +17,8 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Summary
 import PraTactile.Recognise.SymbolBelief
-import PraTactile.Segment (SymbolImage (..))
-import qualified PraTactile.Segment.Lattice as Lattice
+import PraTactile.Segmentation (SymbolImage (..))
+import qualified PraTactile.Segmentation.Lattice as Lattice
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

@@ -6,7 +6,7 @@ where
 
 import PraTactile.Image (constant)
 import PraTactile.Recognise.Reading (ReadSymbol (..))
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
 -- | A symbol with that number at that place of the first composite, of that orientation and class,

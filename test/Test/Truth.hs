@@ -5,7 +5,7 @@ import PraTactile.Explore
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (taxelPitch)
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec

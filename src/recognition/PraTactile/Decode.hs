@@ -19,18 +19,18 @@ where
 
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
-import PraTactile.Classify.Network (Network, NetworkError)
-import PraTactile.Classify.Network.File (shippedNetwork)
+import PraTactile.Classification.Network (Network, NetworkError)
+import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, PlacementError)
-import PraTactile.Probe (Frame)
-import PraTactile.Probe.Calibration (withoutStuck)
 import PraTactile.Profile
 import PraTactile.Recognise
+import PraTactile.Registration
+import PraTactile.Sensor.Calibration (withoutStuck)
+import PraTactile.Sensor.Frame (Frame)
 import PraTactile.Shape (Alphabet, ShapeError, paperAlphabet)
 import PraTactile.Source
-import PraTactile.Stitch
 
 -- | A recogniser whose field need not be known: of composites of one face, what they show together.
 newtype Decoder = Decoder (Tolerance -> [Composite] -> Either NetworkError Recognition)

@@ -34,11 +34,11 @@ import PraTactile.Array (Shape (..))
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
-import PraTactile.Probe (Frame)
-import PraTactile.Probe.Sensor (HeightMap, Sensor, drawSpecimen)
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
-import PraTactile.Stitch (Composite, Registration, compositePosition, placeOnly, stitch)
+import PraTactile.Registration (Composite, Registration, compositePosition, placeOnly, stitch)
+import PraTactile.Sensor (HeightMap, Sensor, drawSpecimen)
+import PraTactile.Sensor.Frame (Frame)
 import PraTactile.Symmetry (Symmetry)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)

@@ -25,9 +25,9 @@ where
 
 import Data.Bifunctor (first)
 import PraTactile.Object.Placement (LaidFace (..), Spot (..))
-import PraTactile.Probe (Frame, Motion (..), ProbeError, movePoint, planScanOf, taxelPitch)
-import PraTactile.Probe.Sensor
 import PraTactile.Random (uniform)
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame (Frame, Motion (..), ProbeError, movePoint, planScanOf, taxelPitch)
 import PraTactile.Symmetry
 import System.Random (RandomGen)
 

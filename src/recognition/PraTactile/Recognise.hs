@@ -42,8 +42,9 @@ where
 
 import Data.List (inits, tails)
 import Data.Maybe (isJust, isNothing, mapMaybe)
-import PraTactile.Classify.Network (NetworkError)
-import PraTactile.Classify.Part (Pixels (..))
+import PraTactile.Classification.Network (NetworkError)
+import PraTactile.Classification.Part (Pixels (..))
+import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Recognise.FaceGrid
@@ -53,9 +54,8 @@ import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
-import PraTactile.Segment (Cleaned (..), Segmentation (..), cleaned)
-import PraTactile.Segment.Tilt (leastTilt, setUpright, tilt)
-import PraTactile.Stitch (Composite (..))
+import PraTactile.Registration (Composite (..))
+import PraTactile.Segmentation (Cleaned (..), Segmentation (..), cleaned)
 import PraTactile.Symmetry
 
 -- | Recognise what a composite image shows, with 'standardTolerance'. Refuses, through 'Either',

@@ -21,7 +21,7 @@ import PraTactile.Field (KnownField)
 import PraTactile.Geometry (symbolHeight, symbolThickness, symbolWidth, taxelPitch)
 import PraTactile.Image (generate)
 import PraTactile.Object.Placement
-import PraTactile.Probe.Sensor (HeightMap (..))
+import PraTactile.Sensor (HeightMap (..))
 import PraTactile.Shape (Alphabet, ShapeError, embossedAt, shapeOf)
 import PraTactile.Symbol (classOfElement)
 

@@ -30,9 +30,9 @@ import Data.Word (Word16)
 import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
-import PraTactile.Probe (Frame (..))
-import PraTactile.Probe.Manifest
-import PraTactile.Stitch (Composite, compositeOf)
+import PraTactile.Registration (Composite, compositeOf)
+import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Sensor.Manifest
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
 

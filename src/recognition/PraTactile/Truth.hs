@@ -12,7 +12,7 @@ where
 
 import PraTactile.Explore
 import PraTactile.Object.Placement
-import PraTactile.Probe (movePoint)
+import PraTactile.Sensor.Frame (movePoint)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 
 -- | Where an exploration was.

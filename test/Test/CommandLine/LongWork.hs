@@ -5,14 +5,14 @@ import Data.Foldable (for_)
 import Data.List (isInfixOf)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
-import PraTactile.Classify.Regimen
-import PraTactile.Classify.Train (Descent (..))
+import PraTactile.Classification.Regimen
+import PraTactile.Classification.Train (Descent (..))
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Image (constant)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (laidFaces)
-import PraTactile.Probe.Sensor (HeightMap (..), standardSensor)
+import PraTactile.Sensor (HeightMap (..), standardSensor)
 import PraTactile.Shape (paperAlphabet)
 import PraTactile.Shape.Design
 import PraTactile.Steps (stepsDone)

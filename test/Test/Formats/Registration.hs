@@ -7,9 +7,9 @@ import Data.Aeson (Value, decodeStrict, object, (.=))
 import Data.Foldable (for_)
 import PraTactile.Format.Registration
 import PraTactile.Format.Segmentation
-import PraTactile.Segment.Reject
-import PraTactile.Segment.Turned
-import PraTactile.Stitch.Pair
+import PraTactile.Registration.Pair
+import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Turned
 import Test.Hspec
 
 spec :: Spec

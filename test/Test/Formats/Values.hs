@@ -26,8 +26,8 @@ import PraTactile.Format.Truth
 import PraTactile.Image (constant)
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge (readFaceName)
-import PraTactile.Probe.Sensor.Constants
-import PraTactile.Stitch
+import PraTactile.Registration
+import PraTactile.Sensor.Constants
 import PraTactile.Symmetry
 import PraTactile.Truth
 import Test.Hspec

@@ -21,7 +21,7 @@ import PatchText
 import PraTactile.Array
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
-import PraTactile.Classify.Network.File
+import PraTactile.Classification.Network.File
 import PraTactile.Explore (Region (..), regionCorner)
 import PraTactile.Field
 import PraTactile.Format
@@ -30,8 +30,8 @@ import PraTactile.Grid (gridRows)
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPitch)
-import PraTactile.Probe.Manifest
 import PraTactile.Profile
+import PraTactile.Sensor.Manifest
 import PraTactile.Shape (parseAlphabet, renderAlphabet)
 import PraTactile.Symmetry
 import PraTactile.Truth

@@ -29,17 +29,17 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Census (census, censusSize, standardScope)
 import PraTactile.Certificate
-import PraTactile.Classify.Network
-import PraTactile.Classify.Network.File
+import PraTactile.Classification.Network
+import PraTactile.Classification.Network.File
 import PraTactile.Explore (Region (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
 import PraTactile.Image.Pgm
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
-import PraTactile.Probe (Pose (..))
-import PraTactile.Probe.Manifest
 import PraTactile.Profile
+import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Manifest
 import PraTactile.Shape (paperAlphabet, renderAlphabet)
 import PraTactile.Symmetry (turned)
 import PraTactile.Truth

@@ -2,12 +2,12 @@
 module Test.Touch.Blend (spec) where
 
 import Data.Maybe (fromMaybe)
+import PraTactile.Composite.Blend
 import PraTactile.Image
 import PraTactile.Image.Correlate (Reference, reference)
-import PraTactile.Probe
-import PraTactile.Stitch
-import PraTactile.Stitch.Blend
-import PraTactile.Stitch.Search
+import PraTactile.Registration
+import PraTactile.Registration.Search
+import PraTactile.Sensor.Frame
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -7,11 +7,11 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Format.Calibration (decodeCalibration, encodeCalibration)
 import PraTactile.Image
-import PraTactile.Probe
-import PraTactile.Probe.Calibration
-import PraTactile.Probe.Resample
-import PraTactile.Probe.Sensor
-import PraTactile.Stitch
+import PraTactile.Registration
+import PraTactile.Sensor
+import PraTactile.Sensor.Calibration
+import PraTactile.Sensor.Frame
+import PraTactile.Sensor.Resample
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

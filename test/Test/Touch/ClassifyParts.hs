@@ -6,16 +6,16 @@ import Data.Foldable (for_)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe, isJust)
 import Data.Ord (Down (..))
-import PraTactile.Classify.Estimate
-import PraTactile.Classify.Part
-import PraTactile.Classify.Regimen
-import PraTactile.Classify.Specimens
-import PraTactile.Classify.Templates
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Part
+import PraTactile.Classification.Regimen
+import PraTactile.Classification.Specimens
+import PraTactile.Classification.Templates
 import PraTactile.Image hiding (mean)
-import PraTactile.Segment (Part (..))
+import PraTactile.Registration.Rotation
+import PraTactile.Segmentation (Part (..))
 import PraTactile.Shape
 import PraTactile.Steps
-import PraTactile.Stitch.Rotation
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec

@@ -5,8 +5,8 @@ module Test.Touch.Clusters (spec) where
 import Data.List (nub, sortOn)
 import qualified Data.Map.Strict as Map
 import PraTactile.Image (constant)
-import PraTactile.Segment (SymbolImage (..))
-import PraTactile.Segment.Lattice
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Segmentation.Lattice
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck

@@ -3,7 +3,7 @@ module Test.Touch.Cosine (spec) where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
-import PraTactile.Stitch.Cosine
+import PraTactile.Registration.Cosine
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate)

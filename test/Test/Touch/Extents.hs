@@ -6,11 +6,11 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import PraTactile.Image
-import PraTactile.Segment
-import PraTactile.Segment.Box
-import PraTactile.Segment.Component (components)
-import PraTactile.Segment.Lattice
-import PraTactile.Stitch (compositeOf)
+import PraTactile.Registration (compositeOf)
+import PraTactile.Segmentation
+import PraTactile.Segmentation.Box
+import PraTactile.Segmentation.Component (components)
+import PraTactile.Segmentation.Lattice
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)

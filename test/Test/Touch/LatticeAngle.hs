@@ -5,10 +5,10 @@ module Test.Touch.LatticeAngle (spec) where
 import Data.List (find, maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Image
-import PraTactile.Stitch.Evidence (Sight (..))
-import PraTactile.Stitch.Held (Held (..))
-import PraTactile.Stitch.LatticeAngle
-import PraTactile.Stitch.Spectrum
+import PraTactile.Registration.Lattice.Angle
+import PraTactile.Registration.Lattice.Evidence (Sight (..))
+import PraTactile.Registration.Lattice.Held (Held (..))
+import PraTactile.Registration.Spectrum
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

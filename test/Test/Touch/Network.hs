@@ -8,12 +8,12 @@ import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (fromLists, toLists)
-import PraTactile.Classify.Estimate (estimate)
-import PraTactile.Classify.Evaluate
-import PraTactile.Classify.Network
-import PraTactile.Classify.Network.File
-import PraTactile.Classify.Specimens
-import PraTactile.Classify.Templates (templates)
+import PraTactile.Classification.Estimate (estimate)
+import PraTactile.Classification.Evaluate
+import PraTactile.Classification.Network
+import PraTactile.Classification.Network.File
+import PraTactile.Classification.Specimens
+import PraTactile.Classification.Templates (templates)
 import PraTactile.Image
   ( Raster,
     constant,

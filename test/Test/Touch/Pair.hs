@@ -6,12 +6,12 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Random (normals)
+import PraTactile.Registration.Lattice.Evidence (evidence)
+import PraTactile.Registration.Lattice.Template (templates)
+import PraTactile.Registration.Pair
+import PraTactile.Registration.Pair.Lattice (latticePosterior)
+import PraTactile.Registration.Posterior (hypotheses)
 import PraTactile.Shape (Alphabet, embossedAt, paperAlphabet, shapes)
-import PraTactile.Stitch.Evidence (evidence)
-import PraTactile.Stitch.Pair
-import PraTactile.Stitch.Pair.Lattice (latticePosterior)
-import PraTactile.Stitch.Posterior (hypotheses)
-import PraTactile.Stitch.Template (templates)
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)

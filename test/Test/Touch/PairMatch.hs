@@ -5,22 +5,22 @@ module Test.Touch.PairMatch (spec) where
 import Data.List (nub)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Place)
 import PraTactile.Image
+import PraTactile.Registration.Cosine
+import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Template (Templates, templates)
+import PraTactile.Registration.Pair
+import PraTactile.Registration.Pair.Alike
+import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Pair.Correlation
+import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Pair.Overlap
+import PraTactile.Registration.Pair.Straight
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Rotation
+import PraTactile.Registration.Spectrum
 import PraTactile.Shape (paperAlphabet)
-import PraTactile.Stitch.Blend (Place)
-import PraTactile.Stitch.Cosine
-import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Pair
-import PraTactile.Stitch.Pair.Alike
-import PraTactile.Stitch.Pair.Blind
-import PraTactile.Stitch.Pair.Correlation
-import PraTactile.Stitch.Pair.Lattice
-import PraTactile.Stitch.Pair.Overlap
-import PraTactile.Stitch.Pair.Straight
-import PraTactile.Stitch.Posterior
-import PraTactile.Stitch.Rotation
-import PraTactile.Stitch.Spectrum
-import PraTactile.Stitch.Template (Templates, templates)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables, within)

@@ -5,16 +5,16 @@ module Test.Touch.PairParts (spec) where
 import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
-import PraTactile.Stitch.Noise (frameNoise)
-import PraTactile.Stitch.Pair.Alike
-import PraTactile.Stitch.Pair.Blind
-import PraTactile.Stitch.Pair.Correlation
-import PraTactile.Stitch.Pair.Overlap
-import PraTactile.Stitch.Pair.Straight
-import PraTactile.Stitch.Posterior
-import PraTactile.Stitch.Spectrum
-import PraTactile.Stitch.Turn
+import PraTactile.Registration.Pair.Alike
+import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Pair.Correlation
+import PraTactile.Registration.Pair.Overlap
+import PraTactile.Registration.Pair.Straight
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Spectrum
+import PraTactile.Registration.Turn
 import PraTactile.Symmetry
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec

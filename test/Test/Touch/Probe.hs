@@ -7,8 +7,8 @@ import qualified Data.ByteString as B
 import Data.Either (isLeft)
 import PraTactile.Geometry hiding (taxelPitch)
 import qualified PraTactile.Geometry as Geometry
-import PraTactile.Probe
-import PraTactile.Probe.Manifest
+import PraTactile.Sensor.Frame
+import PraTactile.Sensor.Manifest
 import Test.Hspec
 import Test.QuickCheck
 

@@ -6,12 +6,12 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Image.Correlate (overlapAt, referenceOf, zncc)
-import PraTactile.Probe
-import PraTactile.Probe.Sensor
 import PraTactile.Random (normals)
-import PraTactile.Segment
-import PraTactile.Segment.Lattice
-import PraTactile.Stitch
+import PraTactile.Registration
+import PraTactile.Segmentation
+import PraTactile.Segmentation.Lattice
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec

@@ -5,14 +5,14 @@ module Test.Touch.SegmentForeign (spec) where
 import Data.List (nub, sort, sortOn)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite (Composite (..), compositeOf)
+import PraTactile.Composite.Level (Levels (..), levels)
 import PraTactile.Image hiding (mean)
-import PraTactile.Segment.Foreign
-import PraTactile.Segment.Foreign.Extent
-import PraTactile.Segment.Foreign.Height
-import PraTactile.Segment.Level (Levels (..), levels)
-import PraTactile.Segment.Region
-import PraTactile.Segment.Reject (Cause (..), Reject (..))
-import PraTactile.Stitch.Composite (Composite (..), compositeOf)
+import PraTactile.Segmentation.Foreign
+import PraTactile.Segmentation.Foreign.Extent
+import PraTactile.Segmentation.Foreign.Height
+import PraTactile.Segmentation.Region
+import PraTactile.Segmentation.Reject (Cause (..), Reject (..))
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -8,14 +8,14 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Level
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image
-import PraTactile.Segment (Part (..), Segmentation (..), SymbolImage (..), leastSeen, partAt)
-import PraTactile.Segment.Box
-import PraTactile.Segment.Lattice
-import PraTactile.Segment.Level
-import PraTactile.Segment.Region
-import PraTactile.Stitch (Composite (..), compositeOf)
+import PraTactile.Registration (Composite (..), compositeOf)
+import PraTactile.Segmentation (Part (..), Segmentation (..), SymbolImage (..), leastSeen, partAt)
+import PraTactile.Segmentation.Box
+import PraTactile.Segmentation.Lattice
+import PraTactile.Segmentation.Region
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -11,17 +11,17 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
+import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
 import PraTactile.Profile
 import PraTactile.Random (normals)
 import PraTactile.Recognise
-import PraTactile.Segment (Cause (..), Reject (..), SymbolImage (..), cleaned)
-import PraTactile.Segment.Foreign (Cleaned (..))
-import PraTactile.Segment.Tilt (tilt)
-import PraTactile.Segment.Turned
-import PraTactile.Stitch (Composite (..), compositeOf)
+import PraTactile.Registration (Composite (..), compositeOf)
+import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), cleaned)
+import PraTactile.Segmentation.Foreign (Cleaned (..))
+import PraTactile.Segmentation.Turned
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
 import Test.Hspec

@@ -11,9 +11,9 @@ import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Probe
-import PraTactile.Probe.Sensor
 import PraTactile.Random (uniform)
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
 import PraTactile.Shape (paperAlphabet, shapes, toRaster)
 import PraTactile.Symmetry
 import System.Random (mkStdGen)

@@ -5,11 +5,11 @@ import Data.List (genericLength, nub)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Probe
-import PraTactile.Probe.Sensor
-import PraTactile.Probe.Sensor.Constants
-import PraTactile.Probe.Sensor.Press
-import PraTactile.Probe.Sensor.Response
+import PraTactile.Sensor
+import PraTactile.Sensor.Constants
+import PraTactile.Sensor.Frame
+import PraTactile.Sensor.Press
+import PraTactile.Sensor.Response
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)

@@ -7,12 +7,12 @@ import Data.List (sort, unfoldr)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Probe
-import PraTactile.Probe.Calibration
-import PraTactile.Probe.Sensor
-import PraTactile.Probe.Sensor.Press
-import PraTactile.Probe.Sensor.Response
 import PraTactile.Random (normal, normalPair, normals, uniform)
+import PraTactile.Sensor
+import PraTactile.Sensor.Calibration
+import PraTactile.Sensor.Frame
+import PraTactile.Sensor.Press
+import PraTactile.Sensor.Response
 import System.Random (StdGen, mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

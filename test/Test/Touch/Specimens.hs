@@ -3,13 +3,13 @@ module Test.Touch.Specimens (spec) where
 
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Classify.Part (partDistances)
-import PraTactile.Classify.Specimens
-import PraTactile.Classify.Templates (templates)
+import PraTactile.Classification.Part (partDistances)
+import PraTactile.Classification.Specimens
+import PraTactile.Classification.Templates (templates)
 import PraTactile.Image
-import PraTactile.Probe (Pose (..))
-import PraTactile.Probe.Sensor
-import PraTactile.Segment (Part (..))
+import PraTactile.Segmentation (Part (..))
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Shape
 import PraTactile.Symmetry
 import System.Random (mkStdGen)

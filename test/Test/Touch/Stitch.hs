@@ -8,11 +8,11 @@ import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
 import PraTactile.Image
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
-import PraTactile.Probe
-import PraTactile.Probe.Sensor
 import PraTactile.Random (normalPair)
-import PraTactile.Stitch hiding (assemble)
-import qualified PraTactile.Stitch as Stitch (assemble)
+import PraTactile.Registration hiding (assemble)
+import qualified PraTactile.Registration as Stitch (assemble)
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec

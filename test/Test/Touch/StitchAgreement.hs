@@ -5,16 +5,16 @@ module Test.Touch.StitchAgreement (spec) where
 import Data.List (maximumBy)
 import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
+import PraTactile.Composite (Contradiction (..))
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
 import PraTactile.Image.Correlate
-import PraTactile.Probe (Pose (..))
-import PraTactile.Probe.Manifest (Axes, alongAxes, axesNamed, straight)
-import PraTactile.Stitch.Agreement (contradiction)
-import PraTactile.Stitch.Blend (Place)
-import PraTactile.Stitch.Composite (Contradiction (..))
-import PraTactile.Stitch.Neighbours (Neighbours (..), neighboursAround)
-import PraTactile.Stitch.Noise (frameNoise)
-import PraTactile.Stitch.Search
+import PraTactile.Registration.Agreement (contradiction)
+import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)
+import PraTactile.Registration.Search
+import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)

@@ -7,16 +7,16 @@ import Data.List (elemIndex, foldl', genericLength, nub)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite (blended)
+import PraTactile.Composite.Blend
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceSums, referenceWeights)
-import PraTactile.Stitch.Arrange
-import PraTactile.Stitch.Blend
-import PraTactile.Stitch.Composite (blended)
-import PraTactile.Stitch.Pairwise (Link (..), solved)
-import PraTactile.Stitch.Posterior (Hypothesis (..))
-import PraTactile.Stitch.Rest (restOf)
-import PraTactile.Stitch.Rotation (smooth)
-import PraTactile.Stitch.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.AllPairs (Link (..), solved)
+import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Rest (restOf)
+import PraTactile.Registration.Rotation (smooth)
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -5,12 +5,12 @@ module Test.Touch.StitchEvidence (spec) where
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
+import PraTactile.Registration.Lattice.Blur (seenAt)
+import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
+import PraTactile.Registration.Lattice.Template
 import PraTactile.Shape (embossedAt, paperAlphabet, shapes, symbolHeight, symbolWidth)
-import PraTactile.Stitch.Blur (seenAt)
-import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Layout
-import PraTactile.Stitch.Symbols (symbolsClasses)
-import PraTactile.Stitch.Template
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)

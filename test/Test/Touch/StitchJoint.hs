@@ -11,17 +11,17 @@ import Data.Ord (Down (..), comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
-import PraTactile.Stitch.Evidence (Evidence (..), evidence)
-import PraTactile.Stitch.Joint.Consensus
-import PraTactile.Stitch.Joint.Grid
-import PraTactile.Stitch.Joint.Located
-import PraTactile.Stitch.Joint.Option
-import PraTactile.Stitch.Joint.Phase
-import PraTactile.Stitch.Layout (layoutGrid)
-import PraTactile.Stitch.Posterior (Hypothesis (..))
-import PraTactile.Stitch.Search (Registration (..), standardRegistration)
-import PraTactile.Stitch.Symbols (symbolsClasses)
-import PraTactile.Stitch.Template
+import PraTactile.Registration.Joint.Consensus
+import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Joint.Located
+import PraTactile.Registration.Joint.Option
+import PraTactile.Registration.Joint.Phase
+import PraTactile.Registration.Lattice.Evidence (Evidence (..), evidence)
+import PraTactile.Registration.Lattice.Layout (layoutGrid)
+import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, scale, tables, total)

@@ -6,26 +6,26 @@ import Data.Foldable (for_)
 import Data.List (sort, sortOn)
 import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Noise
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image hiding (mean)
-import PraTactile.Probe
-import PraTactile.Probe.Manifest
 import PraTactile.Random (normalPair)
+import PraTactile.Registration
+import PraTactile.Registration.Arrangement (withMisfit)
+import PraTactile.Registration.Lattice.Angle (latticeAngle)
+import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Held (Held (..), held)
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Neighbours
+import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Spectrum (spectra)
+import PraTactile.Sensor.Frame
+import PraTactile.Sensor.Manifest
 import PraTactile.Shape hiding (alphabet)
-import PraTactile.Stitch
-import PraTactile.Stitch.Arrange (withMisfit)
-import PraTactile.Stitch.Blur (areaSums)
-import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Held (Held (..), held)
-import PraTactile.Stitch.LatticeAngle (latticeAngle)
-import PraTactile.Stitch.Layout
-import PraTactile.Stitch.Neighbours
-import PraTactile.Stitch.Noise
-import PraTactile.Stitch.Pair.Lattice
-import PraTactile.Stitch.Posterior
-import PraTactile.Stitch.Spectrum (spectra)
-import PraTactile.Stitch.Symbols (symbolsClasses)
-import PraTactile.Stitch.Template
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)

@@ -5,11 +5,11 @@ module Test.Touch.StitchParts (spec) where
 import Data.List (genericLength, nub, sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Noise
 import PraTactile.Image
-import PraTactile.Stitch.Layout (Layout (..), layout)
-import PraTactile.Stitch.Neighbours
-import PraTactile.Stitch.Noise
-import PraTactile.Stitch.Posterior
+import PraTactile.Registration.Lattice.Layout (Layout (..), layout)
+import PraTactile.Registration.Neighbours
+import PraTactile.Registration.Posterior
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -5,12 +5,12 @@ import Data.List (maximumBy, sortOn)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
+import PraTactile.Composite.Blend
 import PraTactile.Image hiding (mean)
 import PraTactile.Image.Correlate
-import PraTactile.Stitch.Blend
-import PraTactile.Stitch.Posterior (Hypothesis (..))
-import PraTactile.Stitch.Register
-import PraTactile.Stitch.Search
+import PraTactile.Registration.Incremental
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)

@@ -6,12 +6,12 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
-import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Stitch (Assembly (..), Composite (..), assemble)
-import PraTactile.Stitch.Arrange (Arranged (..), Way (..))
-import PraTactile.Stitch.Pair.Alike (agreements)
-import PraTactile.Stitch.Posterior (Hypothesis (..))
-import PraTactile.Stitch.Search
+import PraTactile.Registration (Assembly (..), Composite (..), assemble)
+import PraTactile.Registration.Arrangement (Arranged (..), Way (..))
+import PraTactile.Registration.Pair.Alike (agreements)
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)

@@ -7,24 +7,24 @@ import Data.Foldable (for_)
 import Data.List (sortOn)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Spaced
 import PraTactile.Image
-import PraTactile.Stitch.Arrange
-import PraTactile.Stitch.Evidence
-import PraTactile.Stitch.Held
-import PraTactile.Stitch.Joint
-import PraTactile.Stitch.Joint.Consensus (swept)
-import PraTactile.Stitch.Joint.Grid
-import PraTactile.Stitch.Joint.Located
-import PraTactile.Stitch.Joint.Option
-import PraTactile.Stitch.Joint.Phase
-import PraTactile.Stitch.Layout
-import PraTactile.Stitch.Pairwise (registerPairwise)
-import PraTactile.Stitch.Posterior (Hypothesis (..))
-import PraTactile.Stitch.Register (register)
-import PraTactile.Stitch.Search (Registration (..), standardRegistration)
-import PraTactile.Stitch.Spaced
-import PraTactile.Stitch.Spectrum (spectra)
-import PraTactile.Stitch.Template
+import PraTactile.Registration.AllPairs (registerPairwise)
+import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Incremental (register)
+import PraTactile.Registration.Joint
+import PraTactile.Registration.Joint.Consensus (swept)
+import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Joint.Located
+import PraTactile.Registration.Joint.Option
+import PraTactile.Registration.Joint.Phase
+import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Held
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Spectrum (spectra)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample, tables)

@@ -3,9 +3,9 @@ module Test.Touch.Tilt (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import PraTactile.Composite
+import PraTactile.Composite.Tilt
 import PraTactile.Image
-import PraTactile.Segment.Tilt
-import PraTactile.Stitch.Composite
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)

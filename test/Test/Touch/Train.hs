@@ -3,11 +3,11 @@ module Test.Touch.Train (spec) where
 import Data.List (sort)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, accum, atIndex, fromLists, scale)
-import PraTactile.Classify.Network
-import PraTactile.Classify.Regimen
-import PraTactile.Classify.Samples
-import PraTactile.Classify.Specimens
-import PraTactile.Classify.Train
+import PraTactile.Classification.Network
+import PraTactile.Classification.Regimen
+import PraTactile.Classification.Samples
+import PraTactile.Classification.Specimens
+import PraTactile.Classification.Train
 import PraTactile.Image (Raster, constant, generate, index, rasterValues, toRows)
 import PraTactile.Shape
 import PraTactile.Symmetry (onRows, turned)

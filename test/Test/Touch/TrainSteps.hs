@@ -6,12 +6,12 @@ import Data.List (unfoldr)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import Numeric.LinearAlgebra (Matrix, fromLists, maxElement, scale)
-import PraTactile.Classify.Evaluate
-import PraTactile.Classify.Network
-import PraTactile.Classify.Regimen
-import PraTactile.Classify.Samples
-import PraTactile.Classify.Specimens
-import PraTactile.Classify.Train
+import PraTactile.Classification.Evaluate
+import PraTactile.Classification.Network
+import PraTactile.Classification.Regimen
+import PraTactile.Classification.Samples
+import PraTactile.Classification.Specimens
+import PraTactile.Classification.Train
 import PraTactile.Image
 import PraTactile.Random (uniform)
 import PraTactile.Shape

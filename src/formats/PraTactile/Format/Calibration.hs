@@ -11,7 +11,7 @@ import Data.ByteString (ByteString)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image (Raster, fromRows, rasterHeight, rasterSize, rasterWidth, toRows)
-import PraTactile.Probe.Calibration
+import PraTactile.Sensor.Calibration
 
 -- | A calibration on one line, without its end.
 encodeCalibration :: Calibration -> ByteString

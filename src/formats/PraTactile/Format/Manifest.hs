@@ -12,8 +12,8 @@ import Data.ByteString (ByteString)
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
-import PraTactile.Probe (Pose (..))
-import PraTactile.Probe.Manifest
+import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Manifest
 
 -- | A manifest on one line, without its end.
 encodeManifest :: Manifest -> ByteString

@@ -30,7 +30,7 @@ import PraTactile.Format.Profile
 import PraTactile.Locate (Chance)
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Segment (SymbolImage (..))
+import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
 -- | An answer of @decode@: its keys, of which docs/json.md says what they mean.

@@ -23,9 +23,9 @@ import PraTactile.Format.Error
 import PraTactile.Format.Json (encodeSchema)
 import PraTactile.Format.Json.Codec hiding (named, object)
 import PraTactile.Image (rasterSize)
-import PraTactile.Probe (Pose (..))
-import PraTactile.Stitch
-import PraTactile.Stitch.Pair
+import PraTactile.Registration
+import PraTactile.Registration.Pair
+import PraTactile.Sensor.Frame (Pose (..))
 
 -- | The answer on one line, without its end; all keys always.
 encodeMatch :: Match -> ByteString

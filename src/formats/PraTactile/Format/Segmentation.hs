@@ -9,8 +9,8 @@ where
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
 import PraTactile.Format.Json (encodeSchema)
-import PraTactile.Segment.Reject
-import PraTactile.Segment.Turned
+import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Turned
 
 -- | What the composite of that name shows, on one line, without its end; all keys always.
 encodeSighted :: FilePath -> Sighted -> ByteString

@@ -12,7 +12,7 @@ import Data.ByteString (ByteString)
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
-import PraTactile.Probe.Sensor.Constants
+import PraTactile.Sensor.Constants
 
 -- | A sensor on one line, without its end, with the name of its preset, if it is one.
 encodeSensor :: Maybe Preset -> Sensor -> ByteString

@@ -21,7 +21,7 @@ import PraTactile.Format.Json.Codec
 import PraTactile.Format.Name
 import PraTactile.Format.Object
 import PraTactile.Format.Recognition (decodeSchema)
-import PraTactile.Probe (taxelPitch)
+import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
 import PraTactile.Truth
 

@@ -19,7 +19,7 @@ import Data.Set (Set)
 import qualified Data.Set as Set
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Recognise.Reading
-import PraTactile.Segment.Lattice (Cell, halfTurned, pitchTolerance)
+import PraTactile.Segmentation.Lattice (Cell, halfTurned, pitchTolerance)
 import PraTactile.Symmetry
 
 -- | By cell, the symbols that were read there; several where several composites show it.
@@ -100,7 +100,7 @@ placeSd = 0.5
 
 -- | The standard deviation of the angle that an image shows, in degrees, for most images and for
 -- the rest, each with its share (assumptions). Rows and columns of pixels draw it towards them, by
--- a degree or two ("PraTactile.Segment.Tilt").
+-- a degree or two ("PraTactile.Composite.Tilt").
 shownErrors :: [(Double, Double)]
 shownErrors = [(0.99, 1.5), (0.01, 4)]
 

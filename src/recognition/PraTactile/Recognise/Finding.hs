@@ -22,7 +22,7 @@ import PraTactile.Object.Placement
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segment.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | Where the composites are.

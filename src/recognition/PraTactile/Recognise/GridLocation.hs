@@ -41,7 +41,7 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.SymbolBelief
-import PraTactile.Segment.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | What a caller lets pass.

@@ -9,15 +9,15 @@ import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Classify.Estimate
-import PraTactile.Classify.Part
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Part
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterValues)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
-import PraTactile.Segment
-import PraTactile.Segment.Lattice (Cell)
-import PraTactile.Stitch (Composite)
+import PraTactile.Registration (Composite)
+import PraTactile.Segmentation
+import PraTactile.Segmentation.Lattice (Cell)
 import PraTactile.Symmetry
 
 -- | The grid with the parts of symbols that each composite shows in the cells around its own

@@ -24,8 +24,8 @@ import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import Data.Tuple (swap)
-import PraTactile.Classify.Estimate
-import PraTactile.Classify.Network
+import PraTactile.Classification.Estimate
+import PraTactile.Classification.Network
   ( Network,
     NetworkError,
     Verdict (..),
@@ -33,13 +33,13 @@ import PraTactile.Classify.Network
     outputs,
     standardThresholds,
   )
-import PraTactile.Classify.Templates (Templates)
+import PraTactile.Classification.Templates (Templates)
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
-import PraTactile.Segment
-import PraTactile.Segment.Lattice (Cell, arrange)
-import qualified PraTactile.Segment.Lattice as Lattice
-import PraTactile.Stitch (Composite (..))
+import PraTactile.Registration (Composite (..))
+import PraTactile.Segmentation
+import PraTactile.Segmentation.Lattice (Cell, arrange)
+import qualified PraTactile.Segmentation.Lattice as Lattice
 import PraTactile.Symmetry
 
 -- | The mean of some places; the origin for none.

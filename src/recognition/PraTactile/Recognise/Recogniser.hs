@@ -7,8 +7,8 @@ module PraTactile.Recognise.Recogniser
 where
 
 import PraTactile.Array (PseudorandomArray, Shape (..), Surface, arrayShape)
-import PraTactile.Classify.Network (Network, outputCount)
-import PraTactile.Classify.Templates (templates)
+import PraTactile.Classification.Network (Network, outputCount)
+import PraTactile.Classification.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Locate (LocateError, Locator, locator)
 import PraTactile.Locate.Decoder.Codebook (Codebook)

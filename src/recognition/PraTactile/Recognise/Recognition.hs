@@ -28,8 +28,8 @@ import PraTactile.Locate (Reason (..), reasonName, reasons)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
-import PraTactile.Segment (SymbolImage (..))
-import PraTactile.Stitch (Contradiction (..))
+import PraTactile.Registration (Contradiction (..))
+import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
 -- | What was recognised, whether or not it led to an answer.

@@ -12,11 +12,11 @@ import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Question.Touch
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
-import PraTactile.Probe (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Segment.Turned (Featured (..), Sighted (..), segmentTurned)
+import qualified PraTactile.Registration as Stitch
+import PraTactile.Registration.Pair
+import PraTactile.Segmentation.Turned (Featured (..), Sighted (..), segmentTurned)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Shape (paperAlphabet)
-import qualified PraTactile.Stitch as Stitch
-import PraTactile.Stitch.Pair
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
 -- at any angle.

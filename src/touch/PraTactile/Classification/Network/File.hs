@@ -1,0 +1,99 @@
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE TemplateHaskell #-}
+
+-- | Networks as text, exactly: every weight is written with as few decimals as give the same number
+-- again.
+module PraTactile.Classification.Network.File
+  ( renderNetwork,
+    parseNetwork,
+    shippedNetwork,
+  )
+where
+
+import Data.FileEmbed (embedFile)
+import Data.Text (Text)
+import qualified Data.Text as T
+import Data.Text.Encoding (decodeUtf8')
+import qualified Data.Vector.Storable as V
+import Numeric.LinearAlgebra (Matrix, Vector, reshape, toRows)
+import PraTactile.Classification.Network
+import Text.Read (readMaybe)
+
+-- | The network as text: a heading, the sizes, and then for each unit a line with its weights and
+-- its bias last; hidden units first.
+renderNetwork :: Network -> Text
+renderNetwork n =
+  T.unlines $
+    [ heading,
+      T.unwords
+        [ "inputs",
+          number inputCount,
+          "hidden",
+          number (hiddenCount n),
+          "outputs",
+          number (outputCount n)
+        ]
+    ]
+      ++ map unit (toRows (hiddenUnits n) ++ toRows (outputUnits n))
+  where
+    number = T.pack . show :: Int -> Text
+    unit = T.unwords . map (T.pack . show) . V.toList
+
+-- | Reads a network as 'renderNetwork' writes it. Refuses anything else, with the line where it
+-- goes astray.
+parseNetwork :: Text -> Either NetworkError Network
+parseNetwork text = case zip [1 ..] (T.lines text) of
+  [] -> Left (NetworkFileEnds heading)
+  (i, first) : rest
+    | first /= heading -> Left (UnexpectedNetworkLine i heading (excerpt first))
+    | otherwise -> case rest of
+      [] -> Left (NetworkFileEnds sizesForm)
+      (j, sizes) : body -> case traverse natural <$> named (T.words sizes) of
+        Just (Just [inputs, hidden, outs])
+          | inputs == inputCount && hidden > 0 && outs > 0 -> do
+            (w1, others) <- units hidden inputs body
+            (w2, end) <- units outs hidden others
+            case end of
+              [] -> network w1 w2
+              (k, line) : _ -> Left (UnexpectedNetworkLine k "the end of the file" (excerpt line))
+        _ -> Left (UnexpectedNetworkLine j sizesForm (excerpt sizes))
+  where
+    sizesForm = "inputs 96 hidden H outputs Q"
+    named ["inputs", a, "hidden", b, "outputs", c] = Just [a, b, c]
+    named _ = Nothing
+    natural t =
+      if T.length t <= 6 && not (T.null t) && T.all (`elem` ['0' .. '9']) t
+        then readMaybe (T.unpack t)
+        else Nothing
+
+-- | This many lines, each of this many weights and a bias, and the rest.
+units :: Int -> Int -> [(Int, Text)] -> Either NetworkError (Matrix Double, [(Int, Text)])
+units count weights = go count []
+  where
+    go ::
+      Int ->
+      [Vector Double] ->
+      [(Int, Text)] ->
+      Either NetworkError (Matrix Double, [(Int, Text)])
+    go 0 done rest = Right (reshape (weights + 1) (V.concat (reverse done)), rest)
+    go _ _ [] = Left (NetworkFileEnds expected)
+    go k done ((i, line) : rest) = case traverse decimal (T.words line) of
+      Just values | length values == weights + 1 -> go (k - 1) (V.fromList values : done) rest
+      _ -> Left (UnexpectedNetworkLine i expected (excerpt line))
+    expected = T.pack (show weights) <> " weights and a bias"
+    decimal t =
+      if T.length t <= 32 && T.all (`elem` ("0123456789.-e" :: String)) t
+        then readMaybe (T.unpack t)
+        else Nothing
+
+heading :: Text
+heading = "pra-tactile network 1"
+
+excerpt :: Text -> Text
+excerpt = T.take 60
+
+-- | The network shipped in @data/network.txt@, for the shapes of 'PraTactile.Shape.paperAlphabet'.
+-- A test shows that it is not refused; how it was trained is "PraTactile.Classification.Regimen".
+shippedNetwork :: Either NetworkError Network
+shippedNetwork =
+  either (const (Left NetworkNotText)) parseNetwork (decodeUtf8' $(embedFile "data/network.txt"))

@@ -1,0 +1,183 @@
+-- | Synthetic images of symbols, and of what is not one, as the classifier meets them: a little
+-- misplaced, blurred and out of register from stitching, of varying contrast, and noisy.
+module PraTactile.Classification.Samples
+  ( -- * What is seen
+    Scene,
+    symbolScene,
+    featureScene,
+    sidewaysScene,
+    besideScene,
+    overScene,
+    flatScene,
+
+    -- * How it is seen
+    View (..),
+    exactView,
+    stitchedView,
+    see,
+
+    -- * What spoils it
+    withNoise,
+    Unseen (..),
+    withUnseen,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, generate, index, rasterHeight, rasterValues, rasterWidth, sample)
+import PraTactile.Random (normals, uniform)
+import PraTactile.Shape
+import PraTactile.Shape.Distance (Feature, raises)
+import System.Random (StdGen)
+
+-- | A surface around the box of a symbol: 0 flat, 1 embossed, in cells of a taxel; beyond it, what
+-- its margin has.
+newtype Scene = Scene Raster
+
+-- | The cells on each side of the box.
+margin :: Int
+margin = 8
+
+-- | The scene whose cell at a column and row, counted from the box's upper left taxel, is raised
+-- where the function says so.
+sceneWhere :: (Int -> Int -> Bool) -> Scene
+sceneWhere f =
+  Scene
+    ( generate
+        (symbolWidth + 2 * margin)
+        (symbolHeight + 2 * margin)
+        (\x y -> if f (x - margin) (y - margin) then 1 else 0)
+    )
+
+-- | A shape alone on a flat face.
+symbolScene :: Bitmap -> Scene
+symbolScene = sceneWhere . embossedAt
+
+-- | An ordinary feature of an object.
+featureScene :: Feature -> Scene
+featureScene = sceneWhere . raises
+
+-- | A shape on its side, turned by 90 degrees clockwise about the box's centre.
+sidewaysScene :: Bitmap -> Scene
+sidewaysScene b = sceneWhere (\x y -> embossedAt b (y - inset) (symbolHeight - 1 - (x + inset)))
+  where
+    inset = (symbolHeight - symbolWidth) `div` 2
+
+-- | The left half of one shape and the right half of another.
+besideScene :: Bitmap -> Bitmap -> Scene
+besideScene a b = sceneWhere (\x y -> embossedAt (if x < symbolWidth `div` 2 then a else b) x y)
+
+-- | The upper half of one shape and the lower half of another.
+overScene :: Bitmap -> Bitmap -> Scene
+overScene a b = sceneWhere (\x y -> embossedAt (if y < symbolHeight `div` 2 then a else b) x y)
+
+-- | A face without anything on it.
+flatScene :: Scene
+flatScene = sceneWhere (\_ _ -> False)
+
+-- | How a scene is seen. Lengths are in taxels.
+data View = View
+  { -- | By how much the scene lies too far to the right and down.
+    viewShift :: !(Double, Double),
+    -- | By how much its two halves are out of register; they are blended over the image's width.
+    viewTear :: !(Double, Double),
+    -- | The share of each taxel that its two neighbours in a row, and in a column, hold: 0 to 0.5,
+    -- as resampling leaves it.
+    viewBlur :: !(Double, Double),
+    -- | The contrast: the value of an embossed taxel.
+    viewGain :: !Double,
+    -- | The value of a flat one.
+    viewBase :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | Taxel upon taxel, without any fault.
+exactView :: View
+exactView =
+  View {viewShift = (0, 0), viewTear = (0, 0), viewBlur = (0, 0), viewGain = 1, viewBase = 0}
+
+-- | A view as stitching and segmentation leave it: misplaced by up to that many taxels in each
+-- direction, halves out of register by up to 0.5, up to 0.4 of blur, contrast 0.85 to 1.1, flat
+-- parts at -0.03 to 0.05; all uniform.
+stitchedView :: Double -> StdGen -> (View, StdGen)
+stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
+  where
+    (x, g1) = between (-misplacement) misplacement g0
+    (y, g2) = between (-misplacement) misplacement g1
+    (u, g3) = between (-0.5) 0.5 g2
+    (v, g4) = between (-0.5) 0.5 g3
+    (a, g5) = between 0 0.4 g4
+    (b, g6) = between 0 0.4 g5
+    (gain, g7) = between 0.85 1.1 g6
+    (base, g8) = between (-0.03) 0.05 g7
+    between low high g = let (t, g') = uniform g in (low + (high - low) * t, g')
+
+-- | The 8 x 12 image of a scene: each taxel the mean over its area, so that a shift by part of a
+-- taxel interpolates linearly between cells.
+see :: View -> Scene -> Raster
+see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
+  let right = (fromIntegral x + 0.5) / fromIntegral symbolWidth
+      at i = fromMaybe 0 (index down i y)
+   in viewBase view
+        + (viewGain view - viewBase view) * ((1 - right) * at x + right * at (symbolWidth + x))
+  where
+    -- Separably: first along the rows, the two halves' columns side by side, then along the
+    -- columns.
+    across = generate (2 * symbolWidth) (rasterHeight cells) $ \i y ->
+      let (half, x) = i `quotRem` symbolWidth
+       in blurred
+            (fst (viewBlur view))
+            (\t -> sample cells t (fromIntegral y))
+            (fromIntegral (x + margin) - fst (placed half))
+    down = generate (2 * symbolWidth) symbolHeight $ \i y ->
+      blurred
+        (snd (viewBlur view))
+        (sample across (fromIntegral i))
+        (fromIntegral (y + margin) - snd (placed (i `quot` symbolWidth)))
+    blurred share f t = (1 - share) * f t + share / 2 * (f (t - 1) + f (t + 1))
+    placed half =
+      let sign =
+            if half == 0 then -0.5 else 0.5
+       in ( fst (viewShift view) + sign * fst (viewTear view),
+            snd (viewShift view) + sign * snd (viewTear view)
+          )
+
+-- | A part of the image where the sensor never was.
+data Unseen
+  = -- | A rectangle in a corner (at the right if the first flag says so, at the bottom if the
+    -- second does), its width and height in taxels: nothing is known there, and it counts as flat.
+    CornerUnseen !Bool !Bool !Int !Int
+  | -- | So many columns at the left or (flag set) at the right: they repeat the nearest one that
+    -- was seen.
+    ColumnsUnseen !Bool !Int
+  | -- | The same for rows at the top or the bottom.
+    RowsUnseen !Bool !Int
+  deriving stock (Eq, Show)
+
+-- | The image as it is when that part was not seen.
+withUnseen :: Unseen -> Raster -> Raster
+withUnseen unseen image = generate w h value
+  where
+    w = rasterWidth image
+    h = rasterHeight image
+    value x y = case unseen of
+      CornerUnseen right bottom n m
+        | within right w n x && within bottom h m y -> 0
+        | otherwise -> at x y
+      ColumnsUnseen right n -> at (nearestSeen right w n x) y
+      RowsUnseen bottom n -> at x (nearestSeen bottom h n y)
+    at x y = fromMaybe 0 (index image x y)
+    within far size n t = if far then t >= size - n else t < n
+    nearestSeen far size n t = if far then min (size - 1 - n) t else max n t
+
+-- | The image with white noise of that standard deviation, clipped to 0..1 and rounded to the 256
+-- levels of a frame.
+withNoise :: Double -> Raster -> StdGen -> (Raster, StdGen)
+withNoise deviation image g = (generate (rasterWidth image) (rasterHeight image) noisy, g')
+  where
+    (noise, g') = normals (V.length (rasterValues image)) g
+    noisy x y = rounded (value (rasterValues image) + deviation * value noise)
+      where
+        value v = fromMaybe 0 (v V.!? (y * rasterWidth image + x))
+    rounded t = fromIntegral (round (255 * max 0 (min 1 t)) :: Int) / 255

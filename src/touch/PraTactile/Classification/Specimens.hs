@@ -1,0 +1,112 @@
+-- | The sorts of things whose images reach the classifier: upright symbols, and what must not be
+-- taken for one.
+module PraTactile.Classification.Specimens
+  ( Kind (..),
+    genuine,
+    impostors,
+    specimen,
+    misplacementBound,
+  )
+where
+
+import PraTactile.Classification.Samples
+import PraTactile.Image (Raster)
+import PraTactile.Random (uniform)
+import PraTactile.Shape
+import PraTactile.Shape.Distance (Feature (Full), ordinaryFeatures)
+import System.Random (StdGen)
+
+-- | What an image shows.
+data Kind
+  = -- | A symbol, upright and in place.
+    Upright
+  | -- | The same, but a corner of the image at most 3 taxels wide or tall, or a margin of at most
+    -- 2, was not seen.
+    Curtailed
+  | -- | A symbol turned by 180 degrees.
+    UpsideDown
+  | -- | The same, but a corner at most 4 taxels wide or tall, or a margin of at most 2, was not
+    -- seen.
+    CurtailedUpsideDown
+  | -- | A symbol turned by 90 degrees.
+    Sideways
+  | -- | A symbol out of place by 3 to 6 taxels in at least one direction.
+    Displaced
+  | -- | One half of a symbol and the other half of another.
+    Halves
+  | -- | An ordinary feature of an object: edge, ridge, corner, disc, or everything raised.
+    Ordinary
+  | -- | A flat face.
+    Bare
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | Whether a kind is an upright symbol in place, so that its class is the right answer.
+genuine :: Kind -> Bool
+genuine kind = kind == Upright || kind == Curtailed
+
+-- | Everything that is not, so that every answer is wrong.
+impostors :: [Kind]
+impostors = filter (not . genuine) [minBound .. maxBound]
+
+-- | How far a symbol may be misplaced in its 8 x 12 image and must still be recognised, in taxels
+-- in each direction.
+misplacementBound :: Double
+misplacementBound = 0.7
+
+-- | The noiseless image of a random specimen of a kind, of the shape given (with another of the
+-- alphabet's where the kind wants two), as stitching and segmentation would leave it.
+specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
+specimen alphabetOfAll kind shape g = case kind of
+  Upright -> (see view (symbolScene shape), g')
+  Curtailed -> curtailed 3 (see view (symbolScene shape)) g'
+  CurtailedUpsideDown -> curtailed 4 (see view (symbolScene (halfTurned shape))) g'
+  UpsideDown -> (see view (symbolScene (halfTurned shape)), g')
+  Sideways -> (see view (sidewaysScene shape), g')
+  Displaced ->
+    let (far, h) = offset g'
+        (near, h') = between (-6) 6 h
+        (rows, h'') = below 2 h'
+     in ( see view {viewShift = if rows == 0 then (far, near) else (near, far)} (symbolScene shape),
+          h''
+        )
+  Halves ->
+    let (other, h) = oneOf shape (filter (/= shape) (shapes alphabetOfAll)) g'
+        (cut, h') = below 2 h
+     in (see view ((if cut == 0 then besideScene else overScene) shape other), h')
+  Ordinary ->
+    let (feature, h) = oneOf Full ordinaryFeatures g'
+     in (see view (featureScene feature), h)
+  Bare -> (see view flatScene, g')
+  where
+    (view, g') = stitchedView misplacementBound g
+    offset h =
+      let (size, h') = between 3 6 h
+          (side, h'') = below 2 h'
+       in (if side == 0 then size else -size, h'')
+
+-- | The image without a corner at most this many taxels wide, or tall; or without 1 or 2
+-- columns or rows.
+curtailed :: Int -> Raster -> StdGen -> (Raster, StdGen)
+curtailed thickest image g0 = (withUnseen unseen image, g5)
+  where
+    (sort, g1) = below 4 g0
+    (u, g2) = below 2 g1
+    (v, g3) = below 2 g2
+    (thin, g4) = below thickest g3
+    (long, g5) = below symbolHeight g4
+    far = u == 1
+    unseen
+      | sort == 0 = CornerUnseen far (v == 1) (thin + 1) (long + 1)
+      | sort == 1 = CornerUnseen far (v == 1) (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
+      | sort == 2 = ColumnsUnseen far (v + 1)
+      | otherwise = RowsUnseen far (v + 1)
+
+between :: Double -> Double -> StdGen -> (Double, StdGen)
+between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')
+
+below :: Int -> StdGen -> (Int, StdGen)
+below n g = let (u, g') = uniform g in (floor (u * fromIntegral n), g')
+
+-- | One of the list, all equally likely; the first argument if there is none.
+oneOf :: a -> [a] -> StdGen -> (a, StdGen)
+oneOf none list g = let (i, g') = below (length list) g in (foldr const none (drop i list), g')

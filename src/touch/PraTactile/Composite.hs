@@ -1,0 +1,139 @@
+-- | The composite tactile image (the paper's figure 10): what the stitcher makes and segmentation
+-- takes.
+module PraTactile.Composite
+  ( Composite (..),
+    Contradiction (..),
+    compositeOf,
+    compositePosition,
+    compositePixel,
+    blended,
+    weighted,
+  )
+where
+
+import Data.List.NonEmpty (NonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (isNothing)
+import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
+import PraTactile.Image.Correlate (Reference, reference, referenceOf)
+import PraTactile.Sensor.Frame (taxelPitch)
+import PraTactile.Sensor.Manifest (Axes)
+
+-- | An image larger than the sensor, on a grid of one taxel's pitch whose axes are the robot's.
+data Composite = Composite
+  { -- | The mean of what the frames saw at each pixel; 0 where none touched.
+    compositeImage :: !Raster,
+    -- | How much sensor weight each pixel got: about the number of frames that saw it, 0 for never
+    -- touched. The same size as the image. So the variance of a pixel's noise is that of a frame's,
+    -- divided by this.
+    compositeCoverage :: !Raster,
+    -- | The centre of pixel (0, 0), x and y in millimetres, in the robot's coordinates.
+    compositeOrigin :: !(Double, Double),
+    -- | How far each frame was moved from its nominal place, x and y in taxels, in the order of the
+    -- frames.
+    compositeDisplacements :: ![(Double, Double)],
+    -- | Whether somebody compared the frames with each other; 'False' where several lie at their
+    -- nominal places as the robot has them, or none overlaps another.
+    compositeCompared :: !Bool,
+    -- | What the frames would show if they were put together otherwise, and how probable that is:
+    -- each of these has one frame elsewhere, the most probable first.
+    compositeOthers :: [(Double, Composite)],
+    -- | Whether the frames contradict each other where they should overlap.
+    compositeContradiction :: Maybe Contradiction
+  }
+  deriving stock (Eq, Show)
+
+-- | The frames show other things where they should overlap.
+data Contradiction
+  = -- | If their positions were along these axes instead, they would show the same.
+    AgreeingAlong !Axes
+  | -- | Along no axes they do.
+    AgreeingNowhere
+  deriving stock (Eq, Show)
+
+-- | A single image, such as one read from a file, as a composite that was touched once everywhere,
+-- with its pixel (0, 0) at the origin.
+compositeOf :: Raster -> Composite
+compositeOf image = Composite image everywhere (0, 0) [] True [] Nothing
+  where
+    everywhere = constant (rasterWidth image) (rasterHeight image) 1
+
+-- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
+compositePosition :: Composite -> (Double, Double) -> (Double, Double)
+compositePosition composite (x, y) = (ox + taxelPitch * x, oy + taxelPitch * y)
+  where
+    (ox, oy) = compositeOrigin composite
+
+-- | Where a place in the robot's coordinates, x and y in millimetres, is on the composite, in
+-- pixels.
+compositePixel :: Composite -> (Double, Double) -> (Double, Double)
+compositePixel composite (x, y) = ((x - ox) / taxelPitch, (y - oy) / taxelPitch)
+  where
+    (ox, oy) = compositeOrigin composite
+
+-- | The composite as a weighted image, to be interpolated.
+weighted :: Composite -> Reference
+weighted composite =
+  either
+    (const (referenceOf image))
+    id
+    (zipRaster (*) image coverage >>= \sums -> reference sums coverage)
+  where
+    image = compositeImage composite
+    coverage = compositeCoverage composite
+
+-- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
+-- displacements given, as if these were compared, and no other way to put them together. Its grid
+-- is the origin's, moved by whole taxels so that it holds all the images. With an image may stand
+-- the share of each pixel that was felt, 0 to 1: the rest of it counts 'interpolated' in the mean,
+-- and 'known' in the coverage.
+blended :: (Double, Double) -> NonEmpty ((Place, Raster), Maybe Raster) -> [Place] -> Composite
+blended (left, top) images displacements =
+  Composite
+    { compositeImage = means,
+      compositeCoverage = coverage,
+      compositeOrigin = origin,
+      compositeDisplacements = displacements,
+      compositeCompared = True,
+      compositeOthers = [],
+      compositeContradiction = Nothing
+    }
+  where
+    (x0, x1) = reach fst rasterWidth
+    (y0, y1) = reach snd rasterHeight
+    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
+    reach coordinate side =
+      ( floor (minimum (fmap (coordinate . fst . fst) images)),
+        maximum (fmap (\((place, im), _) -> ceiling (coordinate place) + side im) images)
+      )
+    origin = (left + taxelPitch * fromIntegral x0, top + taxelPitch * fromIntegral y0)
+    laid from = blend (x1 - x0) (y1 - y0) (map (onGrid . from) (NonEmpty.toList images))
+    onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
+    Blend allSums allWeights = laid fst
+    (sums, weights, coverage)
+      | all (isNothing . snd) images = (allSums, allWeights, allWeights)
+      | otherwise = (total (times interpolated), total (worth interpolated), total (worth known))
+    total value = blendSums (laid (\((place, im), felt) -> (place, value im felt)))
+    -- What each pixel of an image counts, if it counts that where it was not felt at all.
+    worth least im felt =
+      maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
+    times least im felt = orElse im (zipRaster (*) (worth least im felt) im)
+    means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
+    -- They are of one size.
+    orElse other = either (const other) id
+
+-- | What a value that stands for a dead element counts in a mean, beside 1 of a living one: enough
+-- to be the mean where no other frame felt the place.
+interpolated :: Double
+interpolated = 0.02
+
+-- | What it counts in the coverage: segmentation looks at such a pixel, but any frame that felt it
+-- covers it better.
+known :: Double
+known = 0.5
+
+-- | A pixel with less sensor weight than this counts as not touched: its value would be mostly
+-- rounding.
+leastWeight :: Double
+leastWeight = 0.001

@@ -1,0 +1,78 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Blending: images at real places laid onto one grid of pixels.
+module PraTactile.Composite.Blend
+  ( Place,
+    Blend (..),
+    blend,
+  )
+where
+
+import Control.Monad (forM_)
+import Control.Monad.ST (ST)
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import Data.Vector.Storable.Mutable (MVector)
+import qualified Data.Vector.Storable.Mutable as M
+import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
+
+-- | A place or a displacement in the plane of the face, x and y in taxels.
+type Place = (Double, Double)
+
+-- | What each pixel of a grid got: the weights times the values, summed, and the weights, summed.
+data Blend = Blend
+  { blendSums :: !Raster,
+    blendWeights :: !Raster
+  }
+
+-- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel
+-- (0, 0). Each pixel of an image gives its value to the four grid pixels around its place, with
+-- bilinear weights, which add up to 1. What falls off the grid is dropped.
+blend :: Int -> Int -> [(Place, Raster)] -> Blend
+blend width height images = Blend (part 0) (part area)
+  where
+    w = max 0 width
+    h = max 0 height
+    area = w * h
+    part offset = generate w h (\x y -> fromMaybe 0 (canvas V.!? (offset + y * w + x)))
+    canvas = V.create $ do
+      empty <- M.replicate (2 * area) 0
+      forM_ images (lay w h empty)
+      pure empty
+
+-- | Add one image to a canvas of that width and height, which holds all the sums and after them all
+-- the weights.
+lay :: Int -> Int -> MVector s Double -> (Place, Raster) -> ST s ()
+lay w h canvas ((px, py), image)
+  | abs px < 1e9 && abs py < 1e9 = row (max 0 (negate by - 1))
+  | otherwise = pure ()
+  where
+    iw = rasterWidth image
+    values = rasterValues image
+    bx = floor px :: Int
+    by = floor py :: Int
+    fx = px - fromIntegral bx
+    fy = py - fromIntegral by
+    x1 = min iw (w - bx)
+    y1 = min (rasterHeight image) (h - by)
+    row !y
+      | y >= y1 = pure ()
+      | otherwise = column y (max 0 (negate bx - 1)) >> row (y + 1)
+    column !y !x
+      | x >= x1 = pure ()
+      | otherwise = do
+        let v = V.unsafeIndex values (y * iw + x) -- 0 <= x < iw, 0 <= y < height of the image
+        add (x + bx) (y + by) ((1 - fx) * (1 - fy)) v
+        add (x + bx + 1) (y + by) (fx * (1 - fy)) v
+        add (x + bx) (y + by + 1) ((1 - fx) * fy) v
+        add (x + bx + 1) (y + by + 1) (fx * fy) v
+        column y (x + 1)
+    add !x !y !share !v
+      | share <= 0 || x < 0 || y < 0 || x >= w || y >= h = pure ()
+      | otherwise = do
+        -- i < w * h, and the canvas holds twice that many numbers.
+        let i = y * w + x
+        s <- M.unsafeRead canvas i
+        M.unsafeWrite canvas i (s + share * v)
+        m <- M.unsafeRead canvas (w * h + i)
+        M.unsafeWrite canvas (w * h + i) (m + share)

@@ -1,0 +1,33 @@
+-- | The noise of frames, found from the frames themselves.
+module PraTactile.Composite.Noise
+  ( frameNoise,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Level (medianSize)
+import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Image (Raster, rasterSize, rasterValues)
+
+-- | The standard deviation of the noise of frames, grey values: from the median size of the
+-- differences of neighbours' differences, a - b - c + d of the squares of four pixels, in which a
+-- relief has little part but at its corners. That of normal white noise of variance s^2 is 0.6745
+-- times 2 s. Where readings are clipped, which leaves nothing of half of the noise, it is less. 0
+-- where there is no square. By at most 256 of the frames.
+frameNoise :: [Raster] -> Double
+frameNoise frames =
+  medianSize (V.concat (map squares (spacedOut mostFrames frames))) / (0.6745 * 2)
+  where
+    mostFrames = 256
+
+-- | The differences of all squares of four pixels.
+squares :: Raster -> V.Vector Double
+squares image
+  | w < 2 || h < 2 = V.empty
+  | otherwise = V.generate ((w - 1) * (h - 1)) $ \i ->
+    let (y, x) = i `quotRem` (w - 1)
+        at v u = V.unsafeIndex values (v * w + u) -- v < h, u < w
+     in at y x - at y (x + 1) - at (y + 1) x + at (y + 1) (x + 1)
+  where
+    (w, h) = rasterSize image
+    values = rasterValues image

@@ -1,0 +1,145 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The angle at which the symbols of a composite lie, from the image alone and before any symbol
+-- is found.
+--
+-- The sides of the symbols are straight and parallel, and neighbours' sides lie on common lines. So
+-- the sums of the image along the direction of the sides change most abruptly, and along any other
+-- direction more gradually: as when a scanned page is set upright by its lines of text.
+module PraTactile.Composite.Tilt
+  ( tilt,
+    leastTilt,
+    sharpness,
+    setUpright,
+  )
+where
+
+import Control.Monad (forM_)
+import Data.List (foldl')
+import Data.Maybe (fromMaybe)
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Storable.Mutable as M
+import PraTactile.Composite
+import PraTactile.Image
+import PraTactile.Image.Correlate (referenceAt)
+import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
+
+-- | The angle of the symbols' axes in composites of one face, in degrees clockwise from the
+-- composites' own, in [-45, 45): which of the two axes is which, and which way up they are, it
+-- cannot tell. 'Nothing' where no composite has a gradient.
+--
+-- Of simulated presses of 40 x 52 taxels, with position errors of one taxel and noise of 0.1 of
+-- full scale, the median error is 0.3 degrees, and one in a hundred is off by 1.5.
+tilt :: [Composite] -> Maybe Double
+tilt composites
+  | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = Nothing
+  | otherwise = Just (quarter (vertex 1 (finest (best [-45, -43.5 .. 44]))))
+  where
+    found = map gradients composites
+    score angle = sum [sharpness places across down angle | (places, across, down) <- found]
+    best = snd . maximum . map (\angle -> (score angle, angle))
+    finest angle = best [angle - 1, angle - 0.5 .. angle + 1]
+    -- The vertex of the parabola through three scores.
+    vertex step angle
+      | bend < 0 = angle + max (-step) (min step (step * (before - after) / (2 * bend)))
+      | otherwise = angle
+      where
+        (before, here, after) = (score (angle - step), score angle, score (angle + step))
+        bend = before - 2 * here + after
+
+-- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
+-- those that are not turned at all, and the estimate of the angle is less certain than that.
+leastTilt :: Double
+leastTilt = 3
+
+-- | An angle brought to [-45, 45) by quarter turns.
+quarter :: Double -> Double
+quarter angle = angle - 90 * fromIntegral (floor ((angle + 45) / 90) :: Int)
+
+-- | How abruptly the sums of an image change across lines at an angle (degrees clockwise) and
+-- across those at right angles to them: the sum of the squares of both. Given are the places of
+-- pixels, x and y in turn, and the image's gradient there along x and along y.
+sharpness :: Vector Double -> Vector Double -> Vector Double -> Double -> Double
+sharpness places across down angle = summed c s + summed (negate s) c
+  where
+    (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+    count = V.length across
+    reach = 2 + ceiling (sqrt 2 * V.foldl' (\m t -> max m (abs t)) 0 places) :: Int
+    -- Along the direction (u, v): each pixel's gradient in that direction is added to the line on
+    -- which it lies, or in parts to the two lines between which it lies.
+    summed :: Double -> Double -> Double
+    summed u v = V.sum (V.map (\t -> t * t) sums)
+      where
+        sums = V.create $ do
+          lines' <- M.replicate (2 * reach + 2) 0
+          forM_ [0 .. count - 1] $ \i -> do
+            -- Note [Bounds]
+            let !at = u * V.unsafeIndex places (2 * i) + v * V.unsafeIndex places (2 * i + 1)
+                !slope = u * V.unsafeIndex across i + v * V.unsafeIndex down i
+                !line = floor at :: Int
+                !share = at - fromIntegral line
+            add lines' (line + reach) ((1 - share) * slope)
+            add lines' (line + reach + 1) (share * slope)
+          pure lines'
+    add lines' i x = M.unsafeRead lines' i >>= M.unsafeWrite lines' i . (+ x)
+
+{- Note [Bounds] i < count, and places has two numbers for each pixel. |u| and |v| are at most 1 and
+   u^2 + v^2 = 1, so that |at| <= sqrt 2 max |place| <= reach - 2, and both lines lie in 0 .. 2
+   reach. -}
+
+-- | The touched pixels whose eight neighbours were touched too: their places from the composite's
+-- middle, x and y in turn, and the gradient there along x and along y, by differences of smoothed
+-- values.
+gradients :: Composite -> (Vector Double, Vector Double, Vector Double)
+gradients Composite {compositeImage = image, compositeCoverage = coverage} =
+  ( V.fromList (concat [[fromIntegral x - midX, fromIntegral y - midY] | (x, y, _, _) <- found]),
+    V.fromList [gx | (_, _, gx, _) <- found],
+    V.fromList [gy | (_, _, _, gy) <- found]
+  )
+  where
+    (width, height) = rasterSize image
+    (midX, midY) = (fromIntegral width / 2, fromIntegral height / 2) :: (Double, Double)
+    found =
+      [ (x, y, slope [(i, j, i) | (i, j) <- around], slope [(i, j, j) | (i, j) <- around])
+        | y <- [1 .. height - 2],
+          x <- [1 .. width - 2],
+          and [touched (x + i) (y + j) | (i, j) <- (0, 0) : around],
+          let slope = foldl' (\total (i, j, sign) -> total + weight i j sign * at (x + i) (y + j)) 0
+      ]
+    around = [(i, j) | j <- [-1, 0, 1], i <- [-1, 0, 1], (i, j) /= (0, 0)] :: [(Int, Int)]
+    -- Pixels beside count less than half as much as those straight ahead (Scharr).
+    weight i j sign = fromIntegral sign * (if i == 0 || j == 0 then 10 else 3) / 32
+    at x y = fromMaybe 0 (index image x y)
+    touched x y = maybe False (>= 0.4) (index coverage x y)
+
+-- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin
+-- of the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated
+-- from the given one's. And where a place on it, x and y in pixels, is on the given one. The
+-- displacements stay as they are, along the robot's axes.
+setUpright :: Double -> Composite -> (Composite, (Double, Double) -> (Double, Double))
+setUpright angle composite = (upright, back)
+  where
+    forth = movePoint (Motion (negate angle) 0 0)
+    image = compositeImage composite
+    corners =
+      [ forth (compositePosition composite (x, y))
+        | x <- [0, fromIntegral (rasterWidth image) - 1],
+          y <- [0, fromIntegral (rasterHeight image) - 1]
+      ]
+    (left, top) = (minimum (map fst corners), minimum (map snd corners))
+    size part from = 1 + ceiling ((maximum (map part corners) - from) / taxelPitch - 1e-9)
+    back (x, y) =
+      compositePixel
+        composite
+        (movePoint (Motion angle 0 0) (left + taxelPitch * x, top + taxelPitch * y))
+    seen = referenceAt (weighted composite)
+    drawn part =
+      generate (size fst left) (size snd top) $ \x y ->
+        maybe 0 part (uncurry seen (back (fromIntegral x, fromIntegral y)))
+    upright =
+      composite
+        { compositeImage = drawn fst,
+          compositeCoverage = drawn snd,
+          compositeOrigin = (left, top)
+        }

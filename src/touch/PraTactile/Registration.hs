@@ -1,0 +1,236 @@
+-- | Stitching (the paper's section IV): overlapping frames with their nominal poses to one
+-- composite image, the misalignment of successive frames corrected by two-dimensional
+-- cross-correlation.
+module PraTactile.Registration
+  ( -- * Composites
+    Composite (..),
+    Contradiction (..),
+    compositeOf,
+    compositePosition,
+
+    -- * Stitching
+    stitch,
+    placeOnly,
+    assemble,
+    Assembly (..),
+    Way (..),
+    Arranged (..),
+    Registration (..),
+    standardRegistration,
+    withNoiseOf,
+    StitchError (..),
+    maxCompositePixels,
+    maxFrames,
+  )
+where
+
+import Control.Monad (when)
+import Data.Foldable (toList)
+import Data.List (sortOn)
+import Data.List.NonEmpty (NonEmpty (..), nonEmpty)
+import qualified Data.List.NonEmpty as NonEmpty
+import Data.Maybe (isJust)
+import qualified Data.Set as Set
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite
+  ( Composite (..),
+    Contradiction (..),
+    blended,
+    compositeOf,
+    compositePixel,
+    compositePosition,
+  )
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Noise (frameNoise)
+import PraTactile.Image
+  ( Raster,
+    generate,
+    onRaster,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+  )
+import PraTactile.Registration.Agreement (contradiction)
+import PraTactile.Registration.Arrangement (Arranged (..), Arrangement (..), Way (..), arrange, withMisfit)
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Rest (alignedToRest)
+import PraTactile.Registration.Rotation (rotationPrior, telltale)
+import PraTactile.Registration.Search (Registration (..), standardRegistration, usable)
+import PraTactile.Registration.Turn (turnedBack)
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Resample (atCanonicalPitch, isCanonical)
+import PraTactile.Symmetry
+
+-- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.
+data StitchError
+  = -- | There is no frame.
+    NoFrames
+  | -- | There are more frames than 'maxFrames': how many.
+    TooManyFrames !Int
+  | -- | A frame is not of the first one's size, or not of 4 x 4 to 256 x 256 taxels: which, its
+    -- width and its height.
+    FrameSize !Int !Int !Int
+  | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
+    -- which, and its rotation.
+    FrameRotation !Int !Double
+  | -- | A frame's pose, its taxels' pitch or one of its values is infinite or not a number, or the
+    -- pitch is not positive.
+    FrameNotFinite !Int
+  | -- | The frames lie so far apart that the composite would have more than 'maxCompositePixels'
+    -- pixels; its width and height, taxels.
+    AreaTooLarge !Double !Double
+  | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
+    -- that is negative or above 64 taxels.
+    UnusableRegistration !Registration
+  deriving stock (Eq, Show)
+
+-- | The most pixels a composite may have.
+maxCompositePixels :: Int
+maxCompositePixels = 4194304
+
+-- | The most frames a composite may be made of.
+maxFrames :: Int
+maxFrames = 10000
+
+-- | Frames at their corrected places, blended: each pixel of the composite is the mean of what the
+-- frames saw there, with bilinear weights; what stands for a dead element ('frameDead') counts next
+-- to nothing where a living one felt the place. The composite does not depend on the order of the
+-- frames, and moves with their poses. A single frame of rotation 0 is returned as it is.
+stitch :: Registration -> [Frame] -> Either StitchError Composite
+stitch settings = fmap assemblyComposite . assemble Automatic settings
+
+-- | Settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is not
+-- known.
+withNoiseOf :: [Frame] -> Registration -> Registration
+withNoiseOf frames settings = settings {registrationNoise = frameNoise (map frameImage frames)}
+
+-- | Frames at their nominal places, blended: stitching without any correction.
+placeOnly :: [Frame] -> Either StitchError Composite
+placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
+
+-- | A composite, and how it came about.
+data Assembly = Assembly
+  { assemblyComposite :: !Composite,
+    -- | The way that was taken; never 'Automatic'.
+    assemblyWay :: !Way,
+    -- | Each frame, in the order of the frames.
+    assemblyFrames :: ![Arranged],
+    -- | The root of the mean squared difference of the frames from what others saw there, as the
+    -- noise of one frame; 'Nothing' where no two overlap.
+    assemblyResidual :: Maybe Double,
+    -- | By how many degrees each frame is turned, clockwise, beyond what its pose states, where the
+    -- other frames tell that to 'telltaleRotation'.
+    assemblyTurns :: [Maybe Double]
+  }
+
+-- | Frames registered in the given way, and blended.
+assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
+assemble way settings frames
+  | usable settings = compose way settings frames
+  | otherwise = Left (UnusableRegistration settings)
+
+-- | Check the frames, place them in taxels, arrange them, and blend.
+compose :: Way -> Registration -> [Frame] -> Either StitchError Assembly
+compose way settings frames = do
+  when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
+  placed <-
+    maybe (Left NoFrames) Right (nonEmpty frames)
+      >>= (\all'@(one :| _) -> traverse (uncurry (upright one)) (NonEmpty.zip (0 :| [1 ..]) all'))
+  let left = minimum (fmap (fst . placedAt) placed)
+      top = minimum (fmap (snd . placedAt) placed)
+      inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
+      nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
+  checkArea nominal
+  let arrangement = arrange way told (NonEmpty.toList nominal)
+      told
+        | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
+        | otherwise = settings
+      arranged = arrangedFrames arrangement
+      displacements = map arrangedShift arranged
+      at shifts = maybe nominal moved (nonEmpty shifts)
+      moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
+      together shifts =
+        (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
+          { compositeCompared = length frames == 1 || compared
+          }
+      compared = arrangedWay arrangement /= Nominal && isJust (arrangedResidual arrangement)
+      others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
+      with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
+      made = together displacements
+      turnOf ((x, y), image) =
+        let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
+         in alignedToRest rotationPrior made (u, v) image >>= telltale
+  -- Blending relies on it.
+  checkArea (at displacements)
+  pure
+    Assembly
+      { assemblyComposite =
+          made
+            { compositeOthers =
+                [ (hypothesisProbability h, together (with k (hypothesisShift h) displacements))
+                  | (k, h) <- take mostOthers (sortOn (negate . hypothesisProbability . snd) others)
+                ],
+              compositeContradiction = contradiction settings (NonEmpty.toList nominal)
+            },
+        assemblyWay = arrangedWay arrangement,
+        assemblyFrames = arranged,
+        assemblyResidual = arrangedResidual arrangement,
+        assemblyTurns = map turnOf (NonEmpty.toList (at displacements))
+      }
+
+-- | The most other ways to put frames together that are told.
+mostOthers :: Int
+mostOthers = 4
+
+-- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
+-- not decide anything.
+inTaxels :: Double -> Double
+inTaxels t
+  | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million
+  | otherwise = taxels
+  where
+    taxels = t / taxelPitch
+    million = 1048576
+
+checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
+checkArea images
+  | width * height <= fromIntegral maxCompositePixels = Right ()
+  | otherwise = Left (AreaTooLarge width height)
+  where
+    width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
+    height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
+
+-- | A frame once its sensor's rotation is undone, at the canonical pitch.
+data Placed = Placed
+  { -- | Where the centre of its upper left pixel is, millimetres.
+    placedAt :: !Place,
+    placedImage :: !Raster,
+    -- | The share of each pixel that living elements felt, where some are dead.
+    placedFelt :: !(Maybe Raster)
+  }
+
+-- | A frame with its number, which must be of the first one's size, as it is placed.
+upright :: Frame -> Int -> Frame -> Either StitchError Placed
+upright one i given
+  | sizeOf given /= sizeOf one || not (all possible [fst (sizeOf given), snd (sizeOf given)]) =
+    Left (uncurry (FrameSize i) (sizeOf given))
+  | not (all finite [x, y, r]) || not (V.all finite (rasterValues (frameImage given))) =
+    Left (FrameNotFinite i)
+  | not (finite (frameTaxel given) && frameTaxel given > 0) = Left (FrameNotFinite i)
+  | otherwise =
+    maybe (Left (FrameRotation i r)) Right $ do
+      image <- seen given
+      let place = (x - half (rasterWidth image), y - half (rasterHeight image))
+      Placed place image <$> traverse (seen . felt) (nonEmpty (frameDead given))
+  where
+    Pose x y r = framePose given
+    seen = uprighted . frameImage . atCanonicalPitch
+    uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
+    felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
+    share dead u v = if Set.member (v, u) dead then 0 else 1
+    (wide, high) = sizeOf given
+    sizeOf = rasterSize . frameImage
+    possible side = side >= 4 && side <= 256
+    half side = taxelPitch * fromIntegral (side - 1) / 2
+    finite v = not (isNaN v || isInfinite v)

@@ -1,0 +1,73 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | Where a frame was found, and where else it may be.
+module PraTactile.Registration.Joint.Located
+  ( Located (..),
+    locatedAt,
+    eighth,
+  )
+where
+
+import Data.List (foldl', sortOn)
+import qualified Data.Map.Strict as Map
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Registration.Joint.Grid (gridSpacing, onGrid)
+import PraTactile.Registration.Posterior (Hypothesis (..), tolerance)
+
+-- | Where a frame was found.
+data Located = Located
+  { -- | Its displacement from its nominal place, taxels right and down.
+    locatedShift :: !Place,
+    -- | The standard deviations, taxels.
+    locatedDeviation :: !Place,
+    -- | The probability that it is within 'tolerance' of the truth on both axes.
+    locatedProbability :: !Double,
+    -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
+    -- the most probable first: at most two, each of at least a thousandth.
+    locatedOthers :: [Hypothesis]
+  }
+  deriving stock (Eq, Show)
+
+-- | Where a frame is whose nominal place (taxels) is given, by its displacements, in places from
+-- the grid point nearest to that, with their probabilities: the mean of those near the likeliest.
+-- There must be some.
+locatedAt :: Place -> [((Int, Int), Double)] -> Located
+locatedAt place options =
+  Located
+    (finally meanX rx, finally meanY ry)
+    (spreadOf meanX fst, spreadOf meanY snd)
+    (min 1 mass)
+    (take 2 (instead (filter (far (meanX, meanY) . snd) (sortOn (negate . fst) held))))
+  where
+    instead found = case found of
+      (p, (x, y)) : rest
+        | p >= 0.001 ->
+          Hypothesis (finally (fromIntegral x) rx, finally (fromIntegral y) ry) p :
+          instead (filter (far (fromIntegral x, fromIntegral y) . snd) rest)
+      _ -> []
+    far (x, y) (x', y') =
+      max (abs (x - fromIntegral x')) (abs (y - fromIntegral y')) >= 2 * gridSpacing
+    (_, (rx, ry)) = onGrid place
+    masses = Map.fromListWith (+) options
+    reach = floor (gridSpacing * tolerance + 1e-9) :: Int
+    around (x, y) =
+      [ ((x', y'), p)
+        | y' <- [y - reach .. y + reach],
+          x' <- [x - reach .. x + reach],
+          Just p <- [Map.lookup (x', y') masses]
+      ]
+    held = [(sum (map snd (around d)), d) | d <- Map.keys masses]
+    (mass, best) = foldl' (\a b -> if fst b > fst a + 1e-9 then b else a) (-1, (0, 0)) held
+    near = around best
+    meanX = sum [p * fromIntegral x | ((x, _), p) <- near] / mass
+    meanY = sum [p * fromIntegral y | ((_, y), p) <- near] / mass
+    finally mean rest = eighth ((mean - rest) / gridSpacing)
+    spreadOf :: Double -> ((Int, Int) -> Int) -> Double
+    spreadOf mean part =
+      sqrt (sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12)
+        / gridSpacing
+    squared !t = t * t
+
+-- | To the nearest eighth of a taxel.
+eighth :: Double -> Double
+eighth t = fromIntegral (round (8 * t) :: Int) / 8

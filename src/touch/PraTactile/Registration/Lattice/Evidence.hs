@@ -1,0 +1,342 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | What one frame tells of the lattice of cells under it: the likelihood of every phase of the
+-- lattice and of each cell's class. The alphabet and the pitch of the cells are known; the array,
+-- the gain, the offset and the noise of the frame are not.
+--
+-- The symbols do not overlap, so the squared error of a whole lattice is a sum over its cells, and
+-- with the classes independent and uniform the likelihood of a phase is a product over them. Gain,
+-- offset and noise are found by expectation and maximisation.
+module PraTactile.Registration.Lattice.Evidence
+  ( Evidence (..),
+    evidence,
+    Sight (..),
+    sight,
+    Level (..),
+    absent,
+    overClasses,
+  )
+where
+
+import qualified Data.IntSet as IntSet
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
+import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Lattice.Template
+
+-- | How a frame reads relief: gain times the relief (1 embossed, 0 flat) plus offset, plus normal
+-- noise of that variance.
+data Level = Level
+  { levelGain :: !Double,
+    levelOffset :: !Double,
+    levelVariance :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | What a frame tells.
+data Evidence = Evidence
+  { evidenceTables :: !Templates,
+    evidenceLevel :: !Level,
+    -- | How much likelier, as a natural logarithm, a symbol of a class at a place makes the frame
+    -- than nothing there: by 'cellIndex' and class.
+    evidenceClasses :: !(Vector Double),
+    -- | The same for a cell whose class is not known, by 'cellIndex'.
+    evidenceCells :: !(Vector Double),
+    -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
+    -- the pitch, of its cells.
+    evidencePhases :: !(Vector Double),
+    -- | The logarithm of the frame's probability density, standardised to variance 1.
+    evidenceLog :: !Double
+  }
+
+-- | The probability that nothing is in a cell: beyond the face, or worn off.
+absent :: Double
+absent = 0.01
+
+-- | What a frame tells, each part made when it is first looked at.
+data Sight = Sight
+  { -- | The logarithm of its probability density, standardised to variance 1, at whole taxels.
+    sightRoughly :: Double,
+    -- | The same at all places, by the phases that it leaves likely at whole taxels.
+    sightLog :: Double,
+    -- | All, at all places.
+    sightEvidence :: Evidence
+  }
+
+-- | What a frame of the tables' size tells. A frame without any variation tells nothing.
+evidence :: Templates -> Raster -> Evidence
+evidence tables = sightEvidence . sight tables
+
+-- | The same by parts. The level is found by four steps at whole taxels and one at all places, all
+-- but the first for likely phases only, or where others turn out to matter, for all.
+sight :: Templates -> Raster -> Sight
+sight tables image = Sight (evidenceLog roughly) (evidenceLog nearly) fine
+  where
+    values = rasterValues image
+    n = fromIntegral (V.length values)
+    average = V.sum values / n
+    deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
+    standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
+    better comparison = improved comparison . weighed comparison
+    -- At whole taxels.
+    coarse = wholly (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
+    first = weighed coarse (firstLevel standard)
+    few = among coarse (likely coarse first)
+    settled comparison =
+      weighed comparison (iterate (better comparison) (improved coarse first) !! 3)
+    roughly = settled few
+    rough = reconsidered coarse settled roughly
+    -- At all places.
+    areas = areaSums (templateLayout tables) standard
+    whole = wholly tables areas
+    near = partly whole areas (finer (coarser tables) tables (likely coarse rough))
+    improvedOnce comparison = weighed comparison (better comparison (evidenceLevel rough))
+    nearly = improvedOnce near
+    fine = reconsidered whole improvedOnce nearly
+
+-- | What a comparison of all phases tells, at the level that was found by some of them; or, if
+-- others have any weight there, as it is found by all.
+reconsidered :: Comparison -> (Comparison -> Evidence) -> Evidence -> Evidence
+reconsidered whole@(Comparison _ lattices _) found some
+  | V.length (evidencePhases some) == V.length (phaseNumbers lattices) = some
+  | evidenceLog same - evidenceLog some < 1e-7 = same
+  | otherwise = found whole
+  where
+    same = weighed whole (evidenceLevel some)
+
+-- | The phases that are not most unlikely.
+likely :: Comparison -> Evidence -> [Int]
+likely (Comparison _ lattices _) given =
+  map
+    (phaseNumbers lattices V.!)
+    (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
+  where
+    phases = evidencePhases given
+
+-- | The phases of finer tables that are less than a taxel from some of coarser ones.
+finer :: Templates -> Templates -> [Int] -> [Int]
+finer coarse fine = IntSet.toList . IntSet.fromList . concatMap around
+  where
+    places = layoutPlaces . templateLayout
+    q = places fine `quot` places coarse
+    (acrossCoarse, downCoarse) = phaseCount (places coarse)
+    (across, down) = phaseCount (places fine)
+    around phase =
+      let (row, x) = phase `quotRem` acrossCoarse
+          (o, y) = row `quotRem` downCoarse
+       in [ (o * down + (q * y + j) `mod` down) * across + (q * x + i) `mod` across
+            | j <- [1 - q .. q - 1],
+              i <- [1 - q .. q - 1]
+          ]
+
+-- | A frame held against symbols in cells: the tables, some phases of the lattice with their cells,
+-- and the numbers of these.
+data Comparison = Comparison !Templates Phases Numbers
+
+-- | All phases, from the frame's 'areaSums'.
+wholly :: Templates -> Vector Double -> Comparison
+wholly tables areas =
+  Comparison
+    tables
+    (templatePhases tables)
+    (Numbers (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+
+-- | Some of all phases.
+among :: Comparison -> [Int] -> Comparison
+among comparison@(Comparison tables _ (Numbers products sums squares)) phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (Numbers (at products) (at sums) (at squares))
+  where
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+    count = symbolsClasses (templateSymbols tables)
+    -- Note [Bounds of cells]
+    at numbers =
+      tabulate count (V.length cells) $ \c ->
+        let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
+
+-- | The same from the frame's 'areaSums', without looking at the numbers of all.
+partly :: Comparison -> Vector Double -> [Int] -> Comparison
+partly comparison@(Comparison tables _ _) areas phases
+  | many tables phases = comparison
+  | otherwise = Comparison tables here (numbersAt tables areas cells)
+  where
+    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+
+-- | Whether so many phases are compared faster together with all others, as are none: then what the
+-- frame tells is no number.
+many :: Templates -> [Int] -> Bool
+many tables phases = null phases || 4 * length phases > phaseTotal (templateLayout tables)
+
+-- | The cells of phases numbered from 0 on, as they come, and what they were.
+renumbered :: Phases -> (Phases, Vector Int)
+renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells)
+  where
+    cells = phaseCells phases
+
+-- | A first guess: the noise from the second differences across, in which smooth relief has next to
+-- no part, and the gain and the offset from what is usual of symbols.
+firstLevel :: Raster -> Level
+firstLevel image = Level gain (-0.15 * gain) noise
+  where
+    w = rasterWidth image
+    h = rasterHeight image
+    v = rasterValues image
+    at y x = V.unsafeIndex v (y * w + x)
+    differences =
+      [ let d = at y x - at y (x + 1) - at (y + 1) x + at (y + 1) (x + 1) in d * d
+        | y <- [0 .. h - 2],
+          x <- [0 .. w - 2]
+      ]
+    noise
+      | null differences = 0.5
+      | otherwise = max 1e-3 (min 0.95 (sum differences / (4 * fromIntegral (length differences))))
+    gain = sqrt (max 0.02 (1 - noise)) / 0.36
+
+-- | Everything at a level.
+weighed :: Comparison -> Level -> Evidence
+weighed (Comparison tables lattices numbers) level@(Level gain offset variance) =
+  Evidence tables level classes cells phases total
+  where
+    Numbers products sums squares = numbers
+    -- Note [Bounds of classes]
+    classes = V.generate (V.length products) $ \i ->
+      ofProducts * V.unsafeIndex products i
+        - ofSums * V.unsafeIndex sums i
+        - ofSquares * V.unsafeIndex squares i
+    ofProducts = gain / variance
+    ofSums = gain * offset / variance
+    ofSquares = gain * gain / (2 * variance)
+    cells = cellsOf (symbolsClasses (templateSymbols tables)) classes
+    phases = overPhases lattices cells
+    top = V.maximum phases
+    n = taxelsOf tables
+    total =
+      top
+        + log
+          ( V.sum (V.map (relativeTo top) phases)
+              / fromIntegral (phaseTotal (templateLayout tables))
+          )
+        - n * (1 + offset * offset) / (2 * variance)
+        - n / 2 * log (2 * pi * variance)
+
+{- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
+   number for each cell and class. -}
+
+-- | The number of a frame's taxels.
+taxelsOf :: Templates -> Double
+taxelsOf tables = let (w, h) = layoutFrame (templateLayout tables) in fromIntegral (w * h)
+
+-- | From classes to cells.
+cellsOf :: Int -> Vector Double -> Vector Double
+cellsOf count classes = V.generate (V.length classes `quot` count) cell
+  where
+    cell i = overClasses count (\k -> V.unsafeIndex classes (i * count + k))
+
+-- | The logarithm of how likely a cell is, given those of each class: the mean over the classes,
+-- and nothing at all with its own probability. What is less likely by 'negligible' does not count.
+overClasses :: Int -> (Int -> Double) -> Double
+overClasses count at
+  | m <= 0 = sumOf 0 absent
+  | m > negligible = sumOf m 0
+  | otherwise = sumOf m (absent * exp (negate m))
+  where
+    sumOf top rest = let s = terms top 0 rest in if s == absent then top + none else top + log s
+    share = (1 - absent) / fromIntegral count
+    none = log absent
+    m = highest 0 0
+    highest :: Int -> Double -> Double
+    highest !k !best
+      | k >= count = best
+      | otherwise = highest (k + 1) (max best (at k))
+    terms :: Double -> Int -> Double -> Double
+    terms !top !k !s
+      | k >= count = s
+      | at k - top < negate negligible = terms top (k + 1) s
+      | at k == top = terms top (k + 1) (s + share)
+      | otherwise = terms top (k + 1) (s + share * exp (at k - top))
+{-# INLINE overClasses #-}
+
+-- | How likely something is as a share of the likeliest, from the logarithms.
+relativeTo :: Double -> Double -> Double
+relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
+
+-- | What is so much less likely, as a natural logarithm, does not count.
+negligible :: Double
+negligible = 30
+
+-- | From cells to lattices: the sum over the cells of each.
+overPhases :: Phases -> Vector Double -> Vector Double
+overPhases lattices values = V.generate (V.length (phaseBegins lattices) - 1) phase
+  where
+    phase i = overCells lattices i 0 (\s cell -> s + V.unsafeIndex values cell)
+
+-- | Over the cells of a phase, which are given by their numbers, from a start.
+overCells :: Phases -> Int -> s -> (s -> Int -> s) -> s
+overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) start
+  where
+    end = V.unsafeIndex begins (i + 1)
+    -- Note [Bounds of cells]
+    go !c !s
+      | c >= end = s
+      | otherwise = go (c + 1) (step s (V.unsafeIndex cells c))
+{-# INLINE overCells #-}
+
+{- Note [Bounds of cells] The beginnings have an end, and each lies within the cells; these have
+   their numbers in the tables that they are cells of. -}
+
+-- | Sums over symbols, each as probable as it is: of their correlations, of the templates and of
+-- the templates' squares.
+data Sums = Sums !Double !Double !Double
+
+-- | One step: by what the symbols probably are at a level, the level that fits them best.
+improved :: Comparison -> Evidence -> Level
+improved (Comparison tables lattices numbers) given = Level gain' offset' variance'
+  where
+    Level gain offset _ = evidenceLevel given
+    Numbers products sums squares = numbers
+    count = symbolsClasses (templateSymbols tables)
+    share = (1 - absent) / fromIntegral count
+    n = taxelsOf tables
+    phases = evidencePhases given
+    top = V.maximum phases
+    weights = V.map (relativeTo top) phases
+    total = V.sum weights
+    Sums sumY sumT sumTT = V.ifoldl' phase (Sums 0 0 0) weights
+    phase found i weight
+      | weight < 1e-6 * total = found
+      | otherwise = overCells lattices i found $ \(Sums a b c) cell ->
+        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (evidenceCells given) cell)
+         in Sums (a + weight * a') (b + weight * b') (c + weight * c')
+    symbols start cell = go 0 (Sums 0 0 0)
+      where
+        go :: Int -> Sums -> Sums
+        go !k found@(Sums a b c)
+          | k >= count = found
+          | otherwise =
+            let p = share * exp (V.unsafeIndex (evidenceClasses given) (start + k) - cell)
+             in go
+                  (k + 1)
+                  ( Sums
+                      (a + p * V.unsafeIndex products (start + k))
+                      (b + p * V.unsafeIndex sums (start + k))
+                      (c + p * V.unsafeIndex squares (start + k))
+                  )
+    -- The regression of the frame, of mean 0 and variance 1, on the relief.
+    product' = sumY / total
+    sum' = sumT / total
+    square' = sumTT / total
+    spreadOfRelief = square' - sum' * sum' / n
+    gain' = if spreadOfRelief > 1e-6 then max 0.3 (product' / spreadOfRelief) else gain
+    offset' = if spreadOfRelief > 1e-6 then negate gain' * sum' / n else offset
+    variance' =
+      max
+        2e-3
+        ( ( n * (1 + offset' * offset') - 2 * gain' * (product' - offset' * sum')
+              + gain' * gain' * square'
+          )
+            / n
+        )

@@ -1,0 +1,240 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The symbols of an alphabet as a sensor sees them, at every place on a frame: what a frame is
+-- held against to find the lattice of cells under it.
+--
+-- A symbol at (x, y), the place of the centre of its upper left taxel, makes a taxel at (u, v) read
+-- the sum over its embossed taxels (i, j) of g (u - x - i) g (v - y - j), where g is the share of a
+-- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel.
+-- The symbols' axes may be turned from the frame's: then places are turned with them, and the blur,
+-- which is nearly the same in all directions, is not.
+module PraTactile.Registration.Lattice.Template
+  ( Templates (..),
+    templates,
+    PaperTables,
+    paperTemplates,
+    coarser,
+
+    -- * Frames held against them
+    correlations,
+    correlationsOf,
+    Numbers (..),
+    numbersAt,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector as Boxed
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Storable.Mutable as M
+import PraTactile.Geometry (sensorSide)
+import PraTactile.Image (Raster, constant)
+import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Symbols
+import PraTactile.Shape (Alphabet, paperAlphabet)
+
+-- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
+-- that are turned from the frames'. Each table is made when it is first looked at.
+data Templates = Templates
+  { templateLayout :: !Layout,
+    templateSymbols :: !Symbols,
+    -- | For each orientation and class, its shape.
+    templateOutlines :: !(Boxed.Vector Outline),
+    -- | What the frame covers.
+    templateCover :: Cover,
+    -- | 'areaSums' of a frame that is 1 everywhere.
+    templateAreas :: Vector Double,
+    -- | The sum of each template over the frame, indexed by 'cellIndex' and class.
+    templateSums :: Vector Double,
+    -- | The sum of its squares, likewise.
+    templateSquares :: Vector Double,
+    -- | All phases of the lattice.
+    templatePhases :: Phases,
+    -- | The same at whole taxels only.
+    templateCoarse :: Maybe Templates
+  }
+
+-- | The corners of a shape ('symbolsCorners') as steps from its place on the grid of the sums of
+-- areas, and how often each counts.
+data Outline = Outline !(Vector Int) !(Vector Double)
+
+-- | The same at whole taxels, if these are finer.
+coarser :: Templates -> Templates
+coarser fine = fromMaybe fine (templateCoarse fine)
+
+-- | The tables for an alphabet whose axes are turned by so many degrees clockwise, and frames of
+-- that width and height.
+templates :: Alphabet -> Double -> Int -> Int -> Templates
+templates = templatesOf . symbolsOf
+
+templatesOf :: Symbols -> Double -> Int -> Int -> Templates
+templatesOf symbols angle w h =
+  (tabled symbols (layout angle w h placesPerTaxel))
+    { templateCoarse = Just (tabled symbols (layout angle w h 1))
+    }
+
+-- | The tables for those places alone.
+tabled :: Symbols -> Layout -> Templates
+tabled symbols places = tables
+  where
+    tables =
+      Templates
+        { templateLayout = places,
+          templateSymbols = symbols,
+          templateOutlines = Boxed.fromList (map outline (symbolsCorners symbols)),
+          templateCover = coverOf places,
+          templateAreas = areaSums places (uncurry constant (layoutFrame places) 1),
+          templateSums = correlationsOf tables (templateAreas tables),
+          templateSquares = squaresOf tables,
+          templatePhases = phasesOf places [0 .. phaseTotal places - 1],
+          templateCoarse = Nothing
+        }
+    outline corners =
+      Outline
+        ( V.fromList
+            [(y * areasWidth places + x) * layoutPlaces places | (x, y, _) <- corners]
+        )
+        (V.fromList [count | (_, _, count) <- corners])
+
+-- | The tables of an alphabet at any angle, degrees clockwise, for frames of any width and height.
+type PaperTables = Double -> (Int, Int) -> Templates
+
+-- | The tables for the shipped alphabet, those for upright frames of the sensor's size made once
+-- for all. 'Nothing' where that alphabet cannot be read, which a test excludes.
+paperTemplates :: Maybe PaperTables
+paperTemplates = either (const Nothing) (Just . made . symbolsOf) paperAlphabet
+  where
+    made symbols = at
+      where
+        at angle (w, h)
+          | angle == 0 && w == sensorSide && h == sensorSide = usual
+          | otherwise = templatesOf symbols angle w h
+        usual = templatesOf symbols 0 sensorSide sensorSide
+{-# NOINLINE paperTemplates #-}
+
+-- | The sum over the frame of its values times each template: by class, at each place, in each
+-- orientation. The image has the size that the tables are for.
+correlations :: Templates -> Raster -> Vector Double
+correlations tables = correlationsOf tables . areaSums (templateLayout tables)
+
+-- | The same from the frame's 'areaSums'.
+correlationsOf :: Templates -> Vector Double -> Vector Double
+correlationsOf tables areas = V.create $ do
+  sums <- M.unsafeNew (2 * rows * columns * count)
+  let orientation !o
+        | o >= 2 = pure ()
+        | otherwise = class' o 0 >> orientation (o + 1)
+      class' !o !k
+        | k >= count = pure ()
+        | otherwise = do
+          row (Boxed.unsafeIndex outlines (o * count + k)) 0 (cellIndex places o 0 0 * count + k)
+          class' o (k + 1)
+      row shape !y !i
+        | y >= rows = pure ()
+        | otherwise = four shape y i 0 >> row shape (y + 1) (i + columns * count)
+      -- Four places at a time, the last of which may be among those before.
+      four shape@(Outline steps counts) !y !i !x
+        | x >= columns = pure ()
+        | otherwise = do
+          let x' = min x (columns - 4)
+              start = y * wide + x'
+              summed !c !s0 !s1 !s2 !s3
+                | c >= V.length steps = do
+                  let j = i + x' * count
+                  M.unsafeWrite sums j s0
+                  M.unsafeWrite sums (j + count) s1
+                  M.unsafeWrite sums (j + 2 * count) s2
+                  M.unsafeWrite sums (j + 3 * count) s3
+                | otherwise =
+                  let j = start + V.unsafeIndex steps c
+                      n = V.unsafeIndex counts c
+                   in summed
+                        (c + 1)
+                        (s0 + n * V.unsafeIndex areas j)
+                        (s1 + n * V.unsafeIndex areas (j + 1))
+                        (s2 + n * V.unsafeIndex areas (j + 2))
+                        (s3 + n * V.unsafeIndex areas (j + 3))
+          summed 0 0 0 0 0
+          four shape y i (x + 4)
+  -- Note [Bounds of outlines]
+  orientation (0 :: Int)
+  pure sums
+  where
+    places = templateLayout tables
+    outlines = templateOutlines tables
+    (columns, rows) = layoutGrid places
+    count = symbolsClasses (templateSymbols tables)
+    wide = areasWidth places
+
+{- Note [Bounds of outlines] A place's column is below the grid's width and a step reaches at most 8
+   taxels further, which the width of the sums of areas holds; likewise for rows, 12. There are
+   2 * count outlines, and one sum for each cell and class. A row has more than four places, as a
+   symbol is wider. -}
+
+-- | The sum over the frame of the squares of each template at each place.
+squaresOf :: Templates -> Vector Double
+squaresOf tables = V.create $ do
+  sums <- M.unsafeNew (2 * half)
+  let row !y !i
+        | y >= rows = pure ()
+        | otherwise = column y 0 i >>= row (y + 1)
+      column !y !x !i
+        | x >= columns = pure i
+        | otherwise = class' y x 0 i >>= column y (x + 1)
+      class' !y !x !k !i
+        | k >= count = pure i
+        | otherwise = do
+          let (s, t) = at y x k
+          M.unsafeWrite sums i s
+          M.unsafeWrite sums (half + i) t
+          class' y x (k + 1) (i + 1)
+  row 0 (0 :: Int)
+  pure sums
+  where
+    places = templateLayout tables
+    (columns, rows) = layoutGrid places
+    count = symbolsClasses (templateSymbols tables)
+    half = rows * columns * count
+    at = squaresAt (templateSymbols tables) places (templateCover tables)
+
+-- | For some cells and all classes, in this order: the correlations of a frame, the sums of the
+-- templates and those of their squares.
+data Numbers = Numbers
+  { numbersProducts :: !(Vector Double),
+    numbersSums :: !(Vector Double),
+    numbersSquares :: !(Vector Double)
+  }
+
+-- | The numbers of a few cells, by 'cellIndex', from a frame's 'areaSums'.
+numbersAt :: Templates -> Vector Double -> Vector Int -> Numbers
+numbersAt tables areas cells =
+  Numbers (outlined areas) (outlined (templateAreas tables)) (each squares)
+  where
+    places = templateLayout tables
+    (columns, rows) = layoutGrid places
+    count = symbolsClasses (templateSymbols tables)
+    each :: (Int -> Int -> Int -> Int -> Double) -> Vector Double
+    each number =
+      V.fromList
+        [ number o y x k
+          | cell <- V.toList cells,
+            let (row, x) = cell `quotRem` columns
+                (o, y) = row `quotRem` rows,
+            k <- [0 .. count - 1]
+        ]
+    squares o y x k = (if o == 0 then fst else snd) (squaresAt' y x k)
+    squaresAt' = squaresAt (templateSymbols tables) places (templateCover tables)
+    -- Note [Bounds of outlines]
+    outlined :: Vector Double -> Vector Double
+    outlined sums = each $ \o y x k ->
+      let Outline steps counts = Boxed.unsafeIndex (templateOutlines tables) (o * count + k)
+          start = y * areasWidth places + x
+          go !c !s
+            | c >= V.length steps = s
+            | otherwise =
+              go
+                (c + 1)
+                (s + V.unsafeIndex counts c * V.unsafeIndex sums (start + V.unsafeIndex steps c))
+       in go 0 0

@@ -1,0 +1,207 @@
+-- | Two frames registered: where the second lies in the first, how sure that is, and where it
+-- cannot be told, why.
+module PraTactile.Registration.Pair
+  ( -- * What is asked
+    Pairing (..),
+    standardPairing,
+    Method (..),
+    Tables,
+    tablesFor,
+
+    -- * What is answered
+    Match (..),
+    Refusal (..),
+    Hypothesis (..),
+    registerPair,
+    PairError (..),
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Image (Raster, rasterSize, rasterValues)
+import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Pair.Alike
+import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Pair.Correlation
+import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Pair.Straight
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Rotation
+import PraTactile.Registration.Spectrum
+import PraTactile.Shape (Alphabet, symbolWidth)
+
+-- | How two frames are registered.
+data Method
+  = -- | by the paper's zero-mean normalised cross-correlation
+    Correlation
+  | -- | by the frames alone, whatever they show
+    Blind
+  | -- | by the lattice of cells: pitch and alphabet known, the array not
+    Lattice
+  | -- | by the lattice where the frames are likelier to show it than anything else, else blind
+    Auto
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | What is asked.
+data Pairing = Pairing
+  { -- | Where the second frame's upper left pixel should lie in the first, taxels right and down.
+    pairingStep :: !Place,
+    -- | How far around it to search along each axis, taxels; taken for two standard deviations of
+    -- the robot's error.
+    pairingSearch :: !Double,
+    pairingMethod :: !Method,
+    -- | The probability from which on an answer is given.
+    pairingConfidence :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | A step, searched 3 taxels around, by the better method, given from 0.99 on.
+standardPairing :: Place -> Pairing
+standardPairing step = Pairing step 3 Auto 0.99
+
+-- | Why a pair is not registered.
+data Refusal
+  = -- | A frame shows nothing but noise.
+    Blank
+  | -- | One axis is fixed, the other is not.
+    OneAxis
+  | -- | Several places fit alike.
+    Ambiguous
+  | -- | The frames do not meet anywhere in the search.
+    NoOverlap
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | What is answered.
+data Match = Match
+  { matchRefusal :: !(Maybe Refusal),
+    -- | Where the second frame's upper left pixel most probably lies in the first, taxels right and
+    -- down; also where it was refused.
+    matchBest :: !Hypothesis,
+    -- | The standard deviations along both axes, taxels.
+    matchDeviations :: !Place,
+    -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
+    matchFixed :: !(Bool, Bool),
+    -- | By how many degrees the second frame is turned against the first, clockwise, where the
+    -- frames tell that to 'telltaleRotation'; 'Nothing' where they do not, or were refused.
+    matchRotation :: Maybe Double,
+    -- | The method that was used; never 'Auto'.
+    matchMethod :: !Method,
+    -- | The best and others.
+    matchHypotheses :: ![Hypothesis]
+  }
+  deriving stock (Eq, Show)
+
+-- | Why nothing can be asked.
+data PairError
+  = -- | The frames differ in size: width and height of each.
+    PairSizes !(Int, Int) !(Int, Int)
+  | -- | The frames are smaller than 4 x 4 or larger than 256 x 256 taxels.
+    PairFrameSize !(Int, Int)
+  | -- | A frame has a value that is not finite.
+    PairNotFinite
+  | -- | The step is not finite or above a thousand taxels, the search negative or above 64 taxels,
+    -- or the confidence not within 0..1.
+    UnusablePairing !Pairing
+  deriving stock (Eq, Show)
+
+-- | What is computed once for frames of one size.
+data Tables = Tables
+  { tablesTemplates :: Templates,
+    tablesSpectra :: Spectra
+  }
+
+-- | The tables for an alphabet and frames of that width and height.
+tablesFor :: Alphabet -> Int -> Int -> Tables
+tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
+
+-- | Where the second frame lies in the first. The tables must be for frames of their size.
+registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match
+registerPair tables pairing a b
+  | size /= rasterSize b = Left (PairSizes size (rasterSize b))
+  | outside size || size /= layoutFrame (templateLayout (tablesTemplates tables)) =
+    Left (PairFrameSize size)
+  | not (all finite [a, b]) = Left PairNotFinite
+  | not (sensible pairing) = Left (UnusablePairing pairing)
+  | otherwise = Right (matched tables pairing a b)
+  where
+    size = rasterSize a
+    outside (w, h) = min w h < 4 || max w h > 256
+    finite = V.all (\v -> not (isNaN v || isInfinite v)) . rasterValues
+
+sensible :: Pairing -> Bool
+sensible (Pairing (x, y) search _ confidence) =
+  abs x <= 1000
+    && abs y <= 1000
+    && search >= 0
+    && search <= 64
+    && confidence >= 0
+    && confidence <= 1
+
+matched :: Tables -> Pairing -> Raster -> Raster -> Match
+matched tables (Pairing step search method confidence) a b =
+  Match refusal best (deviations sure) fixed rotation used (map surely (hypotheses 5 0.001 found))
+  where
+    (w, h) = rasterSize a
+    coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
+    process = processOf (tablesSpectra tables) 0 coefficients
+    evidences = map (evidence (tablesTemplates tables)) [a, b]
+    used
+      | method /= Auto = method
+      | latticed = Lattice
+      | otherwise = Blind
+    -- Whether the frames are likelier to show the lattice than any other relief, if they are large
+    -- enough for a symbol.
+    latticed =
+      min w h >= symbolWidth && sum (map evidenceLog evidences) > sum (processLogs process)
+    found = case (used, evidences) of
+      (Lattice, [ea, eb]) -> latticePosterior step search ea eb
+      (Correlation, _) -> correlationPosterior step search a b
+      _ -> blindPosterior (tablesSpectra tables) process step search a b
+    -- The best guess may be what noise seems to tell along straight edges, or the place of a
+    -- lattice that is not there; but it is not sure.
+    sure = case used of
+      Blind -> alongStraight step search a b found
+      Lattice | not latticed -> priorAlone search step found
+      _ -> found
+    surely (Hypothesis shift' _) = Hypothesis shift' (probabilityAround sure shift')
+    best = case hypotheses 1 0 found of
+      first : _ -> surely first
+      [] -> Hypothesis step 0
+    rotation = case refusal of
+      Nothing -> telltale =<< aligned rotationPrior (within (smooth a)) shift (smooth b)
+      Just _ -> Nothing
+    shift = hypothesisShift best
+    (severalX, severalY) = apart (agreements step search a b)
+    fixed =
+      let (x, y) = marginals sure
+       in (x >= confidence && not severalX, y >= confidence && not severalY)
+    refusal
+      | not (meeting (w, h) step search) = Just NoOverlap
+      | any flat [a, b] = Just Blank
+      | severalX || severalY = Just (if uncurry (/=) fixed then OneAxis else Ambiguous)
+      | hypothesisProbability best >= confidence = Nothing
+      | any blank (zip3 [a, b] coefficients (processLogs process)) = Just Blank
+      | uncurry (/=) fixed = Just OneAxis
+      | otherwise = Just Ambiguous
+
+-- | Whether frames of a size meet anywhere in the search.
+meeting :: (Int, Int) -> Place -> Double -> Bool
+meeting (w, h) (x, y) search =
+  abs x - search <= fromIntegral w - 1 && abs y - search <= fromIntegral h - 1
+
+-- | Whether a frame shows nothing but white noise: no process of relief makes it likelier than that
+-- by 'telling'.
+blank :: (Raster, V.Vector Double, Double) -> Bool
+blank (image, coefficients, logs) =
+  flat image || logs - whiteness coefficients < telling
+  where
+    telling = 5
+
+-- | Whether a frame has one value throughout.
+flat :: Raster -> Bool
+flat image = V.maximum values - V.minimum values <= 1e-9
+  where
+    values = rasterValues image

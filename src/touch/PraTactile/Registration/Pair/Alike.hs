@@ -1,0 +1,43 @@
+-- | The places at which two frames agree exactly: where there are several, nothing tells which it
+-- is.
+module PraTactile.Registration.Pair.Alike
+  ( agreements,
+    apart,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Image (Raster, rasterValues)
+import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
+import PraTactile.Registration.Product
+
+-- | The whole displacements within the search at which what both frames show is the same, but for
+-- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or
+-- show next to nothing there, do not count.
+agreements :: Place -> Double -> Raster -> Raster -> [Place]
+agreements step search a b =
+  [ (fromIntegral x, fromIntegral y)
+    | y <- [round oy .. round oy + rows - 1],
+      x <- [round ox .. round ox + columns - 1],
+      Just (w, h, pa, pb) <- [overlapOf a b x y],
+      min w h >= 3,
+      same pa pb
+  ]
+  where
+    ((ox, oy), (columns, rows)) = displacementGrid step search
+    same pa pb =
+      va > 0.01 * wholeA && vb > 0.01 * wholeB && cov > 0 && cov * cov >= 0.9999 * 0.9999 * va * vb
+      where
+        (da, db) = (centred pa, centred pb)
+        (va, vb, cov) = (meanProduct da da, meanProduct db db, meanProduct da db)
+    (wholeA, wholeB) = (whole a, whole b)
+    whole image = let d = centred (rasterValues image) in meanProduct d d
+    meanProduct u v = dot u v / fromIntegral (V.length u)
+    centred v = let m = V.sum v / fromIntegral (V.length v) in V.map (subtract m) v
+
+-- | Whether places differ by more than a taxel along x, and along y.
+apart :: [Place] -> (Bool, Bool)
+apart places = (spread (map fst places), spread (map snd places))
+  where
+    spread values = not (null values) && maximum values - minimum values > 1

@@ -1,0 +1,98 @@
+-- | Relief that is the same along one direction, as a straight edge is: a displacement along it
+-- cannot be told, and that some noise fits best somewhere tells nothing.
+module PraTactile.Registration.Pair.Straight
+  ( alongStraight,
+    straightness,
+  )
+where
+
+import Data.List (foldl')
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Noise (frameNoise)
+import PraTactile.Image (Raster, rasterValues)
+import PraTactile.Registration.Pair.Overlap (overlapOf)
+import PraTactile.Registration.Posterior
+
+-- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
+-- along a direction in which the relief that both frames show does not change only the prior is
+-- left; else the same. The grid is of whole taxels.
+alongStraight :: Place -> Double -> Raster -> Raster -> Posterior -> Posterior
+alongStraight step search a b found = case straightness best a b of
+  Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
+  Nothing -> found
+  where
+    Posterior origin@(ox, oy) _ size@(columns, rows) masses = found
+    best =
+      let (row, column) = V.maxIndex masses `quotRem` columns
+       in (round ox + column, round oy + row)
+    priors = posteriorMasses (priorAlone search step found)
+    -- What all displacements along the line have together, shared out by the prior.
+    along (dx, dy) i =
+      log (priors V.! i * sum (map (masses V.!) line) / sum (map (priors V.!) line))
+      where
+        (row, column) = i `quotRem` columns
+        reach = max columns rows
+        line =
+          [ y * columns + x
+            | t <- [negate reach .. reach],
+              let x = column + round (fromIntegral t * dx)
+                  y = row + round (fromIntegral t * dy),
+              x >= 0 && x < columns && y >= 0 && y < rows
+          ]
+
+-- | The unit vector along which the relief that both frames show does not change, if there is one,
+-- where the second's upper left pixel lies at that place in the first: the products of the two
+-- frames' slopes are, along it, no more than noise would make them, and across it they are. Noise
+-- is independent in both, so that it adds nothing to the products in the mean.
+straightness :: (Int, Int) -> Raster -> Raster -> Maybe Place
+straightness (x, y) a b = do
+  (w, h, pa, pb) <- overlapOf a b x y
+  let products = foldl' plus (Products 0 0 0) [between w pa pb i | i <- interior w h]
+      count = fromIntegral (length (interior w h))
+      (least, most, direction) = axesOf products
+      unit = slopeVariance * noiseOf a * noiseOf b * sqrt (count * alikeness)
+  if count > 0 && least < telling * unit && most >= 4 * telling * unit
+    then Just direction
+    else Nothing
+  where
+    interior w h = [v * w + u | v <- [1 .. h - 2], u <- [1 .. w - 2]]
+    telling = 4.5
+    noiseOf image =
+      let values = rasterValues image
+       in max (frameNoise [image]) (0.001 * (V.maximum values - V.minimum values))
+
+-- | Sums of the products of two images' slopes: along x, along both axes, and along y.
+data Products = Products !Double !Double !Double
+
+plus :: Products -> Products -> Products
+plus (Products a b c) (Products d e f) = Products (a + d) (b + e) (c + f)
+
+-- | The products at a pixel of two patches of that width, which is not at their edge.
+between :: Int -> V.Vector Double -> V.Vector Double -> Int -> Products
+between w a b i = Products (ax * bx) ((ax * by + ay * bx) / 2) (ay * by)
+  where
+    (ax, ay) = slopes a
+    (bx, by) = slopes b
+    slopes v = ((column 1 - column (-1)) / 8, (row w - row (negate w)) / 8)
+      where
+        column d = v V.! (i + d - w) + 2 * v V.! (i + d) + v V.! (i + d + w)
+        row d = v V.! (i + d - 1) + 2 * v V.! (i + d) + v V.! (i + d + 1)
+
+-- | The variance of a slope by white noise of variance 1: the sum of the squared weights.
+slopeVariance :: Double
+slopeVariance = 12 / 64
+
+-- | The sum of the squares of the correlations of a slope with all others, by white noise: that of
+-- the smoothing's 1, 2/3 and 1/6 times that of the difference's 1 and -1/2.
+alikeness :: Double
+alikeness = (1 + 2 * (4 / 9 + 1 / 36)) * (1 + 2 / 4)
+
+-- | The least and the most product along any direction, and the direction of the least.
+axesOf :: Products -> (Double, Double, Place)
+axesOf (Products xx xy yy) = (middle - radius, middle + radius, (negate (sin angle), cos angle))
+  where
+    middle = (xx + yy) / 2
+    radius = sqrt ((xx - yy) * (xx - yy) / 4 + xy * xy)
+    -- That of the most.
+    angle = atan2 (2 * xy) (xx - yy) / 2

@@ -1,0 +1,180 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | What is known of a displacement: a probability on each point of a grid, and what follows from
+-- it.
+module PraTactile.Registration.Posterior
+  ( Posterior (..),
+    posterior,
+    Hypothesis (..),
+    hypotheses,
+    probabilityAround,
+    priorAlone,
+    deviations,
+    marginals,
+    tolerance,
+    priorAround,
+  )
+where
+
+import Data.List (foldl')
+import Data.Vector.Storable (Vector)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Blend (Place)
+
+-- | Probabilities of displacements on a grid.
+data Posterior = Posterior
+  { -- | The first displacement, taxels.
+    posteriorOrigin :: !Place,
+    -- | From one to the next, taxels.
+    posteriorSpacing :: !Double,
+    -- | How many there are across and down.
+    posteriorSize :: !(Int, Int),
+    -- | Their probabilities, row by row; the sum is 1.
+    posteriorMasses :: !(Vector Double)
+  }
+  deriving stock (Eq, Show)
+
+-- | The posterior from the logarithms of what is proportional to the probabilities. Where none is
+-- finite all are alike.
+posterior :: Place -> Double -> (Int, Int) -> Vector Double -> Posterior
+posterior origin spacing size logs = Posterior origin spacing size (V.map (/ total) masses)
+  where
+    top = V.foldl' max (-1 / 0) (V.filter (not . isNaN) logs)
+    masses
+      | isInfinite top = V.map (const 1) logs
+      | otherwise = V.map (\l -> if isNaN l then 0 else exp (l - top)) logs
+    total = V.sum masses
+
+-- | How near to the truth a displacement counts as right, along each axis, taxels.
+tolerance :: Double
+tolerance = 0.75
+
+-- | A displacement, and the probability that the true one lies within 'tolerance' of it on both
+-- axes.
+data Hypothesis = Hypothesis
+  { hypothesisShift :: !Place,
+    hypothesisProbability :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The most probable displacements, the best first, none of which shares a grid point with
+-- another: at most so many, each of at least that probability. There is always one.
+hypotheses :: Int -> Double -> Posterior -> [Hypothesis]
+hypotheses most least given = case go most (posteriorMasses given) of
+  [] -> [fst (bestOf given)]
+  found -> found
+  where
+    go :: Int -> Vector Double -> [Hypothesis]
+    go n masses
+      | n <= 0 || V.sum masses < least = []
+      | n < most && hypothesisProbability best < least = []
+      | otherwise = best : go (n - 1) (V.imap (\i m -> if inside i then 0 else m) masses)
+      where
+        (best, inside) = bestOf given {posteriorMasses = masses}
+
+-- | The probability that the true displacement lies within 'tolerance' of one on both axes.
+probabilityAround :: Posterior -> Place -> Double
+probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
+  min 1 (V.sum (V.ifilter (const . near) masses))
+  where
+    near i =
+      let (row, column) = i `quotRem` columns
+       in within (ox + spacing * fromIntegral column - x)
+            && within (oy + spacing * fromIntegral row - y)
+    within t = abs t <= tolerance + 1e-6
+
+-- | The displacement with the most probability around it, and the grid points that count there: the
+-- stretches of points that hold the most; within them the mean, as near as the tolerance lets it be
+-- to the points that hold all but a thousandth of that.
+bestOf :: Posterior -> (Hypothesis, Int -> Bool)
+bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
+  (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) (max 0 (min 1 held)), inside)
+  where
+    sums = integralOf columns rows masses
+    heldIn (x0, x1) (y0, y1) = at y1 x1 - at y0 x1 - at y1 x0 + at y0 x0
+    at y x = V.unsafeIndex sums (y * (columns + 1) + x)
+    (_, wx, wy) =
+      foldl'
+        better
+        (-1, (0, 0), (0, 0))
+        [(x, y) | y <- windows spacing rows, x <- windows spacing columns]
+    better best@(most, _, _) (x, y) = let s = heldIn x y in if s > most then (s, x, y) else best
+    bestX = settled wx [heldIn (x, x + 1) wy | x <- uncurry stretch wx]
+    bestY = settled wy [heldIn wx (y, y + 1) | y <- uncurry stretch wy]
+    held = heldIn (around columns bestX) (around rows bestY)
+    inside i =
+      let (y, x) = i `quotRem` columns
+       in within (around columns bestX) x && within (around rows bestY) y
+    within (from, to) t = t >= from && t < to
+    around n t = (max 0 (ceiling (t - reach - 1e-6)), min n (floor (t + reach + 1e-6) + 1))
+    reach = tolerance / spacing
+    stretch from to = [from .. to - 1]
+    settled (from, _) line
+      | total <= 0 = fromIntegral from
+      | otherwise = max (last' - reach) (min (first' + reach) mean)
+      where
+        total = sum line
+        mean = sum (zipWith (*) (map fromIntegral [from ..]) line) / total
+        slight = length . takeWhile (<= total / 2000) . scanl1 (+)
+        first' = fromIntegral (from + slight line)
+        last' = fromIntegral (from + length line - 1 - slight (reverse line))
+
+-- | The stretches of grid points that lie within 'tolerance' of one place, as the first and the one
+-- after the last: as long as can be.
+windows :: Double -> Int -> [(Int, Int)]
+windows spacing n
+  | n <= longest = [(0, n)]
+  | otherwise = [(i, i + longest) | i <- [0 .. n - longest]]
+  where
+    longest = 1 + floor (2 * tolerance / spacing + 1e-9)
+
+integralOf :: Int -> Int -> Vector Double -> Vector Double
+integralOf columns rows masses =
+  V.fromList (concat (scanl below (replicate (columns + 1) 0) [0 .. rows - 1]))
+  where
+    below above y =
+      zipWith (+) above (scanl (+) 0 (V.toList (V.slice (y * columns) columns masses)))
+
+-- | The standard deviations along x and y, taxels, with that of a grid's cell.
+deviations :: Posterior -> Place
+deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
+  where
+    cell = spacing * spacing / 12
+    along coordinate = sqrt (max 0 (second - first * first) * spacing * spacing + cell)
+      where
+        first = moment id
+        second = moment (\t -> t * t)
+        moment f =
+          V.ifoldl'
+            (\ !s i m -> s + m * f (fromIntegral (coordinate (i `quotRem` columns))))
+            0
+            masses
+
+-- | The probability that the best along each axis, taken by itself, is right.
+marginals :: Posterior -> (Double, Double)
+marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, best rows down)
+  where
+    across = V.generate columns (\x -> sum [masses V.! (y * columns + x) | y <- [0 .. rows - 1]])
+    down = V.generate rows (\y -> V.sum (V.slice (y * columns) columns masses))
+    best n line =
+      maximum (0 : [V.sum (V.slice from (to - from) line) | (from, to) <- windows spacing n])
+
+-- | The logarithm of the prior probability of a displacement from the nominal one, along both axes,
+-- for errors that are looked for up to that many taxels: normal, of half that as standard
+-- deviation.
+priorAround :: Double -> Place -> Double
+priorAround search (x, y)
+  | search <= 0 = 0
+  | otherwise = negate (x * x + y * y) / (2 * sigma * sigma)
+  where
+    sigma = search / 2
+
+-- | What is known of the displacements on a grid before anything is seen: 'priorAround' the nominal
+-- one, with that search.
+priorAlone :: Double -> Place -> Posterior -> Posterior
+priorAlone search (stepX, stepY) (Posterior origin@(ox, oy) spacing size@(columns, rows) _) =
+  posterior origin spacing size $
+    V.generate (columns * rows) $ \i ->
+      let (row, column) = i `quotRem` columns
+          along from k = from + spacing * fromIntegral k
+       in priorAround search (along ox column - stepX, along oy row - stepY)

@@ -1,0 +1,78 @@
+-- | Of what size and shape regions of pixels are, beside symbols.
+module PraTactile.Segmentation.Foreign.Extent
+  ( tooLong,
+    symbolSized,
+    unlikeSymbols,
+    straight,
+  )
+where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Geometry (symbolHeight, symbolWidth)
+import PraTactile.Segmentation.Region
+
+-- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
+unlikeSymbols :: Field -> Region -> Bool
+unlikeSymbols field region =
+  tooLong field region
+    || (length region >= leastWhole && not atEdge && not (symbolSized field region))
+  where
+    atEdge =
+      or
+        [ maybe True (not . (fieldTouched field V.!)) (beside field p by)
+          | p <- region,
+            by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
+        ]
+
+-- | What has fewer pixels may be a piece of a symbol.
+leastWhole :: Int
+leastWhole = 36
+
+-- | Is a region longer than a symbol at any angle?
+tooLong :: Field -> Region -> Bool
+tooLong field region =
+  or [extentAlong field region angle > longest | angle <- [0, 22.5 .. 157.5]]
+
+-- | More than a symbol's diagonal, in pixels.
+longest :: Double
+longest = 18
+
+-- | Is the region as long and as wide as a symbol, at some angle?
+symbolSized :: Field -> Region -> Bool
+symbolSized field region =
+  length region >= 24 && length region <= 110
+    && or
+      [ fits long short || fits short long
+        | angle <- [0, 5 .. 85],
+          let long = extentAlong field region angle,
+          let short = extentAlong field region (angle + 90)
+      ]
+  where
+    fits long short =
+      abs (long - fromIntegral symbolHeight) <= 1.8
+        && abs (short - fromIntegral symbolWidth) <= 1.8
+        && long - short >= 2
+
+-- | The parts of a region that lie on straight lines within it, longer than any symbol has: of a
+-- symbol that touches a bar only what lies on lines through both.
+straight :: Field -> Region -> [Region]
+straight field region = regions field 0 (around field 0 onLines)
+  where
+    within = around field 0 region
+    onLines =
+      concat
+        [ map fst line
+          | p <- region,
+            angle <- [0, 11.25 .. 168.75],
+            let line = [(p', within V.! p') | Just p' <- map (beside field p) (steps angle)],
+            length (filter snd line) >= longestLine - 1
+        ]
+    steps :: Double -> [(Int, Int)]
+    steps angle =
+      [ (round (t * cos (angle * pi / 180)), round (t * sin (angle * pi / 180)))
+        | t <- map fromIntegral [0 .. longestLine - 1]
+      ]
+
+-- | No line of so many pixels, but for one of them, lies within a symbol.
+longestLine :: Int
+longestLine = 17

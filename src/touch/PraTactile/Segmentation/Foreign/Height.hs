@@ -1,0 +1,96 @@
+-- | How high symbols stand in an image, by what is of their size.
+module PraTactile.Segmentation.Foreign.Height
+  ( symbolLevels,
+  )
+where
+
+import Data.List (sort, sortOn)
+import qualified Data.Set as Set
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Level
+import PraTactile.Segmentation.Foreign.Extent (symbolSized)
+import PraTactile.Segmentation.Region
+
+-- | Something that may be a symbol.
+data Candidate = Candidate
+  { candidatePixels :: !Region,
+    candidateLevels :: !Levels,
+    -- | how far from half its height it was cut off, as a share of the height
+    candidateMisfit :: !Double
+  }
+
+-- | The levels of what may be symbols, and the pixels of these; 'Nothing' where nothing may be one.
+symbolLevels :: Field -> Double -> Maybe (Levels, [Region])
+symbolLevels field noise
+  | null found = Nothing
+  | otherwise = Just (Levels low (low + usual), map candidatePixels alike)
+  where
+    found = distinct (candidates field noise)
+    usual = middle (map (contrast . candidateLevels) found)
+    alike =
+      [ c
+        | c <- found,
+          let ratio = contrast (candidateLevels c) / usual,
+          ratio > 0.5 && ratio < 1.6
+      ]
+    low = middle (map (levelBackground . candidateLevels) alike)
+
+-- | Of candidates that share pixels, the one that fits best.
+distinct :: [Candidate] -> [Candidate]
+distinct = go Set.empty . sortOn candidateMisfit
+  where
+    go _ [] = []
+    go taken (c : others)
+      | any (`Set.member` taken) (candidatePixels c) = go taken others
+      | otherwise = c : go (foldr Set.insert taken (candidatePixels c)) others
+
+-- | The regions of a symbol's size above each of a ladder of thresholds that lie nearly at half
+-- their own height.
+candidates :: Field -> Double -> [Candidate]
+candidates field noise
+  | V.null seen = []
+  | otherwise =
+    [ c
+      | k <- [1 .. rungs - 1],
+        let t = bottom + (top - bottom) * fromIntegral k / fromIntegral rungs,
+        let over = marked field (>= t),
+        gap <- [0, 2],
+        region <- regions field gap over,
+        symbolSized field region,
+        Just c <- [candidate field t region],
+        contrast (candidateLevels c) >= max (2 / 255) (4 * noise),
+        candidateMisfit c < 0.2
+    ]
+  where
+    seen = touchedValues field
+    (bottom, top) = (V.minimum seen, V.maximum seen)
+
+-- | How many steps the ladder of thresholds has.
+rungs :: Int
+rungs = 24
+
+-- | A region above a threshold, with the levels of itself and of what lies three pixels from it.
+candidate :: Field -> Double -> Region -> Maybe Candidate
+candidate field t region
+  | length ring < 12 || high <= low = Nothing
+  | otherwise =
+    Just (Candidate region (Levels low high) (abs (t - (low + high) / 2) / (high - low)))
+  where
+    near = around field 2 region
+    ring =
+      [ fieldValues field V.! p
+        | p <- grown field 3 region,
+          not (near V.! p),
+          fieldTouched field V.! p
+      ]
+    low = middle ring
+    high = ranked 0.7 [fieldValues field V.! p | p <- region]
+
+-- | The value of a rank among some, from 0 to 1; 0 for none.
+ranked :: Double -> [Double] -> Double
+ranked rank values = case drop (floor (rank * fromIntegral (length values))) (sort values) of
+  v : _ -> v
+  [] -> 0
+
+middle :: [Double] -> Double
+middle = ranked 0.5

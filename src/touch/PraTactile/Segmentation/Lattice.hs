@@ -1,0 +1,145 @@
+-- | The lattice that the symbols lie on (the paper's section II.B, feature 3): "the distances along
+-- the symbol axes to the neighbouring symbols" tell which symbols are neighbours in a row or a
+-- column, and so each symbol's place relative to the others.
+--
+-- Rows and columns are counted along the symbols' axes as the composite shows them. Whether the
+-- lattice is upright or half-turned, only recognising the symbols decides: 'halfTurned' gives the
+-- other reading.
+module PraTactile.Segmentation.Lattice
+  ( -- * Arranging
+    Cell,
+    Cluster (..),
+    Conflict (..),
+    arrange,
+    neighbour,
+
+    -- * The other reading
+    halfTurned,
+
+    -- * The lattice's tolerance
+    pitchTolerance,
+  )
+where
+
+import Data.List (sortOn)
+import Data.Map.Strict (Map)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Segmentation (SymbolImage (..))
+
+-- | A row and a column, counted from 0 from the uppermost row and the leftmost column of a cluster.
+type Cell = (Int, Int)
+
+-- | Symbols that neighbourhood ties together.
+data Cluster symbol
+  = -- | Each symbol in its cell.
+    Cluster !(Map Cell symbol)
+  | -- | The distances contradict each other: how, and all the symbols concerned.
+    Contradiction !(Conflict symbol) ![symbol]
+  deriving stock (Eq, Show)
+
+-- | How distances between symbols contradict each other. Cells count from an arbitrary symbol of
+-- the cluster.
+data Conflict symbol
+  = -- | Two paths from neighbour to neighbour lead to two cells for the symbol, first that of the
+    -- shorter path.
+    TwoCells !symbol !Cell !Cell
+  | -- | Two symbols lie in one cell.
+    SharedCell !Cell !symbol !symbol
+  deriving stock (Eq, Show)
+
+-- | How far a neighbour may be from where the pitch has it, in taxels along each axis: half the
+-- clear space between symbols.
+pitchTolerance :: Double
+pitchTolerance = 4
+
+-- | The symbols in clusters, from top to bottom and left to right of their first symbols, each by
+-- what the function says of where it lies. Symbols that no chain of neighbours connects are in
+-- different clusters: nothing says how many cells lie between them.
+arrange :: (symbol -> SymbolImage) -> [symbol] -> [Cluster symbol]
+arrange image symbols = go (Set.fromList (Map.keys numbered))
+  where
+    ordered = sortOn (\s -> let (x, y) = symbolCentre (image s) in (y, x)) symbols
+    numbered = Map.fromList (zip [0 :: Int ..] ordered)
+    go waiting = case Set.minView waiting of
+      Nothing -> []
+      Just (first, _) ->
+        let (cells, conflict) = walk image numbered first
+            members = Map.restrictKeys numbered (Map.keysSet cells)
+            cluster = maybe (settle members cells) (`Contradiction` Map.elems members) conflict
+         in cluster : go (waiting `Set.difference` Map.keysSet cells)
+
+-- | All the symbols that can be reached from one, each with its cell by the shortest path, and the
+-- first contradiction met on the way.
+walk :: (symbol -> SymbolImage) -> Map Int symbol -> Int -> (Map Int Cell, Maybe (Conflict symbol))
+walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
+  where
+    go [] cells conflict = (cells, conflict)
+    go (here : queue) cells conflict =
+      go (queue ++ Map.keys new) (cells `Map.union` new) (conflict `orElse` contradiction)
+      where
+        reached = Map.fromList (maybe [] (uncurry steps) (Map.lookup here cells))
+        steps row column =
+          [ (there, (row + i, column + j))
+            | Just symbol <- [Map.lookup here symbols],
+              (there, other) <- Map.toList symbols,
+              Just (i, j) <- [neighbour (image symbol) (image other)]
+          ]
+        new = reached `Map.difference` cells
+        contradiction = case filter
+          (uncurry (/=) . snd)
+          (Map.toList (Map.intersectionWith (,) cells reached)) of
+          (there, (a, b)) : _ -> (\symbol -> TwoCells symbol a b) <$> Map.lookup there symbols
+          [] -> Nothing
+    orElse (Just c) _ = Just c
+    orElse Nothing c = c
+
+-- | The cells between two symbols that lie one pitch apart in a row or in a column, by the axes of
+-- both.
+neighbour :: SymbolImage -> SymbolImage -> Maybe Cell
+neighbour here there = case (step here there, step there here) of
+  (Just (i, j), Just (i', j')) | (i, j) == (negate i', negate j') -> Just (i, j)
+  _ -> Nothing
+
+-- | The step from one symbol to another, by the axes of the one.
+step :: SymbolImage -> SymbolImage -> Maybe Cell
+step here there
+  | close across columnPitch && close down 0 = Just (0, 1)
+  | close across (negate columnPitch) && close down 0 = Just (0, -1)
+  | close across 0 && close down rowPitch = Just (1, 0)
+  | close across 0 && close down (negate rowPitch) = Just (-1, 0)
+  | otherwise = Nothing
+  where
+    close distance pitch = abs (distance - pitch) <= pitchTolerance
+    (x, y) = symbolCentre here
+    (x', y') = symbolCentre there
+    axis = symbolAxis here * pi / 180
+    across = cos axis * (x' - x) + sin axis * (y' - y)
+    down = cos axis * (y' - y) - sin axis * (x' - x)
+
+-- | The symbols at their cells counted from the upper left, unless two share one.
+settle :: Map Int symbol -> Map Int Cell -> Cluster symbol
+settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toList occupants] of
+  conflict : _ -> Contradiction conflict (Map.elems members)
+  [] ->
+    Cluster
+      (Map.mapKeys (\(row, column) -> (row - top, column - left)) (Map.mapMaybe single occupants))
+  where
+    occupants =
+      Map.fromListWith
+        (flip (++))
+        (Map.elems (Map.intersectionWith (\cell symbol -> (cell, [symbol])) cells members))
+    top = minimum (0 : map fst (Map.elems cells))
+    left = minimum (0 : map snd (Map.elems cells))
+    single occupant = case occupant of
+      [symbol] -> Just symbol
+      _ -> Nothing
+
+-- | The cells as they are when the lattice is looked at upside down. The symbols themselves stay as
+-- they are.
+halfTurned :: Map Cell a -> Map Cell a
+halfTurned cells = Map.mapKeys (\(row, column) -> (bottom - row, right - column)) cells
+  where
+    bottom = maximum (0 : map fst (Map.keys cells))
+    right = maximum (0 : map snd (Map.keys cells))

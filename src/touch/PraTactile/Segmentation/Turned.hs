@@ -1,0 +1,242 @@
+-- | Segmentation of symbols that lie at any angle, to the three features of the paper (section
+-- II.B): the symbols' positions, their axes, and their distances to their neighbours.
+module PraTactile.Segmentation.Turned
+  ( segmentTurned,
+    Sighted (..),
+    Featured (..),
+    Neighbours (..),
+    Incomplete (..),
+  )
+where
+
+import Data.List (sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, listToMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite (Composite (..))
+import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
+import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
+import PraTactile.Segmentation
+import PraTactile.Segmentation.Lattice
+import PraTactile.Symmetry
+
+-- | What a composite shows; all places are in its pixels, right and down.
+data Sighted = Sighted
+  { sightedSymbols :: ![Featured],
+    sightedParts :: ![Incomplete],
+    sightedRejects :: ![Reject]
+  }
+  deriving stock (Eq, Show)
+
+-- | A complete symbol.
+data Featured = Featured
+  { -- | the centre of its box
+    featuredAt :: !(Double, Double),
+    -- | the direction of its x axis, degrees clockwise from the composite's, in [-45, 135) but for
+    -- what its neighbours correct: up to a half turn, which only recognising it decides
+    featuredAxis :: !Double,
+    featuredNeighbours :: !Neighbours
+  }
+  deriving stock (Eq, Show)
+
+-- | The displacements to the neighbouring symbols' centres, along a symbol's own axes.
+data Neighbours = Neighbours
+  { neighbourRight :: !(Maybe (Double, Double)),
+    neighbourLeft :: !(Maybe (Double, Double)),
+    neighbourUp :: !(Maybe (Double, Double)),
+    neighbourDown :: !(Maybe (Double, Double))
+  }
+  deriving stock (Eq, Show)
+
+-- | What is touched of a symbol beside complete ones that is not complete itself.
+data Incomplete = Incomplete
+  { -- | where its centre is, by the symbols beside it
+    incompleteAt :: !(Double, Double),
+    -- | the share of it that was touched
+    incompleteSeen :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | A composite as it is read at one angle and along one axis.
+data Reading = Reading
+  { -- | degrees clockwise
+    readingAxis :: !Double,
+    -- | the composite set upright, and its segmentation
+    readingView :: !Composite,
+    -- | the same to read parts from
+    readingForParts :: Composite,
+    readingFound :: !Segmentation,
+    -- | each symbol with each of its neighbours, and the cell where that is beside it
+    readingSteps :: [(SymbolImage, Cell, SymbolImage)],
+    -- | where its pixels are on the composite as given
+    readingBack :: !((Double, Double) -> (Double, Double))
+  }
+
+-- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
+-- show, or along the composite's own axes. The one is taken that shows more symbols, of as many the
+-- one with more neighbours, and of as many the one with less 'misfit'. One or two symbols alone, at
+-- an angle, may be told at another one.
+segmentTurned :: Composite -> Sighted
+segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
+  where
+    Cleaned own forParts foreign' = cleaned composite
+    best = listToMaybe (sortOn rank readings)
+    rank r =
+      ( negate (length (segmentedSymbols (readingFound r))),
+        negate (length (readingSteps r)),
+        misfit r
+      )
+    readings = concatMap (readingsAt own (fromMaybe own forParts)) (angles (tilt [own]))
+    angles found = case found of
+      Just angle | abs angle > leastTilt -> [angle, 0]
+      _ -> [0]
+    sighted reading =
+      Sighted
+        { sightedSymbols = featured reading,
+          sightedParts = incomplete reading,
+          sightedRejects = foreign' ++ map (back reading) (segmentedRejects (readingFound reading))
+        }
+    back reading (Reject (l, t, r, b) why) =
+      let corners = map (readingBack reading) [(l, t), (r, t), (l, b), (r, b)]
+          (xs, ys) = (map fst corners, map snd corners)
+       in Reject (minimum xs, minimum ys, maximum xs, maximum ys) why
+
+-- | How little a reading's symbols agree with its angle, as twice the negative logarithm of a
+-- likelihood: by how much their neighbours lie off it, and how far their boxes are from a symbol's
+-- size, which only along its own axes it has. The standard deviation of a symbol's place is a
+-- pixel, as symbols need not stand on the lattice, that of a side a quarter of one (assumptions).
+misfit :: Reading -> Double
+misfit reading = places + sum [square (w - wide) + square (h - high) | (w, h) <- sizes] / side
+  where
+    side = square 0.25
+    sizes = map symbolSize (segmentedSymbols (readingFound reading))
+    (wide, high) = (fromIntegral symbolWidth, fromIntegral symbolHeight)
+    (angle, distances) = offAxis reading
+    places = distances * square angle / 2
+    square t = t * t
+
+-- | A composite, and what parts are read from, read at an angle, along both axes.
+readingsAt :: Composite -> Composite -> Double -> [Reading]
+readingsAt composite forParts angle =
+  [ Reading
+      { readingAxis = angle + degreesClockwise axis,
+        readingView = view,
+        readingForParts = onComposite (invert axis) (fst (atAngle forParts)),
+        readingFound = whole,
+        readingSteps = steps (segmentedSymbols whole),
+        readingBack = back . onPixel axis (sizeOf view)
+      }
+    | axis <- [identity, turned 1],
+      let (view, found, _) = segmentAlong axis upright,
+      let whole = if angle == 0 then found else wholeOnly view found
+  ]
+  where
+    (upright, back) = atAngle composite
+    atAngle given = if angle == 0 then (given, id) else setUpright angle given
+    sizeOf view =
+      ( fromIntegral (rasterWidth (compositeImage view)),
+        fromIntegral (rasterHeight (compositeImage view))
+      )
+
+-- | The symbols most of whose box was touched: at an angle, what the composite's edge leaves of one
+-- may be as wide and as tall as a whole one.
+wholeOnly :: Composite -> Segmentation -> Segmentation
+wholeOnly view found = found {segmentedSymbols = filter mostly (segmentedSymbols found)}
+  where
+    look = partAt view found
+    mostly s = maybe False ((>= leastTouched) . touchedOf) (look (symbolCentre s))
+    touchedOf = V.sum . rasterValues . partSeen
+    leastTouched = 0.85 * fromIntegral (symbolWidth * symbolHeight)
+
+-- | The symbols with their features. Their common axis is that of the reading, corrected by where
+-- their neighbours are ('offAxis'): as much as the neighbours' number and distances make that surer
+-- than the reading ('placesDeviation', 'readingDeviation').
+featured :: Reading -> [Featured]
+featured reading =
+  [ Featured (place s) axis (Neighbours (to s (0, 1)) (to s (0, -1)) (to s (-1, 0)) (to s (1, 0)))
+    | s <- segmentedSymbols (readingFound reading)
+  ]
+  where
+    place = readingBack reading . symbolCentre
+    to s cell =
+      listToMaybe
+        [ place other `minus` place s
+          | (s', cell', other) <- readingSteps reading,
+            s' == s,
+            cell' == cell
+        ]
+    axis = readingAxis reading + weight * angle * 180 / pi
+    (angle, distances) = offAxis reading
+    weight = distances / (distances + 2 * (placesDeviation / readingDeviation) ^ (2 :: Int))
+
+-- | Each symbol with each of its neighbours, and the cell where that is beside it.
+steps :: [SymbolImage] -> [(SymbolImage, Cell, SymbolImage)]
+steps symbols =
+  [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
+
+-- | The angle, radians clockwise, that brings the symbols' neighbours closest to where the pitch
+-- has them, by least squares, and the sum of the squares of neighbours' distances, in pixels; 0 and
+-- 0 without neighbours. In the reading's pixels the symbols are upright.
+offAxis :: Reading -> (Double, Double)
+offAxis reading = (atan2 (total across) (total along), total expected / 2)
+  where
+    -- Each pair of neighbours stands there twice.
+    total part =
+      sum
+        [ part (cellOffset cell) (symbolCentre other `minus` symbolCentre s)
+          | (s, cell, other) <- readingSteps reading
+        ]
+    along (x, y) (x', y') = x * x' + y * y'
+    across (x, y) (x', y') = x * y' - y * x'
+    expected (x, y) _ = x * x + y * y
+
+-- | The standard deviations of a symbol's place, in pixels along each axis, and of a reading's
+-- angle, in radians: half a pixel and two degrees (assumptions).
+placesDeviation, readingDeviation :: Double
+placesDeviation = 0.5
+readingDeviation = 2 * pi / 180
+
+minus :: (Double, Double) -> (Double, Double) -> (Double, Double)
+minus (x, y) (x', y') = (x - x', y - y')
+
+-- | How far a cell lies from the upper left one, in pixels right and down.
+cellOffset :: Cell -> (Double, Double)
+cellOffset (i, j) = (columnPitch * fromIntegral j, rowPitch * fromIntegral i)
+
+-- | What is touched of symbols in the cells around complete ones.
+incomplete :: Reading -> [Incomplete]
+incomplete reading =
+  [ Incomplete (readingBack reading centre) (seen / fromIntegral (symbolWidth * symbolHeight))
+    | Cluster cells <- arrange id symbols,
+      centre <- Map.elems (Map.map centroid (expected cells)),
+      all (apart centre . symbolCentre) symbols,
+      Just part <- [look centre],
+      let seen = V.sum (rasterValues (partSeen part)),
+      let raised = V.length (V.filter (>= 0.5) (rasterValues (partPixels part))),
+      fromIntegral raised >= leastRaised * seen
+  ]
+  where
+    look = partAt (readingForParts reading) (readingFound reading)
+    symbols = segmentedSymbols (readingFound reading)
+    apart (x, y) (x', y') = abs (x - x') > columnPitch / 2 || abs (y - y') > rowPitch / 2
+    centroid places = (sum (map fst places) / count, sum (map snd places) / count)
+      where
+        count = fromIntegral (max 1 (length places))
+    expected cells =
+      Map.fromListWith
+        (++)
+        [ (cell, [(x + dx, y + dy)])
+          | ((i, j), s) <- Map.toList cells,
+            di <- [-1, 0, 1],
+            dj <- [-1, 0, 1],
+            let cell = (i + di, j + dj),
+            Map.notMember cell cells,
+            let (x, y) = symbolCentre s,
+            let (dx, dy) = cellOffset (di, dj)
+        ]
+
+-- | The least share of what was touched of a symbol that is embossed; of whole ones it is about a
+-- half.
+leastRaised :: Double
+leastRaised = 1 / 8

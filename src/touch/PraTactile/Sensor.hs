@@ -1,0 +1,259 @@
+-- | The sensor's forward model (the paper's section III): the height map of a face in, frames out.
+--
+-- Each tab of the elastic overlay expands without stress, so an element's output is proportional to
+-- the height it meets; by default it is modelled as the mean height under the element's square
+-- aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
+-- With the constants of "PraTactile.Sensor.Constants" it is what a force sensing array gives:
+-- a rigid press ("PraTactile.Sensor.Press") and its reading
+-- ("PraTactile.Sensor.Response").
+module PraTactile.Sensor
+  ( -- * What is touched
+    HeightMap (..),
+
+    -- * The sensor
+    Sensor (..),
+    standardSensor,
+    idealSensor,
+    Preset (..),
+    presetName,
+    presetSensor,
+    sensorLayout,
+    withTaxel,
+    Specimen (..),
+    flawless,
+    drawSpecimen,
+
+    -- * Touching
+    forwardImage,
+    press,
+    probe,
+    scan,
+    scanWith,
+
+    -- * Calibration frames
+    darkFrames,
+    flatFrames,
+  )
+where
+
+import Data.List (unfoldr)
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Geometry (symbolThickness)
+import PraTactile.Image
+  ( Raster,
+    constant,
+    generate,
+    index,
+    mapRaster,
+    onRaster,
+    zipRaster,
+  )
+import PraTactile.Random (normal, normalPair, normals)
+import PraTactile.Sensor.Constants
+import PraTactile.Sensor.Frame (Frame (..), Motion (..), Pose (..), move, taxelPitch)
+import PraTactile.Sensor.Press
+import PraTactile.Sensor.Response
+import PraTactile.Symmetry
+import System.Random (RandomGen)
+
+-- | The image without noise at a pose in the face's coordinates, at the nominal force and without
+-- tilt, clipped to 0..1.
+forwardImage :: Sensor -> HeightMap -> Pose -> Raster
+forwardImage sensor heights pose =
+  mapRaster (max 0 . min 1 . reading sensor) (felt sensor heights pose (sensorForce sensor) (0, 0))
+
+-- | What the elements feel at a pose, force (N) and tilts (mm at the sensor's edge): newtons where
+-- force is modelled, else shares of full scale.
+felt :: Sensor -> HeightMap -> Pose -> Double -> (Double, Double) -> Raster
+felt sensor heights pose force tilts
+  | stiffness > 0 = spread (mapRaster (stiffness *) (displacements stiffness force tilts under))
+  | sensorTab sensor > 0 = spread (either (const share) id (zipRaster (*) share height))
+  | otherwise = spread (meanHeights sensor heights pose)
+  where
+    stiffness = sensorStiffness sensor
+    spread = spreadForces (sensorTaxel sensor) (sensorDepth sensor)
+    under = footing (sensorLayout sensor) (sensorTab sensor) heights pose
+    share = footingShare under
+    height = mapRaster (max 0 . min 1 . (/ sensorFullScale sensor)) (footingHeight under)
+
+-- | The share of full scale that is read for what 'felt' says.
+reading :: Sensor -> Double -> Double
+reading sensor
+  | sensorStiffness sensor > 0 =
+    conductance (sensorExponent sensor) (sensorBreakForce sensor) (sensorFullForce sensor)
+  | otherwise = conductance (sensorExponent sensor) 0 1
+
+-- | The mean height under each element's square aperture, as a share of full scale, clipped to
+-- 0..1: exact for multiples of 90 degrees, where the aperture's overlap with each cell is a product
+-- of lengths; for other angles the mean over 8 x 8 points of each aperture.
+meanHeights :: Sensor -> HeightMap -> Pose -> Raster
+meanHeights sensor (HeightMap cell heights) (Pose x y r)
+  | cell <= 0 || full <= 0 = constant columns rows 0
+  | otherwise = case turnedByDegrees r of
+    -- A sensor turned clockwise sees its surroundings turned counter-clockwise.
+    Just symmetry
+      | exchangesAxes symmetry -> onRaster (invert symmetry) (upright rows columns)
+      | otherwise -> onRaster (invert symmetry) (upright columns rows)
+    Nothing -> generate columns rows (\i j -> scaled (slanted (r * pi / 180) i j))
+  where
+    full = sensorFullScale sensor
+    (columns, rows) = (sensorColumns sensor, sensorRows sensor)
+    taxel = sensorTaxel sensor
+    scaled height = max 0 (min 1 (height / full))
+    half count = fromIntegral count / 2
+    upright w h =
+      generate w h (\i j -> scaled (covered (spans w x i) (spans h y j)))
+    -- The cells an aperture meets along one axis, each with the share of the aperture it covers.
+    spans count centre k = overlaps (start / cell) ((start + taxel) / cell)
+      where
+        start = centre + taxel * (fromIntegral k - half count)
+    covered xs ys = sum [wx * wy * heightAt i j | (j, wy) <- ys, (i, wx) <- xs]
+    slanted radians i j =
+      sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points]
+        / fromIntegral (supersampling * supersampling)
+      where
+        points =
+          [ (x + cos radians * u - sin radians * v, y + sin radians * u + cos radians * v)
+            | b <- [0 .. supersampling - 1],
+              a <- [0 .. supersampling - 1],
+              let u = taxel * (fromIntegral (i :: Int) - half columns + within a),
+              let v = taxel * (fromIntegral (j :: Int) - half rows + within b)
+          ]
+    within a = (fromIntegral a + 0.5) / fromIntegral supersampling
+    heightAt i j = fromMaybe 0 (index heights i j)
+
+supersampling :: Int
+supersampling = 8
+
+-- | The unit cells [k, k + 1) that an interval meets, each with the share of the interval that lies
+-- in it.
+overlaps :: Double -> Double -> [(Int, Double)]
+overlaps from to =
+  [ (k, share)
+    | k <- [floor from .. floor to],
+      let share = (min to (fromIntegral k + 1) - max from (fromIntegral k)) / (to - from),
+      share > 0
+  ]
+
+-- | What a sensor has of the presses before: the forces of the last one, and how many there were.
+data Memory = Memory !(Maybe Raster) !Int
+
+-- | One press of a flawless specimen at the true pose, in the face's coordinates, as if it were the
+-- first: the image with its noise, clipped to 0..1.
+press :: RandomGen g => Sensor -> HeightMap -> Pose -> g -> (Raster, g)
+press sensor heights pose g = (image, g')
+  where
+    (image, _, g') = pressed sensor (flawless sensor) heights pose (Memory Nothing 0) g
+
+-- | The same of any specimen with its memory.
+pressed ::
+  RandomGen g => Sensor -> Specimen -> HeightMap -> Pose -> Memory -> g -> (Raster, Memory, g)
+pressed sensor specimen heights pose (Memory before count) g0 =
+  (image, Memory (if sensorHysteresis sensor > 0 then Just forces else Nothing) (count + 1), g3)
+  where
+    (deviation, g1) = drawnIf (sensorForceSpread sensor) 0 normal g0
+    ((a, b), g2) = drawnIf (sensorTiltSpread sensor) (0, 0) normalPair g1
+    force = sensorForce sensor * max 0.05 (1 + sensorForceSpread sensor * deviation)
+    tilt t = t * sensorTiltSpread sensor * symbolThickness
+    now = felt sensor heights pose force (tilt a, tilt b)
+    forces = case before of
+      Just earlier ->
+        either (const now) id (zipRaster (\f e -> f + sensorHysteresis sensor * e) now earlier)
+      Nothing -> now
+    (image, g3) = measured sensor specimen (count + 1) (mapRaster (reading sensor) forces) g2
+
+-- | Nothing is drawn for a constant that is 0.
+drawnIf :: Double -> a -> (g -> (a, g)) -> g -> (a, g)
+drawnIf constantIs without draw g = if constantIs > 0 then draw g else (without, g)
+
+-- | What a specimen gives at the press with this number, from 1, for readings without error:
+-- gains, drift, crosstalk, noise, dead elements and the converter.
+measured :: RandomGen g => Sensor -> Specimen -> Int -> Raster -> g -> (Raster, g)
+measured sensor (Specimen gains) number levels g0 = (mapRaster code (alive withNoise), g')
+  where
+    code = converted (sensorBits sensor) (sensorZeroed sensor)
+    amplified = combined (\v gain -> drifted (sensorDrift sensor) number v * gain) levels
+    alive = combined (\v gain -> if gain > 0 then v else 0)
+    combined f image = either (const image) id (zipRaster f image gains)
+    mixed = crosstalk (sensorCrosstalk sensor) amplified
+    (withNoise, g') = drawnNoise sensor mixed g0
+
+-- | Readings with noise drawn for them.
+drawnNoise :: RandomGen g => Sensor -> Raster -> g -> (Raster, g)
+drawnNoise sensor image g0
+  | sensorNoise sensor <= 0 && sensorNoiseSlope sensor <= 0 = (image, g0)
+  | otherwise = (noisy sensor (Deviates own ofRows ofColumns) image, g3)
+  where
+    (columns, rows) = (sensorColumns sensor, sensorRows sensor)
+    (own, g1) = normals (columns * rows) g0
+    (ofRows, g2) = drawnIf (sensorRowNoise sensor) V.empty (normals rows) g1
+    (ofColumns, g3) = drawnIf (sensorColumnNoise sensor) V.empty (normals columns) g2
+
+-- | One press where the robot means it to be, of a specimen by chance: a 'scan' of one pose.
+probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
+probe sensor heights motion nominal g = (frame, g3)
+  where
+    (specimen, g') = drawSpecimen sensor g
+    (frame, _, g3) = probed sensor specimen heights motion (Memory Nothing 0) nominal g'
+
+-- | One press where the robot means it to be: the motion carries the robot's coordinates to the
+-- face's; the pose is the nominal one, in the robot's coordinates. The frame states the nominal
+-- pose and force; its image is taken where the errors of position and rotation, drawn first, have
+-- put the sensor.
+probed ::
+  RandomGen g =>
+  Sensor ->
+  Specimen ->
+  HeightMap ->
+  Motion ->
+  Memory ->
+  Pose ->
+  g ->
+  (Frame, Memory, g)
+probed sensor specimen heights motion memory nominal g =
+  (Frame nominal (sensorForce sensor) image (sensorTaxel sensor) [], memory', g3)
+  where
+    ((ex, ey), g') = normalPair g
+    (er, g'') = drawnIf (sensorRotationError sensor) 0 normal g'
+    err = sensorPositionError sensor * taxelPitch
+    true =
+      nominal
+        { poseX = poseX nominal + err * ex,
+          poseY = poseY nominal + err * ey,
+          poseRotation = poseRotation nominal + sensorRotationError sensor * er
+        }
+    (image, memory', g3) = pressed sensor specimen heights (move motion true) memory g''
+
+-- | Presses at each pose in turn, of a specimen by chance, which is drawn first.
+scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
+scan sensor heights motion poses g = scanWith sensor specimen heights motion poses g'
+  where
+    (specimen, g') = drawSpecimen sensor g
+
+-- | Presses of this specimen at each pose in turn.
+scanWith ::
+  RandomGen g => Sensor -> Specimen -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
+scanWith sensor specimen heights motion = go (Memory Nothing 0)
+  where
+    go _ [] g = ([], g)
+    go memory (pose : poses) g =
+      let (frame, memory', g') = probed sensor specimen heights motion memory pose g
+          (frames, g'') = go memory' poses g'
+       in (frame : frames, g'')
+
+-- | So many frames of a specimen that touches nothing.
+darkFrames :: RandomGen g => Sensor -> Specimen -> Int -> g -> [Frame]
+darkFrames = framesAt 0
+
+-- | So many frames of a specimen on whose elements a bladder presses alike, to half of full scale.
+flatFrames :: RandomGen g => Sensor -> Specimen -> Int -> g -> [Frame]
+flatFrames = framesAt 0.5
+
+-- | Frames where every element would read this without error, each as if it were the first.
+framesAt :: RandomGen g => Double -> Sensor -> Specimen -> Int -> g -> [Frame]
+framesAt level sensor specimen count g0 =
+  [Frame (Pose 0 0 0) 0 image (sensorTaxel sensor) [] | image <- take count (unfoldr next g0)]
+  where
+    levels = constant (sensorColumns sensor) (sensorRows sensor) level
+    next g = Just (measured sensor specimen 1 levels g)

@@ -1,0 +1,182 @@
+-- | Probing (the paper's section III): where the tactile probe is pressed down, what it sends back,
+-- and the plan of a scan.
+--
+-- Lengths are millimetres unless a name says taxels; x points right, y down, seen from outside the
+-- face; angles are degrees clockwise.
+module PraTactile.Sensor.Frame
+  ( -- * The sensor's geometry
+    taxelPitch,
+    sensorSide,
+
+    -- * Frames
+    Pose (..),
+    Frame (..),
+
+    -- * Rigid motions
+    Motion (..),
+    stay,
+    move,
+    movePoint,
+    andThen,
+    inverse,
+
+    -- * Planning a scan
+    planScan,
+    Layout (..),
+    standardLayout,
+    planScanOf,
+    ProbeError (..),
+  )
+where
+
+import PraTactile.Geometry (sensorSide, taxelPitch)
+import PraTactile.Image (Raster)
+
+-- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some
+-- frame of coordinates.
+data Pose = Pose
+  { poseX :: !Double,
+    poseY :: !Double,
+    poseRotation :: !Double
+  }
+  deriving stock (Eq, Ord, Show)
+
+-- | One press of the probe: the kinesthetic pose (what the robot's own position sensors say, in its
+-- own frame of coordinates), the force in newtons, the tactile image, of any size, the distance of
+-- its neighbouring taxels in millimetres, and which of them felt nothing, because the element is
+-- dead: rows and columns from 0 of pixels whose value only stands for one.
+data Frame = Frame
+  { framePose :: !Pose,
+    frameForce :: !Double,
+    frameImage :: !Raster,
+    frameTaxel :: !Double,
+    frameDead :: ![(Int, Int)]
+  }
+  deriving stock (Eq, Show)
+
+-- | A rigid motion of the plane: a turn about the origin (degrees clockwise), then a shift
+-- (millimetres). As a change of coordinates it carries what is said in one frame of coordinates,
+-- such as the robot's, to another, such as a face's.
+data Motion = Motion
+  { motionRotation :: !Double,
+    motionX :: !Double,
+    motionY :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The motion that leaves everything where it is.
+stay :: Motion
+stay = Motion 0 0 0
+
+-- | A pose carried along by a motion. The rotation is kept in [0, 360).
+move :: Motion -> Pose -> Pose
+move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
+  where
+    (x', y') = movePoint motion (x, y)
+
+-- | A point carried along by a motion. Multiples of 90 degrees are exact.
+--
+-- >>> movePoint (Motion 90 10 0) (1, 2)
+-- (8.0,1.0)
+movePoint :: Motion -> (Double, Double) -> (Double, Double)
+movePoint (Motion r tx ty) (x, y) = (c * x - s * y + tx, s * x + c * y + ty)
+  where
+    (c, s) = cosineSine r
+
+-- | The one motion followed by the other.
+andThen :: Motion -> Motion -> Motion
+andThen (Motion r x y) second = Motion (turned (r + motionRotation second)) x' y'
+  where
+    (x', y') = movePoint second (x, y)
+
+-- | The motion that takes a motion back.
+inverse :: Motion -> Motion
+inverse (Motion r x y) = Motion (turned (negate r)) x' y'
+  where
+    (x', y') = movePoint (Motion (negate r) 0 0) (negate x, negate y)
+
+-- | An angle in degrees brought to [0, 360); what is not finite stays as it is.
+turned :: Double -> Double
+turned r
+  | isNaN r || isInfinite r = r
+  | r' >= 360 = 0
+  | otherwise = r'
+  where
+    r' = r - 360 * fromIntegral (floor (r / 360) :: Integer)
+
+-- | Cosine and sine of an angle in degrees, exact at the multiples of 90.
+cosineSine :: Double -> (Double, Double)
+cosineSine r = case turned r of
+  0 -> (1, 0)
+  90 -> (0, 1)
+  180 -> (-1, 0)
+  270 -> (0, -1)
+  other -> let radians = other * pi / 180 in (cos radians, sin radians)
+
+-- | Why there is no plan.
+data ProbeError
+  = -- | The spacing is less than one taxel.
+    SpacingTooSmall !Int
+  | -- | The region (width, height, taxels) is narrower or lower than the sensor.
+    RegionTooSmall !Int !Int
+  | -- | The same of another sensor, whose width and height follow, in taxels of 'taxelPitch'.
+    RegionBelowSensor !Int !Int !Double !Double
+  | -- | The region (width, height, taxels) would take more than 'maxPresses' presses.
+    RegionTooLarge !Int !Int
+  deriving stock (Eq, Show)
+
+-- | The most presses a plan may hold.
+maxPresses :: Double
+maxPresses = 100000
+
+-- | The grid of a sensor's elements: how many columns and rows, and the distance of neighbours in
+-- millimetres.
+data Layout = Layout
+  { layoutColumns :: !Int,
+    layoutRows :: !Int,
+    layoutTaxel :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | 'sensorSide' elements along each side, 'taxelPitch' apart.
+standardLayout :: Layout
+standardLayout = Layout sensorSide sensorSide taxelPitch
+
+-- | 'planScanOf' the standard sensor.
+--
+-- >>> length <$> planScan 8 (0, 0) (40, 52)
+-- Right 24
+planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScan = planScanOf standardLayout
+
+-- | The poses, rotation 0, of presses of a sensor that cover a region exactly: that many of the
+-- sensor's own taxels apart in both directions, row by row from the upper left, the last row and
+-- column flush with the region's edge. The region's upper left corner in millimetres, its width and
+-- height in taxels of 'taxelPitch', whatever the sensor's are.
+planScanOf :: Layout -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScanOf layout spacing (left, top) (width, height)
+  | spacing < 1 = Left (SpacingTooSmall spacing)
+  | wide < across || high < down = Left tooSmall
+  | presses wide across * presses high down > maxPresses = Left (RegionTooLarge width height)
+  | otherwise =
+    Right
+      [ Pose (centre left across x) (centre top down y) 0
+        | y <- offsets high down,
+          x <- offsets wide across
+      ]
+  where
+    Layout columns rows taxel = layout
+    (across, down) = (fromIntegral columns, fromIntegral rows) :: (Double, Double)
+    -- Taxels of 'taxelPitch' as the sensor's own.
+    (wide, high) = (own width, own height)
+    own n = fromIntegral n * ratio
+    ratio = taxelPitch / taxel
+    tooSmall
+      | layout == standardLayout = RegionTooSmall width height
+      | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
+    step = fromIntegral spacing :: Double
+    presses size side = 2 + fromIntegral (floor ((size - side) / step) :: Integer)
+    offsets size side =
+      takeWhile (< size - side - 1e-9) (map ((step *) . fromIntegral) [0 :: Int ..])
+        ++ [size - side]
+    centre edge side offset = edge + taxel * (offset + side / 2)

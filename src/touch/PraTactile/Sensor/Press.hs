@@ -1,0 +1,154 @@
+-- | The mechanics of a press: which tabs of the elastic overlay meet the face, how far a rigid
+-- sensor presses them, and how their forces spread to the elements under them.
+module PraTactile.Sensor.Press
+  ( -- * What is touched
+    HeightMap (..),
+
+    -- * Tabs
+    Footing (..),
+    footing,
+    tabPoints,
+
+    -- * The rigid press
+    forceBalance,
+    displacements,
+
+    -- * Under the overlay
+    pointSpread,
+    spreadForces,
+  )
+where
+
+import Data.List (sortOn)
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import qualified Data.Vector.Storable as V
+import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValues)
+import PraTactile.Sensor.Frame (Layout (..), Motion (..), Pose (..), movePoint)
+
+-- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
+-- in millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is
+-- the origin of the face's coordinates. Off the map there is nothing to touch, height 0.
+data HeightMap = HeightMap
+  { heightPitch :: !Double,
+    heightValues :: !Raster
+  }
+  deriving stock (Eq, Show)
+
+-- | What each tab of a sensor has under it: the share of its area that lies on the face, and the
+-- mean height there in millimetres.
+data Footing = Footing
+  { footingShare :: !Raster,
+    footingHeight :: !Raster
+  }
+  deriving stock (Eq, Show)
+
+-- | What the tabs of a sensor of this layout and tab diameter (mm; 0 for squares as wide as the
+-- taxel) have under them at a pose in the face's coordinates, by 'tabPoints'.
+footing :: Layout -> Double -> HeightMap -> Pose -> Footing
+footing (Layout columns rows taxel) diameter (HeightMap cell heights) (Pose x y r) =
+  Footing (part fst) (part snd)
+  where
+    part f = generate columns rows (\i j -> f (under i j))
+    points = tabPoints taxel diameter
+    count = fromIntegral (length points) :: Double
+    under i j = case hits of
+      [] -> (0, 0)
+      _ -> (touched / count, sum hits / touched)
+      where
+        hits =
+          [ h
+            | (u, v) <- points,
+              Just h <- [at (movePoint motion (place columns i + u, place rows j + v))]
+          ]
+        touched = fromIntegral (length hits)
+    motion = Motion r x y
+    place n k = taxel * (fromIntegral (k :: Int) - (fromIntegral n - 1) / 2)
+    at (px, py)
+      | cell > 0 = index heights (floor (px / cell)) (floor (py / cell))
+      | otherwise = Nothing
+
+-- | The points, from the tab's centre in millimetres, at which a tab is evaluated: of a grid of 4 x
+-- 4 over its diameter those within its circle, twelve; all of them of a square, where the diameter
+-- is 0.
+tabPoints :: Double -> Double -> [(Double, Double)]
+tabPoints taxel diameter
+  | diameter <= 0 = [(taxel * a, taxel * b) | b <- along, a <- along]
+  | otherwise = [(diameter * a, diameter * b) | b <- along, a <- along, a * a + b * b <= 0.25]
+  where
+    along = [(fromIntegral (k :: Int) + 0.5) / 4 - 0.5 | k <- [0 .. 3]]
+
+-- | How far a rigid plate must go so that tabs of this stiffness (N/mm) bear this force (N): the z
+-- at which the sum of stiffness * share * max 0 (z + height) is the force, given each tab's share
+-- and height (mm). Nothing where no tab has anything under it. The sum is piecewise linear in z, so
+-- z is found exactly from the tabs in the order of their heights.
+forceBalance :: Double -> Double -> [(Double, Double)] -> Maybe Double
+forceBalance stiffness force tabs =
+  go 0 0 (sortOn (Down . snd) (filter ((> 0) . fst) tabs))
+  where
+    go _ _ [] = Nothing
+    go shares moments ((share, height) : others)
+      | bears others z = Just z
+      | otherwise = go shares' moments' others
+      where
+        shares' = shares + share
+        moments' = moments + share * height
+        z = (force / stiffness - moments') / shares'
+    -- Whether the next tab is not reached.
+    bears others z = case others of
+      (_, next) : _ -> z + next <= 0
+      [] -> True
+
+-- | How far each tab is pressed in, mm, weighed with its share: share * max 0 (z + a x + b y + h),
+-- where z follows from the force (N), and the tilts a and b say how much nearer the right and the
+-- lower edge of the sensor are than its centre (mm). All 0 where nothing is under the sensor.
+displacements :: Double -> Double -> (Double, Double) -> Footing -> Raster
+displacements stiffness force (a, b) (Footing shares heights) =
+  generate w h (\x y -> share x y * max 0 (z + rest x y))
+  where
+    (w, h) = rasterSize shares
+    share x y = fromMaybe 0 (index shares x y)
+    rest x y = a * across w x + b * across h y + fromMaybe 0 (index heights x y)
+    across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
+    -- Where no tab is reached all shares are 0, and so is what is felt.
+    z =
+      fromMaybe 0 $
+        forceBalance stiffness force [(share x y, rest x y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
+
+-- | What share of a point's force at the surface elements at this distance (mm) along x and y feel
+-- at this depth (mm), relative to what the one right under it feels: (1 + r^2 / t^2)^(-5/2), the
+-- normal stress in an elastic half space (Boussinesq).
+pointSpread :: Double -> (Double, Double) -> Double
+pointSpread depth (dx, dy) = (1 + (dx * dx + dy * dy) / (depth * depth)) ** (-2.5)
+
+-- | The forces of tabs this far apart (mm) as the elements under them at this depth (mm) feel them.
+-- A point's force adds up to itself, as far as the elements reach; what is felt beyond 6.2 depths,
+-- less than 0.0001 of what is felt right under it, counts as nothing. No change at depth 0.
+spreadForces :: Double -> Double -> Raster -> Raster
+spreadForces taxel depth forces
+  | depth <= 0 || reach == 0 = forces
+  | otherwise = either (const forces) id (raster w h (V.generate (w * h) felt))
+  where
+    (w, h) = rasterSize forces
+    reach = min (max w h) (floor (6.2 * depth / taxel)) :: Int
+    side = 2 * reach + 1
+    offsets = [(i, j) | j <- [-reach .. reach], i <- [-reach .. reach]]
+    far i j = pointSpread depth (taxel * fromIntegral i, taxel * fromIntegral j)
+    kernel = V.map (/ V.sum whole) whole
+    whole = V.fromListN (side * side) [far i j | (i, j) <- offsets] :: V.Vector Double
+    values = rasterValues forces
+    felt k = rowsFrom (max 0 (y - reach)) 0
+      where
+        (y, x) = k `quotRem` w
+        (x0, x1) = (max 0 (x - reach), min (w - 1) (x + reach))
+        y1 = min (h - 1) (y + reach)
+        rowsFrom v total
+          | v > y1 = total
+          | otherwise = rowsFrom (v + 1) (total + along v)
+        along v =
+          V.sum
+            ( V.zipWith
+                (*)
+                (V.slice (v * w + x0) (x1 - x0 + 1) values)
+                (V.slice ((v - y + reach) * side + (x0 - x + reach)) (x1 - x0 + 1) kernel)
+            )

@@ -1,0 +1,63 @@
+-- | Frames of any taxel pitch at the canonical one, 'taxelPitch', so that everything after it works
+-- at one pitch.
+module PraTactile.Sensor.Resample
+  ( atCanonicalPitch,
+    isCanonical,
+    resampled,
+  )
+where
+
+import Data.Maybe (fromMaybe)
+import PraTactile.Image (Raster, generate, index, rasterSize, sample)
+import PraTactile.Sensor.Frame (Frame (..), taxelPitch)
+
+-- | A frame of any pitch as one of 'taxelPitch' with the same centre; one that has it already, to
+-- a billionth, comes back as it is.
+atCanonicalPitch :: Frame -> Frame
+atCanonicalPitch frame
+  | isCanonical frame = frame
+  | otherwise =
+    frame
+      { frameImage = resampled (frameTaxel frame / taxelPitch) (frameImage frame),
+        frameTaxel = taxelPitch
+      }
+
+-- | Whether a frame's taxels are of the canonical pitch, to rounding.
+isCanonical :: Frame -> Bool
+isCanonical frame = abs (frameTaxel frame - taxelPitch) < 1e-9 * taxelPitch
+
+-- | An image whose pixels are that many new pixels wide, in new pixels, as many as its rectangle
+-- holds whole, at least one, with the same centre. Where the old pixels are the finer ones each new
+-- one is the mean of the area it covers, else the value between the old ones' centres, bilinearly.
+--
+-- >>> import PraTactile.Image (fromRows, toRows)
+-- >>> toRows . resampled 0.5 <$> fromRows [[0, 2, 4, 4], [2, 4, 4, 4]]
+-- Right [[2.0,4.0]]
+resampled :: Double -> Raster -> Raster
+resampled ratio image
+  | ratio < 1 = generate wide high (\x y -> area (covered w wide x) (covered h high y))
+  | otherwise = generate wide high (\x y -> sample image (centre w wide x) (centre h high y))
+  where
+    (w, h) = rasterSize image
+    (wide, high) = (whole w, whole h)
+    whole n
+      | n == 0 = 0
+      | otherwise = max 1 (floor (fromIntegral n * ratio + 1e-9)) :: Int
+    -- Where the centre of a new pixel lies among the centres of the old ones.
+    centre n new k = start n new k + (1 / ratio - 1) / 2
+    -- Where a new pixel begins, in old pixels from the image's edge.
+    start :: Int -> Int -> Int -> Double
+    start n new k = (fromIntegral k - fromIntegral new / 2) / ratio + fromIntegral n / 2
+    covered n new k =
+      [ (i, share)
+        | i <- [max 0 (floor from) .. min (n - 1) (floor to)],
+          let share = min to (fromIntegral i + 1) - max from (fromIntegral i),
+          share > 0
+      ]
+      where
+        from = start n new k
+        to = from + 1 / ratio
+    area columns rows =
+      sum [u * v * at i j | (j, v) <- rows, (i, u) <- columns]
+        / max 1e-300 (sum (map snd columns) * sum (map snd rows))
+    at i j = fromMaybe 0 (index image i j)
