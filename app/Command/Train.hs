@@ -12,7 +12,12 @@ import Message
 import Options
 import Output
 import PraTactile.Classification.Network.File (renderNetwork)
-import PraTactile.Classification.Regimen (regimenRounds, shippedRegimen, shippedSeed, trainingRounds)
+import PraTactile.Classification.Regimen
+  ( regimenRounds,
+    shippedRegimen,
+    shippedSeed,
+    trainingRounds,
+  )
 import PraTactile.Classification.Train (Progress (..))
 import PraTactile.Steps (counted, stepsDone)
 import Progress

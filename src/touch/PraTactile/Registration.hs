@@ -52,7 +52,13 @@ import PraTactile.Image
     rasterWidth,
   )
 import PraTactile.Registration.Agreement (contradiction)
-import PraTactile.Registration.Arrangement (Arranged (..), Arrangement (..), Way (..), arrange, withMisfit)
+import PraTactile.Registration.Arrangement
+  ( Arranged (..),
+    Arrangement (..),
+    Way (..),
+    arrange,
+    withMisfit,
+  )
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (rotationPrior, telltale)
