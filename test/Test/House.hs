@@ -72,19 +72,16 @@ spec = describe "the house" $
     it "touch's folders follow the data: each imports itself and those above it" $ \(house, _) -> do
       let folder name = takeWhile (/= '.') (drop (length "PraTactile.") name)
           above one = takeWhile (/= folder (sourceName one)) touchFolders
+          touch = filter ((== Touch) . sourceWing) house
+          folders = map (folder . sourceName) touch
           backwards =
             [ (sourceName one, name)
-              | one <- house,
-                sourceWing one == Touch,
+              | one <- touch,
                 name <- sourceImports one,
                 Just Touch == Map.lookup name (wingsOf house),
                 folder name `notElem` (folder (sourceName one) : above one)
             ]
-      [ name
-        | name <- map (folder . sourceName) (filter ((== Touch) . sourceWing) house),
-          name `notElem` touchFolders
-        ]
-        `shouldBe` []
+      filter (`notElem` touchFolders) folders `shouldBe` []
       backwards `shouldBe` []
     it "the definition of conformance has of the code types alone" $ \(house, _) -> do
       let definition = filter (below "PraTactile.Conformance.Definition" . sourceName) house
