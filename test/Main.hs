@@ -2,22 +2,21 @@
 module Main (main) where
 
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
-import qualified Test.Code.Advise
-import qualified Test.Code.Array
-import qualified Test.Code.ArrayCode
-import qualified Test.Code.Census
-import qualified Test.Code.Certificate
-import qualified Test.Code.CertificateSteps
-import qualified Test.Code.Distance
-import qualified Test.Code.EllipticCurve
-import qualified Test.Code.Exhaustive
-import qualified Test.Code.Extension
-import qualified Test.Code.Factorisation
-import qualified Test.Code.Field
-import qualified Test.Code.FieldFacts
-import qualified Test.Code.FieldStructure
-import qualified Test.Code.Folding
-import qualified Test.Code.LinearCode
+import qualified Test.Code.Array.AdviceByVisiting
+import qualified Test.Code.Array.CellsOfTheFold
+import qualified Test.Code.Array.FoldingsByWalking
+import qualified Test.Code.Array.SharedWindows
+import qualified Test.Code.Census.AllArraysOfASize
+import qualified Test.Code.Certificate.EachFlawFound
+import qualified Test.Code.Certificate.ForgeriesRefused
+import qualified Test.Code.Certificate.IssuedAndChecked
+import qualified Test.Code.Factorisation.CurvesByPoints
+import qualified Test.Code.Factorisation.FactorsAndPrimes
+import qualified Test.Code.Field.AxiomsAndDefinition
+import qualified Test.Code.Field.ExtensionModuloH
+import qualified Test.Code.Field.FactsFromElsewhere
+import qualified Test.Code.Field.StructureByDefinition
+import qualified Test.Code.LinearCode.AllCodewords
 import qualified Test.Code.Locate
 import qualified Test.Code.LocateBounded
 import qualified Test.Code.LocateBulk
@@ -31,15 +30,17 @@ import qualified Test.Code.LocateNearest
 import qualified Test.Code.LocateOrientation
 import qualified Test.Code.LocateProbabilities
 import qualified Test.Code.LocateRates
-import qualified Test.Code.Polynomial
-import qualified Test.Code.PolynomialSearch
-import qualified Test.Code.Profile
-import qualified Test.Code.Proof
-import qualified Test.Code.Recurrence
-import qualified Test.Code.Register
-import qualified Test.Code.Sequence
-import qualified Test.Code.SequenceFacts
-import qualified Test.Code.Window
+import qualified Test.Code.Polynomial.OrderAndCount
+import qualified Test.Code.Polynomial.RingAndOrders
+import qualified Test.Code.Profile.DoorToArrays
+import qualified Test.Code.Sequence.FactsFromElsewhere
+import qualified Test.Code.Sequence.FastFormsAsDefined
+import qualified Test.Code.Sequence.MSequences
+import qualified Test.Code.Sequence.ShiftRegisters
+import qualified Test.Code.Window.DistanceByPairs
+import qualified Test.Code.Window.MasksAndPacking
+import qualified Test.Code.Window.ProvedExhaustively
+import qualified Test.Code.Window.ProvedTwice
 import qualified Test.CommandLine
 import qualified Test.CommandLine.Bounds
 import qualified Test.CommandLine.Census
@@ -56,6 +57,7 @@ import qualified Test.CommandLine.Proof
 import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
+import qualified Test.Common.SymmetryGroup
 import qualified Test.Conform
 import qualified Test.Conform.Checks
 import qualified Test.Conform.Choice
@@ -82,7 +84,6 @@ import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
 import qualified Test.Explorations
-import qualified Test.ForgedCertificates
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -99,7 +100,6 @@ import qualified Test.Object.Placement
 import qualified Test.Object.WingedEdge
 import qualified Test.Picture
 import qualified Test.PictureAssembly
-import qualified Test.Rates
 import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseAngle
@@ -109,10 +109,10 @@ import qualified Test.RecogniseGrid
 import qualified Test.RecogniseReading
 import qualified Test.RecogniseSteps
 import qualified Test.Schemas
+import qualified Test.Simulation.RatesBesideExact
 import qualified Test.Source
-import qualified Test.Store
-import qualified Test.StoreTarget
-import qualified Test.Symmetry
+import qualified Test.Store.RowsAndGuards
+import qualified Test.Store.Target
 import qualified Test.Tools
 import qualified Test.Touch.Blend
 import qualified Test.Touch.Calibration
@@ -166,31 +166,31 @@ specs :: Spec
 specs = do
   describe "The house" Test.House.spec
   describe "The code" $ do
-    describe "Fields" Test.Code.Field.spec
-    describe "The structure of fields" Test.Code.FieldStructure.spec
-    describe "Factorisation" Test.Code.Factorisation.spec
-    describe "Elliptic curves" Test.Code.EllipticCurve.spec
-    describe "Linear codes" Test.Code.LinearCode.spec
-    describe "Polynomials" Test.Code.Polynomial.spec
-    describe "Searching polynomials" Test.Code.PolynomialSearch.spec
-    describe "Extension fields" Test.Code.Extension.spec
-    describe "Facts about fields" Test.Code.FieldFacts.spec
-    describe "Sequences" Test.Code.Sequence.spec
-    describe "Sequences as another program has them" Test.Code.SequenceFacts.spec
-    describe "Shift registers" Test.Code.Register.spec
-    describe "Fast forms of sequences" Test.Code.Recurrence.spec
-    describe "Arrays" Test.Code.Array.spec
-    describe "Foldings" Test.Code.Folding.spec
-    describe "Array codes" Test.Code.ArrayCode.spec
-    describe "Advice" Test.Code.Advise.spec
-    describe "Windows" Test.Code.Window.spec
-    describe "Proofs" Test.Code.Proof.spec
-    describe "Distances" Test.Code.Distance.spec
-    describe "Certificates" Test.Code.Certificate.spec
-    describe "Certificates step by step" Test.Code.CertificateSteps.spec
-    describe "Forged certificates" Test.ForgedCertificates.spec
-    describe "Census" Test.Code.Census.spec
-    describe "Exhaustive proofs" Test.Code.Exhaustive.spec
+    describe "Fields" Test.Code.Field.AxiomsAndDefinition.spec
+    describe "The structure of fields" Test.Code.Field.StructureByDefinition.spec
+    describe "Factorisation" Test.Code.Factorisation.FactorsAndPrimes.spec
+    describe "Elliptic curves" Test.Code.Factorisation.CurvesByPoints.spec
+    describe "Linear codes" Test.Code.LinearCode.AllCodewords.spec
+    describe "Polynomials" Test.Code.Polynomial.RingAndOrders.spec
+    describe "Searching polynomials" Test.Code.Polynomial.OrderAndCount.spec
+    describe "Extension fields" Test.Code.Field.ExtensionModuloH.spec
+    describe "Facts about fields" Test.Code.Field.FactsFromElsewhere.spec
+    describe "Sequences" Test.Code.Sequence.MSequences.spec
+    describe "Sequences as another program has them" Test.Code.Sequence.FactsFromElsewhere.spec
+    describe "Shift registers" Test.Code.Sequence.ShiftRegisters.spec
+    describe "Fast forms of sequences" Test.Code.Sequence.FastFormsAsDefined.spec
+    describe "Arrays" Test.Code.Array.CellsOfTheFold.spec
+    describe "Foldings" Test.Code.Array.FoldingsByWalking.spec
+    describe "Array codes" Test.Code.Array.SharedWindows.spec
+    describe "Advice" Test.Code.Array.AdviceByVisiting.spec
+    describe "Windows" Test.Code.Window.MasksAndPacking.spec
+    describe "Proofs" Test.Code.Window.ProvedTwice.spec
+    describe "Distances" Test.Code.Window.DistanceByPairs.spec
+    describe "Certificates" Test.Code.Certificate.IssuedAndChecked.spec
+    describe "Certificates step by step" Test.Code.Certificate.EachFlawFound.spec
+    describe "Forged certificates" Test.Code.Certificate.ForgeriesRefused.spec
+    describe "Census" Test.Code.Census.AllArraysOfASize.spec
+    describe "Exhaustive proofs" Test.Code.Window.ProvedExhaustively.spec
     describe "Locating" Test.Code.Locate.spec
     describe "Locating in bulk" Test.Code.LocateBulk.spec
     describe "The decoders on every content" Test.Code.LocateContents.spec
@@ -204,7 +204,7 @@ specs = do
     describe "Several patches" Test.Code.LocateJoint.spec
     describe "Foreign patches" Test.Code.LocateForeign.spec
     describe "Rates of answers" Test.Code.LocateRates.spec
-    describe "Profiles" Test.Code.Profile.spec
+    describe "Profiles" Test.Code.Profile.DoorToArrays.spec
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.spec
     describe "PGM" Test.Touch.Pgm.spec
@@ -247,10 +247,10 @@ specs = do
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec
-  describe "Store" Test.Store.spec
-  describe "Store" Test.StoreTarget.spec
-  describe "Symmetry" Test.Symmetry.spec
-  describe "Rates" Test.Rates.spec
+  describe "Store" Test.Store.RowsAndGuards.spec
+  describe "Store" Test.Store.Target.spec
+  describe "Symmetry" Test.Common.SymmetryGroup.spec
+  describe "Rates" Test.Simulation.RatesBesideExact.spec
   describe "Recognition" Test.Recognise.spec
   describe "Recognition at any angle" Test.RecogniseAngle.spec
   describe "Recognition with damage" Test.RecogniseDamage.spec

@@ -25,7 +25,7 @@ spec = do
       whole <- lines <$> readFile (folder </> "c.csv")
       length whole `shouldBe` 385
       -- The check at the end is that of the rest, by a definition of its own in
-      -- "Test.Code.Certificate".
+      -- "Test.Code.Certificate.IssuedAndChecked".
       let found =
             [ take 16 (drop 1 line)
               | line <- map fields (drop 1 whole),

@@ -17,7 +17,7 @@ import System.Directory (findExecutable)
 import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Process (readProcessWithExitCode)
-import Test.CheckerInPython
+import Test.Code.Certificate.CheckerInPython
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Support

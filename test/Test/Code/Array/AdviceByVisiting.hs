@@ -1,0 +1,226 @@
+-- | The adviser, whose every word is checked by visiting the windows.
+module Test.Code.Array.AdviceByVisiting (spec) where
+
+import Control.Monad (forM_, unless)
+import Data.List (sort)
+import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
+import PraTactile.Advise
+import PraTactile.Advise.Fit (candidates, fits)
+import PraTactile.Advise.Layout (degreeOfOrder, sureWindows)
+import PraTactile.Array
+import PraTactile.ArrayCode
+import PraTactile.ArrayCode.Proof
+import PraTactile.Field
+import PraTactile.Field.Named (GF2, GF4)
+import PraTactile.Polynomial
+import PraTactile.Sequence
+import PraTactile.Window
+import PraTactile.Window.Proof
+import Test.Code.Generators
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  describe "15 x 273 over GF(4) with 2 x 3 windows" $ do
+    it "is not coprime; instead 63 x 65, row by row, or three arrays of 15 x 91" $ do
+      advice <- asked 4 15 273 (Just (Shape 2 3))
+      let seen =
+            [ ( n1,
+                n2,
+                g,
+                [ (optionLayout o, optionShape o, map fitWindow (take 1 (optionFits o)))
+                  | o <- instead
+                ]
+              )
+              | SidesShareDivisor 6 n1 n2 g instead <- adviceObstacles advice
+            ]
+      seen
+        `shouldBe` [ ( 15,
+                       273,
+                       3,
+                       [ (Single Diagonal, Shape 63 65, [Shape 3 2]),
+                         (Single RowMajor, Shape 15 273, [Shape 2 3]),
+                         (Joint 3, Shape 15 91, [Shape 2 3])
+                       ]
+                     )
+                   ]
+    it "is possible row by row, and only so" $ do
+      advice <- asked 4 15 273 (Just (Shape 2 3))
+      [(optionLayout o, optionShape o) | o <- adviceOptions advice]
+        `shouldBe` [(Single RowMajor, Shape 15 273)]
+  it "a window longer than a side of an array fits there in no other way either" $ do
+    advice <- asked 2 1 1 (Just (Shape 4 2))
+    let seen = [(n, shape) | WindowBeyondArray n _ shape <- adviceObstacles advice]
+    seen `shouldSatisfy` (not . null)
+    [x | x@(_, shape) <- seen, rows shape >= 4 && columns shape >= 2] `shouldBe` []
+    [o | o <- adviceOptions advice, rows (optionShape o) < 4 || columns (optionShape o) < 2]
+      `shouldBe` []
+  it "of 2^32 states or fewer 32 polynomials are tried, of more 4" $ do
+    forM_ [(20, 32), (32, 32), (33, 4)] $ \(n, count) ->
+      (n, length (candidates (Proxy :: Proxy GF2) n)) `shouldBe` (n, count)
+    forM_ [(16, 32), (17, 4)] $ \(n, count) ->
+      (n, length (candidates (Proxy :: Proxy GF4) n)) `shouldBe` (n, count)
+  it "no window fits where the array itself cannot be made, of degree 1 neither" $ do
+    let units = candidates (Proxy :: Proxy GF4) 1
+        ofUnits = fits 1 units
+    length units `shouldBe` 2
+    -- x + a has 3 states.
+    fmap fitWindow (ofUnits (Single Diagonal) (Shape 1 3) (Shape 1 1)) `shouldBe` Right (Shape 1 1)
+    let impossible =
+          [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
+    map (\(layout, shape) -> ofUnits layout shape (Shape 1 1)) impossible
+      `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
+  it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
+    advice <- asked 4 15 17 (Just (Shape 2 2))
+    take 1 [(optionLayout o, optionShape o, optionFits o) | o <- adviceOptions advice]
+      `shouldBe` [(Single Diagonal, Shape 15 17, [Fit (Shape 2 2) True [3, 2, 1, 0, 1]])]
+    adviceObstacles advice `shouldBe` []
+  it "30 x 40 over GF(4): degree 6, every factor pair in range, 39 x 105 impossible" $ do
+    advice <- asked 4 30 40 Nothing
+    let at layout = [optionShape o | o <- adviceOptions advice, optionLayout o == layout]
+        inRange = [Shape a (4095 `div` a) | a <- [30 .. 102], 4095 `mod` a == 0]
+    at (Single RowMajor) `shouldBe` inRange
+    at (Single Diagonal) `shouldBe` [s | s@(Shape a b) <- inRange, gcd a b == 1]
+    [Shape a b | SidesShareDivisor _ a b _ _ <- adviceObstacles advice] `shouldBe` [Shape 39 105]
+  it "the windows said to work for every polynomial do, and those for one, by visiting" $
+    forM_ requests $ \(q, high, wide, window) -> do
+      advice <- asked q high wide window
+      forM_
+        ( adviceOptions advice
+            ++ concat [instead | SidesShareDivisor _ _ _ _ instead <- adviceObstacles advice]
+        )
+        $ \option ->
+          unless (q ^ optionDegree option > 5000) $ do
+            optionFits option `shouldSatisfy` (not . null)
+            forM_ (optionFits option) (proves (fromIntegral q) option)
+  it "what it lists is large enough, in order of size, and the window is the one wanted" $
+    forM_ requests $ \(q, high, wide, window) -> do
+      advice <- asked q high wide window
+      let shapes = map optionShape (adviceOptions advice)
+      shapes `shouldSatisfy` all (\s -> rows s >= high && columns s >= wide)
+      map area shapes `shouldBe` sort (map area shapes)
+      let failing =
+            [ w
+              | Just wanted <- [window],
+                o <- adviceOptions advice,
+                w <- map fitWindow (optionFits o),
+                w /= wanted
+            ]
+      failing `shouldBe` []
+  it "the degree of an element of order m over GF(q) is the least d with m dividing q^d - 1" $
+    [degreeOfOrder 4 6 m | m <- [1, 3, 15, 63, 65, 91, 273, 4095]]
+      `shouldBe` [1, 1, 2, 3, 6, 6, 6, 6]
+  it "sure windows have rank n for every polynomial, shape and layout: q^n <= 1024" $
+    forM_
+      ( [(2, n) | n <- [2 .. 10]]
+          ++ [(3, n) | n <- [2 .. 6]]
+          ++ [(4, n) | n <- [2 .. 5]]
+          ++ [(5, 2), (5, 3), (5, 4), (7, 2), (7, 3), (8, 2), (8, 3)]
+          ++ [(9, 2), (9, 3), (16, 2), (25, 2)]
+      )
+      $ \(q, n) -> overField q $ \(_ :: Proxy k) -> do
+        found <- right (primitivePolynomials n)
+        let terms = fromIntegral q ^ n - 1 :: Natural
+            ds = [d | d <- [1 .. terms], terms `mod` d == 0]
+        forM_ (zip [0 :: Int ..] (found :: [Primitive k])) $ \(i, h) ->
+          unless (i `mod` 5 > 0 && i > 20) $ do
+            forM_ ds $ \n1 ->
+              forM_
+                (Single RowMajor : [Single Diagonal | gcd n1 (terms `div` n1) == 1])
+                $ \layout ->
+                  let size = Shape n1 (terms `div` n1)
+                   in forM_ (sureWindows (fromIntegral q) n layout size) $ \w -> do
+                        array <- right (fold (foldingOf layout) size h (canonicalState h))
+                        window <- right (rectangle w)
+                        (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
+  it "instead of one array, as few as there are of parts of both sides, found by trying all parts" $
+    forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273)] $
+      \(q, high, wide) -> do
+        advice <- asked q high wide Nothing
+        let several =
+              [ (n, n1, n2, [(g, optionShape o) | o@Option {optionLayout = Joint g} <- instead])
+                | SidesShareDivisor n n1 n2 _ instead <- adviceObstacles advice
+              ]
+        several `shouldSatisfy` (not . null)
+        forM_ several $ \(n, n1, n2, found) -> do
+          let possible =
+                [ (n1 * n2 `div` (a * b), Shape a b)
+                  | a <- [2 .. n1],
+                    n1 `mod` a == 0,
+                    b <- partsOf n2,
+                    gcd a b == 1,
+                    all (\d -> (q ^ d - 1) `mod` (a * b) /= 0) [1 .. n - 1]
+                ]
+          map fst found `shouldBe` take 1 (sort (map fst possible))
+          found `shouldSatisfy` all (`elem` possible)
+  it "refuses an alphabet that is none, a window without cells, and more than it can judge" $ do
+    advise (Request 6 1 1 Nothing) `shouldSatisfy` either isField (const False)
+    advise (Request 4 1 1 (Just (Shape 0 2))) `shouldBe` Left AdviceWindowEmpty
+    advise (Request 4 (2 ^ (70 :: Int)) (2 ^ (70 :: Int)) Nothing)
+      `shouldBe` Left (AdviceTooLarge (2 ^ (140 :: Int)))
+  where
+    isField e = case e of
+      AdviceField _ -> True
+      _ -> False
+    partsOf side = [d | d <- [2 .. side], side `mod` d == 0]
+    foldingOf layout = case layout of
+      Single folding -> folding
+      Joint _ -> Diagonal
+
+-- | Some alphabets, sizes and windows.
+requests :: [(Natural, Natural, Natural, Maybe Shape)]
+requests =
+  [ (2, 3, 5, Nothing),
+    (2, 5, 5, Nothing),
+    (2, 7, 9, Nothing),
+    (2, 10, 10, Just (Shape 3 3)),
+    (2, 20, 20, Just (Shape 5 2)),
+    (3, 2, 13, Nothing),
+    (3, 5, 5, Nothing),
+    (3, 8, 10, Just (Shape 2 2)),
+    (3, 10, 20, Just (Shape 2 3)),
+    (4, 3, 5, Nothing),
+    (4, 15, 17, Just (Shape 2 2)),
+    (4, 15, 17, Just (Shape 3 2)),
+    (4, 15, 273, Nothing),
+    (4, 15, 273, Just (Shape 2 3)),
+    (4, 30, 40, Nothing),
+    (5, 4, 31, Nothing),
+    (5, 10, 10, Nothing),
+    (7, 6, 8, Nothing),
+    (7, 9, 9, Just (Shape 2 2)),
+    (8, 7, 9, Nothing),
+    (8, 7, 60, Just (Shape 1 3)),
+    (9, 8, 10, Nothing),
+    (16, 15, 17, Nothing),
+    (25, 10, 10, Nothing),
+    (27, 26, 28, Just (Shape 1 2)),
+    (2, 1, 1, Nothing),
+    (2, 0, 0, Nothing)
+  ]
+
+asked :: Natural -> Natural -> Natural -> Maybe Shape -> IO Advice
+asked q high wide window = right (advise (Request q high wide window))
+
+-- | Visit the windows of the arrays of an option.
+proves :: Int -> Option -> Fit -> Expectation
+proves q option claim = overField q $ \(_ :: Proxy k) -> do
+  window <- right (rectangle (fitWindow claim))
+  stated <- right (elementsFromCodes (fitPolynomial claim)) >>= right . checkPrimitive . polynomial
+  others <-
+    if fitEvery claim
+      then take 8 <$> right (primitivePolynomials (optionDegree option))
+      else pure []
+  forM_ (stated : others :: [Primitive k]) $ \h -> do
+    distinct <- case optionLayout option of
+      Single folding -> do
+        array <- right (fold folding (optionShape option) h (canonicalState h))
+        (verdict, _) <- right (prove (layoutSurface (optionLayout option)) array window)
+        pure (enumeration verdict)
+      Joint g -> do
+        code <- right (foldCode (optionShape option) h (canonicalState h))
+        codeArrays code `shouldBe` g
+        (verdict, _) <- right (proveCode code window)
+        pure ((== period h) <$> codeVisited verdict)
+    (option, h, distinct) `shouldBe` (option, h, Just True)

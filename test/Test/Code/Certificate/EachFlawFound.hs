@@ -1,0 +1,306 @@
+-- | Each step of the check of a certificate by itself: what alone is wrong is what is found.
+module Test.Code.Certificate.EachFlawFound (spec) where
+
+import Control.Exception (evaluate)
+import Control.Monad (forM_, replicateM)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Certificate
+import PraTactile.Certificate.Check
+import PraTactile.Certificate.Digest
+import PraTactile.Factorisation (isPrime)
+import PraTactile.Field
+import PraTactile.Grid (Grid)
+import PraTactile.Polynomial
+import PraTactile.Polynomial.Certificate
+import PraTactile.Profile
+import PraTactile.Window
+import System.Timeout (timeout)
+import Test.Code.Generators
+import Test.Hspec
+
+spec :: Spec
+spec = do
+  primesSpec
+  describe "one step alone is wrong" $ do
+    it "the state: too short, too long, all zeros, a term that is no code" $ do
+      c <- paper
+      forM_ [[0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0], [0, 0, 0, 4], [4, 0, 0, 1], [1, 5, 0, 0]] $
+        \state ->
+          checkCertificate (ofProfile c (\p -> p {profileState = state}))
+            `shouldBe` Left (StateFault state)
+    it "the fold: diagonal with sides that have a common divisor" $ do
+      rowByRow <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 3 21) RowMajor (Shape 1 6)
+      checkCertificate rowByRow `shouldBe` Right ()
+      checkCertificate
+        ( ofProfile rowByRow $ \p ->
+            p {profileFolding = Diagonal, profileSurface = Torus}
+        )
+        `shouldBe` Left (CommonDivisorFault 3)
+    it "the factors: one twice, out of order, to the power 0, to one that has no end" $ do
+      c <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 3 21) RowMajor (Shape 1 6)
+      -- 63 = 3^2 7.
+      [three, seven] <- pure (certificateFactors c)
+      let once = three {orderExponent = 1}
+          lies =
+            [ [once, once, seven],
+              [OrderFactor 2 0 (orderResidue three), three, seven],
+              [seven, three],
+              [three, seven, seven {orderExponent = 0}],
+              [three {orderExponent = 0}, seven],
+              [three, seven {orderExponent = 2}],
+              [three {orderExponent = 10 ^ (9 :: Int)}, seven],
+              [three, seven {orderExponent = 10 ^ (30 :: Int)}]
+            ]
+      checkCertificate c `shouldBe` Right ()
+      forM_ lies $ \lie -> do
+        said <- timeout 5000000 (evaluate (checkCertificate c {certificateFactors = lie}))
+        said `shouldBe` Just (Left (FactorsFault 63))
+    it "the cells: not as many as the rank, one twice, out of order, one that is none" $ do
+      c <- certificateOver [1, 1, 0, 0, 0, 0, 1] (Shape 7 9) Diagonal (Shape 3 3)
+      [cells] <- pure [rankCells e | ByRank e <- [certificateEvidence c]]
+      let twice = take 1 cells ++ take 5 cells
+      checkCertificate c `shouldBe` Right ()
+      forM_ [take 5 cells, cells ++ [8], twice, reverse cells, take 5 cells ++ [9]] $ \others ->
+        checkCertificate
+          c
+            { certificateEvidence = case certificateEvidence c of
+                ByRank e -> ByRank e {rankCells = others}
+                other -> other
+            }
+          `shouldBe` Left (CellsFault others)
+    it "the field: of 256 elements there is one, of more there is none, nor of another degree" $ do
+      one' <- right (chooseProfile 256 Nothing [2, 1] (Shape 15 17) (Just (Shape 1 1)) Nothing)
+      c <- right (rectangle (Shape 1 1)) >>= right . certify AnyMethod one'
+      checkCertificate c `shouldBe` Right ()
+      let modulus = profileModulus one'
+          others = [(256, h) | h <- [modulus ++ [1], drop 1 modulus, [], [1]]]
+      forM_ ([(257, [254, 1]), (1, [1]), (1, [])] ++ others) $
+        \(q, h) ->
+          checkCertificate (ofProfile c (\p -> p {profileOrder = q, profileModulus = h}))
+            `shouldBe` Left (OrderNotOfModulus q)
+      forM_ [1, 6, 12] $ \q ->
+        checkCertificate (ofProfile c (\p -> p {profileOrder = q}))
+          `shouldBe` Left (OrderNotOfModulus q)
+    it "the windows: a single one is distinct, none is not" $ do
+      one' <- certificateOver [1, 1, 0, 0, 1] (Shape 3 5) Diagonal (Shape 2 2)
+      forM_ [(3, 5, Right ()), (3, 6, Left (WindowsFault 0 0)), (4, 5, Left (WindowsFault 0 0))] $
+        \(high, wide, wanted) -> do
+          window <- right (rectangle (Shape high wide))
+          c <- right (certify RankMethod (certificateProfile one') window)
+          let there = if wanted == Right () then 1 else 0
+          checkCertificate
+            (ofProfile c (\p -> p {profileSurface = Sheet})) {certificateWindows = there}
+            `shouldBe` wanted
+    it "the polynomial: modulo it x to the number of cells is not 1" $
+      forM_ [4, 6] $ \n -> do
+        let cells = 2 ^ n - 1 :: Natural
+            line h = certificateOver h (Shape 1 cells) RowMajor (Shape 1 (fromIntegral n))
+        genuine <- line (if n == 4 then [1, 1, 0, 0, 1] else [1, 1, 0, 0, 0, 0, 1])
+        forM_ (replicateM (n - 1) [0, 1]) $ \inner -> do
+          let h = 1 : inner ++ [1]
+              closes = timesRoot h (fromIntegral cells) == 1 : replicate (n - 1) (0 :: Natural)
+              said = checkCertificate (ofProfile genuine (\p -> p {profilePolynomial = h}))
+          (h, said == Left OrderFault) `shouldBe` (h, not closes)
+  it "windows of which each occurs twice have no digest, by a table or by sorting" $ do
+    -- The cells at which the sequence is 0 span a hyperplane of GF(2)^6: 31 of them, or 5.
+    grid <- lineOf 6
+    h <- firstOver gf2 6
+    array <- right (folded RowMajor (Shape 1 63) h)
+    terms <- concat <$> right (toRows array)
+    let zeros = [Position 0 i | (i, 0) <- zip [0 ..] terms]
+    length zeros `shouldBe` 31
+    forM_ [31, 27, 8] $ \count -> do
+      m <- right (maskFrom (take count zeros))
+      digestOfWindows MostSignificantFirst TwistedTorus grid m `shouldBe` Nothing
+  it "to 2^26 contents by a table, beyond them 2^20 windows by sorting" $
+    [ roadOf contents positions
+      | contents <- [1, 2 ^ (26 :: Int), 2 ^ (26 :: Int) + 1, 2 ^ (100 :: Int)],
+        positions <- [1, 2 ^ (20 :: Int), 2 ^ (20 :: Int) + 1, 2 ^ (40 :: Int)]
+    ]
+      `shouldBe` replicate 8 (Just ByTable)
+        ++ concat (replicate 2 [Just BySorting, Just BySorting, Nothing, Nothing])
+  it "windows that there are not have none, by a table or by sorting" $ do
+    grid <- lineOf 4
+    forM_ [(1, 16), (2, 1), (1, 40), (2, 14)] $ \(high, wide) -> do
+      m <- right (rectangle (Shape high wide))
+      digestOfWindows MostSignificantFirst Sheet grid m `shouldBe` Nothing
+  it "2^21 - 1 windows have a digest where there are at most 2^26 contents" $ do
+    grid <- lineOf 21
+    [few, many, more] <- mapM (\count -> right (rectangle (Shape 1 count))) [21, 26, 27]
+    let digest = digestOfWindows MostSignificantFirst TwistedTorus grid
+    -- The first 21 cells tell them apart, so that the order is the same.
+    digest many `shouldBe` digest few
+    fmap length (digest few) `shouldBe` Just 64
+    digest more `shouldBe` Nothing
+  it "of a primitive polynomial no prime is listed twice, and none is composite" $ do
+    h <- firstOver gf2 6
+    let genuine = certifyPrimitive h
+        said factors = () <$ verifyPrimitive genuine {certifiedFactors = factors}
+    certifiedFactors genuine `shouldBe` [(3, 2), (7, 1)]
+    map
+      said
+      [ [(7, 1), (3, 2)],
+        [(3, 1), (3, 1), (7, 1)],
+        [(3, 1), (7, 1), (3, 1)],
+        [(9, 1), (7, 1)],
+        [(3, 1), (21, 1)],
+        [(3, 2)],
+        [(3, 2), (7, 2)]
+      ]
+      `shouldBe` [ Right (),
+                   Left (FactorNotPrime 3),
+                   Left (FactorNotPrime 3),
+                   Left (FactorNotPrime 9),
+                   Left (FactorNotPrime 21),
+                   Left (FactorsDoNotMultiply 9 63),
+                   Left (FactorsDoNotMultiply 441 63)
+                 ]
+
+  it "a primitive polynomial is monic, not constant, and has a constant term" $ do
+    h <- firstOver gf3 4
+    let genuine = certifyPrimitive h
+        said codes = do
+          given <- right (elementsFromCodes codes)
+          pure (() <$ verifyPrimitive genuine {certifiedPrimitive = polynomial given})
+    mapM said [[2, 1, 0, 0, 2], [0, 1, 0, 0, 1], [0, 1, 0, 0, 2], [1], []]
+      `shouldReturn` replicate 5 (Left PolynomialUnfit)
+  it "an irreducible polynomial: a witness for each prime, and that it divides x^(q^n) - x" $ do
+    h <- firstOver gf2 6
+    Just genuine <- pure (certifyIrreducible (primitivePolynomial h))
+    let witnesses = certifiedWitnesses genuine
+        with changed = verifyIrreducible genuine {certifiedWitnesses = changed}
+        of' codes = do
+          given <- right (elementsFromCodes codes)
+          pure (verifyIrreducible genuine {certifiedIrreducible = polynomial given})
+    map fst witnesses `shouldBe` [2, 3]
+    verifyIrreducible genuine `shouldBe` Right ()
+    with (drop 1 witnesses) `shouldBe` Left (EntryMissing 2)
+    with (take 1 witnesses) `shouldBe` Left (EntryMissing 3)
+    with [(l, (v, u)) | (l, (u, v)) <- witnesses] `shouldBe` Left (EntryWrong 2)
+    with [if l == 3 then (l, (u + 1, v)) else (l, (u, v)) | (l, (u, v)) <- witnesses]
+      `shouldBe` Left (EntryWrong 3)
+    -- (x^3 + x + 1)^2, which does not; x^6 + ... = (x^3 + x + 1)(x^3 + x^2 + 1), which does.
+    of' [1, 0, 1, 0, 0, 0, 1] `shouldReturn` Left PowerDoesNotClose
+    of' [1, 1, 1, 1, 1, 1, 1] `shouldReturn` Left (EntryWrong 2)
+    of' [] `shouldReturn` Left PolynomialUnfit
+  it "of windows that repeat there is no certificate, by whatever method" $ do
+    window <- right (rectangle (Shape 1 2))
+    forM_ [minBound .. maxBound] $ \method ->
+      [() | Left (NotDistinct _) <- [certify method canonicalProfile window]] `shouldBe` [()]
+
+-- | x to a power modulo a polynomial over GF(2), by as many shifts.
+timesRoot :: [Natural] -> Int -> [Natural]
+timesRoot h count = iterate shift (1 : replicate (n - 1) 0) !! count
+  where
+    n = length h - 1
+    shift a = [(b + c * last a) `mod` 2 | (b, c) <- zip (0 : a) (take n h)]
+
+-- | Pocklington's theorem.
+primesSpec :: Spec
+primesSpec = describe "a number is shown to be prime" $ do
+  it "exactly if the theorem says so: numbers below 40, all proofs of one or two small factors" $
+    [ (n, proof)
+      | n <- [0 .. 40],
+        proof <- proofs,
+        isShownPrime [] (PrimeProof n proof) /= byTheorem n proof
+    ]
+      `shouldBe` []
+  it "by one that is shown before it, and not after" $ do
+    mersenne <- certificateOfMersenne
+    [big] <- pure (certificatePrimes mersenne)
+    let -- 136 (2^89 - 1) + 1.
+        larger = 84179922671405858693140447097
+        above = PrimeProof larger [PrimeWitness (shownPrime big) 1 2]
+    larger `shouldBe` 136 * shownPrime big + 1
+    isShownPrime [shownPrime big] above `shouldBe` True
+    isShownPrime [] above `shouldBe` False
+    checkCertificate mersenne {certificatePrimes = [big, above]} `shouldBe` Right ()
+    forM_ [[above, big], [above]] $ \primes ->
+      checkCertificate mersenne {certificatePrimes = primes}
+        `shouldBe` Left (PrimeFault larger)
+  it "not by the strong test from where that decides nothing, at 3317044064679887385961981" $ do
+    -- That number is composite, and the next prime is 142 more; both divide a prime less one.
+    forM_
+      [ (3317044064679887385961981, 159218115104634594526175089),
+        (3317044064679887385962123, 305168053950549639508515317)
+      ]
+      $ \(l, n) -> do
+        let proof = PrimeProof n [PrimeWitness l 1 2]
+        (isShownPrime [] proof, isShownPrime [l] proof) `shouldBe` (False, True)
+  it "by the least base that there is for each factor" $ do
+    mersenne <- certificateOfMersenne
+    forM_ (certificatePrimes mersenne) $ \(PrimeProof n used) -> do
+      length used `shouldSatisfy` (> 5)
+      forM_ used $ \(PrimeWitness l _ a) ->
+        (l, take 1 (filter (shows' n l) [2 ..])) `shouldBe` (l, [a])
+  where
+    shows' n l a =
+      raised n a (n - 1) == 1 && gcd n (raised n a ((n - 1) `div` l) + n - 1) == 1
+    raised n a e
+      | e == 0 = 1
+      | even e = raised n (a * a `mod` n) (e `div` 2)
+      | otherwise = a * raised n (a * a `mod` n) (e `div` 2) `mod` n
+    proofs =
+      [[w] | w <- witnesses] ++ [[v, w] | v <- witnesses, w <- witnesses, sameBase v w] ++ [[]]
+    witnesses =
+      [ PrimeWitness l e a
+        | l <- [0, 1, 2, 3, 4, 5, 7, 9, 11, 13],
+          e <- [0 .. 4],
+          a <- [0, 1, 2, 3, 5]
+      ]
+    sameBase v w = witnessBase v == witnessBase w
+
+-- | The theorem, word for word; of numbers of at least 5.
+byTheorem :: Natural -> [PrimeWitness] -> Bool
+byTheorem n proof =
+  n > 3
+    && and (zipWith (<) primes (drop 1 primes))
+    && all (\w -> isPrime (witnessPrime w) == Right True && witnessExponent w > 0) proof
+    && (n - 1) `mod` whole == 0
+    && whole * whole > n
+    && and
+      [ a ^ (n - 1) `mod` n == 1 && gcd n (a ^ ((n - 1) `div` l) `mod` n + n - 1) == 1
+        | PrimeWitness l _ a <- proof
+      ]
+  where
+    primes = map witnessPrime proof
+    whole = product [witnessPrime w ^ witnessExponent w | w <- proof]
+
+ofProfile :: Certificate -> (Profile -> Profile) -> Certificate
+ofProfile c change = c {certificateProfile = change (certificateProfile c)}
+
+-- | Of the paper's array, by rank.
+paper :: IO Certificate
+paper = right (rectangle (Shape 2 2)) >>= right . certify RankMethod canonicalProfile
+
+-- | Over GF(2), by rank, of a polynomial, a shape, a folding and a window.
+certificateOver :: [Natural] -> Shape -> Folding -> Shape -> IO Certificate
+certificateOver h shape folding window = do
+  chosen <- right (chooseProfile 2 Nothing h (Shape 1 (area shape)) (Just window') Nothing)
+  let profile =
+        chosen
+          { profileShape = shape,
+            profileFolding = folding,
+            profileSurface = naturalSurface folding,
+            profileWindow = window
+          }
+  right (rectangle window) >>= right . certify RankMethod profile
+  where
+    window' = Shape 1 1
+
+-- | Of the 2^89 - 1 cells of a line, whose number is prime.
+certificateOfMersenne :: IO Certificate
+certificateOfMersenne =
+  certificateOver
+    [if i `elem` [0, 38, 89] then 1 else 0 | i <- [0 .. 89 :: Int]]
+    (Shape 1 (2 ^ (89 :: Int) - 1))
+    RowMajor
+    (Shape 1 89)
+
+-- | The sequence of the first primitive polynomial over GF(2) of a degree as one row.
+lineOf :: Natural -> IO Grid
+lineOf n = do
+  h <- firstOver gf2 n
+  array <- right (folded RowMajor (Shape 1 (2 ^ n - 1)) h)
+  right (toGrid array)

@@ -1,0 +1,257 @@
+-- | GF(q^n) modulo a primitive polynomial, and logarithms in it.
+module Test.Code.Field.ExtensionModuloH (spec) where
+
+import Control.Monad (forM_)
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.DiscreteLog
+import PraTactile.Extension
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Polynomial
+import Test.Code.Generators
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck hiding (elements)
+
+spec :: Spec
+spec = do
+  describe "GF(q^n)" $ do
+    it "alpha^i alpha^j = alpha^(i+j), of which n coefficients are told" $ do
+      h <- paperPrimitive
+      quickCheckHere $ \(NonNegative i) (NonNegative j) ->
+        let power' e = powerOfRoot h (fromInteger e)
+         in multiplyModulo h (power' i) (power' j) == power' (i + j)
+              && length (residueCoefficients h (power' i)) == 4
+    it "residues are the remainders by long division, and their products those of the polynomials" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        ( q,
+          n,
+          [ ()
+            | (a, b) <- pairs h,
+              residue h (a * b) /= multiplyModulo h (residue h a) (residue h b)
+                || polynomial (residueCoefficients h (residue h (a * b))) /= remainder h (a * b)
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "a residue is shown as an expression: in parentheses where it is an argument" $ do
+      h <- paperPrimitive
+      let a = residue h (polynomial [one, primitive])
+      showsPrec 11 a "" `shouldBe` "(" ++ show a ++ ")"
+      showsPrec 10 a "" `shouldBe` show a
+    it "sums are those of the polynomials" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        ( q,
+          n,
+          [() | (a, b) <- pairs h, addModulo h (residue h a) (residue h b) /= residue h (a + b)]
+          )
+          `shouldBe` (q, n, [])
+    it "powers of alpha are powers of x, by squaring and long division" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        ( q,
+          n,
+          [ e
+            | e <- [0 .. 20] ++ [200, 1003],
+              powerOfRoot h e /= residue h (powerByDivision h variable e)
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "powers are products, the power 0 is 1, and the power q^n - 1 too, except of zero" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        let some = [residue h a | (a, _) <- take 6 (pairs h)]
+        ( q,
+          n,
+          [ e
+            | a <- some,
+              e <- [0 .. 20],
+              powerOfResidue h a e /= iterate (multiplyModulo h a) (residue h 1) !! fromIntegral e
+          ]
+          )
+          `shouldBe` (q, n, [])
+        ( q,
+          n,
+          [ a
+            | a <- some,
+              powerOfResidue h a (period h) /= (if a == residue h 0 then a else residue h 1)
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "the inverse of every element but zero, which has none, for q^n up to 4096" $
+      forM_
+        [s | s@(q, n, _) <- samples, fromIntegral q ^ n <= (4096 :: Natural)]
+        $ \(q, n, SomeField k) -> do
+          h <- firstOver k n
+          let everything =
+                residue h 0 :
+                take
+                  (fromIntegral (period h))
+                  (iterate (multiplyModulo h (powerOfRoot h 1)) (residue h 1))
+          ( q,
+            n,
+            [ a
+              | a <- everything,
+                fmap (multiplyModulo h a) (inverseModulo h a)
+                  /= (if a == residue h 0 then Left DivisionByZero else Right (residue h 1))
+            ]
+            )
+            `shouldBe` (q, n, [])
+    it "frobenius is the q-th power, an automorphism that fixes GF(q)" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        ( q,
+          n,
+          [ ()
+            | (a, b) <-
+                pairs h,
+              let f = frobeniusModulo h; r = residue h,
+              f (r a) /= powerOfResidue h (r a) (fromIntegral q)
+                || f (r (a + b))
+                /= addModulo h (f (r a)) (f (r b))
+                || f (r (a * b))
+                /= multiplyModulo h (f (r a)) (f (r b))
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "the trace is the sum of the conjugates, the norm their product, and both lie in GF(q)" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        ( q,
+          n,
+          [ ()
+            | (a, _) <-
+                pairs h,
+              let conjugates = take (fromIntegral n) (iterate (frobeniusModulo h) (residue h a)),
+              foldr (addModulo h) (residue h 0) conjugates
+                /= residue h (constant (traceModulo h (residue h a)))
+                || foldr (multiplyModulo h) (residue h 1) conjugates
+                  /= residue h (constant (normModulo h (residue h a)))
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "the norm of alpha is (-1)^n h(0)" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        (q, n, normModulo h (powerOfRoot h 1))
+          `shouldBe` (q, n, power (-1) n * valueAt (primitivePolynomial h) 0)
+    it "the traces of the powers of alpha go on by the recurrence of h" $
+      forM_ samples $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        let traces = [traceModulo h (powerOfRoot h e) | e <- [0 .. 2 * n]]
+        (q, n, take (fromIntegral n) traces) `shouldBe` (q, n, Primitive.toList (tracesOfPowers h))
+        ( q,
+          n,
+          [ i
+            | i <- [0 .. fromIntegral n],
+              sum (zipWith (*) (coefficients (primitivePolynomial h)) (drop i traces)) /= 0
+          ]
+          )
+          `shouldBe` (q, n, [])
+    it "a residue of another h counts as the polynomial that represents it" $ do
+      small <- firstOver gf4 2
+      large <- firstOver gf4 5
+      let foreign' = powerOfRoot large 1000
+          own = residue small (polynomial (residueCoefficients large foreign'))
+      multiplyModulo small foreign' foreign' `shouldBe` multiplyModulo small own own
+      multiplyModulo large own own
+        `shouldBe` residue
+          large
+          (polynomial (residueCoefficients small own) * polynomial (residueCoefficients small own))
+      length (residueCoefficients large own) `shouldBe` 5
+  describe "discrete logarithms" logarithmSpec
+  where
+    quickCheckHere p =
+      quickCheckWithResult stdArgs {chatty = False} (property p)
+        >>= \r -> isSuccess r `shouldBe` True
+
+logarithmSpec :: Spec
+logarithmSpec = do
+  it "of alpha^t is t, for every t and the first primitive polynomial, q^n up to 1024" $
+    forM_
+      [(q, n, k) | (q, k) <- everyField, n <- takeWhile (\m -> toInteger q ^ m <= 1024) [1 ..]]
+      $ \(q, n, SomeField k) -> do
+        h <- firstOver k n
+        logarithms <- right (prepareLogarithms h)
+        let states =
+              takeWhile' (period h) (iterate (multiplyModulo h (powerOfRoot h 1)) (residue h 1))
+        (q, n, [t | (t, a) <- zip [0 ..] states, logarithmFrom logarithms a /= Right t])
+          `shouldBe` (q, n, [])
+  it "in the paper's field, of all 255 states, one at a time" $ do
+    h <- paperPrimitive
+    [t | t <- [0 .. 254], discreteLogarithm h (powerOfRoot h t) /= Right t] `shouldBe` []
+  it "in fields from GF(9^13) to GF(2^64): positions of any size" $ do
+    largeLogarithms gf2 64
+    largeLogarithms gf4 32
+    largeLogarithms gf3 20
+    largeLogarithms gf2 31
+    largeLogarithms (Proxy :: Proxy GF9) 13
+    largeLogarithms (Proxy :: Proxy GF5) 17
+    largeLogarithms (Proxy :: Proxy GF16) 15
+  it "zero has none" $ do
+    h <- paperPrimitive
+    discreteLogarithm h (residue h 0) `shouldBe` Left LogarithmOfZero
+  it "where a prime beyond 2^40 divides q^n - 1 they are refused, with that prime" $ do
+    h <- firstOver gf2 61
+    discreteLogarithm h (powerOfRoot h 5)
+      `shouldBe` Left (LogarithmInfeasible (2 ^ (61 :: Int) - 1) (2 ^ (40 :: Int)))
+    h' <- firstOver gf2 128
+    discreteLogarithm h' (powerOfRoot h' 5)
+      `shouldBe` Left (LogarithmInfeasible 67280421310721 (2 ^ (40 :: Int)))
+  where
+    takeWhile' count = map snd . takeWhile ((< count) . fst) . zip [0 ..]
+
+largeLogarithms :: forall k. KnownField k => Proxy k -> Natural -> Expectation
+largeLogarithms k n = do
+  h <- firstOver k n
+  logarithms <- right (prepareLogarithms h)
+  let failing =
+        [ t
+          | i <- [0 .. 10],
+            let t = (period h * i `div` 7 + i * i) `mod` period h,
+            logarithmFrom logarithms (powerOfRoot h t) /= Right t
+        ]
+  failing `shouldBe` []
+
+-- | Fields and degrees, some about a machine word.
+samples :: [(Int, Natural, SomeField)]
+samples =
+  [ (q, n, k)
+    | (q, degrees) <-
+        [ (2, [1, 2, 8, 10, 63, 64, 65]),
+          (3, [1, 2, 7, 20]),
+          (4, [1, 4, 5, 16]),
+          (5, [3]),
+          (8, [4]),
+          (9, [3]),
+          (25, [2]),
+          (256, [1, 3])
+        ],
+      Just k <- [lookup q everyField],
+      n <- degrees
+  ]
+
+-- | Some pairs of polynomials, of degrees up to about 1.5 n, zero and one among them.
+pairs :: forall k. KnownField k => Primitive k -> [(Polynomial k, Polynomial k)]
+pairs h = zip some (drop 3 (cycle some))
+  where
+    n = fromIntegral (primitiveDegree h)
+    some =
+      [0, 1, variable, -1]
+        ++ take 4 (randomMonics 1 (n - 1))
+        ++ take 2 (randomMonics 2 n)
+        ++ take 2 (randomMonics 3 (n + n `div` 2))
+
+remainder :: KnownField k => Primitive k -> Polynomial k -> Polynomial k
+remainder h a = maybe a snd (quotientRemainder a (primitivePolynomial h))
+
+powerByDivision :: KnownField k => Primitive k -> Polynomial k -> Natural -> Polynomial k
+powerByDivision h a e
+  | e == 0 = remainder h 1
+  | otherwise =
+    let root =
+          powerByDivision h a (e `div` 2)
+     in remainder h (root * root * (if odd e then a else 1))

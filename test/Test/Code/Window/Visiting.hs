@@ -1,0 +1,174 @@
+-- | Visiting all windows of any matrix, by lists and sets alone.
+module Test.Code.Window.Visiting (visitingSpec, shrinkOffsets) where
+
+import Control.Monad (forM_)
+import qualified Data.IntSet as IntSet
+import Data.List (elemIndex, foldl', nub, tails)
+import Data.Maybe (listToMaybe)
+import qualified Data.Set as Set
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Grid
+import PraTactile.Window
+import PraTactile.Window.Proof
+import Test.Code.Generators
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck hiding (elements)
+
+-- | Fewer cells, and cells nearer to the position.
+shrinkOffsets :: [(Natural, Natural)] -> [[(Natural, Natural)]]
+shrinkOffsets = filter (\o -> not (null o) && nub o == o) . shrinkList nearer
+  where
+    nearer (i, j) = [(i', j) | i' <- smaller i] ++ [(i, j') | j' <- smaller j]
+    smaller i = takeWhile (< i) [0, i `div` 2]
+
+-- | A small matrix over three symbols, and a mask.
+genMatrix :: Gen ([[Int]], [(Natural, Natural)])
+genMatrix = do
+  h <- choose (1, 6)
+  w <- choose (1, 6)
+  codes <- vectorOf h (vectorOf w (choose (0, 2)))
+  count <- choose (1, 4 :: Int)
+  offsets <-
+    vectorOf count ((\i j -> (fromInteger i, fromInteger j)) <$> choose (0, 3) <*> choose (0, 7))
+  pure (codes, nub offsets)
+
+-- | A small matrix over three symbols, and a rectangle that may be larger.
+genRectangle :: Gen ([[Int]], [(Natural, Natural)])
+genRectangle = do
+  h <- choose (1, 6)
+  w <- choose (1, 6)
+  codes <- vectorOf h (vectorOf w (choose (0, 2)))
+  k1 <- choose (1, 4)
+  k2 <- choose (1, 4)
+  pure (codes, [(fromInteger i, fromInteger j) | i <- [0 .. k1 - 1], j <- [0 .. k2 - 1]])
+
+-- | Symbols below q without an end, by a linear congruence.
+pseudorandom :: Int -> [Int]
+pseudorandom q =
+  map (\x -> (x `div` 65536) `mod` q) (iterate (\x -> (1103515245 * x + 12345) `mod` 2147483648) 1)
+
+chunksOf :: Int -> [a] -> [[a]]
+chunksOf n xs = let (first, rest) = splitAt n xs in first : chunksOf n rest
+
+-- | The contents of all windows of k1 x k2 cells over three symbols, by lists alone.
+contentsOf :: Surface -> Int -> Int -> [[Int]] -> IntSet.IntSet
+contentsOf on k1 k2 codes =
+  IntSet.fromList (concatMap rowOfWindows (take visitedRows (tails continued)))
+  where
+    h = length codes
+    w = length (concat (take 1 codes))
+    (visitedRows, visitedColumns) = if on == Sheet then (h - k1 + 1, w - k2 + 1) else (h, w)
+    beneath = take (h + k1) (cycle codes)
+    continued = case on of
+      Torus -> map (\r -> r ++ take k2 r) beneath
+      TwistedTorus -> zipWith (\r next -> r ++ take k2 next) beneath (drop 1 (cycle codes))
+      Sheet -> codes
+    -- Each column as a number, then each window as that of its columns.
+    rowOfWindows rows' = take visitedColumns (map packed (tails (asNumbers (take k1 rows'))))
+    packed columns' = foldl' (\n c -> 3 ^ k1 * n + c) 0 (take k2 columns')
+    asNumbers rows' = foldl' (zipWith (\a b -> 3 * a + b)) (repeat 0) rows'
+
+shrinkMatrix :: ([[Int]], [(Natural, Natural)]) -> [([[Int]], [(Natural, Natural)])]
+shrinkMatrix (codes, offsets) =
+  [ (fewer, offsets)
+    | fewer <- [take (length codes - 1) codes, map (drop 1) codes],
+      not (all null fewer)
+  ]
+    ++ [(codes, fewer) | fewer <- shrinkOffsets offsets]
+
+-- | What 'enumerate' must see, by lists and sets alone.
+visits :: [[Int]] -> [(Natural, Natural)] -> Surface -> Property
+visits codes offsets on = case (gridFromRows 3 codes, mask offsets) of
+  (Right grid, Right m) -> enumerate on grid m === expected
+  _ -> property False
+  where
+    h = length codes
+    w = length (concat (take 1 codes))
+    cellOf r c = case on of
+      Torus -> Just (at (r `mod` h) (c `mod` w))
+      TwistedTorus -> let i = (r * w + c) `mod` (h * w) in Just (at (i `div` w) (i `mod` w))
+      Sheet -> if r < h && c < w then Just (at r c) else Nothing
+    at r c = sum (take 1 (drop c (concat (take 1 (drop r codes)))))
+    -- On the sheet a window stands where its position and all its cells lie.
+    seen =
+      [ (Position (fromIntegral r) (fromIntegral c), content)
+        | r <- [0 .. h - 1],
+          c <- [0 .. w - 1],
+          Just content <-
+            [traverse (\(i, j) -> cellOf (r + fromIntegral i) (c + fromIntegral j)) offsets]
+      ]
+    contents = map snd seen
+    expected
+      | null seen = Left NoWindow
+      | otherwise =
+        Right
+          Enumeration
+            { visitedWindows = fromIntegral (length seen),
+              differentWindows = fromIntegral (Set.size (Set.fromList contents)),
+              repeatedWindow =
+                listToMaybe
+                  [ (fst (seen !! i0), p)
+                    | (i, (p, content)) <- zip [0 ..] seen,
+                      Just i0 <- [elemIndex content contents],
+                      i0 < i
+                  ],
+              zeroPosition = listToMaybe [p | (p, content) <- seen, all (== 0) content]
+            }
+
+visitingSpec :: Spec
+visitingSpec = do
+  it "any matrix, on every surface, sees what a set of all windows holds" $
+    forAllShrink genMatrix shrinkMatrix $ \(codes, offsets) ->
+      conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
+  it "any rectangle on any small matrix, however it lies to the edges" $
+    forAllShrink genRectangle shrinkMatrix $ \(codes, offsets) ->
+      conjoin [visits codes offsets on | on <- [minBound .. maxBound]]
+  it "long windows, whose contents fit no machine integer, of sparse matrices" $
+    -- 3^39 < 2^62 < 3^40: the first 39 cells may tell all windows apart, or not.
+    forAll ((,) <$> choose (40, 46) <*> choose (40, 42)) $ \(w, cells) ->
+      forAllShrink
+        (vectorOf w (frequency [(12, pure 0), (1, pure 1), (1, pure 2)]))
+        (const [])
+        $ \codes ->
+          conjoin
+            [ visits [codes] [(0, fromInteger j) | j <- [0 .. cells - 1]] on
+              | on <- [minBound .. maxBound]
+            ]
+  it "a matrix so wide that it is swept in strips, and so large that processors share it" $
+    -- 3 x 9000 has two strips and a part of one; 31 x 8500 and 8500 x 31 have more than 2^18
+    -- windows; 4 x 4 ones are sorted.
+    forM_
+      [(3, 9000, 2, 3), (3, 9000, 3, 1), (31, 8500, 2, 5), (8500, 31, 3, 3), (31, 8500, 4, 4)]
+      $ \(h, w, k1, k2) -> do
+        let codes = take h (chunksOf w (pseudorandom 3))
+        grid <- right (gridFromRows 3 codes)
+        m <- right (rectangle (Shape (fromIntegral k1) (fromIntegral k2)))
+        forM_ [minBound .. maxBound] $ \on ->
+          fmap differentWindows (enumerate on grid m)
+            `shouldBe` Right (fromIntegral (IntSet.size (contentsOf on k1 k2 codes)))
+  it "windows with more contents than machine words have, too" $ do
+    -- 25 cells over 4 symbols: 2^50 contents; 36 cells: 2^72.
+    array <- paperArray
+    forM_ [Shape 5 5, Shape 6 6] $ \size -> do
+      m <- right (rectangle size)
+      (verdict, _) <- right (prove Torus array m)
+      (proved verdict, enumeration verdict, distinctWindows verdict)
+        `shouldBe` (True, Just True, Just 255)
+  it "finds the repetition in a matrix that is no pseudorandom array" $ do
+    grid <- right (gridFromRows 2 [[0, 1, 0], [1, 1, 1], [0, 1, 0]])
+    m <- right (rectangle (Shape 1 2))
+    verdict <- right (proveGrid Sheet grid m)
+    -- 01 10 / 11 11 / 01 10
+    (proved verdict, distinctWindows verdict, collision verdict, zeroWindow verdict)
+      `shouldBe` (False, Just 3, Just (Position 1 0, Position 1 1), Nothing)
+  it "refuses a window larger than the sheet" $ do
+    grid <- right (gridFromRows 2 [[0, 1, 0]])
+    m <- right (rectangle (Shape 2 1))
+    proveGrid Sheet grid m `shouldBe` Left NoWindowOnSheet
+  it "refuses many windows that the first cells do not tell apart, without comparing" $ do
+    grid <- right (gridFromRows 2 (replicate 1024 (replicate 1024 0)))
+    m <- right (rectangle (Shape 64 64))
+    proveGrid Torus grid m
+      `shouldBe` Left (WindowsTooMany (2 ^ (4096 :: Int)) (2 ^ (20 :: Int)))

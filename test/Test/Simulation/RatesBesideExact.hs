@@ -1,0 +1,238 @@
+-- | Simulated rates, beside the exact ones.
+module Test.Simulation.RatesBesideExact (spec) where
+
+import Control.Monad (forM_, void)
+import Data.List (foldl', nub, sort, unfoldr)
+import Data.Maybe (isJust)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate (DecoderName (..), locator)
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Polynomial (firstPrimitive)
+import PraTactile.Rates
+import PraTactile.Rates.Decoding
+import PraTactile.Rates.Setup
+import PraTactile.Rates.Trial
+import PraTactile.Window
+import System.Random (mkStdGen)
+import Test.Code.Generators
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
+
+spec :: Spec
+spec = do
+  it "two numbers are in the wrong order with probability Phi(-1/(sigma sqrt 2))" $
+    forM_
+      [(1 / sqrt 2, 0.15865525393145705), (1 / sqrt 8, 0.022750131948179195)]
+      $ \(sigma, figure) ->
+        abs (errorRate 2 sigma - figure) `shouldSatisfy` (< 1e-9)
+  it "the noise for an error rate has that error rate" $
+    forM_ [(q, p) | q <- [2, 4, 9], p <- [0.001, 0.02, 0.3]] $ \(q, p) ->
+      abs (errorRate q (noiseFor q p) - p) `shouldSatisfy` (< 1e-9)
+  it "the noise for no errors makes none" $
+    forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
+  it "the fast decoding of a trial is that of locate" $ do
+    paper <- paperCodebook Torus
+    let judged name codebook size damage = do
+          setup <- right (trialSetup codebook size)
+          let drawn = take 150 (trialsOf setup damage 5)
+              by decoder =
+                locator
+                  (Just decoder)
+                  MostSignificantFirst
+                  (codebookArray codebook)
+                  (codebookMask codebook)
+              located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
+          forM_ drawn $ \trial ->
+            forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
+              let TrialResult a b doubt = decodeTrial radius setup trial
+              case located radius setup trial of
+                Just (TrialResult a' b' doubt') -> do
+                  (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
+                  -- Doubts below 1e-20 are counted alike.
+                  abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
+                Nothing -> expectationFailure "no answer"
+          -- The answers are not all alike.
+          pure [resultHard (decodeTrial Guaranteed setup trial) | trial <- drawn]
+    answers <-
+      concat
+        <$> sequence
+          [ judged "paper" paper size damage
+            | size <-
+                [Shape 1 1, Shape 2 2, Shape 3 3, Shape 2 5, Shape 4 4, Shape 9 9, Shape 17 16],
+              damage <- [Damage 0.1 0, Damage 0.05 0.3, Damage 0.4 0.5]
+          ]
+    sort (nub answers) `shouldBe` [Correct, Mistaken, NoAnswer]
+    binary <-
+      right (firstPrimitive 4)
+        >>= right . folded Diagonal (Shape 3 5)
+        >>= bookOn Torus ::
+        IO (Codebook GF2)
+    ternary <-
+      right (firstPrimitive 4)
+        >>= right . folded RowMajor (Shape 8 10)
+        >>= bookOn TwistedTorus ::
+        IO (Codebook GF3)
+    forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
+      void (judged "binary" binary size (Damage 0.1 0.2))
+    forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
+  it
+    "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
+    \errors"
+    $ do
+      codebook <- paperCodebook Torus
+      let cases =
+            [ (Shape 2 2, Damage 0.02 0),
+              (Shape 3 3, Damage 0.1 0),
+              (Shape 3 4, Damage 0.1 0),
+              (Shape 3 3, Damage 0.05 0.2)
+            ]
+      forM_ cases $ \(size, damage) -> do
+        m <- right (rectangle size)
+        setup <- right (trialSetup codebook size)
+        exact <-
+          maybe
+            (expectationFailure "nothing" >> fail "nothing")
+            pure
+            (exactRates Guaranteed codebook m damage)
+        let found = hardRates (simulate Guaranteed setup damage trials 1)
+        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+          abs (rate found - rate exact)
+            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
+  it
+    "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
+    \right, and more are wrong"
+    $ do
+      codebook <- paperCodebook Torus
+      m <- right (rectangle (Shape 4 4))
+      setup <- right (trialSetup codebook (Shape 4 4))
+      let damage = Damage 0.2 0
+          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 5)) [0 .. 7]
+      forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
+        exact <-
+          maybe
+            (expectationFailure "nothing" >> fail "nothing")
+            pure
+            (exactRates (UpTo e) codebook m damage)
+        forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
+          abs (rate rates - rate exact)
+            `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
+      exactRates (UpTo 5) codebook m damage `shouldBe` Nothing
+      -- Whether there are any is known before anything is computed.
+      [large, larger] <- mapM (right . rectangle) [Shape 25 40, Shape 7 143]
+      [isJust (exactRates Guaranteed codebook them damage) | them <- [large, larger]]
+        `shouldBe` [True, False]
+      exactRates (UpTo 4) codebook m (Damage 0.2 0.1) `shouldBe` Nothing
+      and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
+      and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
+  it
+    "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
+    \threshold"
+    $ do
+      codebook <- paperCodebook Torus
+      forM_
+        [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
+        $ \(size, damage) -> do
+          setup <- right (trialSetup codebook size)
+          let tally = simulate Guaranteed setup damage trials 2
+          forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
+            let Calibration answers expected wrong = calibration tolerated tally
+            abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
+            expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
+          calibratedAnswers (calibration 1 tally) `shouldBe` trials
+  it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
+    codebook <- paperCodebook Torus
+    setup <- right (trialSetup codebook (Shape 3 3))
+    forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
+      let tally = simulate Guaranteed setup damage trials 3
+          hard = hardRates tally
+          soft = softRatesAtMost (rateWrong hard) tally
+      rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
+  it
+    "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
+    \gives all"
+    $ do
+      codebook <- paperCodebook Torus
+      setup <- right (trialSetup codebook (Shape 2 2))
+      let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 4
+          Rates none none' all' = softRatesAtMost 0 tally
+          Rates a b c = softRatesAtMost 1 tally
+      (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
+      (abs (a + b - 1) < 1e-9, abs c < 1e-9) `shouldBe` (True, True)
+  it "answers of which none can be wrong are given at any share, also where others are doubted" $
+    forM_ [(0, 0.25), (0.1, 0.25 + 0.4), (0.5, 1)] $ \(share, given) -> do
+      -- One of four is beyond doubt; of the others each is wrong with probability 1/4.
+      let tally = foldl' count noTrials (TrialResult NoAnswer True 0 : replicate 3 doubted)
+          doubted = TrialResult NoAnswer True 0.25
+          Rates isRight isWrong none = softRatesAtMost share tally
+      maximum (map abs [isRight - given, isWrong, none - (1 - given)]) `shouldSatisfy` (< 1e-9)
+  it "trials are counted, in parts or at once, and the rates are the shares of them" $
+    property $
+      forAll (listOf (listOf genResult)) $ \parts ->
+        let results = concat parts
+            tally = foldl' count noTrials results
+            trials' = length results
+            hard answer = length [() | TrialResult found _ _ <- results, found == answer]
+            likely = length [() | TrialResult _ True _ <- results]
+            share n = fromIntegral n / fromIntegral (max 1 trials') :: Double
+            near (Rates a b c) (x, y, z) =
+              maximum [abs (a - x), abs (b - y), abs (c - z)] < 1e-12
+         in conjoin
+              [ tally === merge (map (foldl' count noTrials) parts),
+                (tallyTrials tally, tallyRight tally, tallyWrong tally)
+                  === (trials', hard Correct, hard Mistaken),
+                property $
+                  near
+                    (hardRates tally)
+                    (share (hard Correct), share (hard Mistaken), share (hard NoAnswer)),
+                -- All doubts are tolerated, so that every trial is answered.
+                property (near (softRates 1 tally) (share likely, share (trials' - likely), 0)),
+                calibratedAnswers (calibration 1 tally) === trials',
+                calibratedWrong (calibration 1 tally) === trials' - likely
+              ]
+  it "one seed, one result; every seed, damage and size its own; parts merge" $ do
+    codebook <- paperCodebook Torus
+    setup <- right (trialSetup codebook (Shape 3 3))
+    other <- right (trialSetup codebook (Shape 3 4))
+    let part = simulate Guaranteed setup (Damage 0.05 0.1) 50
+        whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
+    part 7 `shouldBe` part 7
+    tallyTrials (merge [part 7, part 8]) `shouldBe` 100
+    map tallyTrials (simulations Guaranteed setup (Damage 0.05 0.1) 2500 7)
+      `shouldBe` [1000, 1000, 500]
+    whole setup (Damage 0.05 0.1) 7 `shouldBe` whole setup (Damage 0.05 0.1) 7
+    let results =
+          [ whole setup (Damage p s) seed
+            | (p, s, seed) <- [(0.05, 0.1, 7), (0.05, 0.1, 8), (0.05, 0.11, 7), (0.06, 0.1, 7)]
+          ]
+            ++ [whole other (Damage 0.05 0.1) 7]
+    length (nub (map show results)) `shouldBe` 5
+  it "the sheet, no cells and too many cells are refused" $ do
+    codebook <- paperCodebook Torus
+    sheet <- paperCodebook Sheet
+    either Left (const (Right ())) (trialSetup sheet (Shape 2 2)) `shouldBe` Left SetupOnSheet
+    either Left (const (Right ())) (trialSetup codebook (Shape 0 2)) `shouldBe` Left SetupEmpty
+    either Left (const (Right ())) (trialSetup codebook (Shape 1000 1000))
+      `shouldBe` Left (SetupTooLarge 255000000 largestSetup)
+  where
+    trials = 5000 :: Int
+    trialsOf setup damage seed =
+      unfoldr
+        (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
+        (mkStdGen seed)
+    noiseOf setup damage =
+      noiseFor (fieldOrder (codebookArray (setupCodebook setup))) (damageErrors damage)
+
+bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
+bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array
+
+-- | What decoding may make of a trial. Doubts are such as add up without rounding.
+genResult :: Gen TrialResult
+genResult =
+  TrialResult
+    <$> QuickCheck.elements [minBound ..]
+    <*> arbitrary
+    <*> ((/ 1024) . fromIntegral <$> choose (0, 1024 :: Int))

@@ -1,0 +1,429 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+module Test.Store.RowsAndGuards (spec) where
+
+import Control.Exception (AsyncException (..), ErrorCall (..), bracket, evaluate, throwIO, try)
+import Control.Monad (void)
+import Control.Monad.Trans.Except (runExceptT)
+import Data.Bifunctor (first)
+import Data.Foldable (for_)
+import Data.List (isInfixOf, nub)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import Database.Persist.Sqlite (PersistValue (..))
+import qualified Database.Sqlite as Sqlite
+import Message.Objects (storeMessage)
+import PraTactile.Array (Position (..), Shape (..))
+import PraTactile.Object.Canonical
+import PraTactile.Object.Placement
+import PraTactile.Object.Relation
+import PraTactile.Object.WingedEdge
+import PraTactile.Store
+import PraTactile.Store.Guard (Objection (..), guarded)
+import System.Directory
+  ( copyFile,
+    createDirectory,
+    getFileSize,
+    getTemporaryDirectory,
+    listDirectory,
+    removeFile,
+    removePathForcibly,
+  )
+import System.FilePath ((</>))
+import System.IO
+  ( IOMode (..),
+    SeekMode (..),
+    hClose,
+    hPutChar,
+    hSeek,
+    hSetFileSize,
+    openTempFile,
+    withBinaryFile,
+  )
+import System.IO.Error
+  ( alreadyInUseErrorType,
+    doesNotExistErrorType,
+    eofErrorType,
+    fullErrorType,
+    illegalOperationErrorType,
+    mkIOError,
+    permissionErrorType,
+    userErrorType,
+  )
+import Test.Hspec
+import Test.Object.Support
+import Test.QuickCheck
+import Test.Store.Damage
+import Test.Store.Digest
+
+spec :: Spec
+spec = describe "store" $ do
+  it "what the system objects to is told by what it means; an error of the binding is damage" $
+    for_
+      [ (permissionErrorType, Right (Just NotPermitted)),
+        (fullErrorType, Right (Just NoRoom)),
+        (alreadyInUseErrorType, Right (Just InUse)),
+        (doesNotExistErrorType, Right (Just NoFolder)),
+        (eofErrorType, Right (Just SystemRefuses)),
+        (illegalOperationErrorType, Right (Just SystemRefuses)),
+        (userErrorType, Left ForeignValue)
+      ]
+      $ \(kind, meaning) ->
+        ((,) kind <$> objectionTo (ioError (mkIOError kind "" Nothing Nothing)))
+          `shouldReturn` (kind, Just meaning)
+  it "what the database objects to is told by what it means" $
+    for_
+      [ (Sqlite.ErrorCorrupt, Left BrokenPages),
+        (Sqlite.ErrorNotFound, Left BrokenPages),
+        (Sqlite.ErrorNotAConnection, Left BrokenPages),
+        (Sqlite.ErrorFormat, Left BrokenPages),
+        (Sqlite.ErrorMismatch, Left ForeignValue),
+        (Sqlite.ErrorError, Right Nothing),
+        (Sqlite.ErrorBusy, Right (Just InUse)),
+        (Sqlite.ErrorLocked, Right (Just InUse)),
+        (Sqlite.ErrorPermission, Right (Just NotPermitted)),
+        (Sqlite.ErrorReadOnly, Right (Just NotPermitted)),
+        (Sqlite.ErrorAuthorization, Right (Just NotPermitted)),
+        (Sqlite.ErrorFull, Right (Just NoRoom)),
+        (Sqlite.ErrorNoMemory, Right (Just NoRoom)),
+        (Sqlite.ErrorCan'tOpen, Right (Just NoFolder)),
+        (Sqlite.ErrorInternal, Right (Just SystemRefuses))
+      ]
+      $ \(code, meaning) ->
+        ((,) code <$> objectionTo (throwIO (Sqlite.SqliteException code "" "")))
+          `shouldReturn` (code, Just meaning)
+  it "what is no objection of either is damage, and what other threads throw is none" $ do
+    objectionTo (pure ()) `shouldReturn` Nothing
+    objectionTo (throwIO (ErrorCall "")) `shouldReturn` Just (Left ForeignValue)
+    objectionTo (throwIO UserInterrupt) `shouldThrow` (== UserInterrupt)
+  describe "is the relation" $ do
+    it "all 255 windows of 2 x 2, and those of other shapes, are where the placement says" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          for_
+            [Shape 2 2, Shape 1 1, Shape 3 4, Shape 0 2, Shape 4 5, Shape 1 17, Shape 16 18]
+            $ \window ->
+              for_ everyPosition $ \at ->
+                storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "positions and windows of any size are answered, as on the torus" $
+      withCanonical $ \place path ->
+        asked path $ \store -> do
+          let huge = 10 ^ (30 :: Int)
+          let far = Position (15 * huge + 6) (17 * huge + 5)
+          for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
+            storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
+    it "every cell of every face is where the placement says, and so are those that there are not" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          for_ blocks $ \block -> do
+            let beyond =
+                  [ Position (blockRows block) 0,
+                    Position 0 (blockColumns block),
+                    Position 0 (10 ^ (30 :: Int))
+                  ]
+            for_ (map snd (blockCells block) ++ beyond) $ \cell ->
+              storedPosition store (blockFace block) cell
+                `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
+    it "faces are found, and refused, as in the placement" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          for_
+            [ ("cube", "C3 C4 C1 C2"),
+              ("cube", "C4 C3 C2 C1"),
+              ("cube", "P1 P2 P3 P4"),
+              ("cube", ""),
+              ("sphere", "C1 C2")
+            ]
+            $ \(object, face) -> do
+              let named = Face object (readFaceName face)
+                  cell = Position 1 1
+              storedPosition store named cell
+                `shouldReturn` first NotInStore (arrayPosition place named cell)
+    it "a face that is not laid is refused as in the placement" $
+      inDirectory $ \directory -> theCube $ \solid_ ->
+        right
+          (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings))
+          >>= \place -> do
+            let path = directory </> "one-face.sqlite"
+                top = Face "cube" (readFaceName "C1 C2 C3 C4")
+            create path "profile" place `shouldReturn` Right ()
+            asked path $ \store -> do
+              storedPosition store top (Position 0 0)
+                `shouldReturn` Left (NotInStore (FaceNotLaid top))
+              for_ everyPosition $ \at ->
+                storedWhereabouts store canonicalWindow at
+                  `shouldReturn` Right (whereabouts place canonicalWindow at)
+    it "the placement and the profile come back" $
+      withCanonical $ \place path ->
+        asked path $ \store ->
+          (storedPlacement store, storedProfile store) `shouldBe` (place, profileText)
+    it "the digest is that of every cell of every table, as another program finds it" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "a.sqlite") "a \"quoted\" profile" place `shouldReturn` Right ()
+        digestInPython (directory </> "a.sqlite")
+    it "placementOf . relation = id" $
+      thePlacement $ \place -> placementOf (relation place) `shouldBe` Right place
+
+  describe "is one file, replaced whole or not at all" $ do
+    it "nothing else is left beside it, made twice" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
+        create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
+        asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
+        listDirectory directory `shouldReturn` ["a.sqlite"]
+    it "what cannot be stored leaves the file as it was" $
+      withCanonical $ \place path -> theCube $ \solid_ ->
+        right (placement (Shape 15 17) (Pitch (1 / 3) 1) [solid_] []) >>= \odd_ -> do
+          create path profileText odd_ `shouldReturn` Left (NotStorable (1 / 3))
+          asked path $ \store -> storedPlacement store `shouldBe` place
+    it "numbers are stored up to 64 bits, lengths up to a kilometre, and both refused beyond" $
+      inDirectory $ \directory -> do
+        let stored shape pitch = do
+              place <- either (fail . show) pure (placement shape pitch [] [])
+              made <- create (directory </> "a.sqlite") profileText place
+              pure (either Just (const Nothing) made)
+            high n = stored (Shape n 17) canonicalPitch
+            apart right_ = stored (Shape 15 17) (Pitch right_ 1)
+            most = 2 ^ (63 :: Int) - 1
+        mapM high [15, most] `shouldReturn` [Nothing, Nothing]
+        mapM high [most + 1, 10 * most]
+          `shouldReturn` [Just (TooLarge (toInteger n)) | n <- [most + 1, 10 * most]]
+        mapM apart [1000000, 1 / 1000] `shouldReturn` [Nothing, Nothing]
+        mapM apart [1000000.001, 1 / 2000]
+          `shouldReturn` map (Just . NotStorable) [1000000.001, 1 / 2000]
+    it "a directory, or a folder that is not there, is refused" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create directory profileText place `shouldReturn` Left (IsDirectory directory)
+        create (directory </> "none" </> "a.sqlite") profileText place
+          `shouldReturn` Left (CannotWrite (directory </> "none" </> "a.sqlite") NoFolder)
+        listDirectory directory `shouldReturn` []
+    it "a file that this process is writing is in use, and not replaced" $
+      withCanonical $ \place path ->
+        withBinaryFile path AppendMode $ \_ -> do
+          opening path `shouldReturn` Left (CannotRead path InUse)
+          create path profileText place `shouldReturn` Left (Occupied path NoStore)
+    it "names that SQLite keeps for itself are plain names" $
+      inDirectory $ \directory -> thePlacement $ \place -> do
+        create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
+        asked (directory </> "file:x?mode=memory") $ \store ->
+          storedPlacement store `shouldBe` place
+
+  describe "refuses, with a reason and no exception," $ do
+    it "a file that is not there, and does not make it" $
+      inDirectory $ \directory -> do
+        opening (directory </> "none.sqlite")
+          `shouldReturn` Left (NoSuchFile (directory </> "none.sqlite"))
+        listDirectory directory `shouldReturn` []
+    it "a directory" $
+      inDirectory $ \directory -> opening directory `shouldReturn` Left (IsDirectory directory)
+    it "a text file, and an empty one, named as a database" $
+      inDirectory $ \directory -> do
+        let path = directory </> "text.sqlite"
+        for_ ["", "SQLite form", "cube,C1 C2 C3 C4\n"] $ \contents -> do
+          writeFile path contents
+          opening path `shouldReturn` Left (NotADatabase path)
+    it "a file cut off anywhere" $
+      withCanonical $ \_ path -> do
+        size <- getFileSize path
+        let lengths =
+              [size - 1]
+                ++ takeWhile (> 0) (iterate (subtract 1009) (size - 1009))
+                ++ [15, 16, 17, 99, 100, 101]
+        for_ lengths $ \kept -> do
+          cut <- copied path (path ++ ".cut")
+          withBinaryFile cut ReadWriteMode (`hSetFileSize` kept)
+          opening cut
+            >>= ( `shouldSatisfy`
+                    ( if kept < 16
+                        then (== Left (NotADatabase cut))
+                        else isDamaged cut
+                    )
+                )
+    it "bytes overwritten at random, or answers" $
+      withCanonical $ \_ path -> do
+        size <- getFileSize path
+        damages <- generate (vectorOf 60 ((,) <$> choose (16, size - 1) <*> arbitrary))
+        for_ damages $ \(at, byte) -> do
+          broken <- copied path (path ++ ".broken")
+          withBinaryFile broken ReadWriteMode $ \handle -> do
+            hSeek handle AbsoluteSeek at
+            hPutChar handle (toEnum (byte `mod` 256))
+          outcome <- withStore broken Nothing $ \store ->
+            for_ [Position 6 5, Position 0 4, Position 14 16] $ \asked_ ->
+              storedWhereabouts store canonicalWindow asked_ >>= evaluate . length . show
+          void (evaluate (length (show outcome)))
+          either plain (const (pure ())) outcome
+    it "a database of something else" $
+      inDirectory $ \directory -> do
+        let path = directory </> "other.sqlite"
+        execute path "CREATE TABLE shopping (item TEXT)"
+        opening path `shouldReturn` Left (NotAStore path)
+    it "tables of another version" $
+      tampered "UPDATE metadata SET schema_version = 7" $ \_ outcome ->
+        outcome `shouldBe` Left (WrongSchemaVersion 7 schemaVersion)
+    it "a store of another profile" $
+      withCanonical $ \_ path ->
+        withStore path (Just "another") (const (pure ()))
+          `shouldReturn` Left (ForeignProfile profileText "another")
+    for_ contradictions $ \(sentence, statement, expected) ->
+      it sentence $ tampered statement $ \_ outcome -> outcome `shouldBe` Left expected
+    it "words where numbers should be" $
+      tampered "UPDATE cell SET local_row = 'two' WHERE id = 7" $ \path outcome ->
+        outcome `shouldSatisfy` isDamaged path
+    it "a table that is missing" $
+      tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that there is besides" $
+      tampered "ALTER TABLE edge ADD COLUMN length_um INTEGER NOT NULL DEFAULT 7" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
+    it "a column that is missing" $
+      tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
+        outcome `shouldBe` Left (TablesDiffer path)
+    it "an object, a vertex or a face by another name, with the rows that refer to it" $ do
+      tampered "UPDATE object SET name = 'box' WHERE name = 'cube'" $ \_ outcome ->
+        outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE metadata SET profile = profile || ' '" $ \_ outcome ->
+        outcome `shouldBe` Left ChangedRows
+      tampered "UPDATE metadata SET contents = 'f' || substr(contents, 2)" $ \_ outcome ->
+        outcome `shouldSatisfy` (`elem` [Left ChangedRows, Right ()])
+    it "any cell of any table changed, in number, word or type, without a foreign word" $
+      withCanonical $ \_ path -> do
+        changes <- concat <$> traverse (changesOf path) tableNames
+        length changes `shouldSatisfy` (> 600)
+        for_ changes $ \change -> do
+          changed <- copied path (path ++ ".changed")
+          applied <- try (execute changed change)
+          outcome <- opening changed
+          case applied of
+            -- What a key or a column does not take is not there.
+            Left fault ->
+              Sqlite.seError fault
+                `shouldSatisfy` (`elem` [Sqlite.ErrorConstraint, Sqlite.ErrorMismatch])
+            Right () -> do
+              (change, outcome) `shouldSatisfy` (/= Right ()) . snd
+              either plain (const (pure ())) outcome
+
+  describe "has keys" $
+    for_ duplicates $ \(table, columns_) ->
+      it ("no row of " ++ Text.unpack table ++ " twice") $
+        withCanonical $ \_ path -> do
+          let listed = Text.intercalate ", " columns_
+              doubling =
+                ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
+          outcome <- try (execute path (Text.unwords doubling))
+          first Sqlite.seError outcome `shouldBe` Left Sqlite.ErrorConstraint
+
+-- One cell at a time of the first row, one in the middle and the last, keys included, each with
+-- another value of its type and with values of other types.
+changesOf :: FilePath -> Text -> IO [Text]
+changesOf path table = do
+  columns_ <- asking (Text.unwords ["SELECT name FROM pragma_table_info('" <> table <> "')"])
+  counted <- asking ("SELECT COUNT(*) FROM " <> table)
+  let count = sum (map (read . Text.unpack) counted) :: Int
+      which = nub [1, (count + 1) `div` 2, count]
+  pure
+    [ Text.unwords
+        ["UPDATE", table, "SET", column_, "=", to column_, "WHERE rowid =", Text.pack (show at)]
+      | column_ <- columns_,
+        at <- which,
+        to <- values
+    ]
+  where
+    values =
+      [ \c ->
+          "CASE typeof(" <> c <> ") WHEN 'text' THEN " <> c <> " || 'x' ELSE " <> c <> " + 1 END",
+        \c -> "CASE typeof(" <> c <> ") WHEN 'text' THEN '' ELSE -1 - " <> c <> " END",
+        const "'word'",
+        const "x'ff00'",
+        const "CAST(x'ff' AS TEXT)",
+        const "1.5",
+        const "9223372036854775807"
+      ]
+    asking question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+      bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->
+        let rows_ =
+              Sqlite.step statement >>= \more -> case more of
+                Sqlite.Row -> do
+                  values_ <- Sqlite.columns statement
+                  (map shown (take 1 values_) ++) <$> rows_
+                Sqlite.Done -> pure []
+         in rows_
+    shown value = case value of
+      PersistText text -> text
+      PersistInt64 n -> Text.pack (show n)
+      other -> Text.pack (show other)
+
+tableNames :: [Text]
+tableNames = Text.words "metadata object vertex face corner edge laying cell"
+
+-- What is said is said in this program's own words.
+plain :: StoreError -> Expectation
+plain fault = do
+  let said = storeMessage fault
+  length (lines said) `shouldBe` 1
+  filter
+    (`isInfixOf` said)
+    [ "Persist",
+      "Haskell",
+      "parse",
+      "openBinaryFile",
+      "hClose",
+      "SQLite3",
+      "Table",
+      "Int64",
+      "ByteString",
+      "exception",
+      "UTF-8",
+      "decode"
+    ]
+    `shouldBe` []
+
+profileText :: String
+profileText = "any text, \"quoted\"; with ' and \955\n"
+
+isDamaged :: FilePath -> Either StoreError () -> Bool
+isDamaged path (Left (DamagedFile named _)) = named == path
+isDamaged _ _ = False
+
+opening :: FilePath -> IO (Either StoreError ())
+opening path = withStore path Nothing (const (pure ()))
+
+asked :: FilePath -> (Store -> Expectation) -> Expectation
+asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
+
+withCanonical :: (Placement -> FilePath -> Expectation) -> Expectation
+withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
+  let path = directory </> "objects.sqlite"
+  create path profileText place `shouldReturn` Right ()
+  test place path
+
+tampered :: Text -> (FilePath -> Either StoreError () -> Expectation) -> Expectation
+tampered statement test =
+  withCanonical $ \_ path -> execute path statement >> opening path >>= test path
+
+-- Without the foreign keys' guard, which is off where it is not asked for.
+execute :: FilePath -> Text -> IO ()
+execute path statement = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
+  bracket (Sqlite.prepare connection statement) Sqlite.finalize (void . Sqlite.stepConn connection)
+
+copied :: FilePath -> FilePath -> IO FilePath
+copied from to = copyFile from to >> pure to
+
+inDirectory :: (FilePath -> IO a) -> IO a
+inDirectory = bracket make removePathForcibly
+  where
+    make = do
+      temporary <- getTemporaryDirectory
+      (name, handle) <- openTempFile temporary "pra-tactile-store"
+      hClose handle
+      removeFile name
+      createDirectory name
+      pure name
+
+-- | Damage, or a failure; 'Nothing' for what the database does not know.
+objectionTo :: IO () -> IO (Maybe (Either Damage (Maybe Failure)))
+objectionTo action = either (Just . meaning) (const Nothing) <$> runExceptT (guarded action)
+  where
+    meaning objection = case objection of
+      Damaged damage -> Left damage
+      Unknown -> Right Nothing
+      Failed failure -> Right (Just failure)
