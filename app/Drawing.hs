@@ -42,6 +42,7 @@ import Data.Maybe (fromMaybe, mapMaybe)
 import Data.Semigroup (sconcat)
 import Data.Text (Text)
 import Numeric (showFFloat)
+import PraTactile.Geometry (cosineSine)
 import PraTactile.Image (Raster)
 
 -- | A rectangle, by its sides.
@@ -175,7 +176,7 @@ turnedAbout (x0, y0) degrees drawing
   | degrees == 0 = drawing
   | otherwise = concatMap turn drawing
   where
-    (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))
+    (c, s) = cosineSine degrees
     point (x, y) = (x0 + c * (x - x0) - s * (y - y0), y0 + s * (x - x0) + c * (y - y0))
     corners (Extent l t r b) = map point [(l, t), (r, t), (r, b), (l, b)]
     turn (Mark name form) =

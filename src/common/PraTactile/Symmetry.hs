@@ -23,6 +23,7 @@ module PraTactile.Symmetry
     -- * Turns in degrees
     degreesClockwise,
     turnedByDegrees,
+    nearestQuarter,
 
     -- * Its elements
     rotations,
@@ -95,6 +96,17 @@ turnedByDegrees degrees = case degrees - 360 * fromIntegral (floor (degrees / 36
   180 -> Just (turned 2)
   270 -> Just (turned 3)
   _ -> Nothing
+
+-- | An angle in degrees clockwise as the nearest quarter turn and the degrees beyond it, which are
+-- from -45 up to 45.
+--
+-- >>> nearestQuarter 350
+-- (Symmetry {mirrored = False, quarterTurns = 0},-10.0)
+nearestQuarter :: Double -> (Symmetry, Double)
+nearestQuarter degrees =
+  (turned (fromInteger (quarters `mod` 4)), degrees - 90 * fromInteger quarters)
+  where
+    quarters = floor (degrees / 90 + 0.5) :: Integer
 
 -- | The four rotations of an object seen from outside, the identity first.
 rotations :: [Symmetry]

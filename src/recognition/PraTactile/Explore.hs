@@ -8,7 +8,6 @@ module PraTactile.Explore
     regionCorner,
     regionTurn,
     regionMotion,
-    nearestQuarter,
     Turns (..),
     drawnRegion,
     randomRegion,
@@ -24,6 +23,7 @@ module PraTactile.Explore
 where
 
 import Data.Bifunctor (first)
+import PraTactile.Geometry (cosineSine)
 import PraTactile.Object.Placement (LaidFace (..), Spot (..))
 import PraTactile.Random (uniform)
 import PraTactile.Sensor
@@ -65,17 +65,6 @@ regionTurn :: Region -> Double
 regionTurn region = if turn < 0 then turn + 360 else turn
   where
     turn = degreesClockwise (regionSymmetry region) + regionAngle region
-
--- | An angle in degrees clockwise as the nearest quarter turn and the degrees beyond it, which are
--- from -45 to 45.
---
--- >>> nearestQuarter 350
--- (Symmetry {mirrored = False, quarterTurns = 0},-10.0)
-nearestQuarter :: Double -> (Symmetry, Double)
-nearestQuarter degrees =
-  (turned (fromInteger (quarters `mod` 4)), degrees - 90 * fromInteger quarters)
-  where
-    quarters = floor (degrees / 90 + 0.5) :: Integer
 
 -- | From the robot's frame, whose origin is the region's upper left corner as the robot sees it, to
 -- the face's, whose origin is the face's upper left vertex; millimetres.
@@ -158,11 +147,11 @@ drawnRegion turns (width, height) face generator
     overhang along across
       | angle == 0 = 0
       | otherwise =
-        ( cos radians * fromIntegral along + abs (sin radians) * fromIntegral across
+        ( cosine * fromIntegral along + abs sine * fromIntegral across
             - fromIntegral along
         )
           / 2
-    radians = angle * pi / 180
+    (cosine, sine) = cosineSine angle
     offset share space beyond
       | beyond == 0 = share * space
       | space - 2 * beyond <= 0 = space / 2

@@ -39,7 +39,7 @@ where
 import Data.List (unfoldr)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Geometry (symbolThickness)
+import PraTactile.Geometry (cosineSine, symbolThickness)
 import PraTactile.Image
   ( Raster,
     constant,
@@ -95,7 +95,7 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
     Just symmetry
       | exchangesAxes symmetry -> onRaster (invert symmetry) (upright rows columns)
       | otherwise -> onRaster (invert symmetry) (upright columns rows)
-    Nothing -> generate columns rows (\i j -> scaled (slanted (r * pi / 180) i j))
+    Nothing -> generate columns rows (\i j -> scaled (slanted i j))
   where
     full = sensorFullScale sensor
     (columns, rows) = (sensorColumns sensor, sensorRows sensor)
@@ -109,12 +109,13 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
       where
         start = centre + taxel * (fromIntegral k - half count)
     covered xs ys = sum [wx * wy * heightAt i j | (j, wy) <- ys, (i, wx) <- xs]
-    slanted radians i j =
+    (c, s) = cosineSine r
+    slanted i j =
       sum [heightAt (floor (px / cell)) (floor (py / cell)) | (px, py) <- points]
         / fromIntegral (supersampling * supersampling)
       where
         points =
-          [ (x + cos radians * u - sin radians * v, y + sin radians * u + cos radians * v)
+          [ (x + c * u - s * v, y + s * u + c * v)
             | b <- [0 .. supersampling - 1],
               a <- [0 .. supersampling - 1],
               let u = taxel * (fromIntegral (i :: Int) - half columns + within a),

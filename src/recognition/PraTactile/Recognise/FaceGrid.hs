@@ -17,7 +17,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import Data.Set (Set)
 import qualified Data.Set as Set
-import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Geometry (columnPitch, rowPitch, toDegrees)
 import PraTactile.Recognise.Reading
 import PraTactile.Segmentation.Lattice (Cell, halfTurned, pitchTolerance)
 import PraTactile.Symmetry
@@ -72,7 +72,7 @@ gridTilt shown grid = case shown of
   where
     turn = atan2 (total turning) (total along) * degree
     variance = (degree * placeSd) * (degree * placeSd) / max 1e-9 (total along)
-    degree = 180 / pi
+    degree = toDegrees 1
     -- If the image errs with that standard deviation: how likely the grid's angle is then, and what
     -- is most probable.
     weighed angle share sd =

@@ -25,7 +25,7 @@ import Data.List (sortOn)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
-import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Segmentation (SymbolImage (..))
 
 -- | A row and a column, counted from 0 from the uppermost row and the leftmost column of a cluster.
@@ -114,9 +114,7 @@ step here there
     close distance pitch = abs (distance - pitch) <= pitchTolerance
     (x, y) = symbolCentre here
     (x', y') = symbolCentre there
-    axis = symbolAxis here * pi / 180
-    across = cos axis * (x' - x) + sin axis * (y' - y)
-    down = cos axis * (y' - y) - sin axis * (x' - x)
+    (across, down) = rotated (negate (symbolAxis here)) (x' - x, y' - y)
 
 -- | The symbols at their cells counted from the upper left, unless two share one.
 settle :: Map Int symbol -> Map Int Cell -> Cluster symbol

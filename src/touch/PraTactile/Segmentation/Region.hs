@@ -29,6 +29,7 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite (Composite (..))
 import PraTactile.Composite.Level (noiseFrom)
+import PraTactile.Geometry (cosineSine)
 import PraTactile.Image
 
 -- | An image's pixels, numbered row by row from 0.
@@ -170,7 +171,7 @@ extentAlong field region angle
   | null region = 0
   | otherwise = let (least, most) = foldl' reaching (1 / 0, -1 / 0) region in most - least + 1
   where
-    (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+    (c, s) = cosineSine angle
     reaching (!least, !most) p =
       let (y, x) = p `quotRem` max 1 (fieldWidth field)
           t = c * fromIntegral x + s * fromIntegral y

@@ -15,7 +15,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..))
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
-import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
+import PraTactile.Geometry
 import PraTactile.Image (rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Lattice
@@ -166,7 +166,7 @@ featured reading =
             s' == s,
             cell' == cell
         ]
-    axis = readingAxis reading + weight * angle * 180 / pi
+    axis = readingAxis reading + toDegrees (weight * angle)
     (angle, distances) = offAxis reading
     weight = distances / (distances + 2 * (placesDeviation / readingDeviation) ^ (2 :: Int))
 
@@ -195,7 +195,7 @@ offAxis reading = (atan2 (total across) (total along), total expected / 2)
 -- angle, in radians: half a pixel and two degrees (assumptions).
 placesDeviation, readingDeviation :: Double
 placesDeviation = 0.5
-readingDeviation = 2 * pi / 180
+readingDeviation = toRadians 2
 
 minus :: (Double, Double) -> (Double, Double) -> (Double, Double)
 minus (x, y) (x', y') = (x - x', y - y')

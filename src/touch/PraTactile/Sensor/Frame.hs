@@ -29,7 +29,7 @@ module PraTactile.Sensor.Frame
   )
 where
 
-import PraTactile.Geometry (sensorSide, taxelPitch)
+import PraTactile.Geometry (rotated, sensorSide, taxelPitch)
 import PraTactile.Image (Raster)
 
 -- | Where the sensor is: its centre in millimetres, and its rotation in degrees clockwise, in some
@@ -79,9 +79,9 @@ move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
 -- >>> movePoint (Motion 90 10 0) (1, 2)
 -- (8.0,1.0)
 movePoint :: Motion -> (Double, Double) -> (Double, Double)
-movePoint (Motion r tx ty) (x, y) = (c * x - s * y + tx, s * x + c * y + ty)
+movePoint (Motion r tx ty) place = (x + tx, y + ty)
   where
-    (c, s) = cosineSine r
+    (x, y) = rotated (turned r) place
 
 -- | The one motion followed by the other.
 andThen :: Motion -> Motion -> Motion
@@ -103,15 +103,6 @@ turned r
   | otherwise = r'
   where
     r' = r - 360 * fromIntegral (floor (r / 360) :: Integer)
-
--- | Cosine and sine of an angle in degrees, exact at the multiples of 90.
-cosineSine :: Double -> (Double, Double)
-cosineSine r = case turned r of
-  0 -> (1, 0)
-  90 -> (0, 1)
-  180 -> (-1, 0)
-  270 -> (0, -1)
-  other -> let radians = other * pi / 180 in (cos radians, sin radians)
 
 -- | Why there is no plan.
 data ProbeError

@@ -8,7 +8,7 @@ module PraTactile.Segmentation.Foreign.Extent
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Geometry (symbolHeight, symbolWidth)
+import PraTactile.Geometry (cosineSine, symbolHeight, symbolWidth)
 import PraTactile.Segmentation.Region
 
 -- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
@@ -69,9 +69,9 @@ straight field region = regions field 0 (around field 0 onLines)
         ]
     steps :: Double -> [(Int, Int)]
     steps angle =
-      [ (round (t * cos (angle * pi / 180)), round (t * sin (angle * pi / 180)))
-        | t <- map fromIntegral [0 .. longestLine - 1]
-      ]
+      [(round (t * c), round (t * s)) | t <- map fromIntegral [0 .. longestLine - 1]]
+      where
+        (c, s) = cosineSine angle
 
 -- | No line of so many pixels, but for one of them, lies within a symbol.
 longestLine :: Int
