@@ -105,7 +105,9 @@ import qualified Test.Recognise
 import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
 import qualified Test.RecogniseDefinition
+import qualified Test.RecogniseEvidence
 import qualified Test.RecogniseGrid
+import qualified Test.RecognisePosterior
 import qualified Test.RecogniseReading
 import qualified Test.RecogniseSteps
 import qualified Test.Schemas
@@ -258,6 +260,8 @@ specs = do
   describe "Recognition: what is read" Test.RecogniseReading.spec
   describe "Recognition step by step" Test.RecogniseSteps.spec
   describe "Recognition by its definition" Test.RecogniseDefinition.spec
+  describe "Recognition by Bayes' theorem" Test.RecognisePosterior.spec
+  describe "Recognition of grids built by hand" Test.RecogniseEvidence.spec
   describe "Explorations and trials" Test.Explorations.spec
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
