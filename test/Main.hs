@@ -73,6 +73,7 @@ import qualified Test.Conformance.Drawings
 import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Failures
 import qualified Test.Conformance.Forms
+import qualified Test.Conformance.Generators
 import qualified Test.Conformance.InForce
 import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
@@ -80,6 +81,7 @@ import qualified Test.Conformance.Reports
 import qualified Test.Conformance.Scenes
 import qualified Test.Conformance.Sentences
 import qualified Test.Conformance.Shrinking
+import qualified Test.Conformance.Tolerances
 import qualified Test.Conformance.Vectors
 import qualified Test.Documents
 import qualified Test.Examples
@@ -279,6 +281,8 @@ specs = do
   describe "Conformance laws on this library" Test.Conformance.spec
   describe "Conformance: what is asked" Test.Conformance.Cases.spec
   describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
+  describe "Conformance: what laws draw" Test.Conformance.Generators.spec
+  describe "Conformance: tolerances" Test.Conformance.Tolerances.spec
   describe "Conformance: the scenes of touch" $
     Test.Conformance.Scenes.spec >> describe "drawings" Test.Conformance.Drawings.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
