@@ -67,10 +67,7 @@ import qualified Test.Conform.Serve
 import qualified Test.Conform.Sessions
 import qualified Test.Conform.Whole
 import qualified Test.Conformance
-import qualified Test.Conformance.Cases
 import qualified Test.Conformance.Definition
-import qualified Test.Conformance.Drawings
-import qualified Test.Conformance.Drawn
 import qualified Test.Conformance.Failures
 import qualified Test.Conformance.Forms
 import qualified Test.Conformance.Generators
@@ -78,8 +75,6 @@ import qualified Test.Conformance.InForce
 import qualified Test.Conformance.Liars
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
-import qualified Test.Conformance.Scenes
-import qualified Test.Conformance.Sentences
 import qualified Test.Conformance.Shrinking
 import qualified Test.Conformance.Tolerances
 import qualified Test.Conformance.Vectors
@@ -279,15 +274,10 @@ specs = do
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.spec
-  describe "Conformance: what is asked" Test.Conformance.Cases.spec
-  describe "Conformance: what is drawn" Test.Conformance.Drawn.spec
   describe "Conformance: what laws draw" Test.Conformance.Generators.spec
   describe "Conformance: tolerances" Test.Conformance.Tolerances.spec
-  describe "Conformance: the scenes of touch" $
-    Test.Conformance.Scenes.spec >> describe "drawings" Test.Conformance.Drawings.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
-  describe "Conformance: what impostors say of themselves" Test.Conformance.Sentences.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: profiles in force" Test.Conformance.InForce.spec
