@@ -10,6 +10,7 @@ import PraTactile.Registration.Lattice.Evidence
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model (Theta (..), cellLog)
 import PraTactile.Shape (embossedAt, paperAlphabet, shapes, symbolHeight, symbolWidth)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -26,7 +27,7 @@ cellSpec =
   it "a cell is likely as the mean over its classes, and 0.01 for nothing in it" $
     forAll (elements [0.5, 5, 50, 900]) $ \wide ->
       forAll (choose (1, 9) >>= (`vectorOf` choose (negate wide, wide))) $ \told ->
-        let found = overClasses (length told) (told !!)
+        let found = cellLog (length told) (told !!)
          in counterexample (show (found, cellOf told)) $
               -- What is less likely by e^30 does not count.
               abs (found - cellOf told) < 1e-9 * max 1 (abs found)
@@ -69,7 +70,7 @@ frameSpec =
             let one = step everywhere coarse standard (first standard)
              in iterate (step few coarse standard) one !! 3
           told = sight tables image
-          Evidence _ (Level gain offset variance) classes cells phases logs = sightEvidence told
+          Evidence _ (Theta gain offset variance) classes cells phases logs = sightEvidence told
           weights = weighed tables standard wanted
           near :: Double -> String -> [Double] -> [Double] -> Property
           near to what a b =

@@ -19,6 +19,7 @@ import PraTactile.Registration.Lattice.Held (Held (..), held)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model (absence)
 import PraTactile.Registration.Neighbours
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Posterior
@@ -423,8 +424,8 @@ pairs alphabet = do
               most = maximum (0 : logs')
            in most
                 + log
-                  ( absent * exp (negate most)
-                      + sum [(1 - absent) / 4 * exp (l - most) | l <- logs']
+                  ( absence * exp (negate most)
+                      + sum [(1 - absence) / 4 * exp (l - most) | l <- logs']
                   )
         seenBy e o y x =
           [ V.slice (4 * cellIndex (templateLayout tables) o y x) 4 (evidenceClasses e)

@@ -11,7 +11,6 @@ module PraTactile.Registration.Posterior
     priorAlone,
     deviations,
     marginals,
-    tolerance,
     priorAround,
   )
 where
@@ -20,6 +19,7 @@ import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
+import PraTactile.Registration.Model (normalLog, tolerance)
 
 -- | Probabilities of displacements on a grid.
 data Posterior = Posterior
@@ -44,10 +44,6 @@ posterior origin spacing size logs = Posterior origin spacing size (V.map (/ tot
       | isInfinite top = V.map (const 1) logs
       | otherwise = V.map (\l -> if isNaN l then 0 else exp (l - top)) logs
     total = V.sum masses
-
--- | How near to the truth a displacement counts as right, along each axis, taxels.
-tolerance :: Double
-tolerance = 0.75
 
 -- | A displacement, and the probability that the true one lies within 'tolerance' of it on both
 -- axes.
@@ -165,7 +161,7 @@ marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, b
 priorAround :: Double -> Place -> Double
 priorAround search (x, y)
   | search <= 0 = 0
-  | otherwise = negate (x * x + y * y) / (2 * sigma * sigma)
+  | otherwise = normalLog (sigma * sigma) (x * x + y * y)
   where
     sigma = search / 2
 

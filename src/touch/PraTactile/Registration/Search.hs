@@ -25,6 +25,7 @@ import Data.List (foldl')
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt)
+import PraTactile.Registration.Model (normalLog)
 
 -- | What registration supposes of the robot and the sensor, and how far it goes.
 data Registration = Registration
@@ -67,8 +68,7 @@ data Prior = Prior
 
 -- | The logarithm of a displacement's prior probability density, up to a constant.
 logPrior :: Prior -> Place -> Double
-logPrior (Prior (mx, my) variance) (x, y) =
-  negate (squared (x - mx) + squared (y - my)) / (2 * variance)
+logPrior (Prior (mx, my) variance) (x, y) = normalLog variance (squared (x - mx) + squared (y - my))
   where
     squared t = t * t
 

@@ -9,7 +9,7 @@ import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl')
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Registration.Joint.Option (Classes, Option (..))
-import PraTactile.Registration.Lattice.Evidence (absent)
+import PraTactile.Registration.Model (absence, classPrior, outlier)
 
 -- | For each frame its options with their probabilities, once every frame has been weighed with
 -- what all others say of the symbols, until none changes its mind.
@@ -54,27 +54,21 @@ said os =
     (Unboxed.zipWith (+))
     [(c, Unboxed.map (* p) l) | (o, p) <- os, p > 0.02, (c, l) <- optionCells o]
 
--- | The probability that a frame shows something else in a cell than all others do there, because
--- one of them is not where it is supposed to be (assumption). So however clear frames are, a stray
--- one has a place.
-unlike :: Double
-unlike = 1e-12
-
 -- | How much likelier a cell is than nothing there: by what one frame says of its classes, and
 -- where there is any by what the others say.
 marginal :: Maybe Classes -> Classes -> Double
 marginal others mine = logMean (maybe prior known others)
   where
     n = Unboxed.length mine
-    share = (1 - absent) / fromIntegral n
-    prior = (absent, Unboxed.replicate n share)
+    share = classPrior n
+    prior = (absence, Unboxed.replicate n share)
     known theirs =
       let top = max 0 (Unboxed.maximum theirs)
           likely = Unboxed.map (\l -> share * exp (l - top)) theirs
-          nothing = absent * exp (negate top)
+          nothing = absence * exp (negate top)
           total = nothing + Unboxed.sum likely
-       in (besides absent (nothing / total), Unboxed.map (besides share . (/ total)) likely)
-    besides alone told = (1 - unlike) * told + unlike * alone
+       in (besides absence (nothing / total), Unboxed.map (besides share . (/ total)) likely)
+    besides alone told = (1 - outlier) * told + outlier * alone
     logMean (nothing, shares) =
       let top = max 0 (Unboxed.maximum mine)
        in top

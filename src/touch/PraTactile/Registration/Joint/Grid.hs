@@ -9,7 +9,7 @@ module PraTactile.Registration.Joint.Grid
 where
 
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Registration.Lattice.Layout (placesPerTaxel)
+import PraTactile.Registration.Model (normalLog, placesPerTaxel)
 import PraTactile.Registration.Search (Registration (..), searchRadius)
 
 -- | The displacements that are considered.
@@ -39,6 +39,6 @@ onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
 
 -- | The logarithm of the prior along one axis, for a displacement in places from the grid point.
 priorAlong :: Grid -> Double -> Int -> Double
-priorAlong grid rest d = negate (t * t) / (2 * gridSigma grid * gridSigma grid)
+priorAlong grid rest d = normalLog (gridSigma grid * gridSigma grid) (t * t)
   where
     t = fromIntegral d - rest

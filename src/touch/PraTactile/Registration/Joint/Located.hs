@@ -12,7 +12,8 @@ import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid (gridSpacing, onGrid)
-import PraTactile.Registration.Posterior (Hypothesis (..), tolerance)
+import PraTactile.Registration.Model (tolerance)
+import PraTactile.Registration.Posterior (Hypothesis (..))
 
 -- | Where a frame was found.
 data Located = Located

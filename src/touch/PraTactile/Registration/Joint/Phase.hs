@@ -12,8 +12,9 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Evidence (Evidence (..))
-import PraTactile.Registration.Lattice.Layout (phaseCount, placesPerTaxel)
+import PraTactile.Registration.Lattice.Layout (phaseCount)
 import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Model (placesPerTaxel)
 import PraTactile.Registration.Product (dotWithin)
 
 -- | The orientation and the phase, row and column, of the lattice on the composite that the frames

@@ -15,11 +15,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Tabulate (tabulate)
-
--- | The standard deviation, in taxels, of the blur that is supposed: that of an elastic overlay and
--- of an element's aperture. Assumption; a half more or less changes little.
-blurDeviation :: Double
-blurDeviation = 0.75
+import PraTactile.Registration.Model (blurDeviation)
 
 -- | The share of a unit taxel, blurred, that is seen at this distance from its centre.
 seenAt :: Double -> Double

@@ -12,9 +12,6 @@ module PraTactile.Registration.Lattice.Evidence
     evidence,
     Sight (..),
     sight,
-    Level (..),
-    absent,
-    overClasses,
   )
 where
 
@@ -27,20 +24,12 @@ import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Tabulate (tabulate)
 import PraTactile.Registration.Lattice.Template
-
--- | How a frame reads relief: gain times the relief (1 embossed, 0 flat) plus offset, plus normal
--- noise of that variance.
-data Level = Level
-  { levelGain :: !Double,
-    levelOffset :: !Double,
-    levelVariance :: !Double
-  }
-  deriving stock (Eq, Show)
+import PraTactile.Registration.Model
 
 -- | What a frame tells.
 data Evidence = Evidence
   { evidenceTables :: !Templates,
-    evidenceLevel :: !Level,
+    evidenceLevel :: !Theta,
     -- | How much likelier, as a natural logarithm, a symbol of a class at a place makes the frame
     -- than nothing there: by 'cellIndex' and class.
     evidenceClasses :: !(Vector Double),
@@ -52,10 +41,6 @@ data Evidence = Evidence
     -- | The logarithm of the frame's probability density, standardised to variance 1.
     evidenceLog :: !Double
   }
-
--- | The probability that nothing is in a cell: beyond the face, or worn off.
-absent :: Double
-absent = 0.01
 
 -- | What a frame tells, each part made when it is first looked at.
 data Sight = Sight
@@ -179,8 +164,8 @@ renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells
 
 -- | A first guess: the noise from the second differences across, in which smooth relief has next to
 -- no part, and the gain and the offset from what is usual of symbols.
-firstLevel :: Raster -> Level
-firstLevel image = Level gain (-0.15 * gain) noise
+firstLevel :: Raster -> Theta
+firstLevel image = Theta gain (-0.15 * gain) noise
   where
     w = rasterWidth image
     h = rasterHeight image
@@ -197,8 +182,8 @@ firstLevel image = Level gain (-0.15 * gain) noise
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
 -- | Everything at a level.
-weighed :: Comparison -> Level -> Evidence
-weighed (Comparison tables lattices numbers) level@(Level gain offset variance) =
+weighed :: Comparison -> Theta -> Evidence
+weighed (Comparison tables lattices numbers) level@(Theta gain offset variance) =
   Evidence tables level classes cells phases total
   where
     Numbers products sums squares = numbers
@@ -234,39 +219,11 @@ taxelsOf tables = let (w, h) = layoutFrame (templateLayout tables) in fromIntegr
 cellsOf :: Int -> Vector Double -> Vector Double
 cellsOf count classes = V.generate (V.length classes `quot` count) cell
   where
-    cell i = overClasses count (\k -> V.unsafeIndex classes (i * count + k))
-
--- | The logarithm of how likely a cell is, given those of each class: the mean over the classes,
--- and nothing at all with its own probability. What is less likely by 'negligible' does not count.
-overClasses :: Int -> (Int -> Double) -> Double
-overClasses count at
-  | m <= 0 = sumOf 0 absent
-  | m > negligible = sumOf m 0
-  | otherwise = sumOf m (absent * exp (negate m))
-  where
-    sumOf top rest = let s = terms top 0 rest in if s == absent then top + none else top + log s
-    share = (1 - absent) / fromIntegral count
-    none = log absent
-    m = highest 0 0
-    highest :: Int -> Double -> Double
-    highest !k !best
-      | k >= count = best
-      | otherwise = highest (k + 1) (max best (at k))
-    terms :: Double -> Int -> Double -> Double
-    terms !top !k !s
-      | k >= count = s
-      | at k - top < negate negligible = terms top (k + 1) s
-      | at k == top = terms top (k + 1) (s + share)
-      | otherwise = terms top (k + 1) (s + share * exp (at k - top))
-{-# INLINE overClasses #-}
+    cell i = cellLog count (\k -> V.unsafeIndex classes (i * count + k))
 
 -- | How likely something is as a share of the likeliest, from the logarithms.
 relativeTo :: Double -> Double -> Double
 relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
-
--- | What is so much less likely, as a natural logarithm, does not count.
-negligible :: Double
-negligible = 30
 
 -- | From cells to lattices: the sum over the cells of each.
 overPhases :: Phases -> Vector Double -> Vector Double
@@ -293,13 +250,13 @@ overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) sta
 data Sums = Sums !Double !Double !Double
 
 -- | One step: by what the symbols probably are at a level, the level that fits them best.
-improved :: Comparison -> Evidence -> Level
-improved (Comparison tables lattices numbers) given = Level gain' offset' variance'
+improved :: Comparison -> Evidence -> Theta
+improved (Comparison tables lattices numbers) given = Theta gain' offset' variance'
   where
-    Level gain offset _ = evidenceLevel given
+    Theta gain offset _ = evidenceLevel given
     Numbers products sums squares = numbers
     count = symbolsClasses (templateSymbols tables)
-    share = (1 - absent) / fromIntegral count
+    share = classPrior count
     n = taxelsOf tables
     phases = evidencePhases given
     top = V.maximum phases
@@ -330,11 +287,11 @@ improved (Comparison tables lattices numbers) given = Level gain' offset' varian
     sum' = sumT / total
     square' = sumTT / total
     spreadOfRelief = square' - sum' * sum' / n
-    gain' = if spreadOfRelief > 1e-6 then max 0.3 (product' / spreadOfRelief) else gain
+    gain' = if spreadOfRelief > 1e-6 then max leastGain (product' / spreadOfRelief) else gain
     offset' = if spreadOfRelief > 1e-6 then negate gain' * sum' / n else offset
     variance' =
       max
-        2e-3
+        leastVariance
         ( ( n * (1 + offset' * offset') - 2 * gain' * (product' - offset' * sum')
               + gain' * gain' * square'
           )

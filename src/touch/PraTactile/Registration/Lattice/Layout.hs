@@ -4,7 +4,6 @@ module PraTactile.Registration.Lattice.Layout
   ( -- * Places
     Layout (..),
     layout,
-    placesPerTaxel,
     cellIndex,
     onFrame,
     turnedBy,
@@ -66,10 +65,6 @@ layout angle w h q =
     extent :: [Double] -> (Int, Int)
     extent ts =
       let first = floor (minimum ts + 1e-9) in (first, ceiling (maximum ts - 1e-9) - first + 1)
-
--- | How finely places are told apart, in places to the taxel.
-placesPerTaxel :: Int
-placesPerTaxel = 2
 
 -- | How far from its own taxels a symbol still counts, in taxels.
 fringe :: Int

@@ -19,6 +19,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Registration.Lattice.Blur (seenAt)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Model (leastShare, placesPerTaxel)
 import PraTactile.Shape
   ( Alphabet,
     embossedAt,
@@ -80,8 +81,7 @@ symbolsOf alphabet =
         downShares = sharesAround partY
     sharesAround :: Double -> Vector Double
     sharesAround t = V.generate (2 * margin + 1) (\d -> seenAt (fromIntegral (d - margin) - t))
-    -- Next to nothing is nothing.
-    squared t = if t * t > 1e-4 then t * t else 0
+    squared t = if t * t > leastShare * leastShare then t * t else 0
 
 {- Note [Bounds of boxes] A taxel of the box is at most the margin from the taxels that are looked
    at for it. -}

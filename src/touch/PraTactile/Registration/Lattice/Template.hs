@@ -33,6 +33,7 @@ import PraTactile.Image (Raster, constant)
 import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols
+import PraTactile.Registration.Model (placesPerTaxel)
 import PraTactile.Shape (Alphabet, paperAlphabet)
 
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes

@@ -9,6 +9,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Registration.Cosine
+import PraTactile.Registration.Model (normalLog)
 import PraTactile.Registration.Pair.Overlap
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
@@ -59,4 +60,4 @@ blindPosterior tables process step search a b =
         logs = [sharedLog r sums + l | (r, l) <- ratios]
         top = maximum logs
     ratios =
-      [(exp r, negate (r * r) / (2 * 0.16)) | k <- [-2 .. 2 :: Int], let r = 0.4 * fromIntegral k]
+      [(exp r, normalLog 0.16 (r * r)) | k <- [-2 .. 2 :: Int], let r = 0.4 * fromIntegral k]

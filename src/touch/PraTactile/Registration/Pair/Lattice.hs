@@ -16,6 +16,7 @@ import PraTactile.Registration.Lattice.Evidence
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model (cellLog)
 import PraTactile.Registration.Posterior
 
 -- | The posterior of the place of the second frame's upper left pixel in the first, from their
@@ -134,6 +135,6 @@ joint a b (dx, dy) phase = go firstY firstX 0
         inB = y - dy >= 0 && y - dy < rows && x - dx >= 0 && x - dx < columns
     both :: Int -> Int -> Double
     both i j =
-      overClasses count $ \k ->
+      cellLog count $ \k ->
         V.unsafeIndex (evidenceClasses a) (i * count + k)
           + V.unsafeIndex (evidenceClasses b) (j * count + k)

@@ -1,0 +1,221 @@
+{-# LANGUAGE BangPatterns #-}
+
+-- | The mathematics of registration, in a page. The modules of this folder are its computation; the
+-- tests hold them to the same formulas on lists, summed in full.
+--
+-- = What a frame reads
+--
+-- A frame has N taxels u, whose readings are standardised to mean 0 and variance 1 and called z(u).
+-- It reads relief r, which is 1 where the face is embossed and 0 where it is flat, as
+--
+-- > z(u) = a r(u) + b + noise,    noise normal, of variance v, alone in each taxel
+--
+-- with theta = (gain a, offset b, variance v) of its own. Relief is blurred on the way: a symbol of
+-- class k whose upper left taxel lies at x, in orientation o (upright or half turned), brings
+--
+-- > T(u) = sum over the embossed taxels j of class k, turned by o, of g(u - x - j)
+-- > g(t) = G(t_x) G(t_y),    G(t) = Phi((t + 1/2) / beta) - Phi((t - 1/2) / beta)
+--
+-- where Phi is the normal distribution function. On a lattice at an angle the taxels j are turned
+-- with it, and g, which is nearly the same in all directions, is not. In the sum of the squares of
+-- T a taxel of which a symbol brings less than a hundredth counts for nothing.
+--
+-- = The lattice
+--
+-- Symbols stand on a lattice of cells, one to each pitch of 16 x 20 taxels, of angle alpha, and of
+-- phase lambda = (orientation o, row, column), where row and column count places of half a taxel
+-- modulo the pitch. A cell is empty with probability epsilon, else of any of the q classes alike:
+--
+-- > P(empty) = epsilon,    P(k) = (1 - epsilon) / q
+--
+-- Symbols do not overlap, so that the squared error of a lattice is a sum over its cells. Against
+-- nothing at x, a symbol of class k there is likelier, as a natural logarithm, by
+--
+-- > l_k(x)   = (a <z, T> - a b sum T - a^2 sum T^2 / 2) / v
+-- > l(x)     = log (epsilon + sum over k of P(k) exp l_k(x))                 a cell, classes summed
+-- > L(lambda) = sum over the cells x of lambda of l(x)                       a phase
+-- > log p(z)  = log (mean over lambda of exp L(lambda))
+-- >             - N (1 + b^2) / (2 v) - N/2 log (2 pi v)                      the frame
+--
+-- = One frame: expectation and maximisation
+--
+-- Phases and classes are summed; theta is maximised, by steps each of which makes p(z) no smaller
+-- (phases of w below 10^-6 are left out of a step):
+--
+-- > eStep:  w(lambda) ~ exp L(lambda),    p_k(x) = P(k) exp (l_k(x) - l(x))
+-- > mStep:  Y, S, Q = sum of w(lambda) p_k(x) times <z, T>, sum T, sum T^2,
+-- >                   over phases, their cells and classes
+-- >         a = Y / (Q - S^2 / N),    b = - a S / N
+-- >         v = (N (1 + b^2) - 2 a (Y - b S) + a^2 Q) / N        a >= 0.3, v >= 0.002
+--
+-- From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
+-- that it leaves likely (within e^30 of the best); then one at half taxels, over the phases less
+-- than a taxel from one that is likely still. Where a phase that was left out turns out to matter,
+-- the steps are taken over all.
+--
+-- The angle alpha is maximised too, over the sum of log p(z) of a few frames: at whole taxels over
+-- the circle, then by two degrees, and by a parabola's vertex
+-- ("PraTactile.Registration.Lattice.Angle"). There is a lattice at all if that sum is above that of
+-- the likeliest other relief: the normal process below.
+--
+-- = Many frames
+--
+-- Frame f lies at its nominal place n_f and the displacement d_f, which is the robot's error:
+-- normal, of deviation sigma along each axis, on a grid of half taxels:
+--
+-- > log pi(d) = - |d|^2 / (2 sigma^2)
+--
+-- The phase of the lattice under all frames is maximised, each frame's displacement summed:
+--
+-- > log P(lambda) = sum over f of log (sum over d of pi(d) exp L_f(lambda - n_f - d))
+--
+-- Then the displacements' posterior is, with the classes of the cells c summed,
+--
+-- > P(d_1 .. d_F) ~ product of pi(d_f) * product over c of
+-- >                 (epsilon + sum over k of P(k) exp (sum over f of l_fck(d_f)))
+--
+-- where l_fck(d) is l_k at the place of c on the frame f that lies at n_f + d. The posterior is
+-- approximated by a product of q_f (a mean field): the other frames enter by their expected log
+-- likelihoods, the frame's own sum over the classes is exact. Begun from each frame alone, all
+-- frames anew in each sweep, until no frame's likeliest displacement changes or five are done:
+--
+-- > m_c(k)  ~ P(k) exp (sum over g /= f, d of q_g(d) l_gck(d))        what the others make of c
+-- > m'_c    = (1 - delta) m_c + delta P                               one of them may be astray
+-- > q_f(d)  ~ pi(d) * product over the cells c that f sees of
+-- >           (m'_c(empty) + sum over k of m'_c(k) exp l_fck(d))
+--
+-- A displacement of q_g(d) <= 0.02 tells the others nothing, and one that is e^12 below a frame's
+-- best by itself is not looked at. What is given of a frame is the mean of q_f over the 3 x 3 grid
+-- points that hold most of it, within 'tolerance' of it; how much they hold; the deviations; and at
+-- most two hypotheses two taxels or more from there and from each other. The mean of all
+-- displacements is 0, for a shift of all cannot be seen.
+--
+-- = Two frames
+--
+-- By the lattice, a displacement d of the second against the first is summed over all phases and
+-- the classes of the cells, those that both see having one class:
+--
+-- > P(d) ~ pi(d) * sum over lambda of
+-- >        product over c of (epsilon + sum over k of P(k) exp (l_Ack + l_Bck(d)))
+--
+-- Blind, relief is a stationary normal process: the cosine coefficient i of a frame is normal, of
+-- variance s (S_i + n), independent of the others, where S is a spectrum of Matern's family whose
+-- smoothness and range, with the noise's share n, are the likeliest of those tried, and s is the
+-- frame's own scale. With A_i and B_i the coefficients of what the frames have in common at d, over
+-- the roots of their scales, and p = kappa S_i for relief that is kappa times as high there:
+--
+-- > one relief:   A_i and B_i have variance p + n, and covariance p or, to half a taxel, C_i p
+-- > two reliefs:  covariance 0
+-- > P(d) ~ pi(d) * sum over gains of (ratio of the two, each summed over kappa) ^ tempering
+--
+-- where C_i is the mean cosine of a coefficient's phase over displacements within half a taxel.
+--
+-- By correlation, the paper's, rho being that of n overlapping pixels (0.4 of them independent):
+--
+-- > P(d) ~ pi(d) (1 - rho^2) ^ (-n/2),    rho > 0
+--
+-- = What is left over
+--
+-- A frame without variation, z = 0, tells next to nothing. Where two frames do not show a lattice,
+-- what is sure by it is the prior; along a straight edge the prior alone is left
+-- ("PraTactile.Registration.Pair.Straight"). Frames that agree at several places are refused
+-- ("PraTactile.Registration.Pair.Alike"); that frames would agree along other axes, or nowhere, is
+-- said ("PraTactile.Registration.Agreement").
+module PraTactile.Registration.Model
+  ( -- * What a frame reads
+    Theta (..),
+    leastGain,
+    leastVariance,
+    blurDeviation,
+    leastShare,
+
+    -- * The lattice
+    placesPerTaxel,
+    absence,
+    classPrior,
+    cellLog,
+    negligible,
+
+    -- * Displacements
+    normalLog,
+    outlier,
+    tolerance,
+  )
+where
+
+-- | theta: how a frame reads relief.
+data Theta = Theta
+  { thetaGain :: !Double,
+    thetaOffset :: !Double,
+    thetaVariance :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The least gain and variance that are found: no frame is all noise, nor without any.
+leastGain, leastVariance :: Double
+leastGain = 0.3
+leastVariance = 2e-3
+
+-- | beta, the standard deviation, in taxels, of the blur that is supposed: that of an elastic
+-- overlay and of an element's aperture. Assumption; a half more or less changes little.
+blurDeviation :: Double
+blurDeviation = 0.75
+
+-- | The least share of a taxel that counts in a sum of squares.
+leastShare :: Double
+leastShare = 0.01
+
+-- | How finely phases and displacements are told apart, in places to the taxel.
+placesPerTaxel :: Int
+placesPerTaxel = 2
+
+-- | epsilon, the probability that nothing is in a cell: beyond the face, or worn off.
+absence :: Double
+absence = 0.01
+
+-- | P(k), given the number of classes.
+classPrior :: Int -> Double
+classPrior count = (1 - absence) / fromIntegral count
+
+-- | l from l_k, given the number of classes. What is less likely by 'negligible' does not count.
+cellLog :: Int -> (Int -> Double) -> Double
+cellLog count at
+  | m <= 0 = sumOf 0 absence
+  | m > negligible = sumOf m 0
+  | otherwise = sumOf m (absence * exp (negate m))
+  where
+    sumOf top rest = let s = terms top 0 rest in if s == absence then top + none else top + log s
+    share = classPrior count
+    none = log absence
+    m = highest 0 0
+    highest :: Int -> Double -> Double
+    highest !k !best
+      | k >= count = best
+      | otherwise = highest (k + 1) (max best (at k))
+    terms :: Double -> Int -> Double -> Double
+    terms !top !k !s
+      | k >= count = s
+      | at k - top < negate negligible = terms top (k + 1) s
+      | at k == top = terms top (k + 1) (s + share)
+      | otherwise = terms top (k + 1) (s + share * exp (at k - top))
+{-# INLINE cellLog #-}
+
+-- | What is so much less likely, as a natural logarithm, does not count.
+negligible :: Double
+negligible = 30
+
+-- | The logarithm of a normal density up to a constant, given its variance and the square of the
+-- distance from its mean: log pi, of the square of a displacement or of its part along an axis.
+normalLog :: Double -> Double -> Double
+normalLog variance square = negate square / (2 * variance)
+{-# INLINE normalLog #-}
+
+-- | delta, the probability that a frame shows something else in a cell than all others do there,
+-- because one of them is not where it is supposed to be (assumption). So however clear frames are,
+-- a stray one has a place.
+outlier :: Double
+outlier = 1e-12
+
+-- | How near to the truth a displacement counts as right, along each axis, taxels.
+tolerance :: Double
+tolerance = 0.75
