@@ -63,7 +63,8 @@ data Part k = Part
   }
 
 -- | Prepare to take logarithms to the base alpha, the root of h. Refuses when a prime that divides
--- q^n - 1 is too large ('LogarithmInfeasible').
+-- q^n - 1 is too large ('LogarithmInfeasible'). O(1) itself: the first logarithm makes min (sqrt r)
+-- 'mostBabySteps' products of O(n^2) for each prime r that divides q^n - 1, and they are kept.
 prepareLogarithms :: KnownField k => Primitive k -> Either LogarithmError (Logarithms k)
 prepareLogarithms h
   | largest > largestFeasiblePrime = Left (LogarithmInfeasible largest largestFeasiblePrime)
@@ -78,7 +79,9 @@ prepareLogarithms h
         gamma = powerOfRoot h cofactor
         babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
--- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
+-- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero. O(k n^2 (s + n
+-- log q)) for k prime factors of q^n - 1, the largest of which, r, takes s = max (sqrt r) (r /
+-- 'mostBabySteps') steps.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero
@@ -136,7 +139,7 @@ chineseRemainder (x, m) (y, n) = (x + m * step, m * n)
       let (quotient, rest) = s `divMod` t; (u, v) = euclid t rest in (v, u - quotient * v)
 
 -- | The logarithm of one residue to the base alpha. Refuses zero, and fields in which it is
--- infeasible.
+-- infeasible. The baby steps are made at each call: for many residues, 'prepareLogarithms' once.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let twice h = discreteLogarithm h (powerOfRoot h 123)

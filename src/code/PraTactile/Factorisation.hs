@@ -27,7 +27,9 @@ import PraTactile.Factorisation.Divisor
 import PraTactile.Factorisation.Prime
 
 -- | The primes that divide a number, ascending, each with its exponent. Refuses 0, and numbers left
--- with two prime factors of more than about 20 digits.
+-- with two prime factors of more than about 20 digits. O(sqrt p) products modulo the number for its
+-- second largest prime p of up to 10 digits; beyond, elliptic curves are tried for some 10 seconds
+-- at most.
 --
 -- >>> factorise (2 ^ 64 - 1)
 -- Right [(3,1),(5,1),(17,1),(257,1),(641,1),(65537,1),(6700417,1)]
@@ -37,7 +39,7 @@ factorise n = collect <$> primeFactors n
 
 -- | The factorisation of b^n - 1 by way of its algebraic factors, the 'cyclotomicValues' at b of
 -- the divisors of n. Refuses b < 2 or n = 0 (the number is 0), at once what 'checkPower' does, and
--- as 'factorise' does.
+-- as 'factorise' does. As 'factorise', for each value.
 --
 -- >>> factorisePowerMinusOne 4 4
 -- Right [(3,1),(5,1),(17,1)]
@@ -61,7 +63,8 @@ largestPower :: Natural
 largestPower = 2 ^ (1024 :: Int)
 
 -- | The divisors d of n >= 1, ascending, each with the value at b >= 2 of the d-th cyclotomic
--- polynomial. Their product is b^n - 1, for every divisor in the place of n.
+-- polynomial. Their product is b^n - 1, for every divisor in the place of n. O(n + d^2) for d
+-- divisors, in operations on numbers up to b^n.
 --
 -- >>> cyclotomicValues 2 6
 -- [(1,1),(2,3),(3,7),(6,3)]

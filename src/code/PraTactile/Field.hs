@@ -1,4 +1,5 @@
 {-# LANGUAGE AllowAmbiguousTypes #-}
+{-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
@@ -69,17 +70,20 @@ type role GF nominal
 -- | The field is known: named in "PraTactile.Field.Named", or brought by 'withField'. Its
 -- arithmetic is a set of tables, which are made once a field.
 class KnownField (k :: Field) where
+  -- A method with a default, so that nobody is asked for one that is private.
   tables :: Tables
+  default tables :: NamedField k => Tables
+  tables = namedTables @k
 
-instance NamedField ('Over p modulus) => KnownField ('Over p modulus) where
-  tables = namedTables @('Over p modulus)
+instance NamedField ('Over p modulus) => KnownField ('Over p modulus)
 
 instance Reifies s Tables => KnownField ('RunTime s) where
   tables = reflect (Proxy @s)
 
 -- | Bring GF(p)[x] / f into scope, given p and the modulus f, constant term first. Refuses, each
 -- with its own 'FieldError', a p that is no prime, an order above 256, and a modulus that is
--- constant, not monic, not reduced modulo p, or reducible.
+-- constant, not monic, not reduced modulo p, or reducible. O(q^2 m), m being the degree of f: each
+-- call makes tables of 130 kB.
 --
 -- >>> withField 2 [1, 1, 1] fieldOrder
 -- Right 4
@@ -159,7 +163,7 @@ one = GF 1
 primitive :: forall k. KnownField k => GF k
 primitive = GF (tablePrimitive (tables @k))
 
--- | All q elements by increasing code.
+-- | All q elements by increasing code. O(q).
 elements :: forall k. KnownField k => [GF k]
 elements = map (GF . fromIntegral) [0 .. tableOrder (tables @k) - 1]
 
@@ -176,7 +180,7 @@ fromCode code
   where
     q = tableOrder (tables @k)
 
--- | The elements of a list of codes. Refuses codes not below q.
+-- | The elements of a list of codes. Refuses codes not below q. O(k) for k codes.
 elementsFromCodes :: forall k. KnownField k => [Natural] -> Either FieldError [GF k]
 elementsFromCodes = traverse element
   where
@@ -216,7 +220,7 @@ showElement a = case logarithm a of
   Just e -> "A^" ++ show e
 
 -- | Read a code (@3@) or a power of A = 'primitive' (@A@, @A^2@; exponents of any size). Refuses
--- codes not below q and any other text.
+-- codes not below q and any other text. O(k) for k characters.
 parseElement :: forall k. KnownField k => String -> Either FieldError (GF k)
 parseElement text = case text of
   "A" -> Right primitive

@@ -30,7 +30,9 @@ data FactorError
 
 -- | Whether a number is prime. Below 'millerRabinDomain' it is decided by the strong test alone;
 -- above it a composite is still recognised for certain, and a prime is proved by 'pocklington'.
--- Refuses ('PrimalityUndecided') when n - 1 does not factor far enough for that.
+-- Refuses ('PrimalityUndecided') when n - 1 does not factor far enough for that. O(log n) products
+-- modulo n below 'millerRabinDomain', and of nearly every composite; a prime above it takes the
+-- factorisation of n - 1.
 --
 -- >>> isPrime (2 ^ 61 - 1)
 -- Right True
@@ -87,7 +89,8 @@ pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors
       where
         (c2, c1) = (n `div` f) `divMod` f
 
--- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n.
+-- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n. O(log
+-- n) products modulo n.
 isPocklingtonWitness :: Natural -> Natural -> Natural -> Bool
 isPocklingtonWitness n l a =
   powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1

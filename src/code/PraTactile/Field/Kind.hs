@@ -8,6 +8,7 @@
 module PraTactile.Field.Kind
   ( Field (..),
     KnownIndex,
+    KnownNats (..),
     fieldIndex,
   )
 where
@@ -33,7 +34,9 @@ class KnownIndex (k :: Field) where
 instance (KnownNat p, KnownNats modulus) => KnownIndex ('Over p modulus) where
   fieldIndex = (natVal (Proxy @p), natVals @modulus)
 
+-- | Lists of numbers that are written out.
 class KnownNats (ns :: [Nat]) where
+  -- | The numbers as values.
   natVals :: [Natural]
 
 instance KnownNats '[] where

@@ -93,7 +93,7 @@ subfield d
   where
     m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
--- | All subfields, from GF(p) to the field itself.
+-- | All subfields, from GF(p) to the field itself. O(m).
 subfields :: forall k. KnownField k => [Subfield k]
 subfields = [Subfield d | d <- [1 .. m], m `mod` d == 0]
   where
@@ -115,21 +115,21 @@ subfieldOrder (Subfield d) = fromIntegral (fieldCharacteristic (Proxy :: Proxy k
 inSubfield :: KnownField k => Subfield k -> GF k -> Bool
 inSubfield (Subfield d) a = frobeniusPower d a == a
 
--- | The elements of the subfield by increasing code.
+-- | The elements of the subfield by increasing code. O(q).
 subfieldElements :: KnownField k => Subfield k -> [GF k]
 subfieldElements s = filter (inSubfield s) elements
 
 -- | The different images of an element under the automorphisms that leave the subfield as it is: a,
--- a^r, a^(r^2), ... with r = p^d, as many as the degree of the minimal polynomial.
+-- a^r, a^(r^2), ... with r = p^d, as many as the degree of the minimal polynomial. O(m).
 conjugates :: KnownField k => Subfield k -> GF k -> [GF k]
 conjugates (Subfield d) a = a : takeWhile (/= a) (drop 1 (iterate (frobeniusPower d) a))
 
 -- | The trace to the subfield: the sum of a^(r^i), i < m/d, r = p^d. It is linear over the subfield
--- and takes each of its values equally often.
+-- and takes each of its values equally often. O(m).
 trace :: KnownField k => Subfield k -> GF k -> GF k
 trace s = sum . images s
 
--- | The norm to the subfield: the product of a^(r^i), i < m/d, r = p^d.
+-- | The norm to the subfield: the product of a^(r^i), i < m/d, r = p^d. O(m).
 norm :: KnownField k => Subfield k -> GF k -> GF k
 norm s = product . images s
 
@@ -140,7 +140,7 @@ images (Subfield d) a = [frobeniusPower i a | i <- [0, d .. m - 1]]
     m = fromIntegral (fieldDegree (Proxy :: Proxy k))
 
 -- | The monic polynomial of least degree over the subfield of which the element is a root: its
--- coefficients lie in the subfield, and it is irreducible over it.
+-- coefficients lie in the subfield, and it is irreducible over it. O(m^3).
 --
 -- Over GF(2), the minimal polynomial of A in GF(4) is x^2 + x + 1.
 --

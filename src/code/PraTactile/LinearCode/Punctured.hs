@@ -93,7 +93,7 @@ packed = Primitive.fromList . go
       ([], _) -> []
       (eight, others) -> foldr (\x word -> word `shiftL` 8 .|. x) 0 eight : go others
 
--- | The classes, from 'countSets'.
+-- | The classes, from the numbers that @countSets@ gives.
 classesOf :: Int -> Int -> Vector Int -> [PuncturedClass]
 classesOf n unit counts =
   [ PuncturedClass

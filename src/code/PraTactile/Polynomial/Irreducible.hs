@@ -18,7 +18,7 @@ import PraTactile.Polynomial.Ring
 
 -- | Whether a polynomial of degree n >= 1 has no factor of lower degree (Rabin, SIAM J. Comput. 9,
 -- 1980): x^(q^n) = x modulo h, and x^(q^(n/l)) - x is coprime to h for every prime l that divides
--- n.
+-- n. O(n^3 + q n^2); O(q n) where there is a root in GF(q), as most polynomials have.
 isIrreducible :: KnownField k => Polynomial k -> Bool
 isIrreducible h = case modulusOf h of
   Nothing -> False
@@ -47,7 +47,8 @@ primeDivisors :: Int -> [Int]
 primeDivisors n = [l | l <- [2 .. n], n `mod` l == 0, all (\d -> l `mod` d /= 0) [2 .. l - 1]]
 
 -- | How many monic irreducible polynomials of degree n >= 1 there are, by Gauss's formula: (1/n)
--- times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0.
+-- times the sum of mu(d) q^(n/d) over the divisors d of n. There are none of degree 0. O(n)
+-- operations on whole numbers up to q^n.
 countIrreducible :: forall k. KnownField k => Proxy k -> Natural -> Natural
 countIrreducible k n
   | n == 0 = 0

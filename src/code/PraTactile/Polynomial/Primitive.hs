@@ -80,7 +80,7 @@ period :: KnownField k => Primitive k -> Natural
 period h = fullPeriod (primitiveModulus h)
 
 -- | The monic reciprocal x^n h(1/x) / h(0), whose root is the inverse of the root of h and so of
--- the same order.
+-- the same order. O(n).
 reciprocal :: KnownField k => Primitive k -> Primitive k
 reciprocal h = maybe h (Primitive reversed (periodFactors h)) (modulusOf reversed)
   where
@@ -91,7 +91,8 @@ reciprocal h = maybe h (Primitive reversed (periodFactors h)) (modulusOf reverse
 -- | Check that a polynomial is primitive. Refuses, each with its own 'PolynomialError', polynomials
 -- of degree 0, not monic, divisible by x, reducible, or with a root of lower order; and those of a
 -- degree so large that q^n - 1 is not factored, at once and whatever else they are if q^n is beyond
--- 'largestPower'.
+-- 'largestPower'. O(r (n^3 + q n^2)) for r primes that divide N, after N has been factored
+-- ('factorisePowerMinusOne'), which may take longer.
 checkPrimitive :: forall k. KnownField k => Polynomial k -> Either PolynomialError (Primitive k)
 checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
   (Just modulus, Just leading)
@@ -111,7 +112,10 @@ checkPrimitive h = case (modulusOf h, leadingCoefficient h) of
     k = Proxy :: Proxy k
 
 -- | Those of the candidates that are monic, of degree n >= 1 and primitive, in their order, found
--- as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored.
+-- as they are asked for. Refuses degree 0, and degrees for which q^n - 1 is not factored. N is
+-- factored once ('factorisePowerMinusOne'); then a candidate takes O(r (n^3 + q n^2)) for r primes
+-- that divide N, and O(q n) if it has a root in GF(q) or its constant term shows that it is not
+-- primitive, as of most.
 primitiveAmong ::
   forall k.
   KnownField k =>
@@ -183,7 +187,7 @@ characteristicPower :: KnownField k => Proxy k -> Natural -> (Natural, Natural)
 characteristicPower k n = (fromIntegral (fieldCharacteristic k), fromIntegral (fieldDegree k) * n)
 
 -- | How many primitive polynomials of degree n there are: phi(q^n - 1) / n, phi being Euler's
--- function. Refuses as 'primitiveAmong' does.
+-- function. Refuses as 'primitiveAmong' does. N is factored ('factorisePowerMinusOne').
 countPrimitive :: KnownField k => Proxy k -> Natural -> Either PolynomialError Natural
 countPrimitive k n
   | n == 0 = Left PolynomialConstant

@@ -29,7 +29,7 @@ import PraTactile.Polynomial.Reducible
 import PraTactile.Polynomial.Ring
 
 -- | All monic polynomials of a degree, ascending (coefficients compared from the highest degree
--- down): q^n of them, made as they are asked for.
+-- down): q^n of them, made as they are asked for. O(n) each.
 monicPolynomials :: KnownField k => Natural -> [Polynomial k]
 monicPolynomials = monicFrom 0
 
@@ -48,7 +48,7 @@ monicFrom i n = map monicOf [if i == 0 then 0 else q ^ i .. q ^ n - 1]
     digit j = Just (either (const zero) id (fromCode (fromInteger (j `mod` q))), j `div` q)
 
 -- | The monic polynomials of degree n >= 1 with constant term not 0, those of fewest terms first,
--- and those of equally many ascending. For degree 1, x comes before them.
+-- and those of equally many ascending. For degree 1, x comes before them. O(n) each.
 monicByTerms :: KnownField k => Natural -> [Polynomial k]
 monicByTerms = byTerms 0
 
@@ -80,7 +80,7 @@ byTerms i n
 -- | Monic polynomials of degree n, drawn independently and uniformly from a seed, without end. The
 -- draws are those of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014), a coefficient from the upper
 -- 32 bits of each by the remainder modulo q, constant term first; of the 2^32 values, those at the
--- end that would favour small codes are passed over.
+-- end that would favour small codes are passed over. O(n) each.
 randomMonics :: forall k. KnownField k => Word64 -> Natural -> [Polynomial k]
 randomMonics seed n = go coefficientsDrawn
   where
@@ -100,26 +100,29 @@ splitMix seed = map mix (drop 1 (iterate (+ 0x9e3779b97f4a7c15) seed))
           z2 = (z1 `xor` (z1 `shiftR` 27)) * 0x94d049bb133111eb
        in z2 `xor` (z2 `shiftR` 31)
 
--- | The monic irreducible polynomials of a degree, ascending, made as they are asked for.
+-- | The monic irreducible polynomials of a degree, ascending, made as they are asked for. Each
+-- takes n tests by 'isIrreducible' on average.
 irreduciblePolynomials :: KnownField k => Natural -> [Polynomial k]
 irreduciblePolynomials = filter isIrreducible . ascendingCandidates
 
 -- | The primitive polynomials of a degree n >= 1, ascending, made as they are asked for. Refuses as
--- 'primitiveAmong' does.
+-- 'primitiveAmong' does. The cost is as there, and of the candidates one in n N / phi(N) is
+-- primitive, phi being Euler's function.
 primitivePolynomials :: KnownField k => Natural -> Either PolynomialError [Primitive k]
 primitivePolynomials n = primitiveAmong n (ascendingCandidates n)
 
 -- | The first of 'primitivePolynomials'. Over GF(4), degree 4, it is the paper's x^4 + x^2 + A x +
--- A^2.
+-- A^2. About n N / phi(N) candidates are looked at, each as 'primitiveAmong' does.
 firstPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 firstPrimitive n = firstOf n ascendingCandidates
 
 -- | Of the primitive polynomials with the fewest terms, the first: the shift register with the
--- fewest taps.
+-- fewest taps. The cost is that of 'firstPrimitive'.
 fewestTermsPrimitive :: KnownField k => Natural -> Either PolynomialError (Primitive k)
 fewestTermsPrimitive n = firstOf n fewestTermsCandidates
 
--- | A primitive polynomial drawn uniformly from a seed.
+-- | A primitive polynomial drawn uniformly from a seed. The cost is that of 'firstPrimitive', on
+-- average.
 randomPrimitive :: KnownField k => Word64 -> Natural -> Either PolynomialError (Primitive k)
 randomPrimitive seed n = firstOf n (randomMonics seed)
 

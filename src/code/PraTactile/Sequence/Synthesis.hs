@@ -28,7 +28,7 @@ data Synthesis (k :: Field) = Synthesis
 
 type role Synthesis nominal
 
--- | The shortest register that puts out these terms. Takes time N L.
+-- | The shortest register that puts out these terms. O(N L) operations in GF(q).
 --
 -- >>> import PraTactile.Field.Named (GF2)
 -- >>> synthesisPolynomial (synthesise [0, 0, 1, 0, 1, 1] :: Synthesis GF2)
@@ -78,7 +78,7 @@ subtractMultiple _ as [] = as
 subtractMultiple r [] bs = map (negate . (r *)) bs
 
 -- | The monic polynomial of degree L of the recurrence. Its constant term is 0 if the terms become
--- periodic only after some.
+-- periodic only after some. O(L).
 synthesisPolynomial :: Synthesis k -> Polynomial k
 synthesisPolynomial = polynomial . reverse . connection
 

@@ -5,7 +5,9 @@
 -- remainder, which SQLite and PostgreSQL both have. 'PraTactile.Object.Placement.whereabouts' and
 -- 'PraTactile.Object.Placement.arrayPosition' say what the answers must be.
 module PraTactile.Store.Query
-  ( -- * From the array to the objects
+  ( Query,
+
+    -- * From the array to the objects
     selectWhereabouts,
 
     -- * From the objects to the array
@@ -35,6 +37,7 @@ import PraTactile.Object.Relation (Table (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Store.Error (StoreError (..))
 
+-- | What asks a database.
 type Query m = ReaderT SqlBackend m
 
 -- | Where the window of the given shape at the given position is; the array's shape comes first.

@@ -39,6 +39,7 @@ module PraTactile.Store.Schema
     StoredEdgeId,
     StoredLayingId,
     StoredCellId,
+    Key (..),
     EntityField (..),
     Unique (..),
   )
@@ -46,7 +47,7 @@ where
 
 import Data.Int (Int64)
 import Data.Text (Text)
-import Database.Persist.Sql (EntityField, Unique)
+import Database.Persist.Sql (EntityField, Key, Unique)
 import Database.Persist.TH (mkMigrate, mkPersist, persistLowerCase, share, sqlSettings)
 
 -- | The version of these tables; it changes whenever they do.

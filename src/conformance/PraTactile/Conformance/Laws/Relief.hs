@@ -30,7 +30,7 @@ import PraTactile.Symmetry (Symmetry, onRows, symmetries)
 import System.Random (mkStdGen, randomRs)
 import Test.QuickCheck (Gen, chooseInt, chooseInteger, shrinkIntegral)
 
--- | The grey value at a whole place of a surface without end: 0 to 'highest'.
+-- | The grey value at a whole place of a surface without end: 0 to @highest@.
 type Relief = WholeTaxels -> Natural
 
 -- | What a relief has at most, so that there is room for gain and offset.
