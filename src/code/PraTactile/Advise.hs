@@ -116,7 +116,10 @@ obstacleDegree obstacle = case obstacle of
 -- that gives one array on a plain torus, or beyond which the window has too few cells; at most 16
 -- degrees. Several arrays are listed for a degree only if it gives no single one on a plain torus.
 -- Polynomials are over the field with the default modulus. Refuses a q that is no prime power up to
--- 256, a window without cells or with more than 4096, and more than 2^128 cells.
+-- 256, a window without cells or with more than 4096, and more than 2^128 cells. For each degree n,
+-- q^n - 1 is factored ('factorisePowerMinusOne') and at most 32 polynomials are found; for each
+-- shape and window at most as many ranks are taken, as 'PraTactile.Window.Proof.windowRank' does,
+-- or for several arrays 'PraTactile.ArrayCode.codeRank'.
 advise :: Request -> Either AdviceError Advice
 advise request
   | fmap area (requestWindow request) == Just 0 = Left AdviceWindowEmpty

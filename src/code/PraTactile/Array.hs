@@ -1,6 +1,9 @@
 -- | Pseudorandom arrays: one period of an m-sequence folded into a rectangle (section II of the
 -- paper). Along the diagonal, a[i mod n1][i mod n2] = s(i), which fills the rectangle exactly when
 -- gcd(n1, n2) = 1, by the Chinese remainder theorem; or row by row, a[r][c] = s(n2 r + c).
+--
+-- Costs are numbers of operations in GF(q); n is the degree of the polynomial, and N = q^n - 1 the
+-- number of cells.
 module PraTactile.Array
   ( -- * Shapes and positions
     Shape (..),
@@ -83,7 +86,8 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
 type role PseudorandomArray nominal
 
 -- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'),
--- and the diagonal of one whose sides have a common divisor ('NotCoprime').
+-- and the diagonal of one whose sides have a common divisor ('NotCoprime'). O(log N): what cells
+-- are read from is made at the first one.
 fold ::
   forall k.
   KnownField k =>
@@ -125,11 +129,13 @@ positionOfIndex array i = case arrayFolding array of
 
 -- | The element at a position; positions beyond the edges continue on the 'naturalSurface'. The
 -- array is not built: up to 2^20 cells are looked up in one period of the sequence, and of larger
--- arrays each cell is computed by a jump.
+-- arrays each cell is computed by a jump. Up to 2^20 cells O(1), after O(n N) and N bytes once for
+-- the array; beyond, O(n^2 log N), after the table of 'termAt'.
 cellAt :: KnownField k => PseudorandomArray k -> Position -> GF k
 cellAt array = arrayTerm array . sequenceIndex array
 
--- | The whole array as codes. Refuses more than 'largestGrid' cells before taking memory.
+-- | The whole array as codes. Refuses more than 'largestGrid' cells before taking memory. O(n N),
+-- and N bytes.
 toGrid :: forall k. KnownField k => PseudorandomArray k -> Either FoldError Grid
 toGrid array
   | area shape > largestGrid = Left tooMany
@@ -143,6 +149,6 @@ toGrid array
         sequenceVector (arrayPrimitive array) (arrayState array) (fromIntegral (area shape))
       Diagonal -> filled (arrayPrimitive array) (arrayTerm array) (arrayWeights array) shape
 
--- | The whole array, row by row. Refuses as 'toGrid' does.
+-- | The whole array, row by row. Refuses as 'toGrid' does. O(n N), and some 40 bytes a cell.
 toRows :: KnownField k => PseudorandomArray k -> Either FoldError [[GF k]]
 toRows array = map (map (either (const zero) id . fromCode)) . gridRows <$> toGrid array

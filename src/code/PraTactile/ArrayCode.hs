@@ -4,6 +4,9 @@
 -- s(j), s(j + g), s(j + 2 g), ..., and each folds along the diagonal of a torus of its own. With g
 -- = 1 it is the single array. Over GF(4), degree 6, no linear array of 15 x 273 cells exists on the
 -- torus, as both sides are divisible by 3; three arrays of 15 x 91 cells share the 2 x 3 windows.
+--
+-- Costs are numbers of operations in GF(q); n is the degree of the polynomial, N = q^n - 1 the
+-- number of terms, and m that of cells of a mask.
 module PraTactile.ArrayCode
   ( ArrayCode,
     foldCode,
@@ -81,7 +84,7 @@ foldCode shape@(Shape n1 n2) h state
 
 -- | The index i, below the period, of the term s(i) in a cell: i = j modulo g in array j, and (i -
 -- j) / g is the row modulo n1 and the column modulo n2. Arrays are numbered modulo g; positions
--- beyond the edges continue on the torus.
+-- beyond the edges continue on the torus. O(log N).
 codeIndex :: ArrayCode k -> Place -> Natural
 codeIndex code (Place j (Position r c)) =
   j `mod` codeArrays code + codeArrays code * weightedIndex (n1 * n2) (diagonalWeights n1 n2) r c
@@ -95,11 +98,13 @@ placeOfIndex code i = Place j (Position (along `mod` n1) (along `mod` n2))
     (along, j) = i `divMod` codeArrays code
     Shape n1 n2 = codeShape code
 
--- | The element in a cell. No array is built.
+-- | The element in a cell. No array is built. O(n^2 log N), after the table of 'termAt', which is
+-- made once for the code.
 codeCellAt :: ArrayCode k -> Place -> GF k
 codeCellAt code = codeTerm code . codeIndex code
 
--- | One of the arrays, as codes. Refuses more than 'largestGrid' cells before taking memory.
+-- | One of the arrays, as codes. Refuses more than 'largestGrid' cells before taking memory. O(n c)
+-- for c cells, and c bytes.
 codeGrid :: KnownField k => ArrayCode k -> Natural -> Either ArrayCodeError Grid
 codeGrid code j
   | area shape > largestGrid = Left tooLarge
@@ -118,7 +123,7 @@ codeGrid code j
 -- The windows of all arrays are distinct iff it is n: moving a window by one term of the sequence,
 -- into another array where need be, multiplies by alpha, as in "PraTactile.Window.Rank". The
 -- vectors s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that is
--- one to one.
+-- one to one. O(m n^3 log N).
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
 codeRank code mask = rankOf (map (vector . codeIndex code . Place 0) (maskOffsets mask))
   where

@@ -103,6 +103,7 @@ data CensusError
 
 -- | The shapes that a sequence of q^n - 1 terms fills, given the factors of that number: by
 -- increasing number of rows, all divisors; along the diagonal those whose sides are coprime.
+-- O(d log d) for d divisors.
 scopeShapes :: Folding -> [(Natural, Natural)] -> [Shape]
 scopeShapes folding factors =
   [ shape
@@ -134,7 +135,8 @@ scopeWindowsOf scope (Shape n1 n2)
     fits (Shape k1 k2) = k1 <= n1 && k2 <= n2
 
 -- | The foldings, shapes and windows that every polynomial is taken with, in their order: entry i
--- of a census has the one with index i modulo their number. Refuses as 'censusSize' does.
+-- of a census has the one with index i modulo their number. Refuses as 'censusSize' does. q^n - 1
+-- is factored ('factorisePowerMinusOne'); then O(d log d + p) for its d divisors and p places.
 --
 -- >>> length <$> (standardScope 4 4 >>= scopePlaces)
 -- Right 104
@@ -162,7 +164,8 @@ data Entry = Entry
   }
   deriving stock (Eq, Show)
 
--- | How many entries a census has. Refuses as 'census' does.
+-- | How many entries a census has. Refuses as 'census' does. q^n - 1 is factored
+-- ('factorisePowerMinusOne').
 censusSize :: Scope -> Either CensusError Natural
 censusSize scope = overField scope $ \k -> do
   places <- placesOver scope k
@@ -172,6 +175,8 @@ censusSize scope = overField scope $ \k -> do
 -- | The entries of a census whose numbers are wanted, in order, made as they are asked for: by
 -- polynomial, by folding, by shape, by window. Refuses alphabets that there are not, degree 0,
 -- degrees for which q^n - 1 is not factored or has too many divisors, and windows that are none.
+-- The polynomials are found by 'primitivePolynomials', also those whose entries are not wanted;
+-- each wanted entry costs 'prove' and 'minimumDistance'.
 census :: (Natural -> Bool) -> Scope -> Either CensusError [Entry]
 census wanted scope = overField scope (\k -> entriesOver k wanted scope)
 

@@ -79,9 +79,9 @@ prepareLogarithms h
         gamma = powerOfRoot h cofactor
         babies = iterate (multiplyModulo h gamma) (powerOfRoot h 0)
 
--- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero. O(k n^2 (s + n
--- log q)) for k prime factors of q^n - 1, the largest of which, r, takes s = max (sqrt r) (r /
--- 'mostBabySteps') steps.
+-- | The exponent 0 <= t < q^n - 1 with alpha^t equal to the residue. Refuses zero.
+-- O(k n^2 (s + n log q)) for k prime factors of q^n - 1, the largest of which, r, takes s = max
+-- (sqrt r) (r / 'mostBabySteps') steps.
 logarithmFrom :: KnownField k => Logarithms k -> Residue k -> Either LogarithmError Natural
 logarithmFrom (Logarithms h parts) a
   | a == residue h 0 = Left LogarithmOfZero

@@ -38,7 +38,7 @@ import Data.Word (Word8)
 import Numeric.Natural (Natural)
 import PraTactile.Position
 
--- | The cells of a rectangle, row by row.
+-- | The cells of a rectangle, row by row. O(N) for N cells, made as they are asked for.
 --
 -- >>> [(r, c) | Position r c <- shapeCells (Shape 2 2)]
 -- [(0,0),(0,1),(1,0),(1,1)]
@@ -53,14 +53,15 @@ positionAt :: Shape -> Int -> Position
 positionAt shape i = uncurry Position (fromIntegral i `divMod` max 1 (columns shape))
 
 -- | The smallest rectangle from the upper left cell on that has the cells with these offsets and
--- that cell itself.
+-- that cell itself. O(m) for m offsets.
 --
 -- >>> extentOf [Position 2 1, Position 0 4]
 -- Shape {rows = 3, columns = 5}
 extentOf :: [Position] -> Shape
 extentOf offsets = Shape (1 + maximum (0 : map row offsets)) (1 + maximum (0 : map column offsets))
 
--- | The natural numbers below this one, ascending: @[0 .. n - 1]@ would underflow for 0.
+-- | The natural numbers below this one, ascending: @[0 .. n - 1]@ would underflow for 0. O(n), made
+-- as they are asked for.
 --
 -- >>> naturalsBelow 3
 -- [0,1,2]
@@ -68,7 +69,7 @@ naturalsBelow :: Natural -> [Natural]
 naturalsBelow n = takeWhile (< n) [0 ..]
 
 -- | The first row whose length is not that of the first: its index from 0, its length, and the
--- first row's.
+-- first row's. O(N) for N cells.
 --
 -- >>> raggedRow ["ab", "cd", "e"]
 -- Just (2,1,2)
@@ -163,7 +164,7 @@ data Grid = Grid
   deriving stock (Eq, Show)
 
 -- | The grid with these rows over an alphabet of this size. Refuses an alphabet outside 2 ... 256,
--- no cells, rows of different lengths, and codes outside the alphabet.
+-- no cells, rows of different lengths, and codes outside the alphabet. O(N) for N cells.
 gridFromRows :: Int -> [[Int]] -> Either GridError Grid
 gridFromRows q codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
@@ -180,7 +181,8 @@ gridFromRows q codes
     outside =
       [(Position i j, c) | (i, r) <- zip [0 ..] codes, (j, c) <- zip [0 ..] r, c < 0 || c >= q]
 
--- | The grid of this shape whose codes are given row by row, as 'gridFromRows'.
+-- | The grid of this shape whose codes are given row by row, as 'gridFromRows'. O(N) for N cells;
+-- the vector is not copied.
 gridFromVector :: Int -> Shape -> Vector Word8 -> Either GridError Grid
 gridFromVector q shape codes
   | q < 2 || q > 256 = Left (GridAlphabet q)
@@ -198,7 +200,7 @@ gridFromVector q shape codes
 gridShape :: Grid -> Shape
 gridShape grid = Shape (fromIntegral (gridHeight grid)) (fromIntegral (gridWidth grid))
 
--- | The codes, row by row.
+-- | The codes, row by row. O(N) for N cells, made as they are asked for.
 gridRows :: Grid -> [[Int]]
 gridRows grid = [map fromIntegral (Primitive.toList (rowAt i)) | i <- [0 .. gridHeight grid - 1]]
   where

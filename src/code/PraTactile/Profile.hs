@@ -149,7 +149,8 @@ inferWindow q n (Shape n1 _)
 
 -- | Check a profile and bring its field, array and window into scope. Refuses every impossible
 -- choice, each with its own 'ProfileError'. Not checked is whether the windows of the array are
--- distinct: that is what "PraTactile.Window.Proof" proves.
+-- distinct: that is what "PraTactile.Window.Proof" proves. The cost is that of 'withField' and of
+-- 'checkPrimitive'; a shape that does not have q^n - 1 cells is refused before.
 --
 -- >>> withProfile canonicalProfile (\array _ -> toCode (cellAt array (Position 6 5)))
 -- Right 3

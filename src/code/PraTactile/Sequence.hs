@@ -100,8 +100,8 @@ mSequence :: KnownField k => Primitive k -> State k -> [GF k]
 mSequence h = concatMap (take 1 . stateElements) . iterate (next h)
 
 -- | The first terms s(0), ..., s(count - 1), in one byte each; a negative count gives none. In
--- characteristic 2 a few nanoseconds for eight terms, otherwise a few nanoseconds a term. O(w
--- count) for w terms of h that are not 0.
+-- characteristic 2 a few nanoseconds for eight terms, otherwise a few nanoseconds a term.
+-- O(w count) for w terms of h that are not 0.
 sequenceVector :: KnownField k => Primitive k -> State k -> Int -> Vector (GF k)
 sequenceVector h (State s0) count = Primitive.create $ do
   terms <- Mutable.new (max 0 count)
@@ -116,7 +116,8 @@ termAt :: KnownField k => Primitive k -> State k -> Natural -> GF k
 termAt h (State s) = jump h s
 
 -- | The state s(t), ..., s(t+n-1) of the register after t steps, or before if t is negative,
--- without the steps between. n terms by 'termAt', whose table is made at each call.
+-- without the steps between. It makes the table of 'termAt' at each call, and takes n terms from
+-- it.
 stateAt :: KnownField k => Primitive k -> State k -> Integer -> State k
 stateAt h s t = State (map (termAt h s . (start +)) (genericTake (primitiveDegree h) [0 ..]))
   where

@@ -63,7 +63,7 @@ data WindowError
 newtype Mask = Mask [Position]
   deriving stock (Eq, Ord, Show)
 
--- | The full rectangle, read row by row. Refuses no cells and more than 4096.
+-- | The full rectangle, read row by row. Refuses no cells and more than 4096. O(m) for m cells.
 --
 -- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> rectangle (Shape 2 2)
 -- Right [(0,0),(0,1),(1,0),(1,1)]
@@ -74,7 +74,7 @@ rectangle shape
   | otherwise = Right (Mask (shapeCells shape))
 
 -- | The cells with these offsets, read in this order. Refuses no cells, more than 4096, and an
--- offset that occurs twice.
+-- offset that occurs twice. O(m log m) for m cells.
 maskFrom :: [Position] -> Either WindowError Mask
 maskFrom offsets
   | null offsets = Left WindowEmpty
@@ -94,16 +94,16 @@ largestMask = 4096
 maskOffsets :: Mask -> [Position]
 maskOffsets (Mask offsets) = offsets
 
--- | The number of cells.
+-- | The number of cells. O(m).
 maskSize :: Mask -> Int
 maskSize (Mask offsets) = length offsets
 
--- | The smallest rectangle that holds the cells and the window's position.
+-- | The smallest rectangle that holds the cells and the window's position. O(m).
 maskExtent :: Mask -> Shape
 maskExtent = extentOf . maskOffsets
 
 -- | The shape of the rectangle that the mask is, in whatever order it is read; 'Nothing' for
--- others.
+-- others. O(m).
 maskRectangle :: Mask -> Maybe Shape
 maskRectangle mask
   | area extent == fromIntegral (maskSize mask) = Just extent
@@ -113,7 +113,8 @@ maskRectangle mask
 
 -- | The mask that is drawn: # for a cell that is observed and . for one that is not, the rows from
 -- the top down and parted by a slash. It is read row by row; its position is its upper left corner.
--- Refuses other characters, rows of different lengths, and as 'maskFrom' does.
+-- Refuses other characters, rows of different lengths, and as 'maskFrom' does. O(a log a) for a
+-- characters.
 --
 -- >>> map (\(Position i j) -> (i, j)) . maskOffsets <$> maskFromDrawing "##./.##"
 -- Right [(0,0),(0,1),(1,1),(1,2)]
@@ -129,6 +130,7 @@ maskFromDrawing drawing
       (r, []) -> [r]
 
 -- | The drawing of a mask that 'maskFromDrawing' reads: without the order in which it is read.
+-- O(a log m) for a cells in the extent of the mask.
 --
 -- >>> maskDrawing <$> maskFromDrawing "##./.##"
 -- Right "##./.##"
@@ -141,7 +143,7 @@ maskDrawing mask =
     drawn cell = if cell `Set.member` cells then '#' else '.'
 
 -- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
--- beyond the edges of the sheet.
+-- beyond the edges of the sheet. The cost is that of 'cellAt' for each of the m cells.
 windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
 windowAt surface array mask position = traverse cell (maskOffsets mask)
   where
@@ -155,7 +157,8 @@ data Packing
     LeastSignificantFirst
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | @pack packing q codes@ is the number whose base-q digits are the codes, each below q.
+-- | @pack packing q codes@ is the number whose base-q digits are the codes, each below q. O(m)
+-- operations on numbers up to q^m.
 --
 -- >>> pack MostSignificantFirst 4 [3, 2, 3, 1]
 -- 237
@@ -163,7 +166,8 @@ pack :: Packing -> Int -> [Int] -> Natural
 pack packing q codes =
   foldl' (\n c -> fromIntegral q * n + fromIntegral c) 0 (ordered packing codes)
 
--- | @unpack packing q cells n@ undoes 'pack'. Refuses n >= q^cells.
+-- | @unpack packing q cells n@ undoes 'pack'. Refuses n >= q^cells. O(m) operations on numbers up
+-- to q^m.
 unpack :: Packing -> Int -> Int -> Natural -> Either WindowError [Int]
 unpack packing q cells n
   | n >= base ^ max 0 cells = Left (PackedOutOfRange n)

@@ -89,8 +89,8 @@ pocklington n = maybe False suffices (find enough (inits (small ++ provedFactors
       where
         (c2, c1) = (n `div` f) `divMod` f
 
--- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n. O(log
--- n) products modulo n.
+-- | @isPocklingtonWitness n l a@: a^(n-1) is 1 modulo n, and a^((n-1)/l) - 1 is coprime to n.
+-- O(log n) products modulo n.
 isPocklingtonWitness :: Natural -> Natural -> Natural -> Bool
 isPocklingtonWitness n l a =
   powerModulo n a (n - 1) == 1 && gcd n (powerModulo n a ((n - 1) `div` l) + n - 1) == 1

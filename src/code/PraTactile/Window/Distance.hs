@@ -3,6 +3,9 @@
 -- shifts of an m-sequence is a third (MacWilliams and Sloane 1976): that of the vectors
 -- "PraTactile.Window.Rank" speaks of. So two of them differ in at least as many cells as the
 -- lightest window has that are not zero.
+--
+-- Costs: m is the number of the mask's cells, n the degree of the polynomial. First of all the code
+-- is found, as 'PraTactile.Window.Proof.windowRank' does.
 module PraTactile.Window.Distance
   ( -- * Minimum distance
     minimumDistance,
@@ -59,7 +62,8 @@ largestSearch = 2 ^ (24 :: Int)
 
 -- | The minimum distance of the windows of a mask. Exact; by a search among combinations of few
 -- independent windows (A. E. Brouwer and K.-H. Zimmermann), which refuses beyond 'largestSearch'
--- codewords.
+-- codewords. O(m) for each codeword looked at: some (n over w) (q - 1)^(w - 1) for each of the
+-- disjoint sets of n independent cells, w being n d over m for the distance d.
 minimumDistance :: KnownField k => PseudorandomArray k -> Mask -> Either DistanceError Distance
 minimumDistance = minimumDistanceWithin largestSearch
 
@@ -84,7 +88,8 @@ corrects d errors erasures = 2 * errors + erasures < d
 -- | How many windows, the zero window with them, have each number of cells that are not zero; the
 -- numbers add up to q^r, r being the rank of the mask. By visiting them all, or all of the dual
 -- code and the identity of MacWilliams, whichever are fewer; refuses when these exceed
--- 'largestSearch'.
+-- 'largestSearch'. O(m) a codeword, of which there are min (q^r) (q^(m - r)); and O(m^4) for the
+-- identity.
 weightEnumerator ::
   KnownField k =>
   PseudorandomArray k ->

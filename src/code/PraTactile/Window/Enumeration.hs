@@ -76,7 +76,10 @@ largestReading :: Natural
 largestReading = 2 ^ (26 :: Int)
 
 -- | Visit every window on the surface. Takes one pass, and on the first repetition a second one to
--- find the partner. Refuses when there is no window, or no memory for what was seen.
+-- find the partner. Refuses when there is no window, or no memory for what was seen. O(N) for N
+-- positions of a rectangle whose windows are distinct, otherwise O(m N) for m cells, with a bit for
+-- each of the q^m possible contents; where these are too many, O(m N) by sorting, with 8 bytes a
+-- position, or O(m N log N) by a map.
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | count == 0 = Left NoWindow

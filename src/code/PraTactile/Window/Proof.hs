@@ -1,6 +1,9 @@
 -- | The window property: every window has a content of its own, so that the content determines the
 -- position (MacWilliams and Sloane 1976; section II of the paper). Two methods lead to one verdict:
 -- visiting every window, and the rank of the mask. Where both are possible they are compared.
+--
+-- Costs: N is the number of a window's positions, m that of its cells, and n the degree of the
+-- polynomial.
 module PraTactile.Window.Proof
   ( -- * Proving
     prove,
@@ -93,7 +96,7 @@ type role Proved nominal
 -- possible: by visiting all windows if memory allows; by the rank on the array's 'naturalSurface',
 -- where it decides, and on the sheet, where rank n is sufficient only. With the verdict comes the
 -- witness if it is favourable. Refuses when there is no window, when neither method is possible,
--- and when the two disagree.
+-- and when the two disagree. The costs are those of 'enumerate' and of 'windowRank'.
 prove ::
   KnownField k =>
   Surface ->
@@ -132,7 +135,7 @@ prove on array mask
         }
 
 -- | Decide whether the windows of any matrix are distinct, by visiting them all. Refuses when there
--- is no window or too little memory.
+-- is no window or too little memory. The cost is that of 'enumerate'.
 proveGrid :: Surface -> Grid -> Mask -> Either ProofError Verdict
 proveGrid on grid mask = verdictOf on <$> visitAll on grid mask
 

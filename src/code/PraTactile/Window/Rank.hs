@@ -22,7 +22,8 @@ import PraTactile.Polynomial
 import PraTactile.Window
 
 -- | The rank over GF(q) of the alpha^e(i, j), (i, j) the cells of the mask: at most n. The windows
--- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n.
+-- of the 'naturalSurface' are distinct iff it is n; those of the sheet if it is n. O(m n^2), after
+-- 'windowVectors'.
 windowRank :: KnownField k => PseudorandomArray k -> Mask -> Natural
 windowRank array mask =
   fromIntegral (length (independentRows n (map rowFromList (windowVectors array mask))))
@@ -34,7 +35,8 @@ windowRank array mask =
 --
 -- As e(i, j) = e(i, 0) + e(0, j), each is the product of a power for its row and one for its
 -- column; and these follow from one row or column to the next, so that two long powers suffice for
--- a rectangle.
+-- a rectangle. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
+-- between their rows and columns, of which a rectangle has two.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
 windowVectors array mask =
   [ residueCoefficients h (multiplyModulo h a b)
@@ -56,7 +58,8 @@ windowVectors array mask =
         taken = [a | gap <- gaps, Just a <- [Map.lookup gap steps]]
         steps = Map.fromSet (alphaTo . at) (Set.fromList gaps)
 
--- | The rank of a matrix over GF(q), given by rows of one length.
+-- | The rank of a matrix over GF(q), given by rows of one length. O(m n r) for m rows of n
+-- elements, of rank r.
 rankOf :: KnownField k => [[GF k]] -> Natural
 rankOf matrix = fromIntegral (length (independentRows maxBound (map rowFromList matrix)))
 
