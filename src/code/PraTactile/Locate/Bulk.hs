@@ -44,7 +44,7 @@ data Memory (k :: Field) = Memory
 
 type role Memory nominal
 
--- | The memory of a table.
+-- | The memory of a table. O(q^m) for windows of m cells, and 4 q^m bytes.
 memoryOf :: Table k -> Memory k
 memoryOf table =
   Memory
@@ -68,7 +68,7 @@ notUnique = -2
 -- | The packed position of each packed window, in their order; 'notOccurring' or 'notUnique' where
 -- there is not exactly one. Any numbers are taken. One read of the memory each: a memory that the
 -- cache holds gives hundreds of millions a second, and a larger one as many as reads at random
--- places allow.
+-- places allow. O(k) for k windows.
 locateWindows :: Memory k -> Vector Word32 -> Vector Int32
 locateWindows memory = Primitive.map entry
   where
@@ -79,7 +79,7 @@ locateWindows memory = Primitive.map entry
       | otherwise = notOccurring
 
 -- | The packed window of a content in reading order; 'Nothing' for another number of cells than the
--- window's.
+-- window's. O(m) for m cells.
 packWindow :: forall k. KnownField k => Memory k -> [GF k] -> Maybe Word32
 packWindow memory content
   | length (take (memoryCells memory + 1) content) == memoryCells memory =

@@ -64,7 +64,8 @@ data Spheres = Spheres
 -- | The spheres of radius 0 of the candidates on a surface, no distance promised; by the
 -- orientations in question, the shape of the patch as it is seen, and the offsets in it of the
 -- observed cells. On the sheet candidates are those with which the patch's upper left and all
--- observed cells lie on it. 'Nothing' where no cell was observed.
+-- observed cells lie on it. 'Nothing' where no cell was observed. O(o m) for o orientations and m
+-- cells.
 spheres ::
   KnownField k =>
   Surface ->
@@ -103,8 +104,9 @@ correcting d r around = around {sphereDistance = d, sphereRadius = r}
 amongCells :: Natural -> Spheres -> Spheres
 amongCells m around = around {sphereCells = m, sphereDistance = 0}
 
--- | The share of all contents that lies in the spheres. To the precision of 'Double' up to
--- 'mostExactCells' cells, and beyond, where it is 0 or 1 but for few radii, by logarithms.
+-- | The share of all contents that lies in the spheres. To the precision of 'Double' up to 4096
+-- cells, and beyond, where it is 0 or 1 but for few radii, by logarithms. O(r) operations, on whole
+-- numbers up to q^m or beyond on doubles.
 --
 -- The paper's array, 2 x 2 cells, and 3 x 3 of which one is corrected:
 --
@@ -134,7 +136,7 @@ mostExactCells :: Natural
 mostExactCells = 4096
 
 -- | @sphereVolume q m r@: how many words of m symbols out of q differ from a given one in at most
--- r.
+-- r. O(r) operations on numbers up to q^m.
 --
 -- >>> [sphereVolume 2 7 1, sphereVolume 4 9 1, sphereVolume 4 3 9]
 -- [8,28,64]

@@ -74,6 +74,7 @@ whereaboutsReport found = case found of
   where
     onNone on faces = WhereaboutsReport on Nothing faces Nothing [] Nothing
 
+-- | The keys of a report of where a window is.
 whereaboutsKeys :: Keys WhereaboutsReport WhereaboutsReport
 whereaboutsKeys =
   report

@@ -20,6 +20,7 @@ data OutcomeName
     Invalid
   deriving stock (Eq, Show, Enum, Bounded)
 
+-- | An outcome by its name.
 outcomeCodec :: Codec OutcomeName
 outcomeCodec = named $ \outcome -> case outcome of
   Located -> "located"

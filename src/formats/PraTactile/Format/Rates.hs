@@ -114,6 +114,7 @@ encodeRates report =
       Guaranteed -> Nothing
       UpTo e -> Just (naturalValue e)
 
+-- | The names of the columns that 'lineCsv' fills.
 csvHeading :: String
 csvHeading =
   intercalate
@@ -128,6 +129,7 @@ csvHeading =
 outcomes :: [String]
 outcomes = ["right", "wrong", "refused"]
 
+-- | A line of a table of rates, as comma-separated values.
 lineCsv :: Line -> String
 lineCsv l =
   intercalate

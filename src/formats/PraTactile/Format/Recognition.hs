@@ -201,6 +201,7 @@ data RecognitionContext = RecognitionContext
     contextRobot :: (Double, Double) -> (Double, Double)
   }
 
+-- | What a report says of a recognition.
 recognitionReport :: RecognitionContext -> Recognition -> RecognitionReport
 recognitionReport context recognition =
   RecognitionReport

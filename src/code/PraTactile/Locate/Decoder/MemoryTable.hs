@@ -48,7 +48,7 @@ data Table (k :: Field) = Table
     -- | How windows are packed.
     tablePacking :: !Packing,
     tableGrid :: !Grid,
-    -- | Positions sorted by packed window: those of window w are the entries of 'tablePositions'
+    -- | Positions sorted by packed window: those of window w are the entries of @tablePositions@
     -- from the start of w up to, not including, the start of w + 1.
     tableStarts :: !(Vector Int32),
     tablePositions :: !(Vector Int32)
@@ -61,7 +61,8 @@ largestTable :: Natural
 largestTable = 2 ^ (26 :: Int)
 
 -- | The table of all windows of the array on the surface. Refuses more than 'largestTable' packed
--- windows or cells, before taking memory.
+-- windows or cells, before taking memory. O((n + m) N + q^m) for N cells, windows of m and a
+-- polynomial of degree n; it takes 4 (N + q^m) + N bytes.
 buildTable ::
   forall k.
   KnownField k =>
@@ -117,6 +118,7 @@ tableSize :: Table k -> Natural
 tableSize table = fromIntegral (Primitive.length (tableStarts table) - 1)
 
 -- | The positions of a packed window, ascending; none if it does not occur, or is no packed window.
+-- O(p) for p positions.
 tableLookup :: Table k -> Natural -> [Position]
 tableLookup table packed
   | packed >= tableSize table = []
@@ -129,7 +131,8 @@ tableLookup table packed
     positions = tablePositions table
     position = positionAt (tableShape table) . fromIntegral
 
--- | The packed windows that occur, ascending, each with its positions.
+-- | The packed windows that occur, ascending, each with its positions. O(q^m + N) for N positions
+-- of windows of m cells, made as they are asked for.
 tableEntries :: Table k -> [(Natural, [Position])]
 tableEntries table =
   [ (packed, positions)
@@ -142,7 +145,8 @@ tableShape :: Table k -> Shape
 tableShape = gridShape . tableGrid
 
 -- | Of each packed window, in order, the position row * columns + column where it is; the first
--- number if it does not occur, the second if it is at several positions.
+-- number if it does not occur, the second if it is at several positions. O(q^m) for windows of m
+-- cells.
 tableUnique :: Int32 -> Int32 -> Table k -> Vector Int32
 tableUnique none several table = Primitive.zipWith unique starts (Primitive.drop 1 starts)
   where
@@ -154,7 +158,8 @@ tableUnique none several table = Primitive.zipWith unique starts (Primitive.drop
       | otherwise = several
 
 -- | The place of a patch: all its complete windows and all its other observed cells must agree. On
--- the sheet, every observed cell and the patch's upper left must lie on it.
+-- the sheet, every observed cell and the patch's upper left must lie on it. O(w m log a + p a) for
+-- a observed cells with w complete windows of m cells, which have p positions.
 locatePatch :: Table k -> Patch (GF k) -> Outcome Position
 locatePatch table observed
   | null cells = Refused TooFewCells

@@ -25,9 +25,10 @@ import PraTactile.Locate.Patch
 import PraTactile.Locate.Query (Radius, radiusFor)
 
 -- | The nearest position within the radius, with the cells that are wrong there. If there is none,
--- the reason is that of 'noneWithin'. Several positions equally near, which needs a radius beyond
--- the guaranteed one or cells that several positions share, are 'Ambiguous'. No observed cells are
--- 'TooFewCells'.
+-- the reason is that of the exact search where nothing may be corrected, 'ZeroWindow' where the
+-- patch is within the radius of all zeros, and else 'BeyondRadius'. Several positions equally near,
+-- which needs a radius beyond the guaranteed one or cells that several positions share, are
+-- 'Ambiguous'. No observed cells are 'TooFewCells'. O(m N) for m observed cells and N positions.
 nearest :: forall k. KnownField k => Codebook k -> Radius -> Patch (GF k) -> Decision Position
 nearest codebook stated observed
   | null cells = nowhereDecision (radiusFor stated 0)

@@ -26,6 +26,7 @@ data AnswerContext = AnswerContext
     answerExplanation :: Maybe [String]
   }
 
+-- | What a report says of an answer.
 answerReport :: AnswerContext -> Answer -> AnswerReport
 answerReport context answer = case answerOutcome answer of
   Unique candidate windows ->

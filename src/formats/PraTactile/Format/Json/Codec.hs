@@ -70,9 +70,11 @@ type Decoder a = Value -> Either FormatError a
 -- | What is written for a value, and what is read.
 data Codec a = forall w. ToJSON w => Codec (a -> w) (Decoder a)
 
+-- | The JSON value that a codec makes.
 writeValue :: Codec a -> a -> Value
 writeValue (Codec write _) = toJSON . write
 
+-- | What a JSON value stands for.
 readValue :: Codec a -> Decoder a
 readValue (Codec _ decoder) = decoder
 
@@ -100,11 +102,13 @@ nullable (Codec write decoder) = Codec (fmap write) $ \value -> case value of
   Null -> Right Nothing
   _ -> Just <$> decoder value
 
+-- | A text.
 text :: Codec String
 text = Codec id $ \value -> case value of
   String given -> Right (Text.unpack given)
   _ -> refuse NotText
 
+-- | True or false.
 bool :: Codec Bool
 bool = Codec id $ \value -> case value of
   Bool given -> Right given
@@ -128,6 +132,7 @@ natural = Codec naturalValue $ \value -> case value of
 integer :: Codec Integer
 integer = Codec id (maybe (refuse NotInteger) Right . wholeNumber)
 
+-- | The same as a machine integer, which has room for it.
 int :: Codec Int
 int = Codec id (fmap fromInteger . readValue integer)
 
@@ -234,9 +239,11 @@ schemaKey wanted = Keys (const (Item "schema" wanted :)) $ \fields -> do
 object :: Keys a a -> Codec a
 object keys = Codec (writeObject keys) (objectOf >=> readKeys keys)
 
+-- | The JSON object that these keys make.
 writeObject :: Keys r a -> r -> Object
 writeObject (Keys write _) r = KeyMap.fromList [(name, toJSON part) | Item name part <- write r []]
 
+-- | The same for an encoder, the keys in their order.
 series :: Keys r a -> r -> Series
 series (Keys write _) r = mconcat [name .= part | Item name part <- write r []]
 
@@ -244,6 +251,7 @@ series (Keys write _) r = mconcat [name .= part | Item name part <- write r []]
 writeLine :: Keys r a -> r -> ByteString
 writeLine keys = Lazy.toStrict . encodeLine . series keys
 
+-- | What a JSON object stands for, by its keys.
 readKeys :: Keys r a -> Object -> Either FormatError a
 readKeys (Keys _ decoder) = decoder
 
