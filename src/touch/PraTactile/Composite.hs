@@ -86,8 +86,8 @@ weighted composite =
 -- | Images at their places, in taxels from an origin in millimetres, as a composite, with the
 -- displacements given, as if these were compared, and no other way to put them together. Its grid
 -- is the origin's, moved by whole taxels so that it holds all the images. With an image may stand
--- the share of each pixel that was felt, 0 to 1: the rest of it counts 'interpolated' in the mean,
--- and 'known' in the coverage.
+-- the share of each pixel that was felt, 0 to 1: the rest of it counts @interpolated@ in the mean,
+-- and @known@ in the coverage.
 blended :: (Double, Double) -> NonEmpty ((Place, Raster), Maybe Raster) -> [Place] -> Composite
 blended (left, top) images displacements =
   Composite

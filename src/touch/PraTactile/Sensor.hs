@@ -77,7 +77,7 @@ felt sensor heights pose force tilts
     share = footingShare under
     height = mapRaster (max 0 . min 1 . (/ sensorFullScale sensor)) (footingHeight under)
 
--- | The share of full scale that is read for what 'felt' says.
+-- | The share of full scale that is read for what @felt@ says.
 reading :: Sensor -> Double -> Double
 reading sensor
   | sensorStiffness sensor > 0 =

@@ -70,7 +70,7 @@ data Agreement = Agreement
     -- of one variance for all, than if each shows a relief of its own.
     agreed :: !Double,
     -- | What that would be if the frames were alike up to the noise that they are told to have or
-    -- show, and to a correlation of 'alike' at most: frames that were pressed otherwise are not
+    -- show, and to a correlation of @alike@ at most: frames that were pressed otherwise are not
     -- quite alike.
     agreeable :: !Double
   }
@@ -127,8 +127,8 @@ mostPairs = 24
 alike :: Double
 alike = 0.85
 
--- | Pairs of images that overlap at their places: of those around at most 'mostCentres' images the
--- ones that overlap most, at most 'mostPairs' of them, evenly; by their numbers, with where the
+-- | Pairs of images that overlap at their places: of those around at most @mostCentres@ images the
+-- ones that overlap most, at most @mostPairs@ of them, evenly; by their numbers, with where the
 -- second's upper left pixel lies in the first.
 telling :: [(Place, Raster)] -> [(Int, Int, Place)]
 telling placed =

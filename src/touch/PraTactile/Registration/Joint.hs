@@ -2,7 +2,7 @@
 -- them, each frame's displacement from the lattice and from the symbols that the other frames saw
 -- in the cells that it sees. The array is not known here.
 --
--- The cost is linear in the frames: the lattice's phase is found from at most 'phaseFrames' of
+-- The cost is linear in the frames: the lattice's phase is found from at most @phaseFrames@ of
 -- them, and of each frame only the displacements that may matter are kept.
 module PraTactile.Registration.Joint
   ( Located (..),

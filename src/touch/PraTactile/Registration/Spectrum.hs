@@ -35,7 +35,7 @@ data Spectra = Spectra
   { spectraWidth :: !Int,
     spectraCosines :: !Cosines,
     -- | By width and height of a patch: the variances of its coefficients for each shape of the
-    -- spectrum, and their 'coherence'.
+    -- spectrum, and their @coherence@.
     spectraPatches :: !(Boxed.Vector (Boxed.Vector (Vector Double), Vector Double)),
     -- | Of whole frames, by shape and share of the noise: the inverse variances of the
     -- coefficients, and the sum of the logarithms of the variances.
@@ -171,7 +171,7 @@ data Shared = Shared !Sums !Sums !Sums
 -- their covariance, and half the logarithm of its determinant.
 data Sums = Sums !Double !Double !Double !Double
 
--- | What two patches of that width and height tell at each of 'reliefScales', from their
+-- | What two patches of that width and height tell at each of @reliefScales@, from their
 -- coefficients, each divided by the root of its frame's scale.
 shared :: Spectra -> Process -> Int -> Int -> Vector Double -> Vector Double -> [Shared]
 shared tables process w h a b =
@@ -218,7 +218,7 @@ shared tables process w h a b =
 
 -- | How much likelier, as a natural logarithm, the patches are of one relief than of two, if the
 -- second reads that many times what the first does, beyond the scales. Relief is no normal process,
--- and the coefficients are not quite independent, so each counts for somewhat less: 'tempering'.
+-- and the coefficients are not quite independent, so each counts for somewhat less: @tempering@.
 sharedLog :: Double -> [Shared] -> Double
 sharedLog ratio scales =
   tempering

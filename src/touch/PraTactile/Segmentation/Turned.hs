@@ -75,7 +75,7 @@ data Reading = Reading
 
 -- | The symbols of a composite at any angle: as they lie at the angle that the image's gradients
 -- show, or along the composite's own axes. The one is taken that shows more symbols, of as many the
--- one with more neighbours, and of as many the one with less 'misfit'. One or two symbols alone, at
+-- one with more neighbours, and of as many the one with less @misfit@. One or two symbols alone, at
 -- an angle, may be told at another one.
 segmentTurned :: Composite -> Sighted
 segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
@@ -150,8 +150,8 @@ wholeOnly view found = found {segmentedSymbols = filter mostly (segmentedSymbols
     leastTouched = 0.85 * fromIntegral (symbolWidth * symbolHeight)
 
 -- | The symbols with their features. Their common axis is that of the reading, corrected by where
--- their neighbours are ('offAxis'): as much as the neighbours' number and distances make that surer
--- than the reading ('placesDeviation', 'readingDeviation').
+-- their neighbours are (@offAxis@): as much as the neighbours' number and distances make that surer
+-- than the reading (@placesDeviation@, @readingDeviation@).
 featured :: Reading -> [Featured]
 featured reading =
   [ Featured (place s) axis (Neighbours (to s (0, 1)) (to s (0, -1)) (to s (-1, 0)) (to s (1, 0)))

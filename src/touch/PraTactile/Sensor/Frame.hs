@@ -112,7 +112,7 @@ data ProbeError
     RegionTooSmall !Int !Int
   | -- | The same of another sensor, whose width and height follow, in taxels of 'taxelPitch'.
     RegionBelowSensor !Int !Int !Double !Double
-  | -- | The region (width, height, taxels) would take more than 'maxPresses' presses.
+  | -- | The region (width, height, taxels) would take more than 100000 presses.
     RegionTooLarge !Int !Int
   deriving stock (Eq, Show)
 

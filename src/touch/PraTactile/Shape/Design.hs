@@ -198,7 +198,7 @@ mayLieOn row next = row .&. next /= 0 && not (or [cornersOnly x | x <- [0 .. gri
         && testBit next x /= testBit next (x + 1)
         && testBit row x /= testBit next x
 
--- | How many stacks of 'gridHeight' rows there are, counted by their uppermost row without making
+-- | How many stacks of @gridHeight@ rows there are, counted by their uppermost row without making
 -- them.
 drawings :: Int
 drawings = sum (map snd (iterate upwards [(row, 1) | row <- rowsOfBlocks] `at` (gridHeight - 1)))

@@ -96,6 +96,7 @@ withErrors child fault = do
     pieces bytes =
       if Bytes.null bytes then [] else let (a, b) = Bytes.splitAt 100 bytes in a : pieces b
 
+-- | How a process ended, in words.
 exitText :: ExitCode -> String
 exitText code = case code of
   ExitSuccess -> "it ended, with status 0"
@@ -103,6 +104,7 @@ exitText code = case code of
     | n < 0 -> "it was ended by signal " ++ show (negate n)
     | otherwise -> "it ended, with status " ++ show n
 
+-- | A number of seconds, in words.
 secondsText :: Double -> String
 secondsText seconds
   | seconds == fromInteger whole = show whole ++ (if whole == 1 then " second" else " seconds")

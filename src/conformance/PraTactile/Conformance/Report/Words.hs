@@ -135,6 +135,7 @@ requestText request = case request of
     key = Key.fromString
     longer = cut 600 . whole
 
+-- | What came, in words.
 cameText :: Came -> String
 cameText came = case came of
   CameResult value -> valueText value

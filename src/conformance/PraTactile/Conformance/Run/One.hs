@@ -38,6 +38,7 @@ import System.Timeout (timeout)
 -- | A subject, and the profile that was put in force last, with what came instead of that.
 data Worker = Worker Subject (IORef (Maybe (Profile, Maybe Counterexample)))
 
+-- | Of a subject with no profile in force.
 newWorker :: Subject -> IO Worker
 newWorker subject = Worker subject <$> newIORef Nothing
 
@@ -228,5 +229,6 @@ checkedReport check checked = case checked of
             Just (counterexample requests wanted "the protocol" came (checkSentence check))
         }
 
+-- | What is reported of a check that the time did not suffice for.
 checkTooSlow :: Check -> LawReport
 checkTooSlow = outOfTime . checkReport

@@ -20,6 +20,7 @@ data Grid = Grid
     gridSigma :: !Double
   }
 
+-- | The displacements that the robot's accuracy leaves.
 gridOf :: Registration -> Grid
 gridOf settings =
   Grid

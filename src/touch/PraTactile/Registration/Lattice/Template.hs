@@ -10,6 +10,7 @@
 -- which is nearly the same in all directions, is not.
 module PraTactile.Registration.Lattice.Template
   ( Templates (..),
+    Outline,
     templates,
     PaperTables,
     paperTemplates,
