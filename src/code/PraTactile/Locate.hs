@@ -7,6 +7,22 @@
 --
 -- What it means is in "PraTactile.Locate.Definition", too slow to use and too simple to be wrong;
 -- the decoders beside it are compared with it.
+--
+-- Costs are numbers of operations in GF(q); N is the number of positions, n the degree of the
+-- polynomial, and m the number of observed cells. To join patches takes O(m log m), to make a
+-- belief or to go through it O(q). A patch then takes, for each symmetry in which it may be seen,
+--
+-- * by the memory table what 'locatePatch' does, after 'buildTable';
+-- * by the codebook O(m N), for distances as for probabilities, after O(n N) for N bytes;
+-- * by the algebra O(m n^2 + n^3 + q n^2), and a logarithm ("PraTactile.DiscreteLog");
+-- * by information sets at most 2^24 words, O(m) each, and a logarithm; as many words again for the
+--   distance of its cells, once for a rectangle of at most 32 x 32 cells without holes;
+-- * by a list at most 2^16 words, O(m) each, and a logarithm for each place that is named, on the
+--   sheet also for others;
+-- * by the definition m N cells, as 'PraTactile.Array.cellAt' looks them up.
+--
+-- How far symmetries differ takes at most 2^18 words more for every two of them. Of patches that
+-- are located at no place together, each one and all but each one are located besides.
 module PraTactile.Locate
   ( -- * The question
     Query (..),

@@ -88,7 +88,8 @@ type role Prepared nominal
 -- | The locator of an array with this window, and the order in which its table packs cells; by the
 -- decoder asked for, or 'Nothing' for the one that the array needs: symbols and probabilities are
 -- compared with the codebook up to 2^20 cells; beyond, they are decoded by information sets and by
--- lists, and where there are no logarithms by the table.
+-- lists, and where there are no logarithms by the table. O(1): what a decoder needs is made when it
+-- is first used, once for each surface.
 locator :: KnownField k => Maybe DecoderName -> Packing -> PseudorandomArray k -> Mask -> Locator k
 locator choice packing array mask =
   Locator array mask choice $ \surface -> case surface of

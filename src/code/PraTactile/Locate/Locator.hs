@@ -34,7 +34,8 @@ import PraTactile.Locate.Query
 import PraTactile.Symmetry
 
 -- | Where the patches of a question are. If any cell has probabilities, all cells are taken as
--- probabilities. Refuses what the decoder that is asked for cannot do, and where there is none.
+-- probabilities. Refuses what the decoder that is asked for cannot do, and where there is none. The
+-- costs are those of the decoder, as "PraTactile.Locate" has them.
 locate :: KnownField k => Locator k -> Query k -> Either LocatorError Answer
 locate made asked
   | null (querySymmetries asked) = Left NoSymmetry
@@ -51,7 +52,7 @@ symbolOf cell = case cell of
   Probabilities _ -> Nothing
 
 -- | Which decoder answers questions about symbols on a surface with this radius; refused where none
--- does.
+-- does. Makes the codebook or the table, if that is the one, once for each surface.
 decoderFor :: KnownField k => Locator k -> Surface -> Radius -> Either LocatorError DecoderName
 decoderFor made surface stated = symbolName <$> symbolDecoder made surface stated
 
