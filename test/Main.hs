@@ -130,6 +130,7 @@ import qualified Test.Touch.Pgm
 import qualified Test.Touch.PgmDefinition
 import qualified Test.Touch.PgmImages
 import qualified Test.Touch.Probe
+import qualified Test.Touch.RegistrationByDefinition
 import qualified Test.Touch.Segment
 import qualified Test.Touch.SegmentForeign
 import qualified Test.Touch.SegmentParts
@@ -221,6 +222,7 @@ specs = do
     describe "The search for a frame" Test.Touch.StitchSearch.spec
     describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
+    describe "Registration by its formulas" Test.Touch.RegistrationByDefinition.spec
     describe "What one frame tells of a lattice" Test.Touch.StitchEvidence.spec
     describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
     describe "Registration one frame after the other" Test.Touch.StitchRegister.spec

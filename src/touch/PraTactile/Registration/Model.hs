@@ -18,7 +18,9 @@
 --
 -- where Phi is the normal distribution function. On a lattice at an angle the taxels j are turned
 -- with it, and g, which is nearly the same in all directions, is not. In the sum of the squares of
--- T a taxel of which a symbol brings less than a hundredth counts for nothing.
+-- T a taxel of which a symbol brings less than a hundredth counts for nothing, nor does what comes
+-- from more than three taxels away. Places x are those from which a symbol's taxels come within two
+-- taxels of the frame.
 --
 -- = The lattice
 --
@@ -48,7 +50,9 @@
 -- >         a = Y / (Q - S^2 / N),    b = - a S / N
 -- >         v = (N (1 + b^2) - 2 a (Y - b S) + a^2 Q) / N        a >= 0.3, v >= 0.002
 --
--- From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
+-- They begin at v = the mean square of z(x, y) - z(x + 1, y) - z(x, y + 1) + z(x + 1, y + 1) over 4,
+-- in 0.001 to 0.95, which is that of white noise, a = root (max 0.02 (1 - v)) / 0.36 and b = -0.15 a,
+-- as is usual of symbols. From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
 -- that it leaves likely (within e^30 of the best); then one at half taxels, over the phases less
 -- than a taxel from one that is likely still. Where a phase that was left out turns out to matter,
 -- the steps are taken over all.
@@ -98,6 +102,9 @@
 -- > P(d) ~ pi(d) * sum over lambda of
 -- >        product over c of (epsilon + sum over k of P(k) exp (l_Ack + l_Bck(d)))
 --
+-- of which at most 30 000 displacements and phases are looked at, those that the two frames by
+-- themselves have likeliest, within e^15 of the best.
+--
 -- Blind, relief is a stationary normal process: the cosine coefficient i of a frame is normal, of
 -- variance s (S_i + n), independent of the others, where S is a spectrum of Matern's family whose
 -- smoothness and range, with the noise's share n, are the likeliest of those tried, and s is the
@@ -106,9 +113,9 @@
 --
 -- > one relief:   A_i and B_i have variance p + n, and covariance p or, to half a taxel, C_i p
 -- > two reliefs:  covariance 0
--- > P(d) ~ pi(d) * sum over gains of (ratio of the two, each summed over kappa) ^ tempering
+-- > P(d) ~ pi(d) * (mean over gains of (ratio of the two, each summed over kappa) ^ tempering) ^ m
 --
--- where C_i is the mean cosine of a coefficient's phase over displacements within half a taxel.
+-- where m is how much larger the overlap is at the nominal displacement, within 1/2 to 2, and C_i is the mean cosine of a coefficient's phase over displacements within half a taxel.
 --
 -- By correlation, the paper's, rho being that of n overlapping pixels (0.4 of them independent):
 --
