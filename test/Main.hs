@@ -143,7 +143,6 @@ import qualified Test.Touch.Specimens
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.StitchAgreement
 import qualified Test.Touch.StitchArrange
-import qualified Test.Touch.StitchEvidence
 import qualified Test.Touch.StitchJoint
 import qualified Test.Touch.StitchLattice
 import qualified Test.Touch.StitchParts
@@ -223,7 +222,6 @@ specs = do
     describe "What registration of pairs is made of" Test.Touch.PairParts.spec
     describe "What is told of frames put together" Test.Touch.StitchArrange.spec
     describe "Registration by its formulas" Test.Touch.RegistrationByDefinition.spec
-    describe "What one frame tells of a lattice" Test.Touch.StitchEvidence.spec
     describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
     describe "Registration one frame after the other" Test.Touch.StitchRegister.spec
     describe "What joint registration is made of" Test.Touch.StitchJoint.spec
