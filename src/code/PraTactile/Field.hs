@@ -1,5 +1,4 @@
 {-# LANGUAGE AllowAmbiguousTypes #-}
-{-# LANGUAGE DefaultSignatures #-}
 {-# LANGUAGE FlexibleContexts #-}
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE GeneralizedNewtypeDeriving #-}
@@ -70,12 +69,10 @@ type role GF nominal
 -- | The field is known: named in "PraTactile.Field.Named", or brought by 'withField'. Its
 -- arithmetic is a set of tables, which are made once a field.
 class KnownField (k :: Field) where
-  -- A method with a default, so that nobody is asked for one that is private.
   tables :: Tables
-  default tables :: NamedField k => Tables
-  tables = namedTables @k
 
-instance NamedField ('Over p modulus) => KnownField ('Over p modulus)
+instance NamedField ('Over p modulus) => KnownField ('Over p modulus) where
+  tables = namedTables @('Over p modulus)
 
 instance Reifies s Tables => KnownField ('RunTime s) where
   tables = reflect (Proxy @s)
