@@ -14,7 +14,7 @@ import Frames
 import FramesChoice
 import Options
 import PraTactile.Format.Segmentation
-import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
 import Text.Printf (printf)
 import Visible

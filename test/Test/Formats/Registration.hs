@@ -8,7 +8,7 @@ import Data.Foldable (for_)
 import PraTactile.Format.Registration
 import PraTactile.Format.Segmentation
 import PraTactile.Registration.Pair
-import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
 import Test.Hspec
 

@@ -9,8 +9,8 @@ import PraTactile.Image
 import PraTactile.Registration (compositeOf)
 import PraTactile.Segmentation
 import PraTactile.Segmentation.Box
-import PraTactile.Segmentation.Component (components)
 import PraTactile.Segmentation.Lattice
+import PraTactile.Segmentation.Masked
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -26,11 +26,11 @@ extents :: Spec
 extents = do
   it "of a rectangle are its sides, to the fraction that the pixels at its edges are covered" $
     forAll rectangle $ \(l, t, r, b) ->
-      let scene = sceneOf (covered (l, t, r, b))
-          component = embossedIn (covered (l, t, r, b))
+      let pixels = pixelsOf (covered (l, t, r, b))
+          region = touchedWhere (>= 0.5) pixels
        in conjoin
-            [ near (horizontalExtent scene component) (l - 0.5) (r - 0.5),
-              near (verticalExtent scene component) (t - 0.5) (b - 0.5)
+            [ near (horizontalExtent pixels 0.5 region) (l - 0.5) (r - 0.5),
+              near (verticalExtent pixels 0.5 region) (t - 0.5) (b - 0.5)
             ]
   it "a line of one to three pixels moves the side it sticks out of by half a pixel at most" $
     [ (k, side, movedBy (measuredBy k side))
@@ -78,11 +78,7 @@ extents = do
     -- Pixel i reaches from i to i + 1 here, and its centre is at i + 1/2.
     covered (l, t, r, b) x y = share l r x * share t b y
     share from to i = max 0 (min to (fromIntegral i + 1) - max from (fromIntegral i)) :: Double
-    sceneOf value =
-      Scene
-        (\(x, y) -> if x < 0 || y < 0 || x > 30 || y > 30 then Nothing else Just (value x y))
-        0.5
-    embossedIn value = Set.fromList [(x, y) | x <- [0 .. 30], y <- [0 .. 30], value x y >= 0.5]
+    pixelsOf value = masked (compositeOf (generate 31 31 value))
     -- A box of 8 x 12 pixels from (10, 10) with a line of k pixels that sticks out of one side.
     measuredBy :: Int -> Int -> [Double]
     measuredBy k side =
@@ -93,27 +89,20 @@ extents = do
             _ -> (13, 22 + i)
           raised =
             Set.fromList ([(x, y) | x <- [10 .. 17], y <- [10 .. 21]] ++ map line [0 .. k - 1])
-          scene = sceneOf $ \x y ->
+          pixels = pixelsOf $ \x y ->
             if Set.notMember (x, y) raised then 0 else if inBox (x, y) then 1 else 0.9
           inBox (x, y) = x >= 10 && x <= 17 && y >= 10 && y <= 21
           ends extent = case extent of
             Just (Extent a b) -> (sidePlace a, sidePlace b)
             Nothing -> (0, 0)
-          (left, right) = ends (horizontalExtent scene raised)
-          (top, bottom) = ends (verticalExtent scene raised)
+          (left, right) = ends (horizontalExtent pixels 0.5 region)
+          (top, bottom) = ends (verticalExtent pixels 0.5 region)
+          region = touchedWhere (>= 0.5) pixels
        in [left, right, top, bottom]
     movedBy = zipWith (\a b -> abs (a - b)) [9.5, 17.5, 9.5, 21.5]
 
 together :: Spec
-together = do
-  it "pixels are of one component just when steps of at most gap + 1 columns and rows lead there" $
-    forAll (choose (-2, 3)) $ \gap ->
-      forAll (Set.fromList <$> listOf ((,) <$> choose (0, 12) <*> choose (0, 12))) $ \pixels ->
-        let grown set =
-              set `Set.union` Set.filter (\p -> any (linked gap p) (Set.toList set)) pixels
-            closed set = let set' = grown set in if set' == set then set else closed set'
-            expected = Set.fromList [closed (Set.singleton p) | p <- Set.toList pixels]
-         in components gap pixels === Set.toList expected
+together =
   it "pieces with two flat rows or columns between them are one thing, with three they are two" $
     [ ( flat,
         [ length (segmentedRejects s) + length (segmentedSymbols s)
@@ -126,8 +115,6 @@ together = do
       | flat <- [1 .. 4]
     ]
       `shouldBe` [(1, [1, 1, 1]), (2, [1, 1, 1]), (3, [2, 2, 2]), (4, [2, 2, 2])]
-  where
-    linked gap (x, y) (x', y') = abs (x - x') <= gap + 1 && abs (y - y') <= (gap + 1 :: Int)
 
 -- | Rectangles (x, y, width, height) on a flat ground of 40 x 48.
 drawn :: [(Int, Int, Int, Int)] -> Raster

@@ -11,8 +11,9 @@ import PraTactile.Image hiding (mean)
 import PraTactile.Segmentation.Foreign
 import PraTactile.Segmentation.Foreign.Extent
 import PraTactile.Segmentation.Foreign.Height
+import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
-import PraTactile.Segmentation.Reject (Cause (..), Reject (..))
+import PraTactile.Segmentation.Symbol (Cause (..), Reject (..))
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
@@ -29,8 +30,8 @@ wide, high :: Int
 (wide, high) = (34, 30)
 
 -- | A field all of which was touched.
-field :: Field
-field = fieldOf 0.5 (compositeOf (constant wide high 0))
+field :: Masked
+field = masked (compositeOf (constant wide high 0))
 
 -- | Pixels' centres, as far as they are on the field, as a region.
 regionOf :: ((Double, Double) -> Bool) -> Region
@@ -85,7 +86,7 @@ sizeSpec = do
     forAll (elements [(9, 10), (16, 10), (12, 8), (12, 15)]) $ \(x, y) ->
       let region = regionOf (\(u, v) -> u >= 10 && u <= 15 && v >= 9 && v <= 14)
           hole = y * wide + x
-          holed = field {fieldTouched = V.imap (\p _ -> p /= hole) (fieldTouched field)}
+          holed = field {maskedTouched = V.imap (\p _ -> p /= hole) (maskedTouched field)}
        in (unlikeSymbols field region, unlikeSymbols holed region) === (True, False)
   where
     genBar = do
@@ -149,8 +150,8 @@ straightSpec = do
       pure (regionOf (\p -> one p || other p))
 
 -- | What was felt, and where, of such a composite.
-genScene :: Gen Field
-genScene = fieldOf 0.5 <$> genComposite
+genScene :: Gen Masked
+genScene = smoothed . masked <$> genComposite
 
 -- | Bars of several heights on a slope, with some noise, of which not all was touched.
 genComposite :: Gen Composite
@@ -187,15 +188,15 @@ rankOf rank values = case drop (floor (rank * fromIntegral (length values))) (so
   [] -> 0
 
 -- | Of some pixels those that are none of others.
-without :: Field -> [Int] -> [Int] -> [Int]
+without :: Masked -> [Int] -> [Int] -> [Int]
 without scene others = filter (not . (around scene 0 others V.!))
 
 -- | The field with these values, and nothing else touched.
-showing :: [(Int, Double)] -> Field
+showing :: [(Int, Double)] -> Masked
 showing pixels =
   field
-    { fieldTouched = V.generate (wide * high) (`elem` map fst pixels),
-      fieldValues = V.generate (wide * high) (\p -> sum [v | (p', v) <- pixels, p' == p])
+    { maskedTouched = V.generate (wide * high) (`elem` map fst pixels),
+      maskedValues = V.generate (wide * high) (\p -> sum [v | (p', v) <- pixels, p' == p])
     }
 
 heightSpec :: Spec
@@ -225,7 +226,7 @@ heightSpec = do
       | otherwise = Just (Levels low (low + usual), [region | (_, (region, _, _)) <- alike])
       where
         found = apart (sortOn fst (concatMap cut [1 .. 23]))
-        touched = V.toList (V.ifilter (\p _ -> fieldTouched scene V.! p) (fieldValues scene))
+        touched = V.toList (V.ifilter (\p _ -> maskedTouched scene V.! p) (maskedValues scene))
         cut :: Int -> [(Double, (Region, Double, Double))]
         cut k =
           let (bottom, top) = (minimum touched, maximum touched)
@@ -233,14 +234,14 @@ heightSpec = do
            in [ (misfit, (region, floor', up))
                 | not (null touched),
                   gap <- [0, 2],
-                  region <- regions scene gap (marked scene (>= height)),
+                  region <- components scene gap (touchedWhere (>= height) scene),
                   symbolSized scene region,
                   -- What lies three pixels from it, and is no nearer.
                   let ring = without scene (grown scene 2 region) (grown scene 3 region),
-                  let beyond = [fieldValues scene V.! p | p <- ring, fieldTouched scene V.! p],
+                  let beyond = [maskedValues scene V.! p | p <- ring, maskedTouched scene V.! p],
                   length beyond >= 12,
                   let floor' = rankOf 0.5 beyond,
-                  let up = rankOf 0.7 (map (fieldValues scene V.!) region),
+                  let up = rankOf 0.7 (map (maskedValues scene V.!) region),
                   up - floor' >= max (2 / 255) (4 * noise),
                   let misfit = abs (height - (floor' + up) / 2) / (up - floor'),
                   misfit < 0.2
@@ -276,10 +277,10 @@ foreignSpec = do
             free holds share =
               [ p
                 | p <- [0 .. wide * high - 1],
-                  fieldTouched scene V.! p,
-                  holds (fieldValues scene V.! p) (low + share * contrast')
+                  maskedTouched scene V.! p,
+                  holds (maskedValues scene V.! p) (low + share * contrast')
               ]
-            parts = regions scene 0 . around scene 0 . without scene kept
+            parts = components scene 0 . without scene kept
             rim by region = without scene kept (grown scene by region)
             tall = map (rim 2) (filter (tooLong scene) (parts (free (>=) 1.5)))
             level = without scene (concat tall) (free (>=) 0.35)
@@ -296,12 +297,12 @@ removedSpec :: Spec
 removedSpec =
   it "what is foreign is taken out where there is something unlike symbols, beside symbols" $
     forAllBlind (oneof [genComposite, genHole]) $ \composite ->
-      let scene = fieldOf 0.5 composite
-          noise = 6 / 16 * pixelNoise scene (compositeImage composite)
+      let scene = smoothed (masked composite)
+          noise = 6 / 16 * pixelNoise (masked composite)
           found = do
             Levels low high' <- levels noise (touchedValues scene)
             let at share = low + share * (high' - low)
-                those holds share = regions scene 0 (marked scene (`holds` at share))
+                those holds share = components scene 0 (touchedWhere (`holds` at share) scene)
                 strange =
                   any (unlikeSymbols scene) (those (>=) 0.5)
                     || any ((>= 12) . length) (those (<=) (-0.35))
@@ -314,7 +315,7 @@ removedSpec =
                 (Just (blanked composite (concatMap strangePixels (filter strangeHeight strange))))
                 [Reject (regionBox scene (strangePixels s)) (strangeCause s) | s <- strange]
             _ -> Cleaned composite Nothing []
-       in label (maybe "none" (show . length) found) (withoutForeign 0.5 composite === wanted)
+       in label (maybe "none" (show . length) found) (cleaned composite === wanted)
   where
     -- A symbol, and a hole of about as many pixels as count.
     genHole = do

@@ -6,7 +6,6 @@ import Data.Bifunctor (bimap)
 import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
-import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Level
 import PraTactile.Geometry (columnPitch, rowPitch)
@@ -15,6 +14,7 @@ import PraTactile.Registration (Composite (..), compositeOf)
 import PraTactile.Segmentation (Part (..), Segmentation (..), SymbolImage (..), leastSeen, partAt)
 import PraTactile.Segmentation.Box
 import PraTactile.Segmentation.Lattice
+import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -47,7 +47,7 @@ regionSpec = modifyMaxSuccess (const 200) $ do
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 2)) $ \gap ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
           near p p' = distance w p p' <= gap + 1
-       in sort (map sort (regions (plain w h) gap (V.fromList marks)))
+       in sort (map sort (components (plain w h) gap pixels))
             === sort (map sort (connected near pixels))
   it "grow by what is near" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 3)) $ \far ->
@@ -83,9 +83,9 @@ regionSpec = modifyMaxSuccess (const 200) $ do
               near' (maximum along - minimum along + 1) (extentAlong (plain w h) pixels angle)
                 .&&. regionBox (plain w h) pixels === box
   it "are of pixels that are means of the touched ones around them, near ones with more weight" $
-    forAll (genComposite (0, 6)) $ \composite -> forAll (choose (0, 1)) $ \least ->
+    forAll (genComposite (0, 6)) $ \composite ->
       let (w, h) = sizeOf composite
-          touched x y = maybe False (>= least) (index (compositeCoverage composite) x y)
+          touched x y = maybe False (>= leastCoverage) (index (compositeCoverage composite) x y)
           value x y =
             let parts =
                   [ (k, k * v)
@@ -96,11 +96,12 @@ regionSpec = modifyMaxSuccess (const 200) $ do
                       let k = (2 - abs (fromIntegral i)) * (2 - abs (fromIntegral j))
                   ]
              in if null parts then 0 else sum (map snd parts) / sum (map fst parts)
-          field = fieldOf least composite
+          pixels = smoothed (masked composite)
           places = [(x, y) | y <- [0 .. h - 1], x <- [0 .. w - 1]]
-       in (fieldWidth field, fieldHeight field) === (w, h)
-            .&&. V.toList (fieldTouched field) === map (uncurry touched) places
-            .&&. conjoin (zipWith near' (map (uncurry value) places) (V.toList (fieldValues field)))
+       in (maskedWidth pixels, maskedHeight pixels) === (w, h)
+            .&&. V.toList (maskedTouched pixels) === map (uncurry touched) places
+            .&&. conjoin
+              (zipWith near' (map (uncurry value) places) (V.toList (maskedValues pixels)))
   where
     distance w p p' =
       max (abs (p `mod` w - p' `mod` w)) (abs (p `div` w - p' `div` w))
@@ -115,8 +116,8 @@ connected near = foldr add []
       let joined = filter (any (near p)) others
        in (p : concat joined) : filter (not . any (near p)) others
 
-plain :: Int -> Int -> Field
-plain w h = Field w h (V.replicate (w * h) True) (V.replicate (w * h) 0)
+plain :: Int -> Int -> Masked
+plain w h = Masked w h (V.replicate (w * h) True) (V.replicate (w * h) 0)
 
 near' :: Double -> Double -> Property
 near' wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
@@ -157,10 +158,11 @@ sideSpec = do
             | x == 18 = b
             | x >= 10 && x <= 17 = 1
             | otherwise = 0
-          pixels = Set.fromList [(x, y) | x <- [10 .. 17], y <- [5 .. 15 :: Int]]
+          pixels = masked (compositeOf (generate 30 30 (curry at)))
+          region = [30 * y + x | x <- [10 .. 17], y <- [5 .. 15]]
           from = 9 + (0.5 - a) / (1 - a)
           to = 18 - (0.5 - b) / (1 - b)
-       in case horizontalExtent (Scene (Just . at) 0.5) pixels of
+       in case horizontalExtent pixels 0.5 region of
             Just (Extent left right) ->
               near' from (sidePlace left)
                 .&&. near' to (sidePlace right)
@@ -168,29 +170,27 @@ sideSpec = do
             Nothing -> property False
   it "are open where the pixel beyond one of the symbol's was not touched" $
     forAll ((,) <$> choose (8, 20) <*> choose (4, 16)) $ \(x0, y0) ->
-      let at (x, y)
-            | (x, y) == (x0, y0) = Nothing
-            | x `elem` [10 .. 17 :: Int] && y `elem` [5 .. 14 :: Int] = Just 1
-            | otherwise = Just 0
-          pixels = Set.fromList [(x, y) | x <- [10 .. 17], y <- [5 .. 14]]
+      let inBox x y = x `elem` [10 .. 17] && y `elem` [5 .. 14]
+          embossed = generate 30 30 (\x y -> if inBox x y then 1 else 0)
+          felt = generate 30 30 (\x y -> if (x, y) == (x0, y0) then 0 else 1)
+          pixels = masked (composed embossed felt)
+          places = [(x, y) | x <- [10 .. 17], y <- [5 .. 14]]
+          region = [30 * y + x | (x, y) <- places]
           opens extent = [(sideOpen a, sideOpen b) | Just (Extent a b) <- [extent]]
           beyond (x, y) = (x0, y0) == (x, y)
-          scene = Scene at 0.5
-          besides i j = any (\(x, y) -> beyond (x + i, y + j)) (Set.toList pixels)
-       in opens (horizontalExtent scene pixels) === [(besides (-1) 0, besides 1 0)]
-            .&&. opens (verticalExtent scene pixels) === [(besides 0 (-1), besides 0 1)]
+          besides i j = any (\(x, y) -> beyond (x + i, y + j)) places
+       in opens (horizontalExtent pixels 0.5 region) === [(besides (-1) 0, besides 1 0)]
+            .&&. opens (verticalExtent pixels 0.5 region) === [(besides 0 (-1), besides 0 1)]
   it "of what is turned over are those of the other direction" $
     forAll (vectorOf 40 ((,) <$> choose (0, 8) <*> choose (0, 8))) $ \places ->
       forAll (genRasterOf 9 9) $ \image ->
-        let scene = Scene (uncurry (index image)) 0.5
-            over = Scene (\(x, y) -> index image y x) 0.5
-            turnedOver = Set.fromList [(y, x) | (x, y) <- places]
-         in verticalExtent scene (Set.fromList places) === horizontalExtent over turnedOver
+        let over = generate 9 9 (\x y -> fromMaybe 0 (index image y x))
+            extentOf measured picture = measured (masked (compositeOf picture)) 0.5
+         in extentOf verticalExtent image [9 * y + x | (x, y) <- places]
+              === extentOf horizontalExtent over [9 * x + y | (x, y) <- places]
   it "are none of no pixels" $
-    (horizontalExtent nowhere Set.empty, verticalExtent nowhere Set.empty)
+    (horizontalExtent (plain 9 9) 0.5 [], verticalExtent (plain 9 9) 0.5 [])
       `shouldBe` (Nothing, Nothing)
-  where
-    nowhere = Scene (const Nothing) 0.5
 
 -- | Of whole numbers from 0 to 511 and one 512 each has a bin of its own but for the last two.
 levelSpec :: Spec
@@ -270,16 +270,16 @@ noiseSpec = do
       -- Second differences of 2 a along the rows and of 2 b along the columns.
       let value x y = a * fromIntegral (x * x) + b * fromIntegral (y * y)
           image = generate 9 8 value
-          whole = fieldOf 1 (composed image (constant 9 8 1))
+          whole = masked (composed image (constant 9 8 1))
           -- What was not touched says nothing, whatever stands there.
           untouched x y = (x, y) `elem` [(4, 4), (0, 7), (8, 0)]
           spoilt = generate 9 8 (\x y -> if untouched x y then 100 else value x y)
           coverage = generate 9 8 (\x y -> if untouched x y then 0 else 1)
-          part = fieldOf 1 (composed spoilt coverage)
+          part = masked (composed spoilt coverage)
           wanted = 2 * max a b / (0.6745 * sqrt 6)
           close came =
             counterexample (show (wanted, came)) (abs (came - wanted) <= wanted / 500 + 1e-9)
-       in close (pixelNoise whole image) .&&. close (pixelNoise part spoilt)
+       in close (pixelNoise whole) .&&. close (pixelNoise part)
   it "is what the weights of a mean leave: the root of the sum of their squares" $ do
     let weights = [k * k' / 16 | k <- [1, 2, 1], k' <- [1, 2, 1]]
     smoothing `shouldBe` sqrt (sum (map (^ (2 :: Int)) weights))

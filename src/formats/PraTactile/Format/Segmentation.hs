@@ -9,7 +9,7 @@ where
 import Data.Aeson (Value, object, (.=))
 import Data.ByteString (ByteString)
 import PraTactile.Format.Json (encodeSchema)
-import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
 
 -- | What the composite of that name shows, on one line, without its end; all keys always.

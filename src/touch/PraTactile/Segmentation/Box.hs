@@ -4,9 +4,9 @@ module PraTactile.Segmentation.Box
     Side (..),
     Extent (..),
     extentLength,
+    clamped,
 
     -- * Measuring
-    Scene (..),
     horizontalExtent,
     verticalExtent,
 
@@ -15,9 +15,10 @@ module PraTactile.Segmentation.Box
   )
 where
 
-import Data.Set (Set)
-import qualified Data.Set as Set
-import PraTactile.Segmentation.Component (Pixel)
+import Data.Maybe (isNothing)
+import Data.Tuple (swap)
+import PraTactile.Segmentation.Masked
+import PraTactile.Segmentation.Region (Region)
 
 -- | One end of an extent: where the intensity passes the threshold, in pixels (a pixel reaches half
 -- a pixel to either side of its centre), and whether what lies beyond was not touched, so that the
@@ -36,44 +37,41 @@ data Extent = Extent !Side !Side
 extentLength :: Extent -> Double
 extentLength (Extent from to) = sidePlace to - sidePlace from
 
--- | What is measured in: the intensity at a pixel, if it was touched, and the threshold.
-data Scene = Scene
-  { sceneAt :: Pixel -> Maybe Double,
-    sceneThreshold :: !Double
-  }
+-- | The place itself, or, where it lies beyond an open side, the last pixel centre before that
+-- side: what was not touched is taken to go on as it was seen last.
+clamped :: Extent -> Double -> Double
+clamped (Extent from to) = atMost . atLeast
+  where
+    atLeast t = if sideOpen from then max (sidePlace from + 0.5) t else t
+    atMost t = if sideOpen to then min (sidePlace to - 0.5) t else t
 
--- | A component's extent from left to right. Refuses an empty component.
-horizontalExtent :: Scene -> Set Pixel -> Maybe Extent
-horizontalExtent scene component =
-  measured (sceneAt scene) (sceneThreshold scene) (Set.toList component)
+-- | A region's extent from left to right at a threshold. 'Nothing' for an empty region.
+horizontalExtent :: Masked -> Double -> Region -> Maybe Extent
+horizontalExtent pixels level = measured (valueAt pixels) level . map (placeOf pixels)
 
--- | A component's extent from top to bottom: the same with x and y exchanged.
-verticalExtent :: Scene -> Set Pixel -> Maybe Extent
-verticalExtent scene component =
-  measured
-    (\(y, x) -> sceneAt scene (x, y))
-    (sceneThreshold scene)
-    [(y, x) | (x, y) <- Set.toList component]
+-- | A region's extent from top to bottom: the same with x and y exchanged.
+verticalExtent :: Masked -> Double -> Region -> Maybe Extent
+verticalExtent pixels level = measured (valueAt pixels . swap) level . map (swap . placeOf pixels)
 
 -- | The extent along the first coordinate. The profile along it is, at each place, the largest mean
 -- of two pixels that neighbour across it: a symbol's side is at least two taxels of embossing long,
 -- and a noisy pixel, or a line of up to three that sticks out, moves it by half a pixel at most.
-measured :: (Pixel -> Maybe Double) -> Double -> [Pixel] -> Maybe Extent
-measured at level pixels
-  | null pixels = Nothing
+measured :: ((Int, Int) -> Maybe Double) -> Double -> [(Int, Int)] -> Maybe Extent
+measured at level places
+  | null places = Nothing
   | otherwise =
     Just (Extent (Side (crossing first 1) (open (-1))) (Side (crossing end (-1)) (open 1)))
   where
-    first = minimum (map fst pixels)
-    end = maximum (map fst pixels)
-    low = minimum (map snd pixels)
-    high = maximum (map snd pixels)
+    first = minimum (map fst places)
+    end = maximum (map fst places)
+    low = minimum (map snd places)
+    high = maximum (map snd places)
     profile i =
       maximum
         ( 0 :
             [(a + b) / 2 | j <- [low .. high - 1], Just a <- [at (i, j)], Just b <- [at (i, j + 1)]]
         )
-    open direction = or [at (i + direction, j) == Nothing | (i, j) <- pixels]
+    open direction = or [isNothing (at (i + direction, j)) | (i, j) <- places]
     -- From one pixel outside the component inwards, to the first place where the profile reaches
     -- the threshold.
     crossing start inward = go (0 :: Int) (profile (start - inward))

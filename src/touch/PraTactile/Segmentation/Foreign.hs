@@ -8,7 +8,7 @@
 -- had not been touched. The symbols beside it stay.
 module PraTactile.Segmentation.Foreign
   ( Cleaned (..),
-    withoutForeign,
+    cleaned,
 
     -- * Foreign regions
     Strange (..),
@@ -23,8 +23,9 @@ import PraTactile.Composite.Level
 import PraTactile.Image
 import PraTactile.Segmentation.Foreign.Extent
 import PraTactile.Segmentation.Foreign.Height (symbolLevels)
+import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
-import PraTactile.Segmentation.Reject
+import PraTactile.Segmentation.Symbol
 
 -- | A composite without what is foreign.
 data Cleaned = Cleaned
@@ -37,35 +38,36 @@ data Cleaned = Cleaned
   }
   deriving stock (Eq, Show)
 
--- | The composite with what is foreign taken for untouched, given the least weight with which a
--- pixel counts as touched, and what that is. Where all that is embossed is like symbols, or nothing
--- is, and nothing is sunk, the composite stays as it is.
-withoutForeign :: Double -> Composite -> Cleaned
-withoutForeign least composite = case levels noise (touchedValues field) of
+-- | The composite with what is none of the symbols' making taken for untouched, and what that is:
+-- what is longer than any symbol, and what is sunk beside it. Most composites are as they were:
+-- where all that is embossed is like symbols, or nothing is, and nothing is sunk.
+cleaned :: Composite -> Cleaned
+cleaned composite = case levels noise (touchedValues pixels) of
   Just found
-    | any (unlikeSymbols field) (regions field 0 (marked field (>= share 0.5 found)))
-        || not (null (hollows (marked field (<= share (-0.35) found)))),
-      Just (own, symbols) <- symbolLevels field noise ->
-      removed composite field (foreignIn field own symbols)
+    | any (unlikeSymbols pixels) (parts (>= share 0.5 found))
+        || any ((>= leastHollow) . length) (parts (<= share (-0.35) found)),
+      Just (own, symbols) <- symbolLevels pixels noise ->
+      removed composite pixels (foreignIn pixels own symbols)
   _ -> Cleaned composite Nothing []
   where
-    field = fieldOf least composite
-    noise = smoothing * pixelNoise field (compositeImage composite)
-    hollows = filter ((>= leastHollow) . length) . regions field 0
+    touched = masked composite
+    pixels = smoothed touched
+    noise = smoothing * pixelNoise touched
+    parts test = components pixels 0 (touchedWhere test pixels)
 
 -- | A share of the way from the background's level to the embossing's.
 share :: Double -> Levels -> Double
 share part found = levelBackground found + part * contrast found
 
 -- | A composite without some regions.
-removed :: Composite -> Field -> [Strange] -> Cleaned
-removed composite field strange
+removed :: Composite -> Masked -> [Strange] -> Cleaned
+removed composite pixels strange
   | null strange = Cleaned composite Nothing []
   | otherwise =
     Cleaned
       (without strange)
       (Just (without (filter strangeHeight strange)))
-      [Reject (regionBox field region) cause | Strange region cause _ <- strange]
+      [Reject (regionBox pixels region) cause | Strange region cause _ <- strange]
   where
     without some =
       composite
@@ -73,10 +75,10 @@ removed composite field strange
           compositeCoverage = blank (compositeCoverage composite)
         }
       where
-        gone = around field 0 (concatMap strangePixels some)
+        gone = around pixels 0 (concatMap strangePixels some)
         blank image =
-          generate (fieldWidth field) (fieldHeight field) $ \x y ->
-            if gone V.! (y * fieldWidth field + x) then 0 else fromMaybe 0 (index image x y)
+          generate (maskedWidth pixels) (maskedHeight pixels) $ \x y ->
+            if gone V.! (y * maskedWidth pixels + x) then 0 else fromMaybe 0 (index image x y)
 
 -- | A foreign region.
 data Strange = Strange
@@ -89,21 +91,21 @@ data Strange = Strange
 -- | The foreign regions, given the symbols' levels and pixels: each with a rim, but for what is a
 -- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to
 -- it is not parted from it at a lower level.
-foreignIn :: Field -> Levels -> [Region] -> [Strange]
-foreignIn field own symbols =
+foreignIn :: Masked -> Levels -> [Region] -> [Strange]
+foreignIn pixels own symbols =
   [Strange region TooLarge True | region <- high]
     ++ [Strange (widened 1 region) TooLarge False | region <- raised]
     ++ [Strange (widened 2 region) Hollow True | region <- sunken, length region >= leastHollow]
   where
-    kept = around field 1 (concat symbols)
-    free = V.zipWith (\keep m -> m && not keep) kept
-    high = map (widened 2) (filter (tooLong field) (found (free (marked field (>= share 1.5 own)))))
-    rest = V.zipWith (\gone m -> m && not gone) (around field 0 (concat high))
-    raised = concatMap (straight field) (filter (tooLong field) (found level))
-    level = rest (free (marked field (>= share 0.35 own)))
-    sunken = found (free (marked field (<= share (-0.35) own)))
-    found = regions field 0
-    widened by region = [p | p <- grown field by region, not (kept V.! p)]
+    kept = around pixels 1 (concat symbols)
+    high = map (widened 2) (filter (tooLong pixels) (found (free (>= share 1.5 own))))
+    gone = around pixels 0 (concat high)
+    level = filter (not . (gone V.!)) (free (>= share 0.35 own))
+    raised = concatMap (straight pixels) (filter (tooLong pixels) (found level))
+    sunken = found (free (<= share (-0.35) own))
+    free test = filter (not . (kept V.!)) (touchedWhere test pixels)
+    found = components pixels 0
+    widened by region = [p | p <- grown pixels by region, not (kept V.! p)]
 
 -- | Fewer sunken pixels are noise.
 leastHollow :: Int

@@ -26,7 +26,7 @@ import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Geometry (columnPitch, rotated, rowPitch)
-import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Segmentation.Symbol (SymbolImage (..))
 
 -- | A row and a column, counted from 0 from the uppermost row and the leftmost column of a cluster.
 type Cell = (Int, Int)

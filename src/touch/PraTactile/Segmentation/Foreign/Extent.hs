@@ -9,17 +9,18 @@ where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (cosineSine, symbolHeight, symbolWidth)
+import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
 -- | Is a region longer than any symbol, or whole, not small, and yet not of a symbol's size?
-unlikeSymbols :: Field -> Region -> Bool
-unlikeSymbols field region =
-  tooLong field region
-    || (length region >= leastWhole && not atEdge && not (symbolSized field region))
+unlikeSymbols :: Masked -> Region -> Bool
+unlikeSymbols pixels region =
+  tooLong pixels region
+    || (length region >= leastWhole && not atEdge && not (symbolSized pixels region))
   where
     atEdge =
       or
-        [ maybe True (not . (fieldTouched field V.!)) (beside field p by)
+        [ maybe True (not . (maskedTouched pixels V.!)) (beside pixels p by)
           | p <- region,
             by <- [(-1, 0), (1, 0), (0, -1), (0, 1)]
         ]
@@ -29,23 +30,23 @@ leastWhole :: Int
 leastWhole = 36
 
 -- | Is a region longer than a symbol at any angle?
-tooLong :: Field -> Region -> Bool
-tooLong field region =
-  or [extentAlong field region angle > longest | angle <- [0, 22.5 .. 157.5]]
+tooLong :: Masked -> Region -> Bool
+tooLong pixels region =
+  or [extentAlong pixels region angle > longest | angle <- [0, 22.5 .. 157.5]]
 
 -- | More than a symbol's diagonal, in pixels.
 longest :: Double
 longest = 18
 
 -- | Is the region as long and as wide as a symbol, at some angle?
-symbolSized :: Field -> Region -> Bool
-symbolSized field region =
+symbolSized :: Masked -> Region -> Bool
+symbolSized pixels region =
   length region >= 24 && length region <= 110
     && or
       [ fits long short || fits short long
         | angle <- [0, 5 .. 85],
-          let long = extentAlong field region angle,
-          let short = extentAlong field region (angle + 90)
+          let long = extentAlong pixels region angle,
+          let short = extentAlong pixels region (angle + 90)
       ]
   where
     fits long short =
@@ -53,18 +54,18 @@ symbolSized field region =
         && abs (short - fromIntegral symbolWidth) <= 1.8
         && long - short >= 2
 
--- | The parts of a region that lie on straight lines within it, longer than any symbol has: of a
+-- | The parts of a region that lie on straight lines inside it, longer than any symbol has: of a
 -- symbol that touches a bar only what lies on lines through both.
-straight :: Field -> Region -> [Region]
-straight field region = regions field 0 (around field 0 onLines)
+straight :: Masked -> Region -> [Region]
+straight pixels region = components pixels 0 onLines
   where
-    within = around field 0 region
+    inside = around pixels 0 region
     onLines =
       concat
         [ map fst line
           | p <- region,
             angle <- [0, 11.25 .. 168.75],
-            let line = [(p', within V.! p') | Just p' <- map (beside field p) (steps angle)],
+            let line = [(p', inside V.! p') | Just p' <- map (beside pixels p) (steps angle)],
             length (filter snd line) >= longestLine - 1
         ]
     steps :: Double -> [(Int, Int)]
@@ -73,6 +74,6 @@ straight field region = regions field 0 (around field 0 onLines)
       where
         (c, s) = cosineSine angle
 
--- | No line of so many pixels, but for one of them, lies within a symbol.
+-- | No line of so many pixels, but for one of them, lies inside a symbol.
 longestLine :: Int
 longestLine = 17

@@ -9,6 +9,7 @@ import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Level
 import PraTactile.Segmentation.Foreign.Extent (symbolSized)
+import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
 -- | Something that may be a symbol.
@@ -20,12 +21,12 @@ data Candidate = Candidate
   }
 
 -- | The levels of what may be symbols, and the pixels of these; 'Nothing' where nothing may be one.
-symbolLevels :: Field -> Double -> Maybe (Levels, [Region])
-symbolLevels field noise
+symbolLevels :: Masked -> Double -> Maybe (Levels, [Region])
+symbolLevels pixels noise
   | null found = Nothing
   | otherwise = Just (Levels low (low + usual), map candidatePixels alike)
   where
-    found = distinct (candidates field noise)
+    found = distinct (candidates pixels noise)
     usual = middle (map (contrast . candidateLevels) found)
     alike =
       [ c
@@ -46,23 +47,23 @@ distinct = go Set.empty . sortOn candidateMisfit
 
 -- | The regions of a symbol's size above each of a ladder of thresholds that lie nearly at half
 -- their own height.
-candidates :: Field -> Double -> [Candidate]
-candidates field noise
+candidates :: Masked -> Double -> [Candidate]
+candidates pixels noise
   | V.null seen = []
   | otherwise =
     [ c
       | k <- [1 .. rungs - 1],
         let t = bottom + (top - bottom) * fromIntegral k / fromIntegral rungs,
-        let over = marked field (>= t),
+        let over = touchedWhere (>= t) pixels,
         gap <- [0, 2],
-        region <- regions field gap over,
-        symbolSized field region,
-        Just c <- [candidate field t region],
+        region <- components pixels gap over,
+        symbolSized pixels region,
+        Just c <- [candidate pixels t region],
         contrast (candidateLevels c) >= max (2 / 255) (4 * noise),
         candidateMisfit c < 0.2
     ]
   where
-    seen = touchedValues field
+    seen = touchedValues pixels
     (bottom, top) = (V.minimum seen, V.maximum seen)
 
 -- | How many steps the ladder of thresholds has.
@@ -70,21 +71,21 @@ rungs :: Int
 rungs = 24
 
 -- | A region above a threshold, with the levels of itself and of what lies three pixels from it.
-candidate :: Field -> Double -> Region -> Maybe Candidate
-candidate field t region
+candidate :: Masked -> Double -> Region -> Maybe Candidate
+candidate pixels t region
   | length ring < 12 || high <= low = Nothing
   | otherwise =
     Just (Candidate region (Levels low high) (abs (t - (low + high) / 2) / (high - low)))
   where
-    near = around field 2 region
+    near = around pixels 2 region
     ring =
-      [ fieldValues field V.! p
-        | p <- grown field 3 region,
+      [ maskedValues pixels V.! p
+        | p <- grown pixels 3 region,
           not (near V.! p),
-          fieldTouched field V.! p
+          maskedTouched pixels V.! p
       ]
     low = middle ring
-    high = ranked 0.7 [fieldValues field V.! p | p <- region]
+    high = ranked 0.7 [maskedValues pixels V.! p | p <- region]
 
 -- | The value of a rank among some, from 0 to 1; 0 for none.
 ranked :: Double -> [Double] -> Double

@@ -1,0 +1,52 @@
+-- | What was touched of a symbol that does not lie wholly in a composite.
+module PraTactile.Segmentation.Part
+  ( Part (..),
+    partAt,
+    leastSeen,
+  )
+where
+
+import Data.Maybe (fromMaybe, isJust)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite (Composite, weighted)
+import PraTactile.Geometry (symbolHeight, symbolWidth)
+import PraTactile.Image (Raster, generate, rasterValues)
+import PraTactile.Image.Correlate (referenceAt)
+import PraTactile.Segmentation.Masked (leastCoverage)
+import PraTactile.Segmentation.Symbol
+
+-- | What was touched of a place where a symbol is expected.
+data Part = Part
+  { -- | 8 x 12 taxels, background 0 and embossing about 1; 0 where nothing was touched.
+    partPixels :: !Raster,
+    -- | 1 where it was touched, and 0 elsewhere.
+    partSeen :: !Raster
+  }
+  deriving stock (Eq, Show)
+
+-- | What was touched of the upright box of a symbol with its centre at a place, x and y in pixels,
+-- given the composite's segmentation. 'Nothing' where that is less than 'leastSeen' taxels, or
+-- nothing embossed was found. What is computed once a composite is computed when it is given.
+partAt :: Composite -> Segmentation -> (Double, Double) -> Maybe Part
+partAt composite found = look
+  where
+    image = weighted composite
+    look (x, y)
+      | segmentedContrast found > 0 && V.sum (rasterValues seen) >= fromIntegral leastSeen =
+        Just (Part pixels seen)
+      | otherwise = Nothing
+      where
+        here i j = case referenceAt
+          image
+          (x + fromIntegral i - (fromIntegral symbolWidth - 1) / 2)
+          (y + fromIntegral j - (fromIntegral symbolHeight - 1) / 2) of
+          Just (v, m)
+            | m >= leastCoverage ->
+              Just ((v - segmentedBackground found) / segmentedContrast found)
+          _ -> Nothing
+        pixels = generate symbolWidth symbolHeight (\i j -> fromMaybe 0 (here i j))
+        seen = generate symbolWidth symbolHeight (\i j -> if isJust (here i j) then 1 else 0)
+
+-- | The fewest taxels of a symbol's 96 that are looked at.
+leastSeen :: Int
+leastSeen = 6
