@@ -8,6 +8,7 @@ import Data.List (dropWhileEnd, find)
 import ExitStatus
 import Options
 import PraTactile.Format (encodeSensor)
+import PraTactile.Sensor (Preset (..), presetName)
 import PraTactile.Sensor.Constants
 import SensorChoice (readSensor)
 import Text.Printf (printf)
@@ -39,15 +40,15 @@ run :: String -> AnswerForm -> IO ExitStatus
 run name form = do
   sensor <- readSensor name
   let preset = find ((== name) . presetName) [minBound ..]
-  printAs form (concatMap (line sensor) constants) (encodeSensor preset sensor)
+  printAs form (concatMap line (constantsOf sensor)) (encodeSensor preset sensor)
   pure Answered
   where
     number v = case break (== '.') (printf "%.6f" v :: String) of
       (digits, decimals) -> digits ++ dropWhileEnd (== '.') (dropWhileEnd (== '0') decimals)
-    line sensor constant =
+    line (constant, v) =
       printf
         "%-21s %-10s %-5s %s\n"
         (constantName constant)
-        (number (constantValue constant sensor))
+        (number v)
         (constantUnit constant)
         (constantSource constant)

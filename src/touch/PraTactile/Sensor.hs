@@ -3,9 +3,8 @@
 -- Each tab of the elastic overlay expands without stress, so an element's output is proportional to
 -- the height it meets; by default it is modelled as the mean height under the element's square
 -- aperture, one pitch wide, as a share of full scale, with normal noise added, clipped to 0..1.
--- With the constants of "PraTactile.Sensor.Constants" it is what a force sensing array gives:
--- a rigid press ("PraTactile.Sensor.Press") and its reading
--- ("PraTactile.Sensor.Response").
+-- With other constants ("PraTactile.Sensor.Constants") it is what a force sensing array gives: a
+-- rigid press ("PraTactile.Sensor.Press") and its reading ("PraTactile.Sensor.Response").
 module PraTactile.Sensor
   ( -- * What is touched
     HeightMap (..),
@@ -50,8 +49,9 @@ import PraTactile.Image
     zipRaster,
   )
 import PraTactile.Random (normal, normalPair, normals)
-import PraTactile.Sensor.Constants
 import PraTactile.Sensor.Frame (Frame (..), Motion (..), Pose (..), move, taxelPitch)
+import PraTactile.Sensor.Model
+import PraTactile.Sensor.Preset
 import PraTactile.Sensor.Press
 import PraTactile.Sensor.Response
 import PraTactile.Symmetry

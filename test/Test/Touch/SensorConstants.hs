@@ -285,18 +285,54 @@ presets = do
   it "every constant has a unit and a source, or is called an assumption" $
     [constantName c | c <- constants, null (constantUnit c) || length (constantSource c) < 8]
       `shouldBe` []
+  it "each name is that of its field" $ do
+    let numbered =
+          Sensor
+            { sensorColumns = 1,
+              sensorRows = 2,
+              sensorTaxel = 3,
+              sensorTab = 4,
+              sensorPositionError = 5,
+              sensorRotationError = 6,
+              sensorForce = 7,
+              sensorForceSpread = 8,
+              sensorTiltSpread = 9,
+              sensorFullScale = 10,
+              sensorStiffness = 11,
+              sensorDepth = 12,
+              sensorHysteresis = 13,
+              sensorExponent = 14,
+              sensorBreakForce = 15,
+              sensorFullForce = 16,
+              sensorGainSpread = 17,
+              sensorDrift = 18,
+              sensorCrosstalk = 19,
+              sensorDead = 20,
+              sensorBits = 21,
+              sensorZeroed = 22,
+              sensorNoise = 23,
+              sensorNoiseSlope = 24,
+              sensorRowNoise = 25,
+              sensorColumnNoise = 26
+            }
+    map snd (constantsOf numbered) `shouldBe` [1 .. 26]
+  it "a constant that is replaced by its own value leaves the sensor as it is" $
+    [ (presetName preset, constantName c)
+      | preset <- [minBound ..],
+        let sensor = presetSensor preset,
+        (c, value) <- constantsOf sensor,
+        either (const Nothing) Just (replaced (constantName c) value sensor) /= Just sensor
+    ]
+      `shouldBe` []
   it "a constant that is replaced has its new value, and no other is changed" $
     [ (constantName c, constantName d)
       | c <- constants,
         let (least, most) = constantRange c,
         value <- [least, fromIntegral (ceiling (min most (least + 7)) :: Int)],
         Right changed <- [replaced (constantName c) value (presetSensor Real)],
-        d <- constants,
-        constantValue d changed
-          /= ( if constantName c == constantName d
-                 then value
-                 else constantValue d (presetSensor Real)
-             )
+        ((d, now), (_, old)) <-
+          zip (constantsOf changed) (constantsOf (presetSensor Real)),
+        now /= if constantName c == constantName d then value else old
     ]
       `shouldBe` []
   it "a share is from 0 to 1, of what has two sides or is shared by two to 0.5" $ do

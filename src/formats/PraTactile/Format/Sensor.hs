@@ -13,11 +13,13 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Sensor.Constants
+import PraTactile.Sensor.Model (Sensor)
+import PraTactile.Sensor.Preset (Preset (..), presetName, presetSensor)
 
 -- | A sensor on one line, without its end, with the name of its preset, if it is one.
 encodeSensor :: Maybe Preset -> Sensor -> ByteString
 encodeSensor preset sensor =
-  writeLine keys (preset, map (\c -> (c, constantValue c sensor)) constants)
+  writeLine keys (preset, constantsOf sensor)
   where
     keys = whole <* sourced
     whole =

@@ -33,7 +33,7 @@ import PraTactile.Image
     rasterWidth,
   )
 import PraTactile.Random (normals, uniform)
-import PraTactile.Sensor.Constants (Sensor (..))
+import PraTactile.Sensor.Model (Sensor (..))
 import System.Random (RandomGen)
 
 -- | The reading for a force, both in the same unit as the force of full scale: (force / full) ^ k,
