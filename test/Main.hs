@@ -101,8 +101,8 @@ import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseAngle
 import qualified Test.RecogniseDamage
-import qualified Test.RecogniseDefinition
 import qualified Test.RecogniseEvidence
+import qualified Test.RecogniseFinding
 import qualified Test.RecogniseGrid
 import qualified Test.RecognisePosterior
 import qualified Test.RecogniseReading
@@ -256,7 +256,7 @@ specs = do
   describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
   describe "Recognition: what is read" Test.RecogniseReading.spec
   describe "Recognition step by step" Test.RecogniseSteps.spec
-  describe "Recognition by its definition" Test.RecogniseDefinition.spec
+  describe "Recognition: what is found" Test.RecogniseFinding.spec
   describe "Recognition by Bayes' theorem" Test.RecognisePosterior.spec
   describe "Recognition of grids built by hand" Test.RecogniseEvidence.spec
   describe "Explorations and trials" Test.Explorations.spec

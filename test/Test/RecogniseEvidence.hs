@@ -25,9 +25,19 @@ import Test.RecogniseScenes
 import Test.RecognisedSymbols
 
 spec :: Spec
-spec = onRecognisers $ \array readers -> for_ (take 1 readers) $ \(_, reader) -> do
-  describe "The evidence" (evidenceSpec array reader)
-  describe "Why there is no answer" (refusalSpec array reader)
+spec = onRecognisers $ \array readers -> do
+  for_ (take 1 readers) $ \(_, reader) -> do
+    describe "The evidence" (evidenceSpec array reader)
+    describe "Why there is no answer" (refusalSpec array reader)
+  for_ (lookup Sheet readers) $ \reader ->
+    it "where no position is possible, the way up is what the symbols show" $
+      for_ rotations $ \orientation -> do
+        -- One symbol more in a row than the sheet has columns.
+        let row' = zipWith (\n (at, what) -> (at, clear n what)) [0 ..] (blockOf array 1 18 (3, 4))
+            found = locateGrid reader standardTolerance [] (gridOf (seenAs orientation row') [])
+        locationEvidence found `shouldBe` Nothing
+        locationOrientation found `shouldBe` orientation
+        locationOutcome found `shouldSatisfy` (`notElem` [WrongWayUp, OffTheGrid, GroupsApart])
 
 -- | What stands in the cells of a face, rows and columns from 0.
 type Block = [((Int, Int), (Symmetry, Int))]

@@ -4,6 +4,7 @@ module Test.RecogniseGrid (spec) where
 
 import Control.Monad (join)
 import Data.Foldable (for_)
+import Data.List (partition, sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (isJust)
 import qualified Data.Set as Set
@@ -20,6 +21,7 @@ import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.SymbolBelief (certain)
 import PraTactile.Relief
+import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Sensor (HeightMap (..), idealSensor)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Symmetry
@@ -41,7 +43,7 @@ spec = do
   describe "what is said" saidSpec
 
 gridSpec :: Spec
-gridSpec =
+gridSpec = do
   it "has each symbol in its cell, counted from the uppermost row and the leftmost column" $
     forAllShrink (sublistOf everywhere) (filter (not . null) . shrinkList (const [])) $ \some ->
       forAll (shuffle (if null some then [(0, 0)] else some)) $ \cells ->
@@ -53,7 +55,53 @@ gridSpec =
               .&&. fmap (Set.unions . gridGroups) (faceGrid (groups symbols))
                 === Just (Set.fromList [0 .. length cells - 1])
               .&&. fmap (map readNumber . gridStrays) (faceGrid (groups symbols)) === Just []
+  it "has the groups that lie whole cells, to four taxels, from the one that is known best" $
+    forAll (elements [identity, turned 1]) $ \axis ->
+      forAll genGroups $ \drawn ->
+        forAllBlind (shuffle (concat (zipWith (members axis) [0 ..] drawn))) $ \seen ->
+          let (joined, strays) = partition (onGrid . snd . snd) (zip [0 :: Int ..] drawn)
+              placed =
+                [ ((i + di, j + dj), [10 * n + m])
+                  | (n, ((i, j), _)) <- joined,
+                    (m, (di, dj)) <- take (sizeOf n) (zip [0 ..] block)
+                ]
+              found = faceGrid (groups seen)
+           in conjoin
+                [ fmap (Map.map (map readNumber) . gridCells) found === Just (Map.fromList placed),
+                  fmap (sort . gridGroups) found
+                    === Just (sort [Set.fromList (numbersOf n) | (n, _) <- joined]),
+                  fmap (sort . map readNumber . gridStrays) found
+                    === Just (concat [numbersOf n | (n, _) <- strays])
+                ]
+  it "is none where the distances within a group contradict each other" $ do
+    let sound = Group (Just (Map.singleton (0, 0) one)) (0, 0) [one]
+        unsound = Group Nothing (0, 0) [one]
+        one = symbolAt 0 (0, 0) (identity, 0)
+    map (isJust . faceGrid) [[sound], [sound, unsound], [unsound, sound], []]
+      `shouldBe` [True, False, False, True]
   where
+    -- A group of four symbols that the network knows, and up to three of two that it does not, each
+    -- so many taxels off its grid.
+    genGroups = do
+      others <- sublistOf [(0, 6), (6, 0), (6, 6)]
+      offs <- traverse (const ((,) <$> genOff <*> genOff)) others
+      pure (((0, 0), (0, 0)) : zip others offs)
+    genOff = elements [0, 4, -4, 4.001, -4.001, 2, -7] :: Gen Double
+    onGrid (dx, dy) = abs dx <= 4 && abs dy <= 4
+    block = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    sizeOf n = if n == 0 then 4 else 2 :: Int
+    numbersOf n = [10 * n + m | m <- [0 .. sizeOf n - 1]]
+    members axis n ((i, j), (dx, dy)) =
+      [ (symbolOf (10 * n + m) (onOffset axis (x + dx + e, y + dy - e)) (axis, 0))
+          { readSource = n `mod` 2,
+            readImage = SymbolImage (0, 0) (constant 8 12 0) (degreesClockwise axis) (8, 12),
+            readClass = if n == 0 then Just (axis, 0) else Nothing
+          }
+        | (m, (di, dj), e) <- take (sizeOf n) (zip3 [0 ..] block (taxelOff n)),
+          let (x, y) = (16 * fromIntegral (j + dj), 20 * fromIntegral (i + di))
+      ]
+    -- Two are off by a taxel more and less: their mean is on the grid, or is not.
+    taxelOff n = if n == 0 then [0, 0, 0, 0] else [1, -1]
     everywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
     -- Every third one is known to the network.
     symbolIn n cell = (symbolAt n cell (identity, 0)) {readClass = known n}

@@ -5,6 +5,7 @@ module Test.RecogniseScenes
   ( Scene (..),
     genScene,
     scattered,
+    OnArray,
     cellOf,
     onRecognisers,
   )
@@ -49,15 +50,12 @@ data Scene = Scene
     sceneCells :: Cells
   }
 
--- | What the paper's array has in a cell of a grid whose first cell is at a position, and where
--- that is; 'Nothing' beyond the sheet.
-cellOf ::
-  KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
-  Position ->
-  (Int, Int) ->
-  Maybe (Position, Int)
+-- | What an array has in a cell of a grid whose first cell is at a position, and where that is;
+-- 'Nothing' beyond the sheet.
+type OnArray = Position -> (Int, Int) -> Maybe (Position, Int)
+
+-- | What the paper's array has.
+cellOf :: KnownField k => Surface -> PseudorandomArray k -> OnArray
 cellOf surface array (Position r c) (i, j)
   | surface == Torus || inside = Just (place, toCode (cellAt array place))
   | otherwise = Nothing
@@ -67,7 +65,7 @@ cellOf surface array (Position r c) (i, j)
     place = Position (fromIntegral (down `mod` 15)) (fromIntegral (across `mod` 17))
 
 -- | A scene, given what stands in each of its cells and the doubts of its symbols.
-genScene :: (Position -> (Int, Int) -> Maybe (Position, Int)) -> [Double] -> Gen Scene
+genScene :: OnArray -> [Double] -> Gen Scene
 genScene cell doubts = do
   orientation <- elements rotations
   position <- Position <$> elements [0 .. 14] <*> elements [0 .. 16]

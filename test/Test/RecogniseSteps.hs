@@ -1,24 +1,18 @@
--- | The steps between symbols and an answer, each against its definition: groups, the grid that
--- they are put on and its tilt, the way up, and what is done to recognitions.
+-- | What is done with symbols on a grid, each step against its definition: the tilt of the grid,
+-- what is done to recognitions, and the words for them.
 module Test.RecogniseSteps (spec) where
 
 import Data.Foldable (for_)
-import Data.List (sort)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust)
-import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
 import PraTactile.Image (constant)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
-import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Summary
-import PraTactile.Recognise.SymbolBelief
 import PraTactile.Segmentation (SymbolImage (..))
-import qualified PraTactile.Segmentation.Lattice as Lattice
 import PraTactile.Symmetry
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -28,10 +22,7 @@ import Test.RecognisedSymbols
 
 spec :: Spec
 spec = do
-  describe "Groups" groupSpec
-  describe "Groups on one grid" joinSpec
   describe "The tilt of a grid" tiltSpec
-  describe "The way up" orientationSpec
   describe "Recognitions" recognitionSpec
   describe "In words" wordSpec
 
@@ -40,132 +31,6 @@ elements = QuickCheck.elements
 
 near :: Double -> Double -> Property
 near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
-
-nearPlace :: (Double, Double) -> (Double, Double) -> Property
-nearPlace (x, y) (x', y') = near x x' .&&. near y y'
-
-groupSpec :: Spec
-groupSpec =
-  it "are by neighbourhood in each composite, each where its symbols' cells have its first cell" $
-    forAll (elements [identity, turned 1, turned 2, turned 3]) $ \way ->
-      forAll (choose (1, 12) >>= (`vectorOf` genPlace)) $ \places ->
-        let symbols =
-              [ (symbolOf n (onOffset along (16 * j + dx, 20 * i + dy)) (way, 0))
-                  { readSource = source,
-                    readImage = SymbolImage (0, 0) (constant 8 12 0) (90 * quarters) (8, 12)
-                  }
-                | (n, (source, (i, j), (dx, dy))) <- zip [0 ..] places
-              ]
-            -- Along the axes of symbols that lie on their side.
-            along = if exchangesAxes way then turned 1 else identity
-            quarters = if exchangesAxes way then 1 else 0
-            clusters =
-              [ cluster
-                | source <- [0 .. 2],
-                  cluster <-
-                    Lattice.arrange
-                      (\s -> (readImage s) {symbolCentre = readAt s})
-                      (filter ((== source) . readSource) symbols)
-              ]
-            anchored group cluster = case (groupCells group, cluster) of
-              (Just cells, Lattice.Cluster wanted) ->
-                cells === wanted
-                  .&&. nearPlace
-                    (groupAnchor group)
-                    ( mean
-                        [ (x - 16 * fromIntegral j, y - 20 * fromIntegral i)
-                          | ((i, j), s) <- Map.toList wanted,
-                            let (x, y) = onOffset (invert along) (readAt s)
-                        ]
-                    )
-              (Nothing, Lattice.Contradiction _ members) ->
-                numbers (groupSymbols group) === numbers members
-              other -> counterexample (show (fst other)) False
-            found = groups symbols
-         in length found === length clusters
-              .&&. conjoin (zipWith anchored found clusters)
-              .&&. sort (concatMap (numbers . groupSymbols) found)
-              === sort (numbers symbols)
-  where
-    genPlace =
-      (,,)
-        <$> choose (0, 2)
-        <*> ((,) <$> elements [0 .. 3] <*> elements [0 .. 3])
-        <*> ((,) <$> choose (-2, 2) <*> choose (-2, 2))
-    numbers = map readNumber
-    mean places = (average (map fst places), average (map snd places))
-    average values = sum values / fromIntegral (length values)
-
-joinSpec :: Spec
-joinSpec = do
-  it "are those that lie whole cells, to four taxels, from the one with the most known symbols" $
-    forAll (choose (0, 5) >>= (`vectorOf` genGroup)) $ \drawn ->
-      let found = zipWith made [0 ..] drawn
-          made k (size, known, anchor) =
-            let own =
-                  [ ((i, j), (symbolOf (10 * k + n) (0, 0) (identity, 0)) {readClass = class' n})
-                    | (n, (i, j)) <- zip [0 ..] (take size [(0, 0), (0, 1), (1, 0), (1, 1)])
-                  ]
-                class' n = if n < known then Just (identity, 0) else Nothing
-             in Group (Just (Map.fromList own)) anchor (map snd own)
-          knownIn g = length (filter (isJust . readClass) (groupSymbols g))
-          most = maximum (map knownIn found)
-          wanted = case span ((< most) . knownIn) found of
-            (former, base : latter) ->
-              let others = former ++ latter
-                  step part pitch g =
-                    [ k
-                      | k <- [-9 .. 9 :: Int],
-                        let apart' = part (groupAnchor g) - part (groupAnchor base),
-                        abs (apart' - pitch * fromIntegral k)
-                          <= 4
-                    ]
-                  joined =
-                    (base, (0, 0)) :
-                      [ (g, (i, j))
-                        | g <- others,
-                          i <- step snd 20 g,
-                          j <- step fst 16 g
-                      ]
-                  cells =
-                    [ ((i + di, j + dj), readNumber s)
-                      | (g, (di, dj)) <- joined,
-                        ((i, j), s) <- maybe [] Map.toList (groupCells g)
-                    ]
-                  low part = minimum (0 : map (part . fst) cells)
-                  apart =
-                    [ g
-                      | g <- others,
-                        null (step snd 20 g) || null (step fst 16 g)
-                    ]
-               in ( Map.map sort $
-                      Map.fromListWith
-                        (++)
-                        [((i - low fst, j - low snd), [n]) | ((i, j), n) <- cells],
-                    sort [Set.fromList (map readNumber (groupSymbols g)) | (g, _) <- joined],
-                    sort (concatMap (map readNumber . groupSymbols) apart)
-                  )
-            _ -> (Map.empty, [], [])
-          told g =
-            ( Map.map (sort . map readNumber) (gridCells g),
-              sort (gridGroups g),
-              sort (map readNumber (gridStrays g))
-            )
-       in fmap told (faceGrid found) === Just wanted
-  it "are none where the distances within one contradict each other" $ do
-    let sound = Group (Just (Map.singleton (0, 0) one)) (0, 0) [one]
-        unsound = Group Nothing (0, 0) [one]
-        one = symbolOf 0 (0, 0) (identity, 0)
-    map (isJust . faceGrid) [[sound], [sound, unsound], [unsound, sound], []]
-      `shouldBe` [True, False, False, True]
-  where
-    genGroup = do
-      size <- choose (1, 4)
-      known <- choose (0, size)
-      let offset = oneof [elements [-4, 4, 0, 4.001, -4.001, 8], choose (-8, 8)]
-      x <- (+) . (16 *) . fromIntegral <$> choose (-2, 2 :: Int) <*> offset
-      y <- (+) . (20 *) . fromIntegral <$> choose (-2, 2 :: Int) <*> offset
-      pure (size, known :: Int, (x, y))
 
 tiltSpec :: Spec
 tiltSpec =
@@ -216,36 +81,6 @@ tiltSpec =
         variance = (180 / pi * 0.5) ** 2 / max 1e-9 along
         density d v = exp (negate d * d / (2 * v)) / sqrt v
         mode angle sd = (angle * variance + turn * sd * sd) / (sd * sd + variance)
-
-orientationSpec :: Spec
-orientationSpec = do
-  it "is that under which the symbols are likelier, all cells together, by Bayes' theorem" $
-    forAll (elements [identity, turned 1]) $ \axis ->
-      forAll (choose (1, 5) >>= (`vectorOf` choose (1, 3))) $ \counts ->
-        forAll (traverse (`vectorOf` vectorOf 8 (choose (0.01, 1))) counts) $ \drawn ->
-          let cells =
-                Map.fromList
-                  [ ((0, k), [symbol axis weights | weights <- here])
-                    | (k, here) <- zip [0 ..] drawn
-                  ]
-              -- How likely all is if the face lies so.
-              likely :: ([Double] -> [Double]) -> Double
-              likely part =
-                product [sum (foldr (zipWith (*) . part) [1, 1, 1, 1] here) | here <- drawn]
-              (upright, about) = (likely (take 4), likely (drop 4))
-              (way, doubt) = likeliestOrientation 4 cells
-           in way === (if upright >= about then axis else axis <> turned 2)
-                .&&. near doubt (min upright about / (upright + about))
-  it "is the first of the two where both are alike" $ do
-    let alike axis = Map.singleton (0, 0) [symbol axis (replicate 8 0.125)]
-    [likeliestOrientation 4 (alike axis) | axis <- [identity, turned 1]]
-      `shouldBe` [(identity, 0.5), (turned 1, 0.5)]
-  where
-    symbol axis weights =
-      (symbolOf 0 (0, 0) (axis, 0))
-        { readChances =
-            zip [(axis <> way, c) | way <- [identity, turned 2], c <- [0 .. 3]] weights
-        }
 
 recognitionSpec :: Spec
 recognitionSpec = do

@@ -39,14 +39,20 @@ module PraTactile.Locate
     -- * Probabilities of symbols
     Belief,
     belief,
+    oriented,
     certainly,
+    combined,
     probabilities,
     likeliest,
+    symmetryChance,
+    probabilitiesIn,
     BeliefError (..),
 
     -- * The answer
     Locator,
     locator,
+    locatorArray,
+    locatorMask,
     locate,
     Answer (..),
     Outcome (..),
@@ -67,6 +73,9 @@ module PraTactile.Locate
     decoderText,
     decoderFor,
     agreedSymbols,
+    cellsDistance,
+    radiusFor,
+    largestSearchedArray,
 
     -- * Errors
     LocatorError (..),
@@ -85,6 +94,7 @@ import PraTactile.Locate.Chance (Chance (..))
 import PraTactile.Locate.Decoder.Algebra (AlgebraError (..))
 import PraTactile.Locate.Decoder.InformationSet (DecodingError (..))
 import PraTactile.Locate.Decoder.MemoryTable
+import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Locate.Locator
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query

@@ -38,13 +38,15 @@ spec = do
             forAll (genWithin array) $ \(surface, possible, truth, wrong, cells) ->
               asPromised decoder (surface, array, m) possible truth wrong cells
     forM_ [Nothing, Just PosteriorDecoder, Just ListDecoder] $ \decoder ->
-      it ("probabilities: " ++ decoderName decoder) $
-        onArray setting $ \array m ->
-          holds 80 $
-            forAll (genScene array genBelief) $ \patches ->
-              forAll (genQuestion array decoder) $ \(surface, possible, _) ->
-                forAll (QuickCheck.elements [0, 0.001, 0.1]) $ \tolerated ->
-                  asBayes decoder (surface, array, m) possible tolerated patches
+      forM_ [("probabilities", False), ("probabilities that show how it lies", True)] $
+        \(name, shows') ->
+          it (name ++ ": " ++ decoderName decoder) $
+            onArray setting $ \array m ->
+              holds 80 $
+                forAll (genScene array (genLook shows')) $ \patches ->
+                  forAll (genQuestion array decoder) $ \(surface, possible, _) ->
+                    forAll (QuickCheck.elements [0, 0.001, 0.1]) $ \tolerated ->
+                      asBayes decoder (surface, array, m) possible tolerated patches
     forM_ [PosteriorDecoder, ListDecoder] $ \decoder ->
       it ("probabilities that leave no doubt are symbols: " ++ decoderText decoder) $
         onArray setting $ \array m ->

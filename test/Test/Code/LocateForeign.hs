@@ -2,7 +2,9 @@
 module Test.Code.LocateForeign (spec) where
 
 import Data.Foldable (for_)
+import Data.List (maximumBy)
 import Data.Maybe (catMaybes)
+import Data.Ord (comparing)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
@@ -22,20 +24,26 @@ import Test.QuickCheck hiding (elements)
 spec :: Spec
 spec = do
   prop "the chance is Bayes' theorem, added up over all places and over all foreign contents" $
-    forAll scenes $ \(share, q, chances) ->
-      let cells = length (concat (take 1 chances))
-          likely expected =
-            product
-              [ (1 - misleading) * chance + misleading / fromIntegral q
-                | chance <- expected
-              ]
-          together = sum (map likely chances)
-          best = maximum (map likely chances)
-          chosen = concat (take 1 [expected | expected <- chances, likely expected == best])
-          ours = (1 - share) * together / fromIntegral (length chances)
-          theirs = share / fromIntegral q ^^ cells
-          highest = log (best / together)
-          found = foreignChance (ForeignComparison share q (places chances) chosen highest)
+    forAll scenes $ \(share, q, symmetries') ->
+      -- In each symmetry, how probable the cells make it, and at each place its symbols, given it.
+      let cells = length (concat (take 1 (map snd placed)))
+          placed = [(shown, expected) | (shown, chances) <- symmetries', expected <- chances]
+          likely (shown, expected) =
+            shown
+              * product
+                [ (1 - misleading) * chance + misleading / fromIntegral q
+                  | chance <- expected
+                ]
+          together = sum (map likely placed)
+          best = maximumBy (comparing likely) placed
+          ours = (1 - share) * together / fromIntegral (length placed)
+          mean = sum (map fst symmetries') / fromIntegral (length symmetries')
+          theirs = share * mean / fromIntegral q ^^ cells
+          highest = log (likely best / together)
+          shownBest = log (fst best / mean)
+          found =
+            foreignChance
+              (ForeignComparison share q (places placed) (snd best) highest shownBest)
        in counterexample (show (found, theirs / (ours + theirs))) $
             abs (found - theirs / (ours + theirs)) < 1e-9
   it "where it is not thought of nothing is told, and a share of none changes nothing" $
@@ -102,7 +110,7 @@ spec = do
       let cells = 1030
           found =
             foreignChance
-              (ForeignComparison 0.5 2 (2 ^ (1027 :: Int)) (replicate cells 1) (-(alike * log 2)))
+              (ForeignComparison 0.5 2 (2 ^ (1027 :: Int)) (replicate cells 1) (-(alike * log 2)) 0)
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
        in (alike, found, 1 / (1 + exp odds)) `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9 * b
@@ -115,7 +123,7 @@ spec = do
           right $
             locate (locator (Just name) MostSignificantFirst array window) (asking seen 0.5 share)
         foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
-        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0)
+        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0)
     listed <- asked ListDecoder Nothing
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder
@@ -148,8 +156,11 @@ spec = do
       q <- choose (2, 5 :: Int)
       cells <- choose (1, 8 :: Int)
       count <- choose (1, 20 :: Int)
-      chances <- vectorOf count (vectorOf cells (choose (0, 1 :: Double)))
-      pure (share, q, chances)
+      ways <- choose (1, 3)
+      symmetries' <-
+        vectorOf ways $
+          (,) <$> choose (0.01, 1) <*> vectorOf count (vectorOf cells (choose (0, 1 :: Double)))
+      pure (share, q, symmetries')
     located answer = case answerOutcome answer of
       Unique _ _ -> True
       _ -> False

@@ -221,7 +221,10 @@ asBayes decoder on@(surface, array, _) possible tolerated patches =
     beliefs = map (fmap (fmap Probabilities)) patches
     (shape, looks) = looksByDefinition patches
     disputed several =
-      all ((== 0) . product) (transpose (map (Primitive.toList . probabilities) several))
+      and
+        [ all ((== 0) . product) (transpose (map (Primitive.toList . probabilitiesIn o) several))
+          | o <- symmetries
+        ]
     known = [(at, b) | (at, several) <- looks, not (disputed several), b <- several]
     exact = posteriorByDefinition surface array possible shape known
 

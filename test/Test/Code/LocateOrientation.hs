@@ -4,9 +4,11 @@ module Test.Code.LocateOrientation (spec) where
 import Control.Monad (forM_)
 import Data.List (nub, tails, transpose)
 import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
+import PraTactile.Field.Named (GF4)
 import PraTactile.Locate
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Definition
@@ -14,6 +16,7 @@ import PraTactile.Locate.Patch (patchOf)
 import PraTactile.Locate.Separation
 import PraTactile.Polynomial
 import PraTactile.Symmetry
+import PraTactile.Window (Packing (..))
 import Test.Code.Asking
 import Test.Code.Generators
 import Test.Hspec
@@ -25,6 +28,7 @@ spec :: Spec
 spec = do
   describe "the distance between candidates" distanceSpec
   describe "the nearest candidate" nearestSpec
+  describe "cells that show how they lie" shownSpec
   describe "arrays whose windows have two columns" mirrorSpec
 
 distanceSpec :: Spec
@@ -53,6 +57,52 @@ distanceSpec = do
     let size = Shape 4 4
     [candidateDistance on array rotations size (cellsOf size) | on <- [Torus, Sheet, TwistedTorus]]
       `shouldBe` [4, 4, 0]
+
+shownSpec :: Spec
+shownSpec = do
+  it "tell of every 2 x 2 window in which rotation it is seen" $ do
+    (array, located) <- shownOn
+    forM_ (zip (cycle rotations) everywhere) $ \(o, p) -> do
+      answer <- located [((0, 0), lying o (onRows o (look array (Shape 2 2) p)))]
+      answerOutcome answer `shouldBe` Unique (Candidate o p) []
+  it "are wrong where they show another way than the patch is seen" $ do
+    (array, located) <- shownOn
+    let block at shape = look array shape at
+    answer <-
+      located
+        [ ((0, 0), lying identity (block (Position 6 5) (Shape 3 3))),
+          ((0, 3), lying (turned 1) (block (Position 6 8) (Shape 1 2))),
+          ((1, 3), lying identity (block (Position 7 8) (Shape 1 2)))
+        ]
+    answerOutcome answer `shouldBe` Unique (Candidate identity (Position 6 5)) []
+    map patchWrong (answerPatches answer) `shouldBe` [Just 0, Just 2, Just 0]
+  it "have as many probabilities of each symmetry as there are symbols, which add up to 1" $ do
+    let joint = oriented :: [(Symmetry, [Double])] -> Either BeliefError (Belief GF4)
+        quarter = replicate 4 0.125
+    [() <$ joint both | both <- [[(identity, quarter), (turned 2, quarter)], [(mirror, quarter)]]]
+      `shouldBe` [Right (), Left (BeliefSum 0.5)]
+    (() <$ joint [(identity, [0.5, 0.5]), (turned 2, [0, 0, 0, 0, 0, 0])])
+      `shouldBe` Left (BeliefLength 2 4)
+    (() <$ joint [(identity, quarter), (turned 2, [0.5, 0, -0.125, 0.125])])
+      `shouldBe` Left (BeliefNegative 6 (-0.125))
+    Right known <- pure (joint [(identity, [0.5, 0, 0.25, 0]), (turned 2, [0, 0.125, 0.125, 0])])
+    Primitive.toList (probabilities known) `shouldBe` [0.5, 0.125, 0.375, 0]
+    map (`symmetryChance` known) [identity, turned 2, turned 1] `shouldBe` [0.75, 0.25, 0]
+    Primitive.toList (probabilitiesIn (turned 1) known) `shouldBe` [0, 0, 0, 0]
+  where
+    -- Of each symbol a hundredth is in doubt, shared by all else that it could be.
+    shownOn = do
+      array <- paperArray
+      window <- paperWindow
+      let asked patches =
+            right . locate (locator Nothing MostSignificantFirst array window) $
+              Query patches rotations Torus Guaranteed 0.01 Nothing
+      pure (array, \patches -> mapM (traverse (right . patch)) patches >>= asked)
+    lying o = map (map (>>= either (const Nothing) (Just . Probabilities) . oriented . sure o))
+    sure o a =
+      [ (o', [if (o', c) == (o, toCode a) then 0.9999 else 0.0001 / 15 | c <- [0 .. 3]])
+        | o' <- rotations
+      ]
 
 nearestSpec :: Spec
 nearestSpec = do

@@ -2,7 +2,7 @@
 module Test.Code.LocateScenes
   ( genScene,
     genSymbol,
-    genBelief,
+    genLook,
     genQuestion,
     genRadius,
     genWithin,
@@ -13,6 +13,7 @@ module Test.Code.LocateScenes
 where
 
 import qualified Data.Map.Strict as Map
+import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
@@ -76,6 +77,24 @@ genSymbol a = do
   fate <- choose (0, 99 :: Int)
   b <- genElement
   pure (if fate < 15 then Nothing else if fate < 25 then Just b else Just a)
+
+-- | Probabilities, which sometimes show how the cell lies if they may.
+genLook :: KnownField k => Bool -> GF k -> Gen (Maybe (Belief k))
+genLook mayShow a = if mayShow then oneof [genBelief a, genOriented a] else genBelief a
+
+-- | As 'genBelief', and how the cell lies: one symmetry is likelier than others that are possible.
+genOriented :: KnownField k => GF k -> Gen (Maybe (Belief k))
+genOriented a = do
+  alike <- genBelief a
+  several <- QuickCheck.elements [rotations, [identity, turned 2], [turned 1, mirror, turned 3]]
+  possible <- shuffle several
+  let shares = [1 / 2, 1 / 4, 1 / 8, 1 / 8]
+      joint b =
+        [ (o, map (share *) (Primitive.toList (probabilities b)))
+          | (o, share) <- zip possible (if length possible == 2 then [3 / 4, 1 / 4] else whole)
+        ]
+      whole = if length possible == 3 then [3 / 4, 1 / 4, 0] else shares
+  pure (alike >>= either (const Nothing) Just . oriented . joint)
 
 -- | In 64ths, so that products are exact fractions: mostly the symbol itself, sometimes certain,
 -- sometimes another one.

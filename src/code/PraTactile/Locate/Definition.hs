@@ -71,7 +71,8 @@ differencesByDefinition surface array possible observed =
     cells = observedCells observed
 
 -- | Every candidate with its probability, all of them being equally likely beforehand: the product
--- of the probabilities of the symbols there, over the sum of these; in exact fractions. The cells
+-- of the probabilities of the symbols there, each together with the candidate's symmetry where the
+-- cell shows how it lies, over the sum of these; in exact fractions. The cells
 -- may be several looks at one cell each. None if no candidate is possible.
 posteriorByDefinition ::
   KnownField k =>
@@ -86,10 +87,11 @@ posteriorByDefinition surface array possible shape cells
   | otherwise = [(candidate, p / total) | (candidate, p) <- likelihood]
   where
     likelihood =
-      [ (candidate, product (zipWith probability (map snd cells) content))
+      [ (candidate, product (zipWith (probability candidate) (map snd cells) content))
         | (candidate, content) <- everyCandidate surface array possible shape (map fst cells)
       ]
-    probability b a = toRational (Primitive.toList (probabilities b) !! toCode a)
+    probability candidate b a =
+      toRational (Primitive.toList (probabilitiesIn (candidateSymmetry candidate) b) !! toCode a)
     total = sum (map snd likelihood)
 
 -- | The rectangle around displaced patches, and for each observed cell in it all looks at it.

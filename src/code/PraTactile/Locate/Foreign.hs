@@ -1,9 +1,9 @@
 -- | That a patch is nothing of the array's: the doubt that no comparison of positions has.
 --
--- Of what is foreign every content is taken to be equally likely, each cell by itself; of what is
--- the array's every position, and there each cell has its probability, but for one cell in a
--- hundred, which is not what it seems ('misleading'): damaged, soiled, or wrongly made. Bayes'
--- theorem with the share of foreign things does the rest.
+-- Of what is foreign every symmetry is taken to be equally likely, and in it every content, each
+-- cell by itself; of what is the array's every symmetry and every position, and there each cell has
+-- its probability, but for one cell in a hundred, which is not what it seems ('misleading'):
+-- damaged, soiled, or wrongly made. Bayes' theorem with the share of foreign things does the rest.
 module PraTactile.Locate.Foreign
   ( ForeignComparison (..),
     foreignChance,
@@ -22,13 +22,17 @@ data ForeignComparison = ForeignComparison
     foreignShare :: Double,
     -- | how many symbols there are
     foreignSymbols :: Int,
-    -- | how many places there are
+    -- | how many places there are, in all symmetries
     foreignPlaces :: Natural,
-    -- | how probable the array's symbol at the likeliest place is in each observed cell
+    -- | how probable the array's symbol at the likeliest place is in each observed cell, given the
+    -- symmetry there
     foreignExpected :: [Double],
     -- | the logarithm of the probability that, among the places, it is the likeliest one: of many
     -- alike that may be too small for a double
-    foreignLikeliest :: Double
+    foreignLikeliest :: Double,
+    -- | the logarithm of how many times as probable the cells make the symmetry there as the mean
+    -- of all: 0 where they do not show how they lie
+    foreignSymmetry :: Double
   }
   deriving stock (Eq, Show)
 
@@ -37,12 +41,12 @@ data ForeignComparison = ForeignComparison
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 0))
+-- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 0 0))
 -- 5
--- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 0) < 1e-5
+-- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 0 0) < 1e-5
 -- True
 foreignChance :: ForeignComparison -> Double
-foreignChance (ForeignComparison share symbols places expected likeliest)
+foreignChance (ForeignComparison share symbols places expected likeliest shown)
   | share <= 0 = 0
   | otherwise = 1 / (1 + exp (ours - theirs))
   where
@@ -50,6 +54,7 @@ foreignChance (ForeignComparison share symbols places expected likeliest)
     theirs = log share - fromIntegral (length expected) * log q
     ours =
       log (1 - share) + sum (map seen expected)
+        + shown
         - likeliest
         - naturalLogarithm places
     seen chance = log ((1 - misleading) * chance + misleading / q)

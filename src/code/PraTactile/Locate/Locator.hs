@@ -6,7 +6,9 @@
 module PraTactile.Locate.Locator
   ( Locator,
     locator,
-    locatorCodebook,
+    locatorArray,
+    locatorMask,
+    cellsDistance,
     locate,
     decoderFor,
     agreedSymbols,
@@ -19,18 +21,20 @@ import Data.List (nub)
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (displaced)
+import PraTactile.Grid (displaced, extentOf)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder
+import PraTactile.Locate.Decoder.Codebook (observedDistance)
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Foreign
 import PraTactile.Locate.Joint
 import PraTactile.Locate.Logarithm
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
+import PraTactile.Locate.Separation (candidateDistance)
 import PraTactile.Symmetry
 
 -- | Where the patches of a question are. If any cell has probabilities, all cells are taken as
@@ -55,6 +59,16 @@ symbolOf cell = case cell of
 -- does. Makes the codebook or the table, if that is the one, once for each surface.
 decoderFor :: KnownField k => Locator k -> Surface -> Radius -> Either LocatorError DecoderName
 decoderFor made surface stated = symbolName <$> symbolDecoder made surface stated
+
+-- | The minimum distance of the cells with these offsets in an upright patch: in how many of them
+-- any two positions differ at least, on the array's 'naturalSurface' and the sheet; 0 for no cells,
+-- and where no distance is promised. With a codebook O(cells of the array * offsets).
+cellsDistance :: KnownField k => Locator k -> Surface -> [Position] -> Known
+cellsDistance made surface offsets = case locatorCodebook made surface of
+  Right codebook -> Exactly (observedDistance codebook offsets)
+  Left _ ->
+    AtLeast
+      (candidateDistance surface (locatorArray made) [identity] (extentOf offsets) offsets)
 
 -- | The observed symbols of a question in the rectangle around its patches, without those in
 -- dispute; of probabilities none.
@@ -197,9 +211,11 @@ beliefsBelong ::
   KnownField k => Locator k -> Query k -> BeliefDecoder k -> Shape -> Belonging (Belief k)
 beliefsBelong made query decoder shape =
   Belonging
-    { wrongAt = \candidate (offset, b) -> symbolIn candidate offset /= Just (likeliest b),
+    { wrongAt = \candidate (offset, b) ->
+        let shown = likeliestIn (candidateSymmetry candidate) b
+         in null shown || symbolIn candidate offset /= shown,
       belongsAt = \candidate cells ->
-        and [maybe False (`possibleIn` b) (symbolIn candidate offset) | (offset, b) <- cells]
+        all (allowed candidate) cells
           && maybe
             True
             (allows candidate)
@@ -208,6 +224,8 @@ beliefsBelong made query decoder shape =
     }
   where
     symbolIn = symbolAt (querySurface query) (locatorArray made) shape
+    allowed candidate (offset, b) =
+      any (\a -> possibleIn (candidateSymmetry candidate) a b) (symbolIn candidate offset)
     decided possible seen =
       either
         (const Nothing)
@@ -226,20 +244,24 @@ weighedPosterior ::
   Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
 weighedPosterior made query decoder possible seen = do
   found <- beliefPosterior decoder possible seen
-  let array = locatorArray made
+  let symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
       chanceAt candidate (offset, b) =
-        maybe
-          0
-          ((probabilities b Primitive.!) . toCode)
-          (symbolAt (querySurface query) array (patchShape seen) candidate offset)
+        let o = candidateSymmetry candidate
+            given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
+         in maybe 0 given (symbolIn candidate offset)
       alien = do
         best <- posteriorBest found
         foreignGiven
           made
           query {querySymmetries = possible}
           seen
-          (map (chanceAt best) (observedCells seen))
-          (maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found))
+          Expected
+            { expectedChances = map (chanceAt best) (observedCells seen),
+              expectedSymmetry =
+                shownSymmetry possible (map snd (observedCells seen)) (candidateSymmetry best),
+              expectedLikeliest =
+                maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found)
+            }
       doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
   pure (doubts <$> alien, maybe found (`weighed` found) alien)
 
@@ -253,17 +275,31 @@ foreignSymbolsAt made query seen outcome = do
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
-  foreignGiven made query seen expected (negate (naturalLogarithm count))
+  foreignGiven made query seen (Expected expected 0 (negate (naturalLogarithm count)))
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
 
--- | The probability that a patch is foreign, if the question weighs that, given how likely each
--- cell is at the likeliest candidate, and the logarithm of the probability that it is this one of
--- all candidates.
+-- | The logarithm of how probable cells make a symmetry, as many times as the mean of all that are
+-- possible; 0 where none shows how it lies.
+shownSymmetry :: [Symmetry] -> [Belief k] -> Symmetry -> Double
+shownSymmetry possible cells o = negate (log (sum (map relative possible) / count))
+  where
+    relative other = exp (shown other - shown o)
+    shown one' = sum (map (log . symmetryChance one') cells)
+    count = fromIntegral (length possible)
+
+-- | What the likeliest candidate is compared with foreign things by: as 'ForeignComparison' has it.
+data Expected = Expected
+  { expectedChances :: [Double],
+    expectedSymmetry :: Double,
+    expectedLikeliest :: Double
+  }
+
+-- | The probability that a patch is foreign, if the question weighs that.
 foreignGiven ::
-  KnownField k => Locator k -> Query k -> Patch symbol -> [Double] -> Double -> Maybe Double
-foreignGiven made query seen expected likeliest' = do
+  KnownField k => Locator k -> Query k -> Patch symbol -> Expected -> Maybe Double
+foreignGiven made query seen expected = do
   share <- queryForeign query
   places <- sphereCentres <$> spheresOf made query seen
   Just $
@@ -272,8 +308,9 @@ foreignGiven made query seen expected likeliest' = do
         { foreignShare = share,
           foreignSymbols = fieldOrder (locatorArray made),
           foreignPlaces = places,
-          foreignExpected = expected,
-          foreignLikeliest = likeliest'
+          foreignExpected = expectedChances expected,
+          foreignLikeliest = expectedLikeliest expected,
+          foreignSymmetry = expectedSymmetry expected
         }
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.

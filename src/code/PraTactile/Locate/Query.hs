@@ -22,7 +22,8 @@ import PraTactile.Symmetry
 data Cell (k :: Field)
   = -- | A symbol.
     Symbol !(GF k)
-  | -- | The probability of each symbol.
+  | -- | The probability of each symbol; where the cell shows how it lies, of each symmetry in which
+    -- it may be seen, together with each symbol.
     Probabilities !(Belief k)
   deriving stock (Eq, Show)
 

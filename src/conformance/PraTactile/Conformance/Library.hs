@@ -28,7 +28,6 @@ import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
 import PraTactile.Locate hiding (locate)
 import qualified PraTactile.Locate as Locate
-import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Locate.Patch (completeWindows, observedOffsets)
 import PraTactile.Polynomial (checkPrimitive, coefficients, polynomial, primitivePolynomial)
 import qualified PraTactile.Polynomial as Polynomial

@@ -14,10 +14,9 @@ import Data.Maybe (isJust, listToMaybe, mapMaybe)
 import Data.Ord (Down (..))
 import Data.Set (Set)
 import qualified Data.Set as Set
-import PraTactile.Array (Position (..), Shape (..), cellAt)
+import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Geometry (columnPitch, rowPitch)
-import PraTactile.Locate.Decoder.Codebook (codebookArray)
 import PraTactile.Object.Placement
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
@@ -79,9 +78,8 @@ findingAt reader location position = do
       }
   where
     cells = locationCells location
-    array = codebookArray (recogniserCodebook reader)
-    place0 = cellFrom (recogniserCodebook reader) position
-    placeOf cell = (\p -> SymbolPlace p (toCode (cellAt array p))) <$> place0 cell
+    placeOf cell = (\(p, a) -> SymbolPlace p (toCode a)) <$> cellFrom reader position cell
+    place0 = fmap symbolCell . placeOf
     -- Cells with a symbol, known or likely, that is what the array has there.
     right = agreeingBy readClass
     likely = agreeingBy (Just . readLikeliest)

@@ -1,8 +1,9 @@
 -- | From the symbols on a grid to the place of the grid's upper left cell in the array, by two
--- decodings that must agree.
+-- judgements that must agree.
 --
 -- The probabilities of all symbols and parts, known to the network or not, say how likely every
--- position is; the likeliest must be likely enough. And of the symbols that the network knows, and
+-- position is, either way up; the likeliest must be likely enough. And of the symbols that the
+-- network knows, and
 -- of the parts that leave hardly a doubt, no more may contradict it than the minimum distance of
 -- their cells lets be wrong: probabilities rest on a model of the sensor, the distance does not.
 module PraTactile.Recognise.GridLocation
@@ -22,21 +23,17 @@ module PraTactile.Recognise.GridLocation
 where
 
 import Control.Monad (join)
-import Data.List (partition)
+import Data.List (maximumBy, partition)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust, mapMaybe)
-import Data.Proxy (Proxy (..))
+import Data.Ord (comparing)
 import qualified Data.Set as Set
-import qualified Data.Vector.Primitive as Primitive
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (canonicalPosition, displaced)
+import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate hiding (Cell)
 import PraTactile.Locate.Chance
-import PraTactile.Locate.Decoder.Codebook
-import PraTactile.Locate.Foreign
-import PraTactile.Locate.Query (radiusFor)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
@@ -126,31 +123,32 @@ data GridOutcome
 -- | Locate a grid of symbols of one axis. The dissenters are symbols of the other axis that the
 -- network knows all the same.
 locateGrid ::
-  forall k. KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
+  KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
 locateGrid reader tolerance dissenters grid =
-  GridLocation orientation cells (snd <$> found) outcome
+  GridLocation orientation cells (join (evidenceFrom reader witnesses <$> seen <*> answer)) outcome
   where
-    q = fieldOrder (Proxy :: Proxy k)
-    codebook = recogniserCodebook reader
-    (orientation, orientationDoubt) = likeliestOrientation q (gridCells grid)
+    axis = axisOf (gridCells grid)
+    seen = rightOnly (patch (map (map (>>= beliefAlong axis)) (gridRows (gridCells grid))))
+    answer = seen >>= rightOnly . locate (recogniserLocator reader) . asked
+    asked beliefs =
+      (onePatch (recogniserSurface reader) (Probabilities <$> beliefs))
+        { querySymmetries = waysUp,
+          queryDoubt = toleratedDoubt tolerance,
+          queryForeign = Just (foreignPrior tolerance)
+        }
+    likeliest' = answer >>= answerPosterior >>= posteriorBest
+    orientation =
+      axis <> maybe (wayUpAlone (map snd (foldMap observedCells seen))) candidateSymmetry likeliest'
     cells = seenOnFace orientation (gridCells grid)
-    witnesses = witnessesOf codebook tolerance orientation (dissenters, gridStrays grid) cells
-    stated = toleratedErrors tolerance
-    ask seen =
-      rightOnly
-        ( locate
-            (recogniserLocator reader)
-            (onePatch (codebookSurface codebook) seen) {queryRadius = stated}
-        )
-    beliefs = rightOnly (patch (map (map join) (gridRows (Map.map (beliefIn q orientation) cells))))
-    found = do
-      seen <- beliefs
-      posterior <- ask (Probabilities <$> seen) >>= answerPosterior
-      evidenceFrom codebook witnesses (foreignPrior tolerance) orientationDoubt seen posterior
+    witnesses = witnessesOf reader tolerance orientation (dissenters, gridStrays grid) cells
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
-      fmap candidatePosition . answerOutcome <$> ask (Symbol <$> known)
+      let symbols = onePatch (recogniserSurface reader) (Symbol <$> known)
+      found <-
+        rightOnly
+          (locate (recogniserLocator reader) symbols {queryRadius = toleratedErrors tolerance})
+      pure (candidatePosition <$> answerOutcome found)
     alone numbers =
       exactly (Map.map (filter ((`Set.member` numbers) . readNumber)) cells) >>= onlyPlace
     findings =
@@ -158,65 +156,37 @@ locateGrid reader tolerance dissenters grid =
         { foundExactly = fromMaybe (Refused TooFewCells) (exactly cells),
           foundApart = differ (mapMaybe alone (gridGroups grid))
         }
-    outcome = case found of
-      Just (place, evidence)
-        | evidenceDoubt evidence <= toleratedDoubt tolerance ->
-          if counted (evidenceWrong evidence) <= witnessesRadius witnesses
-            then Placed place
-            else contradicted findings witnesses (counted (evidenceWrong evidence))
+    outcome = case answerOutcome <$> answer of
+      Just (Unique candidate _)
+        | wrong <= witnessesRadius witnesses -> Placed (candidatePosition candidate)
+        | otherwise -> contradicted findings witnesses wrong
+        where
+          wrong = counted (snd (standing reader witnesses (candidatePosition candidate)))
       _ -> unclear findings witnesses
 
--- | The likeliest position, and what it rests on, given the share of foreign things, the doubt
--- about the orientation and the probabilities of the observed cells. 'Nothing' where no position is
--- possible.
-evidenceFrom ::
-  KnownField k =>
-  Codebook k ->
-  Witnesses ->
-  Double ->
-  Double ->
-  Patch (Belief k) ->
-  Posterior Candidate ->
-  Maybe (Position, Evidence)
-evidenceFrom codebook witnesses share orientationDoubt seen posterior = do
-  place <- candidatePosition <$> posteriorBest posterior
-  let (agreeing, wrong) = standing codebook witnesses place
-  pure
-    ( place,
-      Evidence
-        { evidenceDoubts = doubtsOf (foreignAt codebook share seen place doubt),
-          evidenceAgreeing = length agreeing,
-          evidenceWrong = map readNumber wrong,
-          evidenceInconsistent = mostlyIn wrong agreeing,
-          evidenceDistance = witnessesDistance witnesses,
-          evidenceRadius = witnessesRadius witnesses,
-          evidenceChance = chanceAmong codebook seen witnesses
-        }
-    )
+-- | The way up that cells show by themselves, where no position is possible.
+wayUpAlone :: [Belief k] -> Symmetry
+wayUpAlone cells = maximumBy (comparing shown) (reverse waysUp)
   where
-    doubt = posteriorDoubt posterior
-    other = orientationDoubt + doubt - orientationDoubt * doubt
-    doubtsOf alien = Doubts (other * (1 - alien)) 0 alien
+    shown way = sum (map (log . symmetryChance way) cells)
 
--- | The probability that the observed cells are foreign, given the share of foreign things, the
--- likeliest position, and the probability that among all positions it is another one.
-foreignAt ::
-  KnownField k => Codebook k -> Double -> Patch (Belief k) -> Position -> Double -> Double
-foreignAt codebook share seen place doubt =
-  foreignChance
-    ForeignComparison
-      { foreignShare = share,
-        foreignSymbols = fieldOrder array,
-        foreignPlaces = area size,
-        foreignExpected = [chanceOf offset b | (offset, b) <- observedCells seen],
-        foreignLikeliest = log (1 - doubt)
+-- | What the likeliest position rests on; 'Nothing' where none is possible.
+evidenceFrom ::
+  KnownField k => Recogniser k -> Witnesses -> Patch (Belief k) -> Answer -> Maybe Evidence
+evidenceFrom reader witnesses seen answer = do
+  candidate <- answerPosterior answer >>= posteriorBest
+  PlaceDoubts elsewhere' alien <- answerDoubts answer
+  let (agreeing, wrong) = standing reader witnesses (candidatePosition candidate)
+  pure
+    Evidence
+      { evidenceDoubts = Doubts (fromMaybe 0 elsewhere') 0 alien,
+        evidenceAgreeing = length agreeing,
+        evidenceWrong = map readNumber wrong,
+        evidenceInconsistent = mostlyIn wrong agreeing,
+        evidenceDistance = witnessesDistance witnesses,
+        evidenceRadius = witnessesRadius witnesses,
+        evidenceChance = chanceAmong reader (candidateSymmetry candidate) seen witnesses
       }
-  where
-    array = codebookArray codebook
-    size = arrayShape array
-    chanceOf offset b = case displaced (codebookSurface codebook) size place offset of
-      Just there -> probabilities b Primitive.! toCode (cellAt array there)
-      Nothing -> 0
 
 -- | The symbols that are certain, for an orientation of the face.
 data Witnesses = Witnesses
@@ -236,8 +206,14 @@ data Witnesses = Witnesses
 
 -- | The witnesses among the symbols of the other axis, those off the grid, and those in its cells.
 witnessesOf ::
-  Codebook k -> Tolerance -> Symmetry -> ([ReadSymbol], [ReadSymbol]) -> Cells -> Witnesses
-witnessesOf codebook tolerance orientation (dissenters, strays) cells =
+  KnownField k =>
+  Recogniser k ->
+  Tolerance ->
+  Symmetry ->
+  ([ReadSymbol], [ReadSymbol]) ->
+  Cells ->
+  Witnesses
+witnessesOf reader tolerance orientation (dissenters, strays) cells =
   Witnesses
     { witnessesKnown = known,
       witnessesOtherWayUp =
@@ -250,7 +226,7 @@ witnessesOf codebook tolerance orientation (dissenters, strays) cells =
   where
     known = [here | (here, o) <- ways, o == orientation]
     offsets = map offsetOf (Set.toAscList (Set.fromList (map fst known)))
-    distance = observedDistance codebook offsets
+    distance = atLeast (cellsDistance (recogniserLocator reader) (recogniserSurface reader) offsets)
     ways =
       [ ((cell, s), o)
         | (cell, here) <- Map.toList cells,
@@ -260,13 +236,13 @@ witnessesOf codebook tolerance orientation (dissenters, strays) cells =
 
 -- | The symbols that agree with a place of the grid, and those that are wrong there.
 standing ::
-  KnownField k => Codebook k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
-standing codebook witnesses place =
+  KnownField k => Recogniser k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
+standing reader witnesses place =
   (map snd agreeing, map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses)
   where
     (agreeing, misfits) = partition right (witnessesKnown witnesses)
     right (cell, s) = codeAt cell == fmap snd (certain s)
-    codeAt cell = toCode . cellAt (codebookArray codebook) <$> cellFrom codebook place cell
+    codeAt cell = toCode . snd <$> cellFrom reader place cell
 
 -- | The composites that have more of the first symbols than of the second.
 mostlyIn :: [ReadSymbol] -> [ReadSymbol] -> [Int]
@@ -279,15 +255,16 @@ mostlyIn these those =
     bySource symbols = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- symbols]
 
 -- | The share of all contents of the certain cells that would be located.
-chanceAmong :: KnownField k => Codebook k -> Patch (Belief k) -> Witnesses -> Maybe Chance
-chanceAmong codebook seen witnesses =
+chanceAmong ::
+  KnownField k => Recogniser k -> Symmetry -> Patch (Belief k) -> Witnesses -> Maybe Chance
+chanceAmong reader way seen witnesses =
   chance
     . amongCells (counted (witnessesCells witnesses))
     . correcting (witnessesDistance witnesses) (witnessesRadius witnesses)
     <$> spheres
-      (codebookSurface codebook)
-      (codebookArray codebook)
-      [identity]
+      (recogniserSurface reader)
+      (locatorArray (recogniserLocator reader))
+      [way]
       (patchShape seen)
       (map fst (observedCells seen))
 
@@ -336,15 +313,18 @@ counted = fromIntegral . length
 rightOnly :: Either e a -> Maybe a
 rightOnly = either (const Nothing) Just
 
--- | Where a cell of the grid is in the array, if the grid's upper left cell is at the position;
--- 'Nothing' beyond the sheet.
-cellFrom :: Codebook k -> Position -> Cell -> Maybe Position
-cellFrom codebook (Position r c) (i, j) =
-  canonicalPosition
-    (codebookSurface codebook)
-    (arrayShape (codebookArray codebook))
-    (toInteger r + toInteger i)
-    (toInteger c + toInteger j)
+-- | Where a cell of the grid is in the array, and the symbol there, if the grid's upper left cell
+-- is at the position; 'Nothing' beyond the sheet.
+cellFrom :: KnownField k => Recogniser k -> Position -> Cell -> Maybe (Position, GF k)
+cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) <$> at
+  where
+    array = locatorArray (recogniserLocator reader)
+    at =
+      canonicalPosition
+        (recogniserSurface reader)
+        (arrayShape array)
+        (toInteger r + toInteger i)
+        (toInteger c + toInteger j)
 
 -- | A cell of the grid, which has no rows and columns before 0, as an offset.
 offsetOf :: Cell -> Position

@@ -2,35 +2,43 @@
 module PraTactile.Recognise.Recogniser
   ( Recogniser (..),
     recogniser,
+    recogniserWindow,
     RecogniserError (..),
   )
 where
 
-import PraTactile.Array (PseudorandomArray, Shape (..), Surface, arrayShape)
+import PraTactile.Array (PseudorandomArray, Shape (..), Surface, area, arrayShape)
 import PraTactile.Classification.Network (Network, outputCount)
 import PraTactile.Classification.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
-import PraTactile.Locate (LocateError, Locator, locator)
-import PraTactile.Locate.Decoder.Codebook (Codebook)
-import PraTactile.Locate.Locator (locatorCodebook)
+import PraTactile.Locate
+  ( LocateError (..),
+    Locator,
+    largestSearchedArray,
+    locator,
+    locatorMask,
+  )
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Recognise.Reading (Reader (..))
 import PraTactile.Shape (Alphabet, alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
--- | All that recognition needs: the array with its positions, the placement of the faces, the
--- shapes and the trained network.
+-- | All that recognition needs: what locates cells in the array, the placement of the faces, and
+-- the trained network.
 data Recogniser k = Recogniser
-  { -- | the array on its surface, with its window
-    recogniserCodebook :: Codebook k,
-    -- | that array's locator, which decodes by this codebook
+  { recogniserSurface :: Surface,
+    -- | of the array, with its window
     recogniserLocator :: Locator k,
-    recogniserWindow :: Shape,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
+    -- | the network, with the shapes that it knows
     recogniserReader :: Reader
   }
+
+-- | The rows and columns of the array's window.
+recogniserWindow :: Recogniser k -> Shape
+recogniserWindow = maskExtent . locatorMask . recogniserLocator
 
 -- | Why there is no recogniser.
 data RecogniserError
@@ -45,9 +53,9 @@ data RecogniserError
     PitchesDiffer Pitch Pitch
   deriving stock (Eq, Show)
 
--- | A recogniser for rectangular windows on an array and its surface. Refuses arrays too large for
--- a 'Codebook', classes that are not one an element, and a placement on an array of another shape
--- or with symbols at another pitch than 'canonicalPitch', at which they are read.
+-- | A recogniser for rectangular windows on an array and its surface. Refuses arrays of more than
+-- 'largestSearchedArray' cells, classes that are not one an element, and a placement on an array of
+-- another shape or with symbols at another pitch than 'canonicalPitch', at which they are read.
 recogniser ::
   KnownField k =>
   Surface ->
@@ -63,19 +71,19 @@ recogniser surface array window layout alphabetOfAll network
     Left (ArraysDiffer (placementShape layout) (arrayShape array))
   | placementPitch layout /= canonicalPitch =
     Left (PitchesDiffer (placementPitch layout) canonicalPitch)
-  | otherwise = do
-    codebook <- either (Left . RecogniserArray) Right (locatorCodebook made surface)
-    pure
+  | cells > largestSearchedArray =
+    Left (RecogniserArray (TooManyPlaces cells largestSearchedArray))
+  | otherwise =
+    Right
       Recogniser
-        { recogniserCodebook = codebook,
-          recogniserLocator = made,
-          recogniserWindow = maskExtent window,
+        { recogniserSurface = surface,
+          -- No table decodes; the order of cells in tables does not matter.
+          recogniserLocator = locator Nothing MostSignificantFirst array window,
           recogniserPlacement = layout,
           recogniserReader = Reader (templates alphabetOfAll) network
         }
   where
     q = fieldOrder array
-    -- The codebook decodes; the order of cells in tables does not matter.
-    made = locator Nothing MostSignificantFirst array window
+    cells = area (arrayShape array)
     given = outputCount network
     shaped = alphabetSize alphabetOfAll

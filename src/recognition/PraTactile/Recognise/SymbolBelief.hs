@@ -1,17 +1,18 @@
--- | What the symbols read on a grid say: in which orientation the face is seen, and what the array
--- has in each cell, as a symbol or as probabilities.
+-- | What the symbols read on a grid say: which way up the face may lie, and what the array then has
+-- in each cell, as a symbol or as probabilities.
 module PraTactile.Recognise.SymbolBelief
   ( certain,
-    likeliestOrientation,
-    beliefIn,
+    axisOf,
+    waysUp,
+    beliefAlong,
     knownPatch,
   )
 where
 
-import Data.List (foldl')
 import qualified Data.Map.Strict as Map
+import Data.Proxy (Proxy (..))
 import PraTactile.Field
-import PraTactile.Locate (Belief, LocateError, Patch, belief, patch)
+import PraTactile.Locate (Belief, LocateError, Patch, combined, oriented, patch)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Symbol (elementOfClass)
@@ -29,39 +30,26 @@ certain s
   | readDoubt s < 0.1 = readClass s
   | otherwise = Nothing
 
--- | The orientation of the symbols' axis that fits them best, and the probability that it is the
--- other one, by what the symbols themselves show. Upright symbols decide for themselves; the code
--- is not asked.
-likeliestOrientation :: Int -> Cells -> (Symmetry, Double)
-likeliestOrientation q cells
-  | difference >= 0 = (this, doubt difference)
-  | otherwise = (other, doubt (negate difference))
-  where
-    sideways = or [exchangesAxes (fst (readLikeliest s)) | here <- Map.elems cells, s <- here]
-    (this, other) = if sideways then (turned 1, turned 3) else (identity, turned 2)
-    difference =
-      sum
-        [ log (sum (chances q this here)) - log (sum (chances q other here))
-          | here <- Map.elems cells
-        ]
-    doubt d = 1 / (1 + exp d)
+-- | How the symbols' axis lies: 'identity', or @turned 1@.
+axisOf :: Cells -> Symmetry
+axisOf cells
+  | or [exchangesAxes (fst (readLikeliest s)) | here <- Map.elems cells, s <- here] = turned 1
+  | otherwise = identity
 
--- | What the symbols read in a cell say of each class if the face lies so, up to a factor: the
--- product over the symbols, which were seen independently.
-chances :: Int -> Symmetry -> [ReadSymbol] -> [Double]
-chances q orientation here = foldl' (zipWith (*)) (replicate q 1) (map ofSymbol here)
-  where
-    ofSymbol s =
-      [sum [p | (what, p) <- readChances s, what == (orientation, c)] | c <- [0 .. q - 1]]
+-- | The two ways up that symbols may lie along their axis, as a grid of them is seen.
+waysUp :: [Symmetry]
+waysUp = [identity, turned 2]
 
--- | The probabilities of the classes in a cell.
-beliefIn :: KnownField k => Int -> Symmetry -> [ReadSymbol] -> Maybe (Belief k)
-beliefIn q orientation here
-  | null here || total <= 0 = Nothing
-  | otherwise = either (const Nothing) Just (belief (map (/ total) weights))
+-- | What the symbols of a cell say, independent looks at it, of the way up along an axis and of the
+-- classes. 'Nothing' if nothing is possible.
+beliefAlong :: forall k. KnownField k => Symmetry -> [ReadSymbol] -> Maybe (Belief k)
+beliefAlong axis here = traverse look here >>= combined
   where
-    weights = chances q orientation here
-    total = sum weights
+    look s = either (const Nothing) Just (oriented [(way, chances s way) | way <- waysUp])
+    chances s way =
+      [ sum [p | (what, p) <- readChances s, what == (axis <> way, c)]
+        | c <- [0 .. fieldOrder (Proxy :: Proxy k) - 1]
+      ]
 
 -- | The symbols of this orientation that the network knows, where all of a cell agree. Refuses no
 -- cells.

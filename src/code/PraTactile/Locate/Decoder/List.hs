@@ -11,15 +11,13 @@ module PraTactile.Locate.Decoder.List
   )
 where
 
-import Data.List (sort, sortOn)
-import Data.Ord (Down (..))
-import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Decoder.Algebra
 import PraTactile.Locate.Decoder.List.Bounds
+import PraTactile.Locate.Decoder.List.Letters
 import PraTactile.Locate.Decoder.List.Result
 import PraTactile.Locate.Decoder.List.Search
 import PraTactile.Locate.Decoder.ObservedCode
@@ -52,26 +50,26 @@ listPatch most tolerated algebra possible observed
           posteriorEqualDoubt = 0,
           posteriorUnlisted = Just 0
         }
-  | otherwise = summary setting <$> traverse branch possible
+  | otherwise = summary setting <$> traverse branch shown
   where
     h = arrayPrimitive (algebraArray algebra)
     everything = case possible of
       [_] -> (period h, Just (fromIntegral (primitiveDegree h)))
       several -> (period h * fromIntegral (length several), Nothing)
-    known = [(offset, Primitive.map log (probabilities b)) | (offset, b) <- observedCells observed]
-    -- The surest cells first.
-    byCertainty = sortOn (Down . Primitive.maximum . snd . snd) (zip [0 :: Int ..] known)
-    ordered = map snd byCertainty
+    known = observedCells observed
     setting =
       Setting
         { settingMost = most,
           settingTolerated = tolerated,
-          settingSheet = algebraSurface algebra == Sheet,
-          settingLogs = Primitive.concat (map snd known),
-          settingPlaces = Primitive.fromList (map snd (sort (zip (map fst byCertainty) [0 ..])))
+          settingSheet = algebraSurface algebra == Sheet
         }
-    branch symmetry =
-      branchOf symmetry (map snd ordered)
-        <$> observedCode
-          algebra
-          [onPosition (invert symmetry) (patchShape observed) offset | (offset, _) <- ordered]
+    -- A symmetry that a cell makes impossible has no words.
+    shown = [o | o <- possible, all ((> 0) . symmetryChance o . snd) known]
+    branch o =
+      let letters = lettersIn o (map snd known)
+       in branchOf letters
+            <$> observedCode
+              algebra
+              [ onPosition (invert o) (patchShape observed) offset
+                | (offset, _) <- surestFirst letters known
+              ]

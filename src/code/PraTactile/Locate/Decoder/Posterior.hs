@@ -2,10 +2,11 @@
 -- is how likely each position is (Bayes' theorem). Exact: the patch is compared with every
 -- position.
 --
--- A cell's probabilities are those that a classifier gives on seeing its image when all symbols are
--- equally frequent, independently of other cells'; all positions are equally likely beforehand.
--- Then the probability of a position is proportional to the product of the probabilities of the
--- symbols that it would have in the observed cells.
+-- A cell's probabilities are those that a classifier gives on seeing its image when all symbols, in
+-- all symmetries, are equally frequent, independently of other cells'; all positions in all
+-- symmetries are equally likely beforehand. Then the probability of a position in a symmetry is
+-- proportional to the product of the probabilities of the symbols that it would have in the
+-- observed cells, together with that symmetry.
 module PraTactile.Locate.Decoder.Posterior
   ( posterior,
     posteriorAmong,
@@ -35,7 +36,7 @@ posteriorAmong codebook possible observed = case comparisons of
   where
     -- In every symmetry the cells are added up in the same order, so that what is equally likely is
     -- found equal.
-    comparisons = [(o, likelihoods codebook (seenCells o)) | o <- possible]
+    comparisons = [(o, likelihoods codebook o (seenCells o)) | o <- possible]
     seenCells o =
       [ (onPosition (invert o) (patchShape observed) offset, b)
         | (offset, b) <- observedCells observed
@@ -57,13 +58,13 @@ candidateIn i comparisons = case comparisons of
 posterior :: Codebook k -> Patch (Belief k) -> Posterior Position
 posterior codebook observed = ranked (comparedPosition comparison) (comparedTotals comparison)
   where
-    comparison = likelihoods codebook (observedCells observed)
+    comparison = likelihoods codebook identity (observedCells observed)
 
--- | The logarithms of what the probabilities of positions are proportional to, given what is known
--- of cells by their offsets.
-likelihoods :: Codebook k -> [(Position, Belief k)] -> Comparison Double
-likelihoods codebook known =
-  compareWith codebook [(offset, Primitive.map log (probabilities b)) | (offset, b) <- known]
+-- | The logarithms of what the probabilities of positions in a symmetry are proportional to, given
+-- what is known of cells by their offsets in the upright patch.
+likelihoods :: Codebook k -> Symmetry -> [(Position, Belief k)] -> Comparison Double
+likelihoods codebook o known =
+  compareWith codebook [(offset, Primitive.map log (probabilitiesIn o b)) | (offset, b) <- known]
 
 -- | How likely places are, given by their indices, from the logarithms of what their probabilities
 -- are proportional to.

@@ -3,6 +3,7 @@
 module PraTactile.Locate.Decoder.List.Bounds
   ( -- * Words of a symmetry
     Branch (..),
+    branchSymmetry,
     branchOf,
     step,
 
@@ -21,6 +22,7 @@ import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
 import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.InformationSet
+import PraTactile.Locate.Decoder.List.Letters
 import PraTactile.Locate.Decoder.List.Source
 import PraTactile.Locate.Decoder.ObservedCode
 import PraTactile.Symmetry
@@ -45,7 +47,10 @@ import PraTactile.Symmetry
 
    In several symmetries each has a code and lists of its own. Beforehand they are equally likely,
    and each likelihood is a product over the same cells, so that likelihoods of different symmetries
-   are in the same proportion to the probabilities of candidates: what is unlisted in all of them
+   are in the same proportion to the probabilities of candidates. Where cells show how they lie,
+   their probabilities together with the symmetry are the product of that of the symmetry and of
+   those given it: all that was said above holds of the latter, and the likelihoods of the symmetry
+   have the product of the former as a factor. So what is unlisted in all of them
    together is at most the sum of the bounds, and a word that is unlisted in any of them is at most
    as likely as the largest of the bounds for one word. The next word is taken where the bound is
    largest, because only that lowers the sum by much; so a symmetry in which nothing is likely is
@@ -58,7 +63,7 @@ import PraTactile.Symmetry
 
 -- | The words of one symmetry.
 data Branch (k :: Field) = Branch
-  { branchSymmetry :: !Symmetry,
+  { branchLetters :: !Letters,
     branchCode :: !(ObservedCode k),
     -- | At how many positions a word is that is not zero; zero is at one less.
     branchEach :: !Double,
@@ -69,24 +74,22 @@ data Branch (k :: Field) = Branch
 
 type role Branch nominal
 
--- | The words of a symmetry, given the logarithms of the probabilities, cell by cell as the letters
--- of its code.
-branchOf ::
-  forall k.
-  KnownField k =>
-  Symmetry ->
-  [Primitive.Vector Double] ->
-  ObservedCode k ->
-  Branch k
-branchOf symmetry ordered code =
+-- | The symmetry of its words.
+branchSymmetry :: Branch k -> Symmetry
+branchSymmetry = lettersSymmetry . branchLetters
+
+-- | The words of a symmetry, given the letters of its code.
+branchOf :: forall k. KnownField k => Letters -> ObservedCode k -> Branch k
+branchOf letters code =
   Branch
-    { branchSymmetry = symmetry,
+    { branchLetters = letters,
       branchCode = code,
       branchEach = fromIntegral (fieldOrder (Proxy :: Proxy k) :: Int) ^ wordFreedom code,
       branchOutside = sum [Primitive.maximum x | (i, x) <- zip [0 ..] ordered, i `notElem` taken],
       branchSources = map (sourceOf (Boxed.fromList ordered)) sets
     }
   where
+    ordered = lettersGiven letters
     sets = filter ((== 0) . setDeficit) (informationSets (length ordered) (codeRows code))
     taken = concatMap (Primitive.toList . setPlaces) sets
 
@@ -103,12 +106,13 @@ branchBounds branch
     -- as less.
     Just
       ( Bounds
-          (unlistedMass sources outside + log (branchEach branch))
-          (sum (map nextMass sources) + outside + 1e-9)
+          (shown + (unlistedMass sources outside + log (branchEach branch)))
+          (shown + (sum (map nextMass sources) + outside + 1e-9))
       )
   where
     sources = branchSources branch
     outside = branchOutside branch
+    shown = lettersShown (branchLetters branch)
 
 -- | What is not listed of several symmetries.
 allBounds :: [Bounds] -> Maybe Bounds

@@ -16,12 +16,12 @@ import Data.List (maximumBy)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Data.Ord (Down (..), comparing)
-import Data.Proxy (Proxy (..))
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Field
 import PraTactile.LinearCode.Elimination
 import PraTactile.Locate.Decoder.Algebra (largestListing)
 import PraTactile.Locate.Decoder.List.Bounds
+import PraTactile.Locate.Decoder.List.Letters
 import PraTactile.Locate.Decoder.ObservedCode
 
 -- | What is the same for all words.
@@ -31,11 +31,7 @@ data Setting = Setting
     -- | The doubt that is tolerated.
     settingTolerated :: !Double,
     -- | Whether the surface is the sheet.
-    settingSheet :: !Bool,
-    -- | The logarithms of the probabilities of all symbols, cell by cell as the cells were given.
-    settingLogs :: !(Primitive.Vector Double),
-    -- | Of each of these cells, which letter of a word it is.
-    settingPlaces :: !(Primitive.Vector Int)
+    settingSheet :: !Bool
   }
 
 -- | The list so far.
@@ -117,25 +113,13 @@ include setting i branch word state
         stateFaint = stateFaint state * scale
       }
   where
-    x = logLikelihood setting word
+    x = logLikelihood (branchLetters branch) word
     share = each * exp (x - stateBest state)
     scale = exp (stateBest state - x)
     each = if Primitive.all (== zero) word then branchEach branch - 1 else branchEach branch
     fewest = if settingSheet setting then positionsOnSheet (branchCode branch) word else each
     counted = state {stateCount = stateCount state + 1}
     added = counted {stateWords = Map.insert (Down x, i, word) () (stateWords state)}
-
--- | The logarithm of the likelihood of a word, summed in the order in which a comparison with all
--- positions sums.
-logLikelihood :: forall k. KnownField k => Setting -> Row k -> Double
-logLikelihood setting word =
-  Primitive.ifoldl'
-    (\total j place -> total + letter j (Primitive.unsafeIndex word place))
-    0
-    (settingPlaces setting)
-  where
-    letter j a = Primitive.unsafeIndex (settingLogs setting) (j * q + toCode a)
-    q = fieldOrder (Proxy :: Proxy k)
 
 -- | At how many positions of the sheet a word is, which has to be looked up; of very many whether
 -- it is at any.
