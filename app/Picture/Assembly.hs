@@ -26,7 +26,7 @@ import Visible (visibleName)
 -- | A frame on the page.
 data Shown = Shown
   { shownFile :: FilePath,
-    shownFrame :: Arranged,
+    shownFrame :: Registered,
     -- | its name among the reasons, if there is one to doubt it
     shownReason :: Maybe String,
     -- | the index of its group
@@ -44,13 +44,13 @@ shownFrames :: [(FilePath, Frame)] -> Assembly -> [Shown]
 shownFrames files made = zipWith3 shown files (assemblyFrames made) (reasonsOf made)
   where
     (originX, originY) = compositeOrigin (assemblyComposite made)
-    numbers = nub (sort (map arrangedGroup (assemblyFrames made)))
+    numbers = nub (sort (map registeredGroup (assemblyFrames made)))
     shown (file, frame) arranged reason =
       Shown
         { shownFile = visibleName file,
           shownFrame = arranged,
           shownReason = reason,
-          shownGroup = length (takeWhile (< arrangedGroup arranged) numbers),
+          shownGroup = length (takeWhile (< registeredGroup arranged) numbers),
           shownCentre =
             ( (poseX (framePose frame) - originX) / taxelPitch,
               (poseY (framePose frame) - originY) / taxelPitch
@@ -137,7 +137,7 @@ moved :: Double -> Shown -> (Double, Double)
 moved times frame = (x + times * dx, y + times * dy)
   where
     (x, y) = shownCentre frame
-    (dx, dy) = arrangedShift (shownFrame frame)
+    (dx, dy) = registeredShift (shownFrame frame)
 
 -- | Frames to doubt are dashed.
 paintOf :: Shown -> Paint
@@ -197,7 +197,7 @@ numberMark unit i frame =
 enlargement :: [Shown] -> Double
 enlargement frames = maximum (1 : [times | times <- [2, 5, 10, 20, 50, 100], times * longest <= 10])
   where
-    longest = maximum (1e-6 : map (size . arrangedShift . shownFrame) frames)
+    longest = maximum (1e-6 : map (size . registeredShift . shownFrame) frames)
     size (dx, dy) = sqrt (dx * dx + dy * dy)
 
 -- | What the marks mean; the corrections with their scale.
@@ -235,7 +235,7 @@ remarks made frames = residual : correction : groups ++ doubtful
           "Residual %.3f of full scale: by so much a frame differs from what the others felt there."
           sd
       Nothing -> "No two frames overlap, so that nothing tells how well they agree."
-    shifts = map (arrangedShift . shownFrame) frames
+    shifts = map (registeredShift . shownFrame) frames
     n = fromIntegral (max 1 (length shifts)) :: Double
     rms side = sqrt (sum [side s * side s | s <- shifts] / n)
     correction =
@@ -243,7 +243,7 @@ remarks made frames = residual : correction : groups ++ doubtful
         "Corrections: %.2f taxel across and %.2f taxel down (root of the mean square)."
         (rms fst)
         (rms snd)
-    parted = groupsOf (map arrangedGroup (assemblyFrames made))
+    parted = groupsOf (map registeredGroup (assemblyFrames made))
     groups =
       [ show (length parted) ++ " groups of frames that overlap among themselves alone."
         | length parted > 1
@@ -261,7 +261,7 @@ remarks made frames = residual : correction : groups ++ doubtful
       "no-overlap" -> "overlaps no other frame"
       "ambiguous" ->
         "fits several places nearly alike"
-          ++ maybe "" (printf " (probability %.2f)") (arrangedProbability (shownFrame f))
+          ++ maybe "" (printf " (probability %.2f)") (registeredProbability (shownFrame f))
       other -> "is to be doubted: " ++ other
 
 counted :: Int -> String -> String

@@ -8,9 +8,9 @@ module Registration.Definition
     standardised,
     firstTheta,
     mStep,
-    classLogs,
+    classLogsOf,
     cellLogOf,
-    phaseLogs,
+    phaseLogsOf,
     density,
 
     -- * Many frames
@@ -36,7 +36,7 @@ import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
-import PraTactile.Registration.Joint.Located (Located (..))
+import PraTactile.Registration.Joint.Estimate (Estimate (..))
 import PraTactile.Registration.Model (Theta (..))
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Shape (embossedAt, halfTurned, paperAlphabet, shapes)
@@ -142,8 +142,8 @@ firstTheta image = Theta gain (-0.15 * gain) noise
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
 -- | l_k at each place.
-classLogs :: Theta -> Felt -> Map.Map (Int, Int, Int) [Double]
-classLogs (Theta a b v) = fmap (map (\(y, s, q) -> (a * y - a * b * s - a * a * q / 2) / v))
+classLogsOf :: Theta -> Felt -> Map.Map (Int, Int, Int) [Double]
+classLogsOf (Theta a b v) = fmap (map (\(y, s, q) -> (a * y - a * b * s - a * a * q / 2) / v))
 
 -- | l from l_k.
 cellLogOf :: [Double] -> Double
@@ -153,8 +153,8 @@ cellLogOf ls = logSum ((log 0.01, 0) : [(log (0.99 / fromIntegral (length ls)), 
     from top (p, l) = exp (p + l - top)
 
 -- | L of each phase: a phase is its cells, which lie a pitch of 16 x 20 taxels apart.
-phaseLogs :: Int -> Map.Map (Int, Int, Int) [Double] -> Map.Map (Int, Int, Int) Double
-phaseLogs q = Map.mapKeysWith (+) (phaseOf q) . fmap cellLogOf
+phaseLogsOf :: Int -> Map.Map (Int, Int, Int) [Double] -> Map.Map (Int, Int, Int) Double
+phaseLogsOf q = Map.mapKeysWith (+) (phaseOf q) . fmap cellLogOf
 
 phaseOf :: Int -> (Int, Int, Int) -> (Int, Int, Int)
 phaseOf q (o, y, x) = (o, y `mod` (20 * q), x `mod` (16 * q))
@@ -170,8 +170,8 @@ density n (Theta _ b v) count phases =
 mStep :: Int -> Double -> ((Int, Int, Int) -> Bool) -> Felt -> Theta -> Theta
 mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
   where
-    classes = classLogs theta felt
-    phases = Map.filterWithKey (\k _ -> counts k) (phaseLogs q classes)
+    classes = classLogsOf theta felt
+    phases = Map.filterWithKey (\k _ -> counts k) (phaseLogsOf q classes)
     weights =
       Map.filter (>= 1e-6) (Map.fromList (zip (Map.keys phases) (shares (Map.elems phases))))
     expected =
@@ -289,9 +289,9 @@ cellGiven others mine = top + log (sum (zipWith (\m l -> m * exp (l - top)) mixe
 -- | Where a frame is, from its nominal place and its displacements in half taxels from the grid
 -- point nearest to that: the mean of the 3 x 3 that hold most, the first of equals, to an eighth of
 -- a taxel; the deviations, with that of a grid's cell; what they hold; and others.
-estimate :: (Double, Double) -> [((Int, Int), Double)] -> Located
+estimate :: (Double, Double) -> [((Int, Int), Double)] -> Estimate
 estimate (px, py) options =
-  Located
+  Estimate
     (eighths (meanX, meanY))
     (deviation (fromIntegral . fst) meanX, deviation (fromIntegral . snd) meanY)
     (min 1 (mass best))
@@ -328,7 +328,7 @@ pairPosterior ::
 pairPosterior displacements a b = map (/ sum weights) weights
   where
     logs =
-      [ map (prior +) (Map.elems (phaseLogs 2 (Map.unionWith (zipWith (+)) a (moved d))))
+      [ map (prior +) (Map.elems (phaseLogsOf 2 (Map.unionWith (zipWith (+)) a (moved d))))
         | (d, prior) <- displacements
       ]
     moved (dx, dy) = Map.mapKeysMonotonic (\(o, y, x) -> (o, y + dy, x + dx)) b

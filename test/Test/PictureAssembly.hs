@@ -19,7 +19,7 @@ spec :: Spec
 spec = modifyMaxSuccess (const 40) $ do
   prop "found less nominal is the correction; the arrow, enlarged, points along it" $
     forAll poses $ \at -> withAssembly Incremental (frames at) $ \drawing made ->
-      let shifts = map arrangedShift (assemblyFrames made)
+      let shifts = map registeredShift (assemblyFrames made)
           nominal = centres "nominal" drawing
           found = centres "found" drawing
           corrections = zipWith minus found nominal

@@ -14,7 +14,7 @@ module PraTactile.Registration
     assemble,
     Assembly (..),
     Way (..),
-    Arranged (..),
+    Registered (..),
     Registration (..),
     standardRegistration,
     withNoiseOf,
@@ -53,15 +53,15 @@ import PraTactile.Image
   )
 import PraTactile.Registration.Agreement (contradiction)
 import PraTactile.Registration.Arrangement
-  ( Arranged (..),
-    Arrangement (..),
+  ( Arrangement (..),
+    Registered (..),
     Way (..),
     arrange,
     withMisfit,
   )
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
-import PraTactile.Registration.Rotation (rotationPrior, telltale)
+import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
 import PraTactile.Registration.Search (Registration (..), standardRegistration, usable)
 import PraTactile.Registration.Turn (turnedBack)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
@@ -121,12 +121,12 @@ data Assembly = Assembly
     -- | The way that was taken; never 'Automatic'.
     assemblyWay :: !Way,
     -- | Each frame, in the order of the frames.
-    assemblyFrames :: ![Arranged],
+    assemblyFrames :: ![Registered],
     -- | The root of the mean squared difference of the frames from what others saw there, as the
     -- noise of one frame; 'Nothing' where no two overlap.
     assemblyResidual :: Maybe Double,
     -- | By how many degrees each frame is turned, clockwise, beyond what its pose states, where the
-    -- other frames tell that to 'telltaleRotation'.
+    -- other frames tell that to 'certainDeviation'.
     assemblyTurns :: [Maybe Double]
   }
 
@@ -148,25 +148,25 @@ compose way settings frames = do
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
       nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
   checkArea nominal
-  let arrangement = arrange way told (NonEmpty.toList nominal)
-      told
+  let arrangement = arrange way supposed (NonEmpty.toList nominal)
+      supposed
         | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
         | otherwise = settings
-      arranged = arrangedFrames arrangement
-      displacements = map arrangedShift arranged
+      arranged = arrangementFrames arrangement
+      displacements = map registeredShift arranged
       at shifts = maybe nominal moved (nonEmpty shifts)
       moved = NonEmpty.zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image)) nominal
       together shifts =
         (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
           { compositeCompared = length frames == 1 || compared
           }
-      compared = arrangedWay arrangement /= Nominal && isJust (arrangedResidual arrangement)
-      others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- arrangedOthers a]
+      compared = arrangementWay arrangement /= Nominal && isJust (arrangementResidual arrangement)
+      others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- registeredOthers a]
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
       turnOf ((x, y), image) =
         let (u, v) = compositePixel made (left + taxelPitch * x, top + taxelPitch * y)
-         in alignedToRest rotationPrior made (u, v) image >>= telltale
+         in alignedToRest rotationPrior made (u, v) image >>= certainRotation
   -- Blending relies on it.
   checkArea (at displacements)
   pure
@@ -179,9 +179,9 @@ compose way settings frames = do
                 ],
               compositeContradiction = contradiction settings (NonEmpty.toList nominal)
             },
-        assemblyWay = arrangedWay arrangement,
+        assemblyWay = arrangementWay arrangement,
         assemblyFrames = arranged,
-        assemblyResidual = arrangedResidual arrangement,
+        assemblyResidual = arrangementResidual arrangement,
         assemblyTurns = map turnOf (NonEmpty.toList (at displacements))
       }
 

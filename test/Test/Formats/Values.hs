@@ -203,7 +203,7 @@ names = do
           ( Assembly
               (Composite (constant 1 1 0) (constant 1 1 0) (0, 0) [] False [] Nothing)
               Jointly
-              [Arranged (0, 0) Nothing p [] group | (group, p) <- frames]
+              [Registered (0, 0) Nothing p [] group | (group, p) <- frames]
               Nothing
               (map (const Nothing) frames)
           )

@@ -19,7 +19,7 @@ import PraTactile.Steps
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
-import Test.QuickCheck hiding (generate, sample, within)
+import Test.QuickCheck hiding (generate, sample)
 import Test.Support
 import Test.Touch.Image (genRasterOf)
 
@@ -179,7 +179,7 @@ rotationSpec = do
   it "and is known between the pixels that have all their neighbours" $
     forAll (genRasterOf 6 5) $ \image ->
       forAll ((,) <$> choose (-1, 7) <*> choose (-1, 6)) $ \(x, y) ->
-        within image x y
+        valueInside image x y
           === if x >= 1 && x <= 4 && y >= 1 && y <= 3 then Just (sample image x y) else Nothing
   it "is found: the angle to a tenth of a degree, and the place, at any gain and offset" $
     forAll ((,,) <$> choose (-3, 3) <*> choose (-0.3, 0.3) <*> choose (-0.3, 0.3)) $
@@ -210,7 +210,7 @@ rotationSpec = do
     [isJust (aligned 2 (rowsUpTo n) (0, 0) image) | n <- [1.6, 3.6]] `shouldBe` [False, True]
   it "is told as a rotation where its standard deviation is at most a degree" $ do
     rotationPrior `shouldBe` 2
-    map (telltale . Aligned (0, 0) 3) [0.99, 1, 1.01] `shouldBe` [Just 3, Just 3, Nothing]
+    map (certainRotation . Aligned (0, 0) 3) [0.99, 1, 1.01] `shouldBe` [Just 3, Just 3, Nothing]
   where
     surface x y = sin (0.9 * x) + cos (0.7 * y) + sin (0.5 * x - 0.8 * y) :: Double
 

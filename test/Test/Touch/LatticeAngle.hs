@@ -6,8 +6,8 @@ import Data.List (find, maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Image
 import PraTactile.Registration.Lattice.Angle
-import PraTactile.Registration.Lattice.Evidence (Sight (..))
-import PraTactile.Registration.Lattice.Held (Held (..))
+import PraTactile.Registration.Lattice.Fits (Fits (..))
+import PraTactile.Registration.Lattice.Likelihood (Fit (..))
 import PraTactile.Registration.Spectrum
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -22,7 +22,7 @@ spec =
         forAll (oneof [pure Nothing, Just <$> choose (-45, 45)]) $ \hint ->
           let wanted level = defined (spectra 5 5) hint images roughly (map (above level) finely)
               found level =
-                heldAngle
+                fitsAngle
                   <$> latticeAngle
                     (toldAt roughly (map (above level) finely))
                     (spectra 5 5)
@@ -47,11 +47,11 @@ spec =
       where
         middle = (a + b) / 2 :: Double
     toldAt roughly finely angle =
-      Held
-        { heldAngle = angle,
-          heldTables = error "no table is needed",
-          heldFrames =
-            [ Sight (r angle) (f angle) (error "nor all that is told")
+      Fits
+        { fitsAngle = angle,
+          fitsTables = error "no table is needed",
+          fitsFrames =
+            [ Fit (r angle) (f angle) (error "nor all that is told")
               | (r, f) <- zip roughly finely
             ]
         }

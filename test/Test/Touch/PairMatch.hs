@@ -8,7 +8,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image
 import PraTactile.Registration.Cosine
-import PraTactile.Registration.Lattice.Evidence
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template (Templates, templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
@@ -23,7 +23,7 @@ import PraTactile.Registration.Spectrum
 import PraTactile.Shape (paperAlphabet)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
-import Test.QuickCheck hiding (Blind, generate, sample, tables, within)
+import Test.QuickCheck hiding (Blind, generate, sample, tables)
 import Test.Support
 import Test.Touch.Image (genRasterOf)
 import Test.Touch.Sensor (embossing)
@@ -237,10 +237,10 @@ posteriors (Pairing step search method _) (a, b) = (used, found, sure)
   where
     process = processOf spectra16 0 (map (coefficientsOf spectra16) [a, b])
     told = case tables16 of
-      Just (_, known) -> map (evidence known) [a, b]
+      Just (_, known) -> map (likelihood known) [a, b]
       Nothing -> []
     -- Whether the lattice is likelier than relief of any other kind.
-    latticed = sum (map evidenceLog told) > sum (processLogs process)
+    latticed = sum (map logDensity told) > sum (processLogs process)
     used
       | method == Auto = if latticed then Lattice else Blind
       | otherwise = method
@@ -298,7 +298,7 @@ answered (Pairing step search _ confidence) (a, b) match (used, found, sure) =
       | oneAxis = Just OneAxis
       | otherwise = Just Ambiguous
     rotation = case refusal of
-      Nothing -> aligned rotationPrior (within (smooth a)) shift (smooth b) >>= telltale
+      Nothing -> aligned rotationPrior (valueInside (smooth a)) shift (smooth b) >>= certainRotation
       Just _ -> Nothing
     near p q = counterexample (show (p, q)) (abs (p - q) < 1e-9)
     nearPlace (x, y) (x', y') = near x x' .&&. near y y'

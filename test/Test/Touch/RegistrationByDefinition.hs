@@ -8,9 +8,9 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Registration.Joint
-import PraTactile.Registration.Lattice.Evidence
-import PraTactile.Registration.Lattice.Held
+import PraTactile.Registration.Lattice.Fits
 import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
@@ -86,7 +86,7 @@ felt angle image
 
 -- | By definition, theta and what it makes of the classes: all phases are looked at in each step.
 fitted :: Double -> Raster -> (Theta, Map.Map (Int, Int, Int) [Double])
-fitted angle image = (theta, classLogs theta fine)
+fitted angle image = (theta, classLogsOf theta fine)
   where
     (coarse, fine) = felt angle standard
     standard = standardised image
@@ -111,15 +111,15 @@ frameSpec =
           standard = standardised image
           (coarse, _) = felt angle standard
           (theta@(Theta a b v), classes) = fitted angle image
-          phases = phaseLogs 2 classes
+          phases = phaseLogsOf 2 classes
           -- The hint is by the phases alone that are not less likely at first by e^30.
           start = firstTheta standard
-          few = likelyOf (phaseLogs 1 (classLogs start coarse))
+          few = likelyOf (phaseLogsOf 1 (classLogsOf start coarse))
           hint =
             iterate (mStep 1 n few coarse) (mStep 1 n (const True) coarse start) !! 3
-          hinted = Map.filterWithKey (\k _ -> few k) (phaseLogs 1 (classLogs hint coarse))
-          told = sight tables image
-          Evidence _ (Theta a' b' v') classes' cells' phases' logs = sightEvidence told
+          hinted = Map.filterWithKey (\k _ -> few k) (phaseLogsOf 1 (classLogsOf hint coarse))
+          told = fitOf tables image
+          Likelihood _ (Theta a' b' v') classes' cells' phases' logs = fitLikelihood told
           -- The tables' blur is so to 1e-7, and logarithms are large.
           close what one other = near (1e-4 * (1 + maximum (map abs other))) what one other
        in conjoin
@@ -131,7 +131,7 @@ frameSpec =
                 [phases' V.! phaseNumber tables k | k <- Map.keys phases]
                 (Map.elems phases),
               close "log" [logs] [density n theta (Map.size phases) (Map.elems phases)],
-              close "roughly" [sightRoughly told] [density n hint 640 (Map.elems hinted)]
+              close "roughly" [fitCoarse told] [density n hint 640 (Map.elems hinted)]
             ]
   where
     -- Of more than a quarter of them all are looked at.
@@ -165,15 +165,15 @@ ascentSpec =
           fine = tabled tables standard
           n = taxels image
           logOf q theta places =
-            let phases = phaseLogs q (classLogs theta places)
+            let phases = phaseLogsOf q (classLogsOf theta places)
              in density n theta (Map.size phases) (Map.elems phases)
           thetas = take 5 (iterate (mStep 1 n (const True) coarse) (firstTheta standard))
           logs = [logOf 1 theta coarse | theta <- thetas]
-          told = sightEvidence (sight tables image)
+          told = fitLikelihood (fitOf tables image)
        in counterexample (show logs) (and (zipWith (\a b -> b >= a - 1e-3) logs (drop 1 logs)))
             .&&. counterexample
-              (show (evidenceLog told))
-              (evidenceLog told >= logOf 2 (last thetas) fine - 1e-2)
+              (show (logDensity told))
+              (logDensity told >= logOf 2 (last thetas) fine - 1e-2)
 
 -- | Frames of a face of symbols, so many taxels apart from it.
 facing :: [(Double, Double)] -> [Raster]
@@ -192,7 +192,7 @@ jointSpec =
     forAll (elements [0, 0, 20]) $ \angle ->
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = 0.7, registrationReach = 2}
-            found = registerJointly settings (held tablesOf (map snd frames) angle) frames
+            found = registerJointly settings (fitsAt tablesOf (map snd frames) angle) frames
          in conjoin (zipWith alike found (together 0.7 3 angle frames))
               .&&. length found === length frames
   where
@@ -207,21 +207,21 @@ jointSpec =
         pure ((fst place + fst jitter, snd place + snd jitter), generate 12 13 rough)
     alike a b =
       counterexample (show (a, b)) $
-        nearPlace 1e-9 (locatedShift a) (locatedShift b)
-          && nearPlace 1e-3 (locatedDeviation a) (locatedDeviation b)
-          && abs (locatedProbability a - locatedProbability b) < 1e-3
-          && length (locatedOthers a) == length (locatedOthers b)
-          && and (zipWith other (locatedOthers a) (locatedOthers b))
+        nearPlace 1e-9 (estimateShift a) (estimateShift b)
+          && nearPlace 1e-3 (estimateDeviation a) (estimateDeviation b)
+          && abs (estimateProbability a - estimateProbability b) < 1e-3
+          && length (estimateOthers a) == length (estimateOthers b)
+          && and (zipWith other (estimateOthers a) (estimateOthers b))
     other (Hypothesis s p) (Hypothesis s' p') = nearPlace 1e-9 s s' && abs (p - p') < 1e-3
     nearPlace to (x, y) (x', y') = abs (x - x') < to && abs (y - y') < to
 
 -- | By definition, where frames lie that are displaced by errors of that standard deviation, in
 -- taxels, up to so many half taxels, on a lattice at an angle.
-together :: Double -> Int -> Double -> [((Double, Double), Raster)] -> [Located]
+together :: Double -> Int -> Double -> [((Double, Double), Raster)] -> [Estimate]
 together sigma reach angle frames = map centred located
   where
     seen =
-      [ Seen (about (negate angle) place) (phaseLogs 2 classes) classes
+      [ Seen (about (negate angle) place) (phaseLogsOf 2 classes) classes
         | (place, image) <- frames,
           let (_, classes) = fitted angle image
       ]
@@ -237,27 +237,30 @@ together sigma reach angle frames = map centred located
     -- Variances along the frames' axes are those along the lattice's by the squares of the cosines.
     turn l =
       let (c, s) = about angle (1, 0)
-          (sx, sy) = locatedDeviation l
+          (sx, sy) = estimateDeviation l
        in l
-            { locatedShift = about angle (locatedShift l),
-              locatedDeviation =
+            { estimateShift = about angle (estimateShift l),
+              estimateDeviation =
                 (sqrt ((c * sx) ** 2 + (s * sy) ** 2), sqrt ((s * sx) ** 2 + (c * sy) ** 2)),
-              locatedOthers = map (onShift (about angle)) (locatedOthers l)
+              estimateOthers = map (onShift (about angle)) (estimateOthers l)
             }
     onShift f h = h {hypothesisShift = f (hypothesisShift h)}
     -- To the nearest eighth of a taxel.
     middle part =
-      let m = sum (map (part . locatedShift) located) / fromIntegral (length located)
+      let m = sum (map (part . estimateShift) located) / fromIntegral (length located)
        in fromIntegral (round (8 * m) :: Int) / 8
     less (x, y) = (x - middle fst, y - middle snd)
     centred l =
-      l {locatedShift = less (locatedShift l), locatedOthers = map (onShift less) (locatedOthers l)}
+      l
+        { estimateShift = less (estimateShift l),
+          estimateOthers = map (onShift less) (estimateOthers l)
+        }
 
 pairSpec :: Spec
 pairSpec =
   it "two frames lie as probably at each place as all phases and symbols together say" $
     forAllBlind genPair $ \(step, a, b) ->
-      let told = evidence (tablesOf 0 (12, 13))
+      let told = likelihood (tablesOf 0 (12, 13))
           Posterior origin spacing size masses = latticePosterior step 1 (told a) (told b)
           displacements =
             [ ((round (2 * fst step) + i, round (2 * snd step) + j), prior)

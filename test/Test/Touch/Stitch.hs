@@ -234,14 +234,14 @@ seenOtherwise = do
     forAll ((,) <$> choose (1, 1000) <*> vectorOf 12 (elements [0 :: Int .. 3])) $ \(seed, turns) ->
       let frames = symbolFrames seed
           -- A sensor turned clockwise by so many quarters sees the image turned back by as many.
-          held k f =
+          fitsAt k f =
             f
               { framePose = (framePose f) {poseRotation = 90 * fromIntegral k},
                 frameImage = onRaster (turned (negate k)) (frameImage f)
               }
        in both
             (stitch standardRegistration frames)
-            (stitch standardRegistration (zipWith held turns frames))
+            (stitch standardRegistration (zipWith fitsAt turns frames))
             $ \c
                d ->
                 closeImages (compositeImage c) (compositeImage d)

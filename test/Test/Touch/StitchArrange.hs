@@ -248,9 +248,9 @@ othersSpec =
             arrange Incremental settings [(place at, frame at) | at <- [(0, 0), step]]
           moves =
             [ (dx - x, dy - y)
-              | told <- arrangedFrames found,
-                let (x, y) = arrangedShift told,
-                Hypothesis (dx, dy) _ <- arrangedOthers told
+              | told <- arrangementFrames found,
+                let (x, y) = registeredShift told,
+                Hypothesis (dx, dy) _ <- registeredOthers told
             ]
           (alongX, alongY) = unzip moves
           (across', along') = if upright then (alongY, alongX) else (alongX, alongY)

@@ -9,17 +9,17 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
-import PraTactile.Registration.Joint.Consensus
+import PraTactile.Registration.Joint.Displacement
+import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Joint.Located
-import PraTactile.Registration.Joint.Option
+import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Joint.Phase
-import PraTactile.Registration.Lattice.Evidence (Evidence (..), evidence)
 import PraTactile.Registration.Lattice.Layout (layoutGrid)
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..), likelihood)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
-import Registration.Definition (Seen (..), estimate, likely, meanField)
+import Registration.Definition (Seen (..), estimate, likely)
 import qualified Registration.Definition as Definition
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
@@ -34,8 +34,8 @@ spec = do
   modifyMaxSuccess (const 300) locatedSpec
 
 -- | What a frame of nothing tells, to be told otherwise.
-blank :: Evidence
-blank = evidence (tablesOf 0 (16, 16)) (constant 16 16 0)
+blank :: Likelihood
+blank = likelihood (tablesOf 0 (16, 16)) (constant 16 16 0)
   where
     tablesOf = fromMaybe (error "the alphabet has tables") paperTemplates
 
@@ -48,7 +48,7 @@ seenAt place phases classes =
     (Map.fromList (zip (indices rows columns) (inFours (V.toList classes))))
   where
     indices m n = [(o, y, x) | o <- [0, 1], y <- [0 .. m - 1], x <- [0 .. n - 1]]
-    (columns, rows) = layoutGrid (templateLayout (evidenceTables blank))
+    (columns, rows) = layoutGrid (templateLayout (likelihoodTables blank))
     inFours values = case splitAt 4 values of
       ([], _) -> []
       (some, rest) -> some : inFours rest
@@ -72,7 +72,7 @@ phaseSpec =
         let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
             reach = gridReach (gridOf settings)
             (o, y, x) = Definition.commonPhase sigma reach [seenAt p v V.empty | (p, v) <- frames]
-         in commonPhase (gridOf settings) [(p, blank {evidencePhases = v}) | (p, v) <- frames]
+         in commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]
               === (o, (y, x))
   where
     genPhases = do
@@ -87,13 +87,13 @@ optionSpec =
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
           let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
               reach = gridReach (gridOf settings)
-              told = blank {evidencePhases = phases, evidenceClasses = classes}
+              told = blank {phaseLogs = phases, classLogs = classes}
               wanted = likely sigma reach (o, y, x) (seenAt place phases classes)
-              found = optionsOf (gridOf settings) o (y, x) (place, told)
-           in (map optionShift found === [d | (d, _, _) <- wanted])
+              found = displacementsOf (gridOf settings) o (y, x) (place, told)
+           in (map displacementShift found === [d | (d, _, _) <- wanted])
                 .&&. conjoin
-                  [ property (abs (optionPrior option - prior) < 1e-9)
-                      .&&. [(cell c, Unboxed.toList ls) | (c, ls) <- optionCells option]
+                  [ property (abs (displacementPrior option - prior) < 1e-9)
+                      .&&. [(cell c, Unboxed.toList ls) | (c, ls) <- displacementCells option]
                       === Map.toList cells
                     | (option, (_, prior, cells)) <- zip found wanted
                   ]
@@ -102,7 +102,7 @@ optionSpec =
     cell k = let (i, j) = (k + 524288) `divMod` 1048576 in (i, j - 524288)
     -- Numbers of which some are exactly 12 below the best, or any.
     genSeen = do
-      classes <- V.fromList <$> vectorOf (V.length (evidenceClasses blank)) (choose (-9, 9))
+      classes <- V.fromList <$> vectorOf (V.length (classLogs blank)) (choose (-9, 9))
       let phases = fmap V.fromList . vectorOf (2 * 40 * 32)
           halves k = fromIntegral <$> choose (negate k, k :: Int)
       wide <- elements [10, 60]
@@ -118,15 +118,15 @@ consensusSpec :: Spec
 consensusSpec =
   it "frames weigh their displacements by what all others say, until none changes its mind" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
-      let found = swept (map (map option) frames)
-          wanted = meanField frames
+      let found = meanField (map (map option) frames)
+          wanted = Definition.meanField frames
           close a b = abs (a - b) < 1e-9
        in counterexample (show (map (map snd) found, wanted)) $
-            map (map (optionShift . fst)) found === map (map (\(d, _, _) -> d)) frames
+            map (map (displacementShift . fst)) found === map (map (\(d, _, _) -> d)) frames
               .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
   where
     option (d, prior, cells) =
-      Option d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
+      Displacement d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
     genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]
     genTold = do
       count <- choose (1, 4)
@@ -143,12 +143,12 @@ locatedSpec = do
   it "a frame is nowhere more probably than 1, for all rounding" $
     forAll (vectorOf 9 (choose (0.1, 1))) $ \weights ->
       let places = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
-          found = locatedAt (0, 0) (zip places (map (/ sum weights) weights))
-       in locatedProbability found <= 1 && locatedProbability found > 0.999
+          found = estimateAt (0, 0) (zip places (map (/ sum weights) weights))
+       in estimateProbability found <= 1 && estimateProbability found > 0.999
   it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
     forAll genPlace $ \place -> forAll genMasses $ \options ->
-      let Located shift (alongX, alongY) probability others = locatedAt place options
-          Located shift' (alongX', alongY') probability' others' = estimate place options
+      let Estimate shift (alongX, alongY) probability others = estimateAt place options
+          Estimate shift' (alongX', alongY') probability' others' = estimate place options
           probabilities = map hypothesisProbability
           close a b = counterexample (show (a, b)) (abs (a - b) < 1e-9)
        in conjoin

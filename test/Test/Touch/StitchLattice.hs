@@ -14,9 +14,9 @@ import PraTactile.Registration
 import PraTactile.Registration.Arrangement (withMisfit)
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Blur (areaSums)
-import PraTactile.Registration.Lattice.Evidence
-import PraTactile.Registration.Lattice.Held (Held (..), held)
+import PraTactile.Registration.Lattice.Fits (Fits (..), fitsAt)
 import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Neighbours
@@ -146,8 +146,8 @@ templatesSpec alphabet = do
           let tables = templates alphabet angle 16 16
               count = symbolsClasses (templateSymbols tables)
               cells = cellsOfPhase (templateLayout tables) phase
-              Numbers products sums squares =
-                numbersAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
+              Moments products sums squares =
+                momentsAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
               ofCells numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
            in (products, sums, squares)
                 === ( ofCells (correlations tables image),
@@ -161,8 +161,8 @@ templatesSpec alphabet = do
             noisy =
               generate 16 16 $ \x y ->
                 rasterValues image V.! (16 * y + x) + fst (errorsOf sigma seed !! (16 * y + x))
-            told = sight (templates alphabet angle 16 16) noisy
-         in abs (sightLog told - evidenceLog (sightEvidence told)) < 1e-6
+            told = fitOf (templates alphabet angle 16 16) noisy
+         in abs (fitLikely told - logDensity (fitLikelihood told)) < 1e-6
   where
     placeOf tables x y =
       (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
@@ -199,7 +199,7 @@ registered alphabet = do
          in case assemble ByLattice settings mixed of
               Left e -> counterexample (show e) False
               Right assembly ->
-                let shifts = map arrangedShift (assemblyFrames assembly)
+                let shifts = map registeredShift (assemblyFrames assembly)
                  in counterexample (show shifts) $
                       all (\(dx, dy) -> max (abs dx) (abs dy) <= 2 * 4.5 * 1.5) shifts
   it
@@ -215,9 +215,9 @@ registered alphabet = do
           settings = standardRegistration {registrationSigma = 2}
       [assemblyWay made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
       let frames =
-            [ (arrangedProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
+            [ (registeredProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
               | (Right made, (seed, _)) <- zip told scenes,
-                let ds = zipWith less (map arrangedShift (assemblyFrames made)) (errorsOf 2 seed)
+                let ds = zipWith less (map registeredShift (assemblyFrames made)) (errorsOf 2 seed)
                     x0 = middle (map fst ds)
                     y0 = middle (map snd ds),
                 (f, (x, y)) <- zip (assemblyFrames made) ds
@@ -262,10 +262,10 @@ angled alphabet =
           tables = fromMaybe (error "the alphabet has tables") paperTemplates
           -- What symbols show of their angle is up to quarter turns.
           hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
-      case latticeAngle (held tables images) (spectra 16 16) (Just hint) images of
+      case latticeAngle (fitsAt tables images) (spectra 16 16) (Just hint) images of
         Nothing -> expectationFailure (show (seed, angle))
         Just against -> do
-          let told = heldAngle against
+          let told = fitsAngle against
               off = told - angle
           (angle, told) `shouldSatisfy` (\(_, t) -> t >= -90 && t < 90)
           (angle, abs (off - 180 * fromIntegral (round (off / 180) :: Int)))
@@ -363,7 +363,7 @@ pairs alphabet =
   it "may lie where they do, wherever the lattice lies under the first of them" $
     for_ [(x, y) | (x, y) <- zip [0, 0.5 .. 19.5] (cycle [0, 0.5 .. 15.5])] $ \(x, y) -> do
       let relief = scene alphabet 5 0
-          told = evidence (templates alphabet 0 16 16)
+          told = likelihood (templates alphabet 0 16 16)
           noisy k image = zipWithRaster image (take 256 (map fst (errorsOf 0.05 k)))
           a = told (noisy 1 (felt relief (x, y)))
           b = told (noisy 2 (felt relief (x + 8, y)))

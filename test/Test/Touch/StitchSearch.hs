@@ -7,7 +7,7 @@ import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
 import PraTactile.Registration (Assembly (..), Composite (..), assemble)
-import PraTactile.Registration.Arrangement (Arranged (..), Way (..))
+import PraTactile.Registration.Arrangement (Registered (..), Way (..))
 import PraTactile.Registration.Pair.Alike (agreements)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
@@ -122,7 +122,7 @@ searchSpec = do
             === wanted
   it
     "of those at whole taxels from the start each is as probable as the posterior has it, of\
-    \ whose evidence each pixel counts four tenths"
+    \ whose likelihood each pixel counts four tenths"
     $ forAllBlind genSought $ \sought -> forAll (elements [1, 2]) $ \reach ->
       let settings = standardRegistration {registrationNoise = 0.3}
           (x0, y0) = soughtStart sought
@@ -172,7 +172,7 @@ otherSpec = do
        in case assemble Incremental settings frames of
             Left e -> counterexample (show e) False
             Right made ->
-              let others = concatMap arrangedOthers (assemblyFrames made)
+              let others = concatMap registeredOthers (assemblyFrames made)
                   probable = sortOn Down (map hypothesisProbability others)
                   told = map fst (compositeOthers (assemblyComposite made))
                in counterexample (show probable) $

@@ -49,8 +49,9 @@ waySpec :: Spec
 waySpec = do
   it "what is not registered stays, and so do frames that show nothing" $ do
     let blanks = [((0, 0), constant 8 8 0.25), ((4, 1), constant 8 8 0.25)]
-        told arranged' = (arrangedWay arranged', map shown (arrangedFrames arranged'))
-        shown a = (arrangedShift a, arrangedDeviation a, arrangedProbability a, arrangedOthers a)
+        told arranged' = (arrangementWay arranged', map shown (arrangementFrames arranged'))
+        shown (Registered shift deviation probability others _) =
+          (shift, deviation, probability, others)
         unmoved = ((0, 0), Nothing, Nothing, [])
     told (arrange Nominal standardRegistration (facing places))
       `shouldBe` (Nominal, map (const unmoved) places)
@@ -61,35 +62,35 @@ waySpec = do
         one = arrange Incremental standardRegistration frames
         all' = arrange Jointly standardRegistration frames
         bySpectra (w, h) = spectra w h
-    [(arrangedShift a, arrangedOthers a) | a <- arrangedFrames one]
+    [(registeredShift a, registeredOthers a) | a <- arrangementFrames one]
       `shouldBe` register standardRegistration frames
-    map arrangedDeviation (arrangedFrames one) `shouldBe` map (const Nothing) places
-    [(arrangedShift a, arrangedDeviation a) | a <- arrangedFrames all']
+    map registeredDeviation (arrangementFrames one) `shouldBe` map (const Nothing) places
+    [(registeredShift a, registeredDeviation a) | a <- arrangementFrames all']
       `shouldBe` [ (shift, Just (sd, sd))
                    | (shift, sd) <- registerPairwise standardRegistration bySpectra frames
                  ]
-    (arrangedWay one, arrangedWay all') `shouldBe` (Incremental, Jointly)
+    (arrangementWay one, arrangementWay all') `shouldBe` (Incremental, Jointly)
     for_ [one, all'] $ \found -> do
       let moved =
             [ ((x + dx, y + dy), image)
-              | (((x, y), image), a) <- zip frames (arrangedFrames found),
-                let (dx, dy) = arrangedShift a
+              | (((x, y), image), a) <- zip frames (arrangementFrames found),
+                let (dx, dy) = registeredShift a
             ]
-      map arrangedGroup (arrangedFrames found) `shouldBe` groupsOf moved
-      arrangedResidual found `shouldBe` residual moved
+      map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
+      arrangementResidual found `shouldBe` residual moved
   it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
-    let way settings = arrangedWay (arrange Automatic settings (facing places))
+    let way settings = arrangementWay (arrange Automatic settings (facing places))
         with sigma noise =
           standardRegistration {registrationSigma = sigma, registrationNoise = noise}
     [way (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
       `shouldBe` [Incremental, ByLattice, ByLattice]
     -- A single frame is not.
-    arrangedWay (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
+    arrangementWay (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
     -- Nor are frames that show something else, unless that is asked for.
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
-    map (\w -> arrangedWay (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
+    map (\w -> arrangementWay (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
       `shouldBe` [Incremental, ByLattice]
   where
     places = [(10, 12), (18, 12), (10, 20), (18, 20)]

@@ -91,7 +91,7 @@ encodeAssembly files made =
     "method" .= wayName (assemblyWay made)
       <> "frames"
         .= zipWith4 frameValue files (assemblyFrames made) (assemblyTurns made) (reasonsOf made)
-      <> "groups" .= groupsOf (map arrangedGroup (assemblyFrames made))
+      <> "groups" .= groupsOf (map registeredGroup (assemblyFrames made))
       <> "size" .= rasterSize image
       <> "origin_mm" .= compositeOrigin (assemblyComposite made)
       <> "residual" .= assemblyResidual made
@@ -100,11 +100,11 @@ encodeAssembly files made =
     frameValue (file, pose) frame turn reason =
       object
         [ "file" .= file,
-          "correction" .= arrangedShift frame,
+          "correction" .= registeredShift frame,
           "rotation_deg" .= (poseRotation pose + fromMaybe 0 turn),
-          "sd" .= arrangedDeviation frame,
-          "probability" .= arrangedProbability frame,
-          "group" .= arrangedGroup frame,
+          "sd" .= registeredDeviation frame,
+          "probability" .= registeredProbability frame,
+          "group" .= registeredGroup frame,
           "reason" .= reason
         ]
 
@@ -113,10 +113,10 @@ reasonsOf :: Assembly -> [Maybe String]
 reasonsOf made = map reasonOf (assemblyFrames made)
   where
     several = length (assemblyFrames made) > 1
-    sizes = Map.fromListWith (+) [(arrangedGroup f, 1 :: Int) | f <- assemblyFrames made]
+    sizes = Map.fromListWith (+) [(registeredGroup f, 1 :: Int) | f <- assemblyFrames made]
     reasonOf frame
-      | several && Map.lookup (arrangedGroup frame) sizes == Just 1 = Just "no-overlap"
-      | Just p <- arrangedProbability frame, p < 0.5 = Just "ambiguous"
+      | several && Map.lookup (registeredGroup frame) sizes == Just 1 = Just "no-overlap"
+      | Just p <- registeredProbability frame, p < 0.5 = Just "ambiguous"
       | otherwise = Nothing
 
 -- | The frames of each group, by their indices from 0.

@@ -41,8 +41,8 @@ contradiction settings frames
         [(agreement noise (sharing a), a) | (_, a) <- axesNamed, a /= straight]
     noise = max (registrationNoise settings) (frameNoise (map snd frames))
     -- What pairs tell, each once: many axes have pairs in common.
-    sharing a = [Map.findWithDefault nothing pair told | pair <- pairsAlong a]
-    told =
+    sharing a = [Map.findWithDefault nothing pair sharedByPair | pair <- pairsAlong a]
+    sharedByPair =
       Map.fromSet (sharedBy settings images) (Set.fromList (concatMap (pairsAlong . snd) axesNamed))
     images = Boxed.fromList (map snd frames)
     nothing = Shared 0 0 0

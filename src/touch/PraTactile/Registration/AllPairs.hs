@@ -35,16 +35,16 @@ data Link = Link !Int !Int ![Hypothesis]
 -- nothing.
 registerPairwise ::
   Registration -> ((Int, Int) -> Spectra) -> [(Place, Raster)] -> [(Place, Double)]
-registerPairwise settings tables frames = map snd (sortOn fst (zip order (map less settled)))
+registerPairwise settings tables frames = map snd (sortOn fst (zip order (map less placed)))
   where
     (order, ordered) =
       unzip
         (sortOn (\(_, ((x, y), image)) -> (y, x, rasterValues image)) (zip [0 :: Int ..] frames))
     links = concatMap (linkOf settings tables (Boxed.fromList (map snd ordered))) pairs
     pairs = [pair | pair <- neighbours ordered, neighboursShare pair >= leastShare]
-    settled = IntMap.elems (solved (registrationSigma settings) (length ordered) links)
-    n = fromIntegral (max 1 (length settled))
-    mean part = sum (map (part . fst) settled) / n
+    placed = IntMap.elems (solved (registrationSigma settings) (length ordered) links)
+    n = fromIntegral (max 1 (length placed))
+    mean part = sum (map (part . fst) placed) / n
     less ((x, y), sd) = ((eighth (x - mean fst), eighth (y - mean snd)), sd)
     eighth t = fromIntegral (round (8 * t) :: Int) / 8
 
@@ -79,21 +79,21 @@ solved sigma count links = foldl' sweep start (concatMap (replicate 6) [2, 1.4, 
     around =
       IntMap.fromListWith (++) $
         concat
-          [ [ (l, [(k, [(p, e) | Hypothesis e p <- said'])]),
-              (k, [(l, [(p, (-x, -y)) | Hypothesis (x, y) p <- said'])])
+          [ [ (l, [(k, [(p, e) | Hypothesis e p <- found])]),
+              (k, [(l, [(p, (-x, -y)) | Hypothesis (x, y) p <- found])])
             ]
-            | Link k l said' <- links
+            | Link k l found <- links
           ]
-    sweep now width = foldl' (settle width) now [0 .. count - 1]
-    settle width now k = IntMap.insert k (weighed width now k) now
-    weighed width now k =
+    sweep now width = foldl' (update width) now [0 .. count - 1]
+    update width now k = IntMap.insert k (meanOf width now k) now
+    meanOf width now k =
       let (here, _) = at now k
-          told = concatMap (said width now here) (IntMap.findWithDefault [] k around)
-          (total, x, y) = foldl' added (1 / (sigma * sigma), 0, 0) told
+          terms = concatMap (termsOf width now here) (IntMap.findWithDefault [] k around)
+          (total, x, y) = foldl' added (1 / (sigma * sigma), 0, 0) terms
        in ((x / total, y / total), sqrt (1 / total))
     added (!t, !x, !y) (m, (u, v)) = (t + m, x + m * u, y + m * v)
     at now k = IntMap.findWithDefault ((0, 0), sigma) k now
-    said width now here (other, hypotheses') =
+    termsOf width now here (other, hypotheses') =
       [(share / total / (width * width), place) | (share, place) <- shares]
       where
         ((ox, oy), _) = at now other

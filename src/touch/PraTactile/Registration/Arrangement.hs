@@ -3,7 +3,7 @@
 -- | The ways to find where frames were: which, and what is told of each frame.
 module PraTactile.Registration.Arrangement
   ( Way (..),
-    Arranged (..),
+    Registered (..),
     Arrangement (..),
     arrange,
     withMisfit,
@@ -33,7 +33,7 @@ import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Incremental (register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Held (Held, held, madeFor)
+import PraTactile.Registration.Lattice.Fits (Fits, bySize, fitsAt)
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Search (Registration (..))
@@ -55,26 +55,26 @@ data Way
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | What is told of a frame.
-data Arranged = Arranged
+data Registered = Registered
   { -- | Its displacement from its nominal place, taxels right and down.
-    arrangedShift :: !Place,
+    registeredShift :: !Place,
     -- | Its standard deviations, taxels, where the way tells them.
-    arrangedDeviation :: !(Maybe Place),
+    registeredDeviation :: !(Maybe Place),
     -- | The probability that it is within three quarters of a taxel of the truth, likewise.
-    arrangedProbability :: !(Maybe Double),
+    registeredProbability :: !(Maybe Double),
     -- | Displacements that it may have instead, at least two taxels away, the most probable first.
-    arrangedOthers :: [Hypothesis],
+    registeredOthers :: [Hypothesis],
     -- | The group of frames that overlap one another, directly or through others, from 0 on.
-    arrangedGroup :: !Int
+    registeredGroup :: !Int
   }
   deriving stock (Eq, Show)
 
 -- | Frames with their displacements.
 data Arrangement = Arrangement
-  { arrangedWay :: !Way,
-    arrangedFrames :: ![Arranged],
+  { arrangementWay :: !Way,
+    arrangementFrames :: ![Registered],
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
-    arrangedResidual :: Maybe Double
+    arrangementResidual :: Maybe Double
   }
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
@@ -85,23 +85,23 @@ arrange way settings frames = case (way, paperTemplates) of
   (Jointly, _) ->
     arranged
       Jointly
-      [ Arranged d (Just (sd, sd)) Nothing []
-        | (d, sd) <- registerPairwise settings (madeFor sizes (uncurry spectra)) frames
+      [ Registered d (Just (sd, sd)) Nothing []
+        | (d, sd) <- registerPairwise settings (bySize sizes (uncurry spectra)) frames
       ]
   (ByLattice, Just tables) -> jointly (fromMaybe (at tables 0) (latticeOf tables))
   (Automatic, Just tables)
     | length frames >= 2 && doubtful,
-      Just against <- latticeOf tables ->
-      jointly against
+      Just fits <- latticeOf tables ->
+      jointly fits
   _ -> plain Incremental (register settings frames)
   where
     unmoved = map (const ((0, 0), [])) frames
     flat image = V.all (== rasterValues image V.! 0) (rasterValues image)
     doubtful = registrationSigma settings > 1.25 || registrationNoise settings > 0.25
     sizes = map (rasterSize . snd) frames
-    at tables = held tables (map snd frames)
+    at tables = fitsAt tables (map snd frames)
     -- The frames held against the lattice, if they show it.
-    latticeOf :: PaperTables -> Maybe Held
+    latticeOf :: PaperTables -> Maybe Fits
     latticeOf tables = do
       size <- listToMaybe sizes
       latticeAngle
@@ -109,25 +109,25 @@ arrange way settings frames = case (way, paperTemplates) of
         (uncurry spectra size)
         (tilt (map compositeOf (spacedOut tiltFrames (map snd frames))))
         (map snd frames)
-    jointly :: Held -> Arrangement
-    jointly against =
+    jointly :: Fits -> Arrangement
+    jointly fits =
       arranged
         ByLattice
-        [ Arranged
-            (locatedShift l)
-            (Just (locatedDeviation l))
-            (Just (locatedProbability l))
-            (locatedOthers l)
-          | l <- registerJointly settings against frames
+        [ Registered
+            (estimateShift l)
+            (Just (estimateDeviation l))
+            (Just (estimateProbability l))
+            (estimateOthers l)
+          | l <- registerJointly settings fits frames
         ]
-    plain used ds = arranged used [Arranged d Nothing Nothing instead | (d, instead) <- ds]
-    arranged used told =
+    plain used ds = arranged used [Registered d Nothing Nothing instead | (d, instead) <- ds]
+    arranged used frameOf =
       Arrangement
         used
-        (zipWith ($) told (groupsOf places))
+        (zipWith ($) frameOf (groupsOf places))
         (residual places)
       where
-        places = moved frames [arrangedShift (a 0) | a <- told]
+        places = moved frames [registeredShift (a 0) | a <- frameOf]
 
 -- | The most frames that the angle at which symbols seem to lie is told from, before it is told by
 -- the lattice: more would take memory for nothing.

@@ -20,8 +20,8 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
-import PraTactile.Registration.Lattice.Evidence
 import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
@@ -85,7 +85,7 @@ data Match = Match
     -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
     matchFixed :: !(Bool, Bool),
     -- | By how many degrees the second frame is turned against the first, clockwise, where the
-    -- frames tell that to 'telltaleRotation'; 'Nothing' where they do not, or were refused.
+    -- frames tell that to 'certainDeviation'; 'Nothing' where they do not, or were refused.
     matchRotation :: Maybe Double,
     -- | The method that was used; never 'Auto'.
     matchMethod :: !Method,
@@ -103,7 +103,7 @@ data PairError
   | -- | A frame has a value that is not finite.
     PairNotFinite
   | -- | The step is not finite or above a thousand taxels, the search negative or above 64 taxels,
-    -- or the confidence not within 0..1.
+    -- or the confidence not valueInside 0..1.
     UnusablePairing !Pairing
   deriving stock (Eq, Show)
 
@@ -147,7 +147,7 @@ matched tables (Pairing step search method confidence) a b =
     (w, h) = rasterSize a
     coefficients = map (coefficientsOf (tablesSpectra tables)) [a, b]
     process = processOf (tablesSpectra tables) 0 coefficients
-    evidences = map (evidence (tablesTemplates tables)) [a, b]
+    evidences = map (likelihood (tablesTemplates tables)) [a, b]
     used
       | method /= Auto = method
       | latticed = Lattice
@@ -155,7 +155,7 @@ matched tables (Pairing step search method confidence) a b =
     -- Whether the frames are likelier to show the lattice than any other relief, if they are large
     -- enough for a symbol.
     latticed =
-      min w h >= symbolWidth && sum (map evidenceLog evidences) > sum (processLogs process)
+      min w h >= symbolWidth && sum (map logDensity evidences) > sum (processLogs process)
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b
@@ -171,7 +171,7 @@ matched tables (Pairing step search method confidence) a b =
       first : _ -> surely first
       [] -> Hypothesis step 0
     rotation = case refusal of
-      Nothing -> telltale =<< aligned rotationPrior (within (smooth a)) shift (smooth b)
+      Nothing -> certainRotation =<< aligned rotationPrior (valueInside (smooth a)) shift (smooth b)
       Just _ -> Nothing
     shift = hypothesisShift best
     (severalX, severalY) = apart (agreements step search a b)

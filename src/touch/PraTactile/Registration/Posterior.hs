@@ -71,13 +71,13 @@ hypotheses most least given = case go most (posteriorMasses given) of
 -- | The probability that the true displacement lies within 'tolerance' of one on both axes.
 probabilityAround :: Posterior -> Place -> Double
 probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
-  min 1 (V.sum (V.ifilter (const . near) masses))
+  min 1 (V.sum (V.ifilter (const . around) masses))
   where
-    near i =
+    around i =
       let (row, column) = i `quotRem` columns
-       in within (ox + spacing * fromIntegral column - x)
-            && within (oy + spacing * fromIntegral row - y)
-    within t = abs t <= tolerance + 1e-6
+       in near (ox + spacing * fromIntegral column - x)
+            && near (oy + spacing * fromIntegral row - y)
+    near t = abs t <= tolerance + 1e-6
 
 -- | The displacement with the most probability around it, and the grid points that count there: the
 -- stretches of points that hold the most; within them the mean, as near as the tolerance lets it be
@@ -95,17 +95,17 @@ bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
         (-1, (0, 0), (0, 0))
         [(x, y) | y <- windows spacing rows, x <- windows spacing columns]
     better best@(most, _, _) (x, y) = let s = heldIn x y in if s > most then (s, x, y) else best
-    bestX = settled wx [heldIn (x, x + 1) wy | x <- uncurry stretch wx]
-    bestY = settled wy [heldIn wx (y, y + 1) | y <- uncurry stretch wy]
+    bestX = centreOf wx [heldIn (x, x + 1) wy | x <- uncurry stretch wx]
+    bestY = centreOf wy [heldIn wx (y, y + 1) | y <- uncurry stretch wy]
     held = heldIn (around columns bestX) (around rows bestY)
     inside i =
       let (y, x) = i `quotRem` columns
-       in within (around columns bestX) x && within (around rows bestY) y
-    within (from, to) t = t >= from && t < to
+       in among (around columns bestX) x && among (around rows bestY) y
+    among (from, to) t = t >= from && t < to
     around n t = (max 0 (ceiling (t - reach - 1e-6)), min n (floor (t + reach + 1e-6) + 1))
     reach = tolerance / spacing
     stretch from to = [from .. to - 1]
-    settled (from, _) line
+    centreOf (from, _) line
       | total <= 0 = fromIntegral from
       | otherwise = max (last' - reach) (min (first' + reach) mean)
       where

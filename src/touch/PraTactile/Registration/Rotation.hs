@@ -6,10 +6,10 @@ module PraTactile.Registration.Rotation
   ( Aligned (..),
     aligned,
     smooth,
-    within,
+    valueInside,
     rotationPrior,
-    telltaleRotation,
-    telltale,
+    certainDeviation,
+    certainRotation,
   )
 where
 
@@ -36,7 +36,7 @@ data Aligned = Aligned
 -- deviation (degrees), and each coordinate of the place is with that of half a taxel. 'Nothing'
 -- where it shares fewer than 12 pixels with what is known, or that is alike everywhere.
 aligned :: Double -> (Double -> Double -> Maybe Double) -> Place -> Raster -> Maybe Aligned
-aligned sigma known (x, y) image = go (8 :: Int) (Estimate 0 0 0)
+aligned sigma known (x, y) image = go (8 :: Int) (Rigid 0 0 0)
   where
     (w, h) = rasterSize image
     (cx, cy) = (fromIntegral (w - 1) / 2, fromIntegral (h - 1) / 2)
@@ -49,12 +49,12 @@ aligned sigma known (x, y) image = go (8 :: Int) (Estimate 0 0 0)
     inner = drop 1 . reverse . drop 1 . reverse
     go n now = do
       (step, deviation) <- better (sigma * pi / 180) now (mapMaybe (seen now) pixels)
-      let next@(Estimate dx dy angle) = plus now step
+      let next@(Rigid dx dy angle) = plus now step
       if n <= 1 || small step
         then Just (Aligned (dx, dy) (angle * 180 / pi) (deviation * 180 / pi))
         else go (n - 1) next
-    small (Estimate dx dy angle) = max (abs dx) (abs dy) < 1e-4 && abs angle < 1e-5
-    seen (Estimate dx dy angle) (u, v, value) = do
+    small (Rigid dx dy angle) = max (abs dx) (abs dy) < 1e-4 && abs angle < 1e-5
+    seen (Rigid dx dy angle) (u, v, value) = do
       let (c, s) = (cos angle, sin angle)
           (px, py) = (x + cx + dx + c * u - s * v, y + cy + dy + s * u + c * v)
       expected <- known px py
@@ -71,13 +71,13 @@ rotationPrior :: Double
 rotationPrior = 2
 
 -- | A rotation of a larger standard deviation, degrees, is not told.
-telltaleRotation :: Double
-telltaleRotation = rotationPrior / 2
+certainDeviation :: Double
+certainDeviation = rotationPrior / 2
 
--- | The rotation, degrees clockwise, if its standard deviation is at most 'telltaleRotation'.
-telltale :: Aligned -> Maybe Double
-telltale lies
-  | alignedDeviation lies <= telltaleRotation = Just (alignedRotation lies)
+-- | The rotation, degrees clockwise, if its standard deviation is at most 'certainDeviation'.
+certainRotation :: Aligned -> Maybe Double
+certainRotation lies
+  | alignedDeviation lies <= certainDeviation = Just (alignedRotation lies)
   | otherwise = Nothing
 
 -- | An image as 'aligned' takes it: each pixel the mean of those around it with binomial weights,
@@ -102,18 +102,18 @@ alikeness = alongAxis * alongAxis
 
 -- | What a 'smooth' image shows at a place, between its pixels' centres but for those at its edge;
 -- nothing beyond them.
-within :: Raster -> Double -> Double -> Maybe Double
-within image x y
+valueInside :: Raster -> Double -> Double -> Maybe Double
+valueInside image x y
   | x >= 1 && y >= 1 && x <= side rasterWidth && y <= side rasterHeight = Just (sample image x y)
   | otherwise = Nothing
   where
     side f = fromIntegral (f image - 2)
 
 -- | A displacement and an angle in radians.
-data Estimate = Estimate !Double !Double !Double
+data Rigid = Rigid !Double !Double !Double
 
-plus :: Estimate -> Estimate -> Estimate
-plus (Estimate a b c) (Estimate d e f) = Estimate (a + d) (b + e) (c + f)
+plus :: Rigid -> Rigid -> Rigid
+plus (Rigid a b c) (Rigid d e f) = Rigid (a + d) (b + e) (c + f)
 
 -- | What the frame reads at a pixel, what it should read, and how that changes with the
 -- displacement and the angle.
@@ -121,10 +121,10 @@ data Pixel = Pixel !Double !Double !Double !Double !Double
 
 -- | What is to be added to an estimate, and the standard deviation of the angle. The gain and the
 -- offset are the best ones; what the slopes have in common with them tells nothing of the place.
-better :: Double -> Estimate -> [Pixel] -> Maybe (Estimate, Double)
-better sigma (Estimate dx dy angle) pixels
+better :: Double -> Rigid -> [Pixel] -> Maybe (Rigid, Double)
+better sigma (Rigid dx dy angle) pixels
   | length pixels < 12 || ee <= 0 || gain <= 0 || determinant <= 0 = Nothing
-  | otherwise = Just (Estimate (solved 0) (solved 1) (solved 2), sqrt (inverse 2 2))
+  | otherwise = Just (Rigid (solved 0) (solved 1) (solved 2), sqrt (inverse 2 2))
   where
     n = fromIntegral (length pixels)
     mean f = sum (map f pixels) / n

@@ -154,13 +154,13 @@ probabilities settings ref image placeOf prior reach start@(x0, y0) =
   [(d, exp (score - top) / total) | (d, score) <- scored]
   where
     scored =
-      [ (d, independent * evidence d + logPrior prior d)
+      [ (d, independent * likelihood d + logPrior prior d)
         | j <- line,
           i <- line,
           let d = (x0 + i, y0 + j)
       ]
     line = map fromIntegral [negate reach .. reach] :: [Double]
-    evidence = evidenceFor settings ref image placeOf start
+    likelihood = evidenceFor settings ref image placeOf start
     top = maximum (map snd scored)
     total = sum [exp (score - top) | (_, score) <- scored]
 

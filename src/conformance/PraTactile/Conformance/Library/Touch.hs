@@ -85,7 +85,7 @@ stitched :: Natural -> [Placed] -> Wire [Taxels]
 stitched search frames = do
   placed <- traverse frame frames
   made <- either (const (refuse "invalid")) pure (Stitch.assemble Stitch.Automatic settings placed)
-  pure (map Stitch.arrangedShift (Stitch.assemblyFrames made))
+  pure (map Stitch.registeredShift (Stitch.assemblyFrames made))
   where
     settings =
       Stitch.standardRegistration

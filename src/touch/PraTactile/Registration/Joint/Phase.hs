@@ -11,25 +11,32 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Lattice.Evidence (Evidence (..))
 import PraTactile.Registration.Lattice.Layout (phaseCount)
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Tabulate (tabulate)
 import PraTactile.Registration.Model (placesPerTaxel)
 import PraTactile.Registration.Product (dotWithin)
 
 -- | The orientation and the phase, row and column, of the lattice on the composite that the frames
--- make likeliest, each anywhere that the prior lets it be.
-commonPhase :: Grid -> [(Place, Evidence)] -> (Int, (Int, Int))
+-- make likeliest.
+commonPhase :: Grid -> [(Place, Likelihood)] -> (Int, (Int, Int))
 commonPhase grid frames = (o, (y, x))
   where
     (across, down) = phaseCount placesPerTaxel
-    total = foldl' (V.zipWith (+)) (V.replicate (2 * across * down) 0) (map told frames)
-    best = V.maxIndex total
+    best = V.maxIndex (phasePosterior grid frames)
     (row, x) = best `quotRem` across
     (o, y) = row `quotRem` down
-    told (place, given) = V.map (\m -> log (m + 1e-300)) (shifted (blurred masses))
+
+-- | log P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
+-- prior lets it be.
+phasePosterior :: Grid -> [(Place, Likelihood)] -> Vector Double
+phasePosterior grid frames =
+  foldl' (V.zipWith (+)) (V.replicate (2 * across * down) 0) (map ofFrame frames)
+  where
+    (across, down) = phaseCount placesPerTaxel
+    ofFrame (place, given) = V.map (\m -> log (m + 1e-300)) (shifted (blurred masses))
       where
-        phases = evidencePhases given
+        phases = phaseLogs given
         top = V.maximum phases
         -- What is too small for the floor above is nothing: numbers near the smallest are slow.
         masses = V.map (\l -> if l - top < -700 then 0 else exp (l - top)) phases

@@ -9,8 +9,8 @@ import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
 import PraTactile.Composite.Spaced (spacedOut)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
-import PraTactile.Registration.Lattice.Evidence
-import PraTactile.Registration.Lattice.Held (Held (..))
+import PraTactile.Registration.Lattice.Fits (Fits (..))
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Spectrum
 
 -- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under
@@ -19,28 +19,28 @@ import PraTactile.Registration.Spectrum
 -- other relief, else wherever they make it likeliest. To a degree, by a few of the frames that have
 -- the first one's size, which the spectra must be for. 'Nothing' where they are likelier to show
 -- something else.
-latticeAngle :: (Double -> Held) -> Spectra -> Maybe Double -> [Raster] -> Maybe Held
+latticeAngle :: (Double -> Fits) -> Spectra -> Maybe Double -> [Raster] -> Maybe Fits
 latticeAngle at processes hint images
   | shown upright && all (\a -> finely (at a) < finely upright) [-3, 3] = Just upright
   | otherwise = find shown angles
   where
     angles =
       map
-        (atOrUpright . folded . settled . likeliest)
+        (atOrUpright . folded . refined . likeliest)
         [upright : concat [[at a, at (a + 90)] | Just a <- [hint]], map at [-90, -81 .. 81]]
     upright = at 0
     atOrUpright angle = if abs angle <= 1 then upright else at angle
     -- At whole taxels only it is told to a few degrees.
-    likeliest = maximumOn (\there -> (roughly 5 there, heldAngle there))
-    settled there = heldAngle there + 2 * climbed (3 :: Int) nearby
+    likeliest = maximumOn (\fits -> (coarsely 5 fits, fitsAngle fits))
+    refined fits = fitsAngle fits + 2 * climbed (3 :: Int) nearby
       where
         -- By two degrees a step, as far as it is looked around.
         step k = steps Boxed.! (k + most)
         steps = Boxed.generate (2 * most + 1) (stepped . subtract most)
-        stepped k = if k == 0 then there else at (heldAngle there + 2 * fromIntegral k)
+        stepped k = if k == 0 then fits else at (fitsAngle fits + 2 * fromIntegral k)
         most = 7
         nearby = foldl' nearer 0 [2, 1]
-        nearer k by = maximumOn (\j -> (roughly 8 (step j), j)) [k, k - by, k + by]
+        nearer k by = maximumOn (\j -> (coarsely 8 (step j), j)) [k, k - by, k + by]
         -- The vertex of the parabola through three, of which the middle one is the highest.
         climbed n k
           | n > 0 && before > here = climbed (n - 1) (k - 1)
@@ -53,11 +53,11 @@ latticeAngle at processes hint images
             after = finely (step (k + 1))
             bend = 2 * here - before - after
     -- By so many frames, those that show most.
-    roughly count there = seenBy sightRoughly (take count telling) there
-    finely there = seenBy sightLog (take 8 telling) there
+    coarsely count fits = summed fitCoarse (take count telling) fits
+    finely fits = summed fitLikely (take 8 telling) fits
     folded angle = angle - 180 * fromIntegral (floor ((angle + 90) / 180) :: Int)
-    shown there = seenBy sightLog few there > blind
-    seenBy told some there = sum [told (heldFrames there !! k) | (k, _) <- some]
+    shown fits = summed fitLikely few fits > blind
+    summed told some fits = sum [told (fitsFrames fits !! k) | (k, _) <- some]
     few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
     usable =

@@ -114,8 +114,8 @@ coverOf places =
         let (part, y) = line `quotRem` high
          in \x ->
               let (u, v) = onFrame places ((x - margin) * q + part) (y - margin * q)
-               in within w u * within h v
-    within n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
+               in covered w u * covered h v
+    covered n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
     rows = [V.slice (wide * i) wide there | i <- [0 .. q * high - 1]]
 
 -- | The length of a line of what a frame covers, in taxels, and how many there are.

@@ -19,8 +19,8 @@ module PraTactile.Registration.Lattice.Template
     -- * Frames held against them
     correlations,
     correlationsOf,
-    Numbers (..),
-    numbersAt,
+    Moments (..),
+    momentsAt,
   )
 where
 
@@ -203,16 +203,16 @@ squaresOf tables = V.create $ do
 
 -- | For some cells and all classes, in this order: the correlations of a frame, the sums of the
 -- templates and those of their squares.
-data Numbers = Numbers
-  { numbersProducts :: !(Vector Double),
-    numbersSums :: !(Vector Double),
-    numbersSquares :: !(Vector Double)
+data Moments = Moments
+  { momentsProducts :: !(Vector Double),
+    momentsSums :: !(Vector Double),
+    momentsSquares :: !(Vector Double)
   }
 
 -- | The numbers of a few cells, by 'cellIndex', from a frame's 'areaSums'.
-numbersAt :: Templates -> Vector Double -> Vector Int -> Numbers
-numbersAt tables areas cells =
-  Numbers (outlined areas) (outlined (templateAreas tables)) (each squares)
+momentsAt :: Templates -> Vector Double -> Vector Int -> Moments
+momentsAt tables areas cells =
+  Moments (outlined areas) (outlined (templateAreas tables)) (each squares)
   where
     places = templateLayout tables
     (columns, rows) = layoutGrid places

@@ -12,8 +12,8 @@ import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Registration.Lattice.Evidence
 import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model (cellLog)
@@ -22,11 +22,11 @@ import PraTactile.Registration.Posterior
 -- | The posterior of the place of the second frame's upper left pixel in the first, from their
 -- nominal displacement and how far around it to search, taxels; summed over the phases of the
 -- lattice and the classes of the cells.
-latticePosterior :: Place -> Double -> Evidence -> Evidence -> Posterior
+latticePosterior :: Place -> Double -> Likelihood -> Likelihood -> Posterior
 latticePosterior (stepX, stepY) search a b =
   posterior (taxels (startX, startY)) (1 / fromIntegral q) (side, side) (V.map log masses)
   where
-    q = layoutPlaces (templateLayout (evidenceTables a))
+    q = layoutPlaces (templateLayout (likelihoodTables a))
     taxels (x, y) = (fromIntegral x / fromIntegral q, fromIntegral y / fromIntegral q)
     reach = ceiling (search * fromIntegral q) :: Int
     side = 2 * reach + 1
@@ -49,12 +49,12 @@ latticePosterior (stepX, stepY) search a b =
 -- | The displacements, by their index, and the phases that may matter. The classes that both frames
 -- see can only add the logarithm of their number a cell to what the frames say apart, so what lies
 -- further below the best by that need not be looked at.
-candidates :: Evidence -> Evidence -> (Int, Int) -> Int -> Vector Double -> [(Int, Int)]
-candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (within 15)]
+candidates :: Likelihood -> Likelihood -> (Int, Int) -> Int -> Vector Double -> [(Int, Int)]
+candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (upTo 15)]
   where
-    (across, down) = phaseCount (layoutPlaces (templateLayout (evidenceTables a)))
-    phasesA = evidencePhases a
-    phasesB = evidencePhases b
+    (across, down) = phaseCount (layoutPlaces (templateLayout (likelihoodTables a)))
+    phasesA = phaseLogs a
+    phasesB = phaseLogs b
     size = V.length phasesA
     -- What any displacement and the phase of B's lattice add at most.
     mostAdded = V.maximum phasesB + V.maximum priors
@@ -63,7 +63,7 @@ candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (
       | i >= size = m
       | V.unsafeIndex phasesA i + mostAdded <= m = best (i + 1) m
       | otherwise = best (i + 1) (overDisplacements (\m' _ s -> max m' s) i m)
-    within margin = from 0 []
+    upTo margin = from 0 []
       where
         from !i kept
           | i >= size = kept
@@ -106,10 +106,10 @@ candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (
 
 -- | How much likelier than by nothing at all both frames are, for a displacement in places and a
 -- phase of A's lattice.
-joint :: Evidence -> Evidence -> (Int, Int) -> Int -> Double
+joint :: Likelihood -> Likelihood -> (Int, Int) -> Int -> Double
 joint a b (dx, dy) phase = go firstY firstX 0
   where
-    tables = evidenceTables a
+    tables = likelihoodTables a
     places = templateLayout tables
     count = symbolsClasses (templateSymbols tables)
     (columns, rows) = layoutGrid places
@@ -127,8 +127,8 @@ joint a b (dx, dy) phase = go firstY firstX 0
       | otherwise = go y (x + across) (s + cell y x)
     cell y x
       | inA && inB = both (cellIndex places o y x) (cellIndex places o (y - dy) (x - dx))
-      | inA = V.unsafeIndex (evidenceCells a) (cellIndex places o y x)
-      | inB = V.unsafeIndex (evidenceCells b) (cellIndex places o (y - dy) (x - dx))
+      | inA = V.unsafeIndex (cellLogs a) (cellIndex places o y x)
+      | inB = V.unsafeIndex (cellLogs b) (cellIndex places o (y - dy) (x - dx))
       | otherwise = 0
       where
         inA = y >= 0 && y < rows && x >= 0 && x < columns
@@ -136,5 +136,5 @@ joint a b (dx, dy) phase = go firstY firstX 0
     both :: Int -> Int -> Double
     both i j =
       cellLog count $ \k ->
-        V.unsafeIndex (evidenceClasses a) (i * count + k)
-          + V.unsafeIndex (evidenceClasses b) (j * count + k)
+        V.unsafeIndex (classLogs a) (i * count + k)
+          + V.unsafeIndex (classLogs b) (j * count + k)

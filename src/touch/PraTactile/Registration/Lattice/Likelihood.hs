@@ -7,11 +7,11 @@
 -- The symbols do not overlap, so the squared error of a whole lattice is a sum over its cells, and
 -- with the classes independent and uniform the likelihood of a phase is a product over them. Gain,
 -- offset and noise are found by expectation and maximisation.
-module PraTactile.Registration.Lattice.Evidence
-  ( Evidence (..),
-    evidence,
-    Sight (..),
-    sight,
+module PraTactile.Registration.Lattice.Likelihood
+  ( Likelihood (..),
+    likelihood,
+    Fit (..),
+    fitOf,
   )
 where
 
@@ -27,84 +27,88 @@ import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
 
 -- | What a frame tells.
-data Evidence = Evidence
-  { evidenceTables :: !Templates,
-    evidenceLevel :: !Theta,
+data Likelihood = Likelihood
+  { likelihoodTables :: !Templates,
+    likelihoodTheta :: !Theta,
     -- | How much likelier, as a natural logarithm, a symbol of a class at a place makes the frame
     -- than nothing there: by 'cellIndex' and class.
-    evidenceClasses :: !(Vector Double),
+    classLogs :: !(Vector Double),
     -- | The same for a cell whose class is not known, by 'cellIndex'.
-    evidenceCells :: !(Vector Double),
+    cellLogs :: !(Vector Double),
     -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
     -- the pitch, of its cells.
-    evidencePhases :: !(Vector Double),
+    phaseLogs :: !(Vector Double),
     -- | The logarithm of the frame's probability density, standardised to variance 1.
-    evidenceLog :: !Double
+    logDensity :: !Double
   }
 
 -- | What a frame tells, each part made when it is first looked at.
-data Sight = Sight
-  { -- | The logarithm of its probability density, standardised to variance 1, at whole taxels.
-    sightRoughly :: Double,
-    -- | The same at all places, by the phases that it leaves likely at whole taxels.
-    sightLog :: Double,
+data Fit = Fit
+  { -- | log p(z) at whole taxels, over the phases that the first step leaves likely.
+    fitCoarse :: Double,
+    -- | The same at all places, over the phases that it leaves likely at whole taxels.
+    fitLikely :: Double,
     -- | All, at all places.
-    sightEvidence :: Evidence
+    fitLikelihood :: Likelihood
   }
 
--- | What a frame of the tables' size tells. A frame without any variation tells nothing.
-evidence :: Templates -> Raster -> Evidence
-evidence tables = sightEvidence . sight tables
+-- | What a frame of the tables' size tells. A frame without any variation tells next to nothing.
+likelihood :: Templates -> Raster -> Likelihood
+likelihood tables = fitLikelihood . fitOf tables
 
--- | The same by parts. The level is found by four steps at whole taxels and one at all places, all
--- but the first for likely phases only, or where others turn out to matter, for all.
-sight :: Templates -> Raster -> Sight
-sight tables image = Sight (evidenceLog roughly) (evidenceLog nearly) fine
+-- | The same by parts. Theta is found by four steps at whole taxels and one at all places, all but
+-- the first for likely phases only, or where others turn out to matter, for all.
+fitOf :: Templates -> Raster -> Fit
+fitOf tables image = Fit (logDensity coarseLikely) (logDensity fineLikely) fine
   where
     values = rasterValues image
     n = fromIntegral (V.length values)
     average = V.sum values / n
     deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
-    better comparison = improved comparison . weighed comparison
+    step statistics = mStep statistics . eStep statistics
     -- At whole taxels.
-    coarse = wholly (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
-    first = weighed coarse (firstLevel standard)
-    few = among coarse (likely coarse first)
-    settled comparison =
-      weighed comparison (iterate (better comparison) (improved coarse first) !! 3)
-    roughly = settled few
-    rough = reconsidered coarse settled roughly
+    coarseAll = allPhases (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
+    first = eStep coarseAll (firstTheta standard)
+    coarseSteps statistics =
+      eStep statistics (iterate (step statistics) (mStep coarseAll first) !! 3)
+    coarseLikely = coarseSteps (atPhases coarseAll (likelyPhases coarseAll first))
+    coarse = overAll coarseAll coarseSteps coarseLikely
     -- At all places.
     areas = areaSums (templateLayout tables) standard
-    whole = wholly tables areas
-    near = partly whole areas (finer (coarser tables) tables (likely coarse rough))
-    improvedOnce comparison = weighed comparison (better comparison (evidenceLevel rough))
-    nearly = improvedOnce near
-    fine = reconsidered whole improvedOnce nearly
+    fineAll = allPhases tables areas
+    fineStep statistics = eStep statistics (step statistics (likelihoodTheta coarse))
+    fineLikely =
+      fineStep
+        ( somePhases
+            fineAll
+            areas
+            (finePhases (coarser tables) tables (likelyPhases coarseAll coarse))
+        )
+    fine = overAll fineAll fineStep fineLikely
 
--- | What a comparison of all phases tells, at the level that was found by some of them; or, if
--- others have any weight there, as it is found by all.
-reconsidered :: Comparison -> (Comparison -> Evidence) -> Evidence -> Evidence
-reconsidered whole@(Comparison _ lattices _) found some
-  | V.length (evidencePhases some) == V.length (phaseNumbers lattices) = some
-  | evidenceLog same - evidenceLog some < 1e-7 = same
-  | otherwise = found whole
+-- | What all phases tell, at the theta that was found by some of them; or, if others have any
+-- weight there, as it is found by all.
+overAll :: Statistics -> (Statistics -> Likelihood) -> Likelihood -> Likelihood
+overAll whole@(Statistics _ lattices _) steps some
+  | V.length (phaseLogs some) == V.length (phaseNumbers lattices) = some
+  | logDensity same - logDensity some < 1e-7 = same
+  | otherwise = steps whole
   where
-    same = weighed whole (evidenceLevel some)
+    same = eStep whole (likelihoodTheta some)
 
 -- | The phases that are not most unlikely.
-likely :: Comparison -> Evidence -> [Int]
-likely (Comparison _ lattices _) given =
+likelyPhases :: Statistics -> Likelihood -> [Int]
+likelyPhases (Statistics _ lattices _) given =
   map
     (phaseNumbers lattices V.!)
     (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
   where
-    phases = evidencePhases given
+    phases = phaseLogs given
 
 -- | The phases of finer tables that are less than a taxel from some of coarser ones.
-finer :: Templates -> Templates -> [Int] -> [Int]
-finer coarse fine = IntSet.toList . IntSet.fromList . concatMap around
+finePhases :: Templates -> Templates -> [Int] -> [Int]
+finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
   where
     places = layoutPlaces . templateLayout
     q = places fine `quot` places coarse
@@ -118,23 +122,23 @@ finer coarse fine = IntSet.toList . IntSet.fromList . concatMap around
               i <- [1 - q .. q - 1]
           ]
 
--- | A frame held against symbols in cells: the tables, some phases of the lattice with their cells,
--- and the numbers of these.
-data Comparison = Comparison !Templates Phases Numbers
+-- | What theta is found from: the tables, some phases of the lattice with their cells, and the
+-- moments of these.
+data Statistics = Statistics !Templates Phases Moments
 
 -- | All phases, from the frame's 'areaSums'.
-wholly :: Templates -> Vector Double -> Comparison
-wholly tables areas =
-  Comparison
+allPhases :: Templates -> Vector Double -> Statistics
+allPhases tables areas =
+  Statistics
     tables
     (templatePhases tables)
-    (Numbers (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+    (Moments (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
 
 -- | Some of all phases.
-among :: Comparison -> [Int] -> Comparison
-among comparison@(Comparison tables _ (Numbers products sums squares)) phases
-  | many tables phases = comparison
-  | otherwise = Comparison tables here (Numbers (at products) (at sums) (at squares))
+atPhases :: Statistics -> [Int] -> Statistics
+atPhases statistics@(Statistics tables _ (Moments products sums squares)) phases
+  | many tables phases = statistics
+  | otherwise = Statistics tables here (Moments (at products) (at sums) (at squares))
   where
     (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
     count = symbolsClasses (templateSymbols tables)
@@ -144,10 +148,10 @@ among comparison@(Comparison tables _ (Numbers products sums squares)) phases
         let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
 
 -- | The same from the frame's 'areaSums', without looking at the numbers of all.
-partly :: Comparison -> Vector Double -> [Int] -> Comparison
-partly comparison@(Comparison tables _ _) areas phases
-  | many tables phases = comparison
-  | otherwise = Comparison tables here (numbersAt tables areas cells)
+somePhases :: Statistics -> Vector Double -> [Int] -> Statistics
+somePhases statistics@(Statistics tables _ _) areas phases
+  | many tables phases = statistics
+  | otherwise = Statistics tables here (momentsAt tables areas cells)
   where
     (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
 
@@ -164,8 +168,8 @@ renumbered phases = (phases {phaseCells = V.enumFromN 0 (V.length cells)}, cells
 
 -- | A first guess: the noise from the second differences across, in which smooth relief has next to
 -- no part, and the gain and the offset from what is usual of symbols.
-firstLevel :: Raster -> Theta
-firstLevel image = Theta gain (-0.15 * gain) noise
+firstTheta :: Raster -> Theta
+firstTheta image = Theta gain (-0.15 * gain) noise
   where
     w = rasterWidth image
     h = rasterHeight image
@@ -181,12 +185,12 @@ firstLevel image = Theta gain (-0.15 * gain) noise
       | otherwise = max 1e-3 (min 0.95 (sum differences / (4 * fromIntegral (length differences))))
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
--- | Everything at a level.
-weighed :: Comparison -> Theta -> Evidence
-weighed (Comparison tables lattices numbers) level@(Theta gain offset variance) =
-  Evidence tables level classes cells phases total
+-- | Everything at a theta.
+eStep :: Statistics -> Theta -> Likelihood
+eStep (Statistics tables lattices moments) theta@(Theta gain offset variance) =
+  Likelihood tables theta classes cells phases total
   where
-    Numbers products sums squares = numbers
+    Moments products sums squares = moments
     -- Note [Bounds of classes]
     classes = V.generate (V.length products) $ \i ->
       ofProducts * V.unsafeIndex products i
@@ -249,16 +253,16 @@ overCells (Phases _ begins cells) i start step = go (V.unsafeIndex begins i) sta
 -- the templates' squares.
 data Sums = Sums !Double !Double !Double
 
--- | One step: by what the symbols probably are at a level, the level that fits them best.
-improved :: Comparison -> Evidence -> Theta
-improved (Comparison tables lattices numbers) given = Theta gain' offset' variance'
+-- | By what the phases and the symbols probably are at a theta, the theta that fits them best.
+mStep :: Statistics -> Likelihood -> Theta
+mStep (Statistics tables lattices moments) given = Theta gain' offset' variance'
   where
-    Theta gain offset _ = evidenceLevel given
-    Numbers products sums squares = numbers
+    Theta gain offset _ = likelihoodTheta given
+    Moments products sums squares = moments
     count = symbolsClasses (templateSymbols tables)
     share = classPrior count
     n = taxelsOf tables
-    phases = evidencePhases given
+    phases = phaseLogs given
     top = V.maximum phases
     weights = V.map (relativeTo top) phases
     total = V.sum weights
@@ -266,7 +270,7 @@ improved (Comparison tables lattices numbers) given = Theta gain' offset' varian
     phase found i weight
       | weight < 1e-6 * total = found
       | otherwise = overCells lattices i found $ \(Sums a b c) cell ->
-        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (evidenceCells given) cell)
+        let Sums a' b' c' = symbols (cell * count) (V.unsafeIndex (cellLogs given) cell)
          in Sums (a + weight * a') (b + weight * b') (c + weight * c')
     symbols start cell = go 0 (Sums 0 0 0)
       where
@@ -274,7 +278,7 @@ improved (Comparison tables lattices numbers) given = Theta gain' offset' varian
         go !k found@(Sums a b c)
           | k >= count = found
           | otherwise =
-            let p = share * exp (V.unsafeIndex (evidenceClasses given) (start + k) - cell)
+            let p = share * exp (V.unsafeIndex (classLogs given) (start + k) - cell)
              in go
                   (k + 1)
                   ( Sums

@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 
 -- | Where a frame was found, and where else it may be.
-module PraTactile.Registration.Joint.Located
-  ( Located (..),
-    locatedAt,
+module PraTactile.Registration.Joint.Estimate
+  ( Estimate (..),
+    estimateAt,
     eighth,
   )
 where
@@ -16,25 +16,25 @@ import PraTactile.Registration.Model (tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
 -- | Where a frame was found.
-data Located = Located
+data Estimate = Estimate
   { -- | Its displacement from its nominal place, taxels right and down.
-    locatedShift :: !Place,
+    estimateShift :: !Place,
     -- | The standard deviations, taxels.
-    locatedDeviation :: !Place,
+    estimateDeviation :: !Place,
     -- | The probability that it is within 'tolerance' of the truth on both axes.
-    locatedProbability :: !Double,
+    estimateProbability :: !Double,
     -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
     -- the most probable first: at most two, each of at least a thousandth.
-    locatedOthers :: [Hypothesis]
+    estimateOthers :: [Hypothesis]
   }
   deriving stock (Eq, Show)
 
 -- | Where a frame is whose nominal place (taxels) is given, by its displacements, in places from
 -- the grid point nearest to that, with their probabilities: the mean of those near the likeliest.
 -- There must be some.
-locatedAt :: Place -> [((Int, Int), Double)] -> Located
-locatedAt place options =
-  Located
+estimateAt :: Place -> [((Int, Int), Double)] -> Estimate
+estimateAt place options =
+  Estimate
     (finally meanX rx, finally meanY ry)
     (spreadOf meanX fst, spreadOf meanY snd)
     (min 1 mass)

@@ -1,9 +1,9 @@
 -- | The displacements that a frame may have on a lattice, and what it says of the cells that it
 -- then sees.
-module PraTactile.Registration.Joint.Option
-  ( Option (..),
-    Classes,
-    optionsOf,
+module PraTactile.Registration.Joint.Displacement
+  ( Displacement (..),
+    ClassLogs,
+    displacementsOf,
   )
 where
 
@@ -11,34 +11,34 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Lattice.Evidence (Evidence (..))
 import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template (Templates (..))
 
--- | A displacement of a frame, in places from its grid point: the prior's logarithm and what the
--- frame says of each cell that it sees there, by the cell's number.
-data Option = Option
-  { optionShift :: !(Int, Int),
-    optionPrior :: !Double,
-    optionCells :: ![(Int, Classes)]
+-- | A displacement d of a frame, in places from its grid point: log pi, and l_k of each cell that
+-- the frame sees there, by the cell's number.
+data Displacement = Displacement
+  { displacementShift :: !(Int, Int),
+    displacementPrior :: !Double,
+    displacementCells :: ![(Int, ClassLogs)]
   }
 
 -- | A number for each class of symbols. There are millions of them where there are thousands of
 -- frames, and the garbage collector may move them together.
-type Classes = Unboxed.Vector Double
+type ClassLogs = Unboxed.Vector Double
 
 -- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
 -- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the place
 -- of the frame's first one, in taxels, and what the frame tells.
-optionsOf :: Grid -> Int -> (Int, Int) -> (Place, Evidence) -> [Option]
-optionsOf grid orientation (phaseY, phaseX) (place, given) =
-  [ Option (dx, dy) prior (cells dx dy)
+displacementsOf :: Grid -> Int -> (Int, Int) -> (Place, Likelihood) -> [Displacement]
+displacementsOf grid orientation (phaseY, phaseX) (place, given) =
+  [ Displacement (dx, dy) prior (cells dx dy)
     | (score, prior, dx, dy) <- scored,
       score >= best - margin
   ]
   where
-    tables = evidenceTables given
+    tables = likelihoodTables given
     places = templateLayout tables
     (across, down) = phaseCount (layoutPlaces places)
     (columns, rows) = layoutGrid places
@@ -53,7 +53,7 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
       ]
     alone dx dy =
       V.unsafeIndex
-        (evidencePhases given)
+        (phaseLogs given)
         ( (orientation * down + (phaseY - ny - dy) `mod` down) * across
             + (phaseX - nx - dx) `mod` across
         )
@@ -62,7 +62,7 @@ optionsOf grid orientation (phaseY, phaseX) (place, given) =
     cells dx dy =
       [ ( cellNumber ((y + ny + dy - phaseY) `div` down) ((x + nx + dx - phaseX) `div` across),
           let start = cellIndex places orientation y x * count
-           in Unboxed.generate count (\k -> V.unsafeIndex (evidenceClasses given) (start + k))
+           in Unboxed.generate count (\k -> V.unsafeIndex (classLogs given) (start + k))
         )
         | y <- [(phaseY - ny - dy) `mod` down, (phaseY - ny - dy) `mod` down + down .. rows - 1],
           x <-
