@@ -7,12 +7,9 @@ module Files
 where
 
 import Data.ByteString (ByteString)
-import qualified Data.ByteString as Bytes
-import qualified Data.ByteString.Lazy as Lazy
 import ExitStatus
 import Message.Files (filesMessage)
-import PraTactile.Files (FilesError (TooLarge), largestInput, readUpTo)
-import System.IO (stdin)
+import PraTactile.Files (largestInput, readUpTo)
 
 -- | A file's bytes; at most 256 MiB.
 readBytes :: FilePath -> IO ByteString
@@ -20,9 +17,4 @@ readBytes = readBytesUpTo largestInput
 
 -- | A file's bytes; leaves with status 2 if there are more than this many.
 readBytesUpTo :: Int -> FilePath -> IO ByteString
-readBytesUpTo limit "-" = do
-  bytes <- Lazy.toStrict <$> Lazy.hGet stdin (limit + 1)
-  if Bytes.length bytes > limit
-    then unusable (filesMessage (TooLarge "the standard input" limit))
-    else pure bytes
 readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage

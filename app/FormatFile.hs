@@ -7,7 +7,6 @@ module FormatFile
     readClaim,
     readSensorFile,
     readCalibration,
-    readManifestFile,
   )
 where
 
@@ -19,7 +18,6 @@ import PraTactile.Format
 import PraTactile.Profile
 import PraTactile.Sensor (Sensor)
 import PraTactile.Sensor.Calibration (Calibration)
-import PraTactile.Sensor.Manifest (Manifest)
 import PraTactile.Truth (Claim, Truth)
 
 -- | The profile in a file, which must name an array.
@@ -57,10 +55,6 @@ readCalibration =
     (readBytesUpTo (8 * mebibyte))
     decodeCalibration
     "a calibration as 'pra-tactile calibrate' writes it"
-
--- | The manifest in a file of its JSON form.
-readManifestFile :: FilePath -> IO Manifest
-readManifestFile = readAs readBytes decodeManifest "a manifest of frames"
 
 -- | The claim in a file with an answer of @decode --json@; 'Nothing' where it names no place on a
 -- face.

@@ -1,22 +1,20 @@
--- | What is done to frames before they are put together: a taxel pitch and axes other than the
--- manifest's, and the sensor's calibration.
+-- | How frames are put together: a taxel pitch and axes other than the manifest's, the sensor's
+-- calibration, and what is known of robot and sensor.
 module FramesChoice
   ( FramesChoice (..),
     framesOptions,
     calibrationOption,
     preparation,
+    stitchingOptions,
   )
 where
 
-import Data.Bifunctor (first)
 import ExitStatus
 import FormatFile (readCalibration)
-import Frames (Preparation (..))
-import Message
 import Options
-import PraTactile.Sensor.Calibration (corrected, withoutStuck)
-import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Decode (Stitching (..), nominalStitching, standardStitching)
 import PraTactile.Sensor.Manifest (Axes, axesNamed)
+import PraTactile.Source (Preparation (..))
 
 -- | What was said about the frames.
 data FramesChoice = FramesChoice
@@ -59,18 +57,31 @@ calibrationOption =
     "FILE"
     "Correct the frames first, by what 'calibrate' wrote; dead taxels count as not felt"
 
--- | What is to be done to frames, of which stuck elements are not felt; leaves with status 2 where
--- that is not possible.
+-- | What is known of the frames; leaves with status 2 where it cannot be.
 preparation :: FramesChoice -> IO Preparation
 preparation choice
   | not (all (\taxel -> taxel >= 0.05 && taxel <= 50) (chosenTaxel choice)) =
     unusable "--taxel is a number of millimetres from 0.05 to 50"
-  | otherwise = do
-    calibration <- traverse readCalibration (calibrationFile choice)
-    let pitched frame = maybe frame (\taxel -> frame {frameTaxel = taxel}) (chosenTaxel choice)
-        calibrated = maybe Right corrected calibration
-    pure
-      Preparation
-        { preparedAxes = chosenAxes choice,
-          prepared = first calibrationMessage . fmap withoutStuck . traverse (calibrated . pitched)
-        }
+  | otherwise =
+    Preparation (chosenAxes choice) (chosenTaxel choice)
+      <$> traverse readCalibration (calibrationFile choice)
+
+-- | @--no-stitching@, or what the robot and the sensor are like.
+stitchingOptions :: Parser Stitching
+stitchingOptions =
+  flag' nominalStitching (long "no-stitching" <> help "Take the nominal positions as they are")
+    <|> Stitching (stitchingWay standardStitching)
+      <$> defaulting
+        (stitchingPositionError standardStitching)
+        decimalReader
+        "position-error"
+        "SIGMA"
+        "Standard deviation of each frame's position that the robot is known for, taxels"
+      <*> optional
+        ( valued
+            decimalReader
+            "noise"
+            "SD"
+            "Standard deviation of the sensor's noise, as a share of full scale (default: as the \
+            \frames show it)"
+        )

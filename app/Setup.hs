@@ -5,14 +5,9 @@ module Setup
     chosenNetwork,
     networkOption,
     placementFor,
-
-    -- * Objects and faces
-    chosenFace,
-    objectsNamed,
   )
 where
 
-import Data.List (intercalate)
 import Data.Text.Encoding (decodeUtf8')
 import ExitStatus
 import Files (readBytes)
@@ -23,7 +18,6 @@ import PraTactile.Classification.Network (Network, NetworkError (..))
 import PraTactile.Classification.Network.File (parseNetwork, shippedNetwork)
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
-import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 import PraTactile.Shape (Alphabet, paperAlphabet)
 
@@ -59,23 +53,3 @@ placementFor profile = do
             ++ "; the chosen one is "
             ++ shapeText (profileShape profile)
         )
-
--- | The faces of an object that are laid on the array; leaves with status 2 for an unknown object.
-objectsNamed :: Placement -> String -> IO [LaidFace]
-objectsNamed layout named = do
-  _ <- orUnusable placementMessage (findObject layout (ObjectName named))
-  pure [face | face <- laidFaces layout, faceObject (laidFace face) == ObjectName named]
-
--- | A face of an object by its vertices, in any rotation of their order.
-chosenFace :: [LaidFace] -> String -> IO LaidFace
-chosenFace faces named = case [face | face <- faces, sameFace (faceName (laidFace face)) wanted] of
-  face : _ -> pure face
-  [] ->
-    unusable
-      ( "there is no face "
-          ++ show named
-          ++ "; choose one of "
-          ++ intercalate ", " (map (show . faceText . faceName . laidFace) faces)
-      )
-  where
-    wanted = readFaceName (map (\c -> if c == ',' then ' ' else c) named)

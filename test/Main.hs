@@ -107,6 +107,7 @@ import qualified Test.RecogniseGrid
 import qualified Test.RecognisePosterior
 import qualified Test.RecogniseReading
 import qualified Test.RecogniseSteps
+import qualified Test.Recognition.WhereItIsPressed
 import qualified Test.Schemas
 import qualified Test.Simulation.RatesBesideExact
 import qualified Test.Source
@@ -260,6 +261,7 @@ specs = do
   describe "Recognition by Bayes' theorem" Test.RecognisePosterior.spec
   describe "Recognition of grids built by hand" Test.RecogniseEvidence.spec
   describe "Explorations and trials" Test.Explorations.spec
+  describe "Where it is pressed" Test.Recognition.WhereItIsPressed.spec
   describe "Truths" Test.Truth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec

@@ -8,7 +8,7 @@ where
 
 import qualified Data.ByteString.Lazy as Lazy
 import ExitStatus
-import Frames (loadFrames)
+import Frames (loadFolder)
 import Message
 import Options
 import Output (sayWritten, writeWhole)
@@ -16,6 +16,7 @@ import PraTactile.Format (encodeCalibration)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Source (folderFrames)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -38,10 +39,9 @@ command =
 
 run :: FilePath -> FilePath -> FilePath -> IO ExitStatus
 run dark flat output = do
-  darks <- loadFrames dark
-  flats <- loadFrames flat
-  calibration <-
-    orUnusable calibrationMessage (calibrate (map frameImage darks) (map frameImage flats))
+  darks <- images dark
+  flats <- images flat
+  calibration <- orUnusable calibrationMessage (calibrate darks flats)
   writeWhole output (Lazy.fromStrict (encodeCalibration calibration <> "\n"))
   let offset = calibrationOffset calibration
   sayWritten
@@ -51,3 +51,6 @@ run dark flat output = do
         ++ " of them dead"
     )
   pure Answered
+  where
+    images folder =
+      map frameImage <$> (loadFolder folder >>= orUnusable (sourceMessage folder) . folderFrames)

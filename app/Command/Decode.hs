@@ -7,7 +7,6 @@ module Command.Decode
 where
 
 import ArrayChoice
-import Command.Stitch (Assembly, assemble, assemblyOptions)
 import Control.Monad (unless, when)
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, listToMaybe)
@@ -20,7 +19,9 @@ import Options
 import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
 import PraTactile.Array (PseudorandomArray, Surface)
+import PraTactile.Decode (Stitching)
 import PraTactile.Field (KnownField)
+import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
 import PraTactile.Format (RecognitionContext (..), encodeRecognition, recognitionReport)
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Profile
@@ -35,7 +36,7 @@ import Visible
 
 data Options = Options
   { surface :: Maybe Surface,
-    assembly :: Assembly,
+    stitching :: Stitching,
     frames :: FramesChoice,
     network :: Maybe FilePath,
     database :: Maybe FilePath,
@@ -73,7 +74,7 @@ optionsParser :: Parser Options
 optionsParser =
   Options
     <$> surfaceOption
-    <*> assemblyOptions
+    <*> stitchingOptions
     <*> framesOptions
     <*> networkOption
     <*> optionalFile
@@ -97,13 +98,7 @@ optionsParser =
       )
     <*> many placeOption
     <*> jsonSwitch "Print one JSON answer a line"
-    <*> some
-      ( strArgument
-          ( metavar "PATH..."
-              <> action "file"
-              <> help "Images, folders of frames, or frames; - is an image on the standard input"
-          )
-      )
+    <*> framesArgument
 
 -- | @--at@.
 placeOption :: Parser (Double, Double)
@@ -167,13 +162,13 @@ run choice options
     for_ (picture options) orNotSvg
     profile <- chosenProfile choice
     decoder <- decoderOn profile options
-    found <- sources (paths options)
+    found <- sourcePaths (paths options) >>= orUnusable filesMessage
     let several = not (null (drop 1 found))
     when
       (several && picture options /= Nothing)
       (unusable "--picture draws one composite; give one source")
-    prepare <- preparation (frames options)
-    composites <- loadSources prepare (assemble (assembly options)) found
+    known <- preparation (frames options)
+    composites <- loadSources known (stitching options) found
     case sharing options of
       OneFace -> placed (places options) (zip found composites) >>= decoder (map sourcePath found)
       EachItsOwn -> do
@@ -198,7 +193,7 @@ decoderOn profile options = do
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
 -- | The composites, whole images at the places given for them; frames know their own.
-placed :: [(Double, Double)] -> [(Source, Composite)] -> IO [Composite]
+placed :: [(Double, Double)] -> [(SourcePath, Composite)] -> IO [Composite]
 placed given found
   | wholeImages == length given = pure (go given found)
   | otherwise =
@@ -209,8 +204,8 @@ placed given found
           ++ " times; give it once for each, in order"
       )
   where
-    wholeImages = length [() | (CompositeFile _, _) <- found]
-    go (at : others) ((CompositeFile _, composite) : rest) =
+    wholeImages = length [() | (ImagePath _, _) <- found]
+    go (at : others) ((ImagePath _, composite) : rest) =
       composite {compositeOrigin = at} : go others rest
     go ats ((_, composite) : rest) = composite : go ats rest
     go _ [] = []

@@ -6,27 +6,19 @@ where
 
 import ArrayChoice
 import Command.Decode (toleranceComplaint, toleranceOptions)
-import Command.Stitch (registrationFor)
-import Control.Monad (foldM, unless)
+import Control.Monad (foldM)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes, fromMaybe)
-import Data.Traversable (for)
 import ExitStatus
 import Message
 import Options
 import PraTactile.Evaluate
 import PraTactile.Explore
-import PraTactile.Field (KnownField)
 import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
-import PraTactile.Object.Placement
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Relief
-import PraTactile.Sensor (HeightMap, Sensor (..), sensorLayout)
-import PraTactile.Sensor.Frame (planScanOf)
-import PraTactile.Shape (shapes)
+import PraTactile.Sensor (Sensor (..))
 import PraTactile.Symmetry (rotations)
 import Progress
 import SensorChoice
@@ -102,54 +94,47 @@ run choice options
     layout <- placementFor profile
     alphabet <- shippedAlphabet
     net <- chosenNetwork (network options)
-    let prepared array mask = do
+    let experiment =
+          Experiment
+            { experimentPresses = presses options,
+              experimentSeed = seed options,
+              experimentExploration =
+                (exploration simulated (turns options) (size options))
+                  { explorationSpacing = chosenSpacing (sensor options) simulated
+                  },
+              experimentForeign = foreignPresses options,
+              experimentTolerance = tolerance options
+            }
+        made array mask = do
           reader <-
             first
               recogniserMessage
               (recogniser (profileSurface profile) array mask layout alphabet net)
-          faces <-
-            first reliefMessage . for (laidFaces layout) $ \face ->
-              (,) face <$> relief array layout alphabet face
-          pure (measure profile options (how layout alphabet simulated) reader faces)
-    measured <- orUnusable profileMessage (withProfile profile prepared)
-    either unusable id measured
-  where
-    how layout alphabet simulated =
-      Exploration
-        { explorationSensor = simulated,
-          explorationSpacing = chosenSpacing (sensor options) simulated,
-          explorationTurns = turns options,
-          explorationSize = size options,
-          explorationForeign = others layout alphabet <$> foreignPresses options
-        }
-    others layout alphabet share =
-      Foreign
-        { foreignShare = share,
-          foreignClasses = length (shapes alphabet),
-          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face
-        }
+          first experimentMessage (evaluated experiment alphabet array reader)
+    results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
+    counted <- tallied (presses options) results
+    printed profile options simulated counted
+    pure Answered
 
--- | Run the trials on all cores, saying how far it is where a person looks on, and print the two
--- counts. Trials are made as they are needed and let go once counted, so that any number takes the
--- same memory.
-measure ::
-  KnownField k =>
-  Profile ->
-  Options ->
-  Exploration ->
-  Recogniser k ->
-  [(LaidFace, HeightMap)] ->
-  IO ExitStatus
-measure profile options how reader faces = do
-  _ <-
-    orUnusable
-      probeMessage
-      (planScanOf (sensorLayout simulated) (explorationSpacing how) (0, 0) (size options))
-  unless
-    (fitting (turns options) (size options) (map fst faces) (seed options) (presses options))
-    (unusable tooLarge)
-  (stitched, unstitched) <- withProgress (toInteger (presses options)) 0 $ \tell ->
-    foldM (count tell) (noResults, noResults) (zip [1 ..] (results options how reader faces))
+-- | The tallies with stitching and without, of results that are made on all cores as they are
+-- needed; says how far it is where a person looks on. Trials are let go once counted, so that any
+-- number takes the same memory.
+tallied :: Int -> [TrialResult] -> IO (Tally, Tally)
+tallied count results =
+  withProgress (toInteger count) 0 $ \tell ->
+    foldM
+      (include tell)
+      (noResults, noResults)
+      (zip [1 ..] (withStrategy (parBuffer 32 rseq) results))
+  where
+    include :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
+    include tell (stitched, unstitched) (i, outcome) =
+      let stitched' = counting stitched (withStitching outcome)
+          unstitched' = counting unstitched (withoutStitching outcome)
+       in stitched' `seq` unstitched' `seq` tell i >> pure (stitched', unstitched')
+
+printed :: Profile -> Options -> Sensor -> (Tally, Tally) -> IO ()
+printed profile options simulated (stitched, unstitched) =
   printAs
     (form options)
     ( unlines
@@ -159,19 +144,6 @@ measure profile options how reader faces = do
         ]
     )
     (encodeEvaluation (report profile options simulated stitched unstitched))
-  pure Answered
-  where
-    simulated = explorationSensor how
-    count :: (Integer -> IO ()) -> (Tally, Tally) -> (Integer, TrialResult) -> IO (Tally, Tally)
-    count tell (stitched, unstitched) (i, outcome) =
-      let stitched' = counting stitched (withStitching outcome)
-          unstitched' = counting unstitched (withoutStitching outcome)
-       in stitched' `seq` unstitched' `seq` tell i >> pure (stitched', unstitched')
-    tooLarge =
-      printf
-        "a region of %d x %d taxels does not lie on every face; choose a smaller --size"
-        (fst (size options))
-        (snd (size options))
 
 report :: Profile -> Options -> Sensor -> Tally -> Tally -> EvaluationReport
 report profile options simulated stitched unstitched =
@@ -191,41 +163,6 @@ report profile options simulated stitched unstitched =
       evaluationStitched = stitched,
       evaluationUnstitched = unstitched
     }
-
--- | What comes of each press, made on all cores as it is needed.
-results ::
-  KnownField k =>
-  Options ->
-  Exploration ->
-  Recogniser k ->
-  [(LaidFace, HeightMap)] ->
-  [TrialResult]
-results options how reader faces =
-  withStrategy (parBuffer 32 rseq) (map decoded (take (presses options) (catMaybes started)))
-  where
-    decoded =
-      runTrial
-        weighing
-        reader
-        (registrationFor (sensorPositionError simulated) (assumedNoise simulated))
-    -- Decoders are told what share of the presses is foreign, where any is.
-    weighing =
-      (tolerance options)
-        { foreignPrior = fromMaybe (foreignPrior (tolerance options)) (foreignPresses options)
-        }
-    simulated = explorationSensor how
-    started = trialsOf how faces (seed options)
-
--- | The noise that registration is told of: that of a reading at full scale, and what frames differ
--- by because their elements do.
-assumedNoise :: Sensor -> Double
-assumedNoise simulated
-  | slope <= 0 && spread <= 0 = noise
-  | otherwise = sqrt ((noise + slope) ** 2 + (spread / 2) ** 2)
-  where
-    noise = sensorNoise simulated
-    slope = sensorNoiseSlope simulated
-    spread = sensorGainSpread simulated
 
 headingText :: Options -> Sensor -> String
 headingText options simulated =

@@ -8,32 +8,25 @@ where
 
 import ArrayChoice
 import Control.Monad (when)
-import Data.Bifunctor (bimap)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
-import Data.List.NonEmpty (NonEmpty (..))
-import Data.Maybe (fromMaybe)
-import Data.Tuple (swap)
-import Drawing (hundredths)
 import ExitStatus
-import Frames (listedFrameFiles)
 import Message
 import Options
 import Output (orUnwritable, writeFolder, writeWhole)
 import PraTactile.Explore
-import PraTactile.Format (encodeTruth)
+import PraTactile.Format (encodeTruth, folderFiles)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
+import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
-import PraTactile.Relief
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Frame (Frame)
 import PraTactile.Symmetry
 import PraTactile.Truth (Truth (..))
 import SensorChoice
 import Setup
-import System.Random (StdGen, mkStdGen, randomR, split)
 import Text.Printf (printf)
 import Visible
 
@@ -56,7 +49,7 @@ data Options = Options
 -- | What frames are made of.
 data Work
   = -- | presses on the object of this name
-    Pressing String
+    Object String
   | -- | so many frames of the sensor that touches nothing
     Dark Int
   | -- | so many frames of the sensor whose elements are all pressed alike
@@ -129,7 +122,7 @@ optionsParser =
 -- | @--object@, @--dark@ or @--flat@.
 workOption :: Parser Work
 workOption =
-  Pressing
+  Object
     <$> strOption
       ( long "object"
           <> metavar "NAME"
@@ -168,108 +161,50 @@ run choice options
     unusable "--origin is a place in millimetres"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
-    let (one, _) = drawSpecimen simulated (mkStdGen (fromMaybe (seed options) (specimen options)))
+    let how =
+          Pressing
+            { pressingSensor = simulated,
+              pressingSpacing = chosenSpacing (sensor options) simulated,
+              pressingSeed = seed options,
+              pressingSpecimen = specimen options,
+              pressingFace = readFaceName . map spaced <$> face options,
+              pressingAt = at options,
+              pressingSize = size options,
+              pressingTurns = turns options,
+              pressingOrigin = origin options
+            }
     case work options of
-      Pressing named -> pressing choice options simulated one named
-      Dark count -> calibrating options simulated count (darkFrames simulated one)
-      Flat count -> calibrating options simulated count (flatFrames simulated one)
+      Object named -> pressing choice options how (ObjectName named)
+      Dark count -> calibrating options simulated count (darkPresses how)
+      Flat count -> calibrating options simulated count (flatPresses how)
+  where
+    spaced c = if c == ',' then ' ' else c
 
 -- | Write so many calibration frames.
-calibrating :: Options -> Sensor -> Int -> (Int -> StdGen -> [Frame]) -> IO ExitStatus
+calibrating :: Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
 calibrating options simulated count frames
   | count < 1 || count > 10000 = unusable "--dark and --flat are numbers of frames from 1 to 10000"
   | truthFile options /= Nothing || announced options == Announced =
     unusable "calibration frames have no true place; leave out --truth and --tell"
-  | otherwise = do
-    -- Not the draws that the specimen came from.
-    writeFrames options simulated (frames count (snd (split (mkStdGen (seed options)))))
-    pure Answered
+  | otherwise = Answered <$ writeFrames options simulated (frames count)
 
--- | Press a face of the object and write the frames.
-pressing :: ArrayChoice -> Options -> Sensor -> Specimen -> String -> IO ExitStatus
-pressing choice options simulated one named = do
+-- | Press a face of the object; write the frames, and the truth as far as that is asked for.
+pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
+pressing choice options how object = do
   for_ (truthFile options) orUnwritable
   profile <- chosenProfile choice
   layout <- placementFor profile
   alphabet <- shippedAlphabet
-  faces <- objectsNamed layout named
-  (pressed, generator) <- pressedFace options faces
-  heights <-
-    orUnusable reliefMessage
+  (frames, truth) <-
+    orUnusable (pressMessage (at options))
       =<< orUnusable
         profileMessage
-        (withProfile profile (\array _ -> relief array layout alphabet pressed))
-  (region, generator1) <- pressedRegion options pressed generator
-  (frames, _) <-
-    orUnusable
-      probeMessage
-      ( exploreWith
-          simulated
-          (chosenSpacing (sensor options) simulated)
-          one
-          heights
-          region
-          generator1
-      )
-  written options simulated frames (Truth (laidFace pressed) region (origin options))
-  pure Answered
-
--- | The face asked for, or one drawn with equal chances.
-pressedFace :: Options -> [LaidFace] -> IO (LaidFace, StdGen)
-pressedFace options faces = case face options of
-  Nothing -> drawnFace faces generator
-  Just vertices -> flip (,) generator <$> chosenFace faces vertices
-  where
-    generator = mkStdGen (seed options)
-
--- | A region drawn by chance, but where and how it is asked for; leaves with status 2 where it does
--- not lie on the face.
-pressedRegion :: Options -> LaidFace -> StdGen -> IO (Region, StdGen)
-pressedRegion options pressed generator =
-  case drawnRegion (turns options) (size options) pressed generator of
-    Just (drawn, generator1)
-      | fits (placed drawn) -> pure (placed drawn, generator1)
-    _ -> unusable tooLarge
-  where
-    placed = maybe id atPlace (at options)
-    atPlace (x, y) region = region {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
-    fits region =
-      within regionRight fst spotRight region && within regionDown snd spotDown region
-    within offset side extent region =
-      offset region >= 0
-        && taxelPitch * (offset region + fromIntegral (side (regionExtent region)))
-          <= fromRational (extent (laidExtent pressed)) + 1e-9
-    tooLarge =
-      "the region, " ++ sizeText (bimap millimetres millimetres onTheFace)
-        ++ maybe "" (\(x, y) -> " mm from " ++ hundredths x ++ "," ++ hundredths y) (at options)
-        ++ " mm, does not lie on the face "
-        ++ faceText (faceName (laidFace pressed))
-        ++ ", which is "
-        ++ sizeText (spotMillimetres (laidExtent pressed))
-        ++ " mm; choose another --size or --at"
-    onTheFace =
-      (if lying then swap else id) (size options)
-    lying = case turns options of
-      AmongTurns [symmetry] -> exchangesAxes symmetry
-      TurnedBy degrees -> exchangesAxes (fst (nearestQuarter degrees))
-      _ -> False
-    millimetres taxels = taxelPitch * fromIntegral taxels
-    sizeText (w, h) = hundredths w ++ " x " ++ hundredths h
-
--- | Write the frames, in the robot's coordinates, and the truth, as far as that is asked for.
-written :: Options -> Sensor -> [Frame] -> Truth -> IO ()
-written options simulated frames truth = do
-  writeFrames options simulated (map moved frames)
+        (withProfile profile (\array _ -> pressed how alphabet array layout object))
+  writeFrames options (pressingSensor how) frames
   for_ (truthFile options) $ \file ->
     writeWhole file (Lazy.fromStrict (encodeTruth truth <> "\n"))
   when (announced options == Announced) (putStrLn (truthText truth))
-  where
-    moved frame = frame {framePose = movedPose (framePose frame)}
-    movedPose pose =
-      pose
-        { poseX = poseX pose + fst (origin options),
-          poseY = poseY pose + snd (origin options)
-        }
+  pure Answered
 
 -- | Write frames of the sensor, and say so.
 writeFrames :: Options -> Sensor -> [Frame] -> IO ()
@@ -277,25 +212,13 @@ writeFrames options simulated frames = do
   writeFolder (output options)
     =<< orUnusable
       imageMessage
-      (listedFrameFiles (sensorLayout simulated) (sensorBits simulated) frames)
+      (folderFiles (sensorLayout simulated) (sensorBits simulated) frames)
   putStrLn
     ( "wrote "
         ++ show (length frames)
         ++ " frames and their manifest to "
         ++ visibleName (output options)
     )
-
--- | One of the faces, with equal chances.
-drawnFace :: [LaidFace] -> StdGen -> IO (LaidFace, StdGen)
-drawnFace faces generator = case faces of
-  [] -> unusable "the object has no face on the array"
-  first : others ->
-    let (i, generator1) = randomR (0, length others) generator
-     in pure (pick i (first :| others), generator1)
-  where
-    pick i (a :| as) = case drop (i - 1) as of
-      b : _ | i > 0 -> b
-      _ -> a
 
 truthText :: Truth -> String
 truthText truth =

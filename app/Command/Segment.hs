@@ -4,7 +4,6 @@ module Command.Segment
   )
 where
 
-import Command.Stitch (Assembly, assemble, assemblyOptions)
 import Control.Monad (when)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Maybe (catMaybes)
@@ -12,7 +11,10 @@ import Data.Traversable (for)
 import ExitStatus
 import Frames
 import FramesChoice
+import Message
 import Options
+import PraTactile.Decode (Stitching)
+import PraTactile.Files (sourcePath, sourcePaths)
 import PraTactile.Format.Segmentation
 import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
@@ -29,24 +31,17 @@ command =
       "pra-tactile segment data/worked-example/frames --json"
     ]
     ( run
-        <$> assemblyOptions
+        <$> stitchingOptions
         <*> framesOptions
         <*> jsonSwitch "Print one JSON answer a line"
-        <*> some
-          ( strArgument
-              ( metavar "PATH..."
-                  <> action "file"
-                  <> help
-                    "Images, folders of frames, or frames; - is an image on the standard input"
-              )
-          )
+        <*> framesArgument
     )
 
-run :: Assembly -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
-run assembly choice form paths = do
-  found <- sources paths
-  prepare <- preparation choice
-  composites <- loadSources prepare (assemble assembly) found
+run :: Stitching -> FramesChoice -> AnswerForm -> [FilePath] -> IO ExitStatus
+run stitching choice form paths = do
+  found <- sourcePaths paths >>= orUnusable filesMessage
+  known <- preparation choice
+  composites <- loadSources known stitching found
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do

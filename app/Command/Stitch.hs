@@ -1,10 +1,6 @@
 -- | @pra-tactile stitch@: a folder of frames to one composite image.
 module Command.Stitch
   ( command,
-    Assembly,
-    assemblyOptions,
-    assemble,
-    registrationFor,
   )
 where
 
@@ -13,7 +9,6 @@ import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe)
 import ExitStatus
 import Frames
 import FramesChoice
@@ -25,9 +20,11 @@ import PraTactile.Format.Registration (encodeAssembly, wayName)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
-import PraTactile.Registration hiding (Assembly, assemble)
-import qualified PraTactile.Registration as Stitch
+import PraTactile.Registration
+import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Frame (Frame (..))
+import PraTactile.Sensor.Manifest (Entry (..), Manifest (..))
+import PraTactile.Source (Folder (..), preparedFrames)
 import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
 import Visible (visibleName)
@@ -42,7 +39,7 @@ command =
       "pra-tactile stitch frames --method lattice --json",
       "pra-tactile stitch frames --report stitched.svg"
     ]
-    ( run <$> assemblyOptions
+    ( run <$> stitchingOptions
         <*> framesOptions
         <*> optional
           ( choosing
@@ -66,51 +63,8 @@ command =
         <*> jsonSwitch "Print where each frame was as JSON"
     )
 
--- | How frames are assembled, by what they are: 'Nothing' where the nominal positions are taken as
--- they are.
-type Assembly = Maybe ([Frame] -> Registration)
-
--- | @--no-stitching@, or what the robot and the sensor are like.
-assemblyOptions :: Parser Assembly
-assemblyOptions =
-  flag' Nothing (long "no-stitching" <> help "Take the nominal positions as they are")
-    <|> Just
-      <$> ( settingsFor
-              <$> defaulting
-                1
-                decimalReader
-                "position-error"
-                "SIGMA"
-                "Standard deviation of each frame's position that the robot is known for, taxels"
-              <*> optional
-                ( valued
-                    decimalReader
-                    "noise"
-                    "SD"
-                    "Standard deviation of the sensor's noise, as a share of full scale (default: \
-                    \as the frames show it)"
-                )
-          )
-  where
-    settingsFor sigma (Just noise) = const (registrationFor sigma noise)
-    settingsFor sigma Nothing = \frames -> withNoiseOf frames (registrationFor sigma 0)
-
--- | Registration for a robot and a sensor of this position error (taxels) and noise (share of full
--- scale); an error of less than a hundredth of a taxel is taken as that, because a prior without
--- width cannot be searched.
-registrationFor :: Double -> Double -> Registration
-registrationFor sigma noise =
-  standardRegistration
-    { registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma,
-      registrationNoise = noise
-    }
-
--- | Assemble frames with stitching or without.
-assemble :: Assembly -> [Frame] -> Either StitchError Composite
-assemble settings frames = maybe placeOnly (\known -> stitch (known frames)) settings frames
-
 run ::
-  Assembly ->
+  Stitching ->
   FramesChoice ->
   Maybe Way ->
   FilePath ->
@@ -118,7 +72,7 @@ run ::
   Maybe FilePath ->
   AnswerForm ->
   IO ExitStatus
-run settings choice asked folder output report form = do
+run stitching choice asked folder output report form = do
   when
     (output == Nothing && report == Nothing && form == AsText)
     (unusable "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
@@ -127,13 +81,12 @@ run settings choice asked folder output report form = do
     (unusable "--report - and --json both take the standard output; name a file for the picture")
   for_ report orNotSvg
   encoder <- traverse encoderFor output
-  prepare <- preparation choice
-  (names, frames) <- unzip <$> loadFolder prepare folder
-  made <-
-    orUnusable
-      (\e -> folder ++ ": " ++ stitchMessage e)
-      (Stitch.assemble way (maybe standardRegistration ($ frames) settings) frames)
-  let composite = Stitch.assemblyComposite made
+  known <- preparation choice
+  contents <- loadFolder folder
+  frames <- orUnusable (sourceMessage folder) (preparedFrames known contents)
+  made <- orUnusable (\e -> folder ++ ": " ++ stitchMessage e) (assembledBy asAsked frames)
+  let composite = assemblyComposite made
+      names = map entryFile (manifestEntries (folderManifest contents))
   for_ (compositeContradiction composite) $ \contradiction ->
     warn ("warning: " ++ folder ++ ": " ++ contradictionMessage contradiction)
   sequence_ (written composite <$> output <*> encoder)
@@ -145,7 +98,7 @@ run settings choice asked folder output report form = do
     (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))
   pure Answered
   where
-    way = fromMaybe (maybe Nominal (const Automatic) settings) asked
+    asAsked = maybe stitching (\way -> stitching {stitchingWay = way}) asked
     written composite file encoder = do
       writeWhole file =<< orUnusable imageMessage (encoder (compositeImage composite))
       unless (form == AsJson) $

@@ -3,7 +3,7 @@ module Message.Files
   ( ManifestPresence (..),
     filesMessage,
     sourceMessage,
-    sourceMessageOf,
+    decodeMessage,
     fileMessage,
     loneFramesMessage,
   )
@@ -11,17 +11,22 @@ where
 
 import Data.List (intercalate)
 import qualified Data.Text as Text
+import Message.Code (profileMessage)
+import Message.Format (formatMessage)
+import Message.Objects (placementMessage, recogniserMessage)
 import Message.Touch
+import PraTactile.Decode (DecodeError (..))
 import PraTactile.Files (FilesError (..))
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Sensor.Manifest (manifestHeader)
-import PraTactile.Source (SourceError (..), manifestName)
+import PraTactile.Sensor.Manifest (manifestHeader, manifestName)
+import PraTactile.Source (SourceError (..))
 import System.FilePath ((</>))
 
 filesMessage :: FilesError -> String
 filesMessage e = case e of
   NoSuchFile file -> "there is no file " ++ file
   NoSuchFolder folder -> "there is no folder " ++ folder
+  NoSuchPath path -> "there is no file or folder " ++ path
   IsFolder file -> file ++ " is a folder; a file is needed here"
   IsFile file ->
     file ++ " is a file; a folder of frames with its " ++ manifestName ++ " is needed here"
@@ -32,6 +37,8 @@ filesMessage e = case e of
       ++ ", so the frames' positions are not known; 'pra-tactile probe' shows the form, "
       ++ "and its first line is "
       ++ header
+  ManifestRefused file why -> file ++ ": " ++ manifestMessage why
+  JsonManifestRefused file why -> formatMessage file "a manifest of frames" why
   NotPermitted file -> "no permission to read " ++ file
   TooLarge path limit ->
     path
@@ -44,20 +51,28 @@ filesMessage e = case e of
 
 -- | Of a folder of frames.
 sourceMessage :: FilePath -> SourceError -> String
-sourceMessage folder = sourceMessageOf (folder </> manifestName) folder
-
--- | The same where the manifest is this file.
-sourceMessageOf :: FilePath -> FilePath -> SourceError -> String
-sourceMessageOf manifest folder e = case e of
-  ManifestRefused why -> manifest ++ ": " ++ manifestMessage why
+sourceMessage folder e = case e of
   ImageElsewhere name ->
-    manifest ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
-  ImageAbsent name -> manifest ++ ": the frame " ++ show name ++ " is not there"
+    folder ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
+  ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is not there"
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
+  CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
   where
     by w h = show w ++ " x " ++ show h
+
+-- | Of what is decoded, a folder of frames or an image.
+decodeMessage :: FilePath -> DecodeError -> String
+decodeMessage path e = case e of
+  ArrayRefused why -> profileMessage why
+  PlacementRefused why -> placementMessage why
+  ShapesRefused why -> shapeMessage why
+  NetworkRefused why -> networkMessage why
+  PartsRefused why -> recogniserMessage why
+  FolderRefused why -> sourceMessage path why
+  FileRefused why -> fileMessage (if path == "-" then "the standard input" else path) why
+  FramesRefused why -> path ++ ": " ++ stitchMessage why
 
 -- | Of an image.
 fileMessage :: FilePath -> ImageError -> String

@@ -2,21 +2,27 @@
 module Message.Objects
   ( placementMessage,
     reliefMessage,
+    experimentMessage,
+    pressMessage,
     storeMessage,
     recogniserMessage,
     refusalMessage,
   )
 where
 
+import Data.List (intercalate)
+import Drawing (hundredths)
 import Json (shapeText)
 import Message.Locate (locateMessage, reasonMessage)
-import Message.Touch (contradictionMessage, shapeMessage)
+import Message.Touch (contradictionMessage, probeMessage, shapeMessage)
 import PraTactile.Array (Position (..))
+import PraTactile.Evaluate (ExperimentError (..))
 import PraTactile.Geometry (symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Locate (Reason (..))
 import PraTactile.Object.Placement
 import PraTactile.Object.Relation (RelationError (..), Table (..))
 import PraTactile.Object.WingedEdge
+import PraTactile.Pressing (PressError (..))
 import PraTactile.Recognise (RecogniserError (..), Refusal (..))
 import PraTactile.Relief (ReliefError (..))
 import PraTactile.Store (Damage (..), Failure (..), Occupant (..), StoreError (..))
@@ -79,6 +85,37 @@ placementMessage e = case e of
     "the face " ++ faceOf face ++ " has no cell at row " ++ show r ++ ", column " ++ show c
   where
     faceOf (Face object named) = faceText named ++ " of the " ++ objectText object
+
+experimentMessage :: ExperimentError -> String
+experimentMessage e = case e of
+  ReliefRefused why -> reliefMessage why
+  PressesRefused why -> probeMessage why
+  RegionOffFaces w h ->
+    "a region of " ++ show w ++ " x " ++ show h
+      ++ " taxels does not lie on every face; choose a smaller --size"
+
+-- | Where the region's upper left corner was asked for, if it was, millimetres on the face.
+pressMessage :: Maybe (Double, Double) -> PressError -> String
+pressMessage asked e = case e of
+  ObjectRefused why -> placementMessage why
+  NoFaceLaid -> "the object has no face on the array"
+  NoSuchFace name others ->
+    "there is no face "
+      ++ show (faceText name)
+      ++ "; choose one of "
+      ++ intercalate ", " (map (show . faceText . faceName . laidFace) others)
+  NoRelief why -> reliefMessage why
+  RegionOffFace face size ->
+    "the region, " ++ by size
+      ++ maybe "" (\(x, y) -> " mm from " ++ hundredths x ++ "," ++ hundredths y) asked
+      ++ " mm, does not lie on the face "
+      ++ faceText (faceName (laidFace face))
+      ++ ", which is "
+      ++ by (spotMillimetres (laidExtent face))
+      ++ " mm; choose another --size or --at"
+  NotCovered why -> probeMessage why
+  where
+    by (w, h) = hundredths w ++ " x " ++ hundredths h
 
 reliefMessage :: ReliefError -> String
 reliefMessage e = case e of

@@ -198,7 +198,15 @@ evaluate100 = pure $
                           ( catMaybes
                               ( take
                                   100
-                                  (trials standardSensor halfTurns standardRegionSize faces seed)
+                                  ( trials
+                                      ( exploration
+                                          standardSensor
+                                          (AmongTurns halfTurns)
+                                          standardRegionSize
+                                      )
+                                      faces
+                                      seed
+                                  )
                               )
                           )
                       )

@@ -201,10 +201,8 @@ trialSpec = do
             how = exploration idealSensor turns (30, 24)
             generators = unfoldr (Just . split) (mkStdGen seed)
             told t = (trialFace t, trialRegion t, trialForeign t, map framePose (trialFrames t))
-         in map (fmap told) (take 5 (trialsOf how faces seed))
-              === take 5 (zipWith (\face -> fmap told . trialOf how face) (cycle faces) generators)
-              .&&. fmap told (trial idealSensor rotations (30, 24) (face0 faces) (mkStdGen seed))
-              === fmap told (trialOf (amongRotations how) (face0 faces) (mkStdGen seed))
+         in map (fmap told) (take 5 (trials how faces seed))
+              === take 5 (zipWith (\face -> fmap told . trial how face) (cycle faces) generators)
   it "a trial is the region drawn, and its frames are the presses of it" $
     forAll (choose (1, 99999)) $ \seed ->
       let how = (exploration noisy (AmongTurns rotations) (20, 18)) {explorationSpacing = 5}
@@ -216,7 +214,7 @@ trialSpec = do
             (frames, _) <- either (const Nothing) Just explored
             pure (face, region, frames, False)
           told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
-       in isJust wanted .&&. fmap told (trialOf how (face, scene) (mkStdGen seed)) === wanted
+       in isJust wanted .&&. fmap told (trial how (face, scene) (mkStdGen seed)) === wanted
   it "as many presses are foreign as is said, within five standard errors" $
     for_ [(0, 0), (0.3, 5 * sqrt (600 * 0.21)), (1, 0)] $ \(share, most) -> do
       let found = concatMap (trialOn share (const True)) [1 .. 600]
@@ -236,7 +234,7 @@ trialSpec = do
     often (\symbols -> symbols !! 0 !! 3 == symbols !! 1 !! 0) `shouldSatisfy` nearly (1 / 3)
   it "what is foreign is pressed in place of the face, and what has no relief is no trial" $ do
     let pressed drawn =
-          trialOf
+          trial
             (exploration idealSensor (AmongTurns [identity]) (16, 16))
               { explorationForeign = Just (Foreign 1 3 (\_ _ -> drawn))
               }
@@ -250,13 +248,11 @@ trialSpec = do
     noisy = standardSensor {sensorGainSpread = 0.2}
     flatAt level image = V.all (\v -> abs (v - level) < 1e-9) (rasterValues image)
     scene = HeightMap taxelPitch (constant 60 60 1)
-    face0 = foldr const (faceOf (1, 1) (Shape 1 1), scene)
-    amongRotations how = how {explorationTurns = AmongTurns rotations}
     -- Whether it is foreign, of a trial whose foreign symbols are so; none if they are not.
     trialOn share predicate seed =
       [ trialForeign t
         | Just t <-
-            [ trialOf
+            [ trial
                 (exploration idealSensor (AmongTurns [identity]) (16, 16))
                   { explorationForeign =
                       Just
@@ -302,7 +298,7 @@ resultSpec reader faces = do
     . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
     $ forAll (elements faces) $ \face ->
       forAll (choose (1, 99999 :: Int)) $ \seed ->
-        case trial idealSensor rotations (40, 52) face (mkStdGen seed) of
+        case trial (exploration idealSensor (AmongTurns rotations) (40, 52)) face (mkStdGen seed) of
           Nothing -> property False
           Just t ->
             let moved (dx, dy) =

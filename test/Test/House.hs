@@ -164,7 +164,7 @@ known wing = case wing of
   Simulation -> [Common, Code, Simulation]
   Recognition -> [Common, Code, Touch, Recognition]
   Formats -> Simulation : known Recognition ++ [Formats]
-  Files -> known Recognition ++ [Files]
+  Files -> known Formats ++ [Files]
   Store -> [Common, Code, Recognition, Store]
   Conformance -> known Formats ++ [Conformance]
   App -> [minBound ..]
@@ -219,7 +219,7 @@ allowances =
           ( Formats,
             recognising ++ "pra-tactile:simulation aeson bytestring containers scientific text"
           ),
-          (Files, recognising ++ "bytestring containers directory filepath"),
+          (Files, recognising ++ "pra-tactile:formats bytestring containers directory filepath"),
           ( Store,
             recognising
               ++ "containers directory filepath monad-logger persistent persistent-sqlite text \

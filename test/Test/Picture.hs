@@ -15,7 +15,7 @@ import Picture
 import PraTactile.Array (PseudorandomArray, Surface (..))
 import PraTactile.Classification.Network (Network)
 import PraTactile.Classification.Network.File (shippedNetwork)
-import PraTactile.Evaluate (Trial (..), trial)
+import PraTactile.Evaluate (Trial (..), exploration, trial)
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (symbolThickness)
@@ -317,11 +317,12 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
       Property
     explored size seed face check = case relief array layout alphabet face of
       Right heights
-        | Just known <- trial standardSensor rotations size (face, heights) (mkStdGen seed),
+        | Just known <- trial (exploring size) (face, heights) (mkStdGen seed),
           Right composite <- stitch standardRegistration (trialFrames known),
           Right recognition <- recognise reader composite ->
           check known composite recognition
       _ -> counterexample "not explored" False
+    exploring = exploration standardSensor (AmongTurns rotations)
 
 -- | A symbol of any class somewhere on a composite of this size, in pixels.
 symbolWithin :: (Int, Int) -> Gen ReadSymbol

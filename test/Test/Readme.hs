@@ -20,6 +20,30 @@ spec = beforeAll (library <$> readText "README.md") $ do
       writeFile (folder </> "Readme.hs") (unlines program)
       cabal ["exec", "-v0", "--", "runghc", folder </> "Readme.hs"]
         `shouldReturn` (ExitSuccess, unlines (indented rest), "")
+  it "as it stands, the program decodes what a sensor of half the pitch felt" $ \text ->
+    inFolder $ \folder -> do
+      let (program, _) = fenced "```haskell" text
+          frames = "data/worked-example/frames"
+          pressing = "probe --object cube --face 'C1 C2 C3 C4' --at 12,44 --upright --seed 7"
+          finer = "--sensor real --frame 32x32 --taxel 0.79375"
+          commands =
+            [ "set -e",
+              "mkdir -p data/worked-example",
+              unwords ["pra-tactile", pressing, finer, "--output", frames, "> log"],
+              "runghc Readme.hs"
+            ]
+      writeFile (folder </> "Readme.hs") (unlines program)
+      (code, out, err) <-
+        cabal
+          [ "exec",
+            "-v0",
+            "--",
+            "sh",
+            "-c",
+            "cd '" ++ folder ++ "'\n" ++ unlines commands
+          ]
+      (code, take 1 (lines out), err)
+        `shouldBe` (ExitSuccess, ["cube, face C1 C2 C3 C4, corner C2"], "")
   it "a package with the lines for cabal.project is planned with these libraries" $
     \text -> inFolder $ \folder -> do
       here <- getCurrentDirectory
@@ -63,6 +87,8 @@ spec = beforeAll (library <$> readText "README.md") $ do
                             "(lib:touch-internal)",
                             "(lib:recognition-internal)",
                             "(lib)",
+                            "(lib:simulation)",
+                            "(lib:formats)",
                             "(lib:files)"
                           ]
   where

@@ -280,13 +280,14 @@ recogniseSpec parts array reader = describe "recognition" $ do
   modifyMaxSuccess (const 40) $
     prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
       forAll (elements (reliefs parts array)) $ \face ->
-        case trial standardSensor rotations standardRegionSize face (mkStdGen seed) of
+        case trial usual face (mkStdGen seed) of
           Nothing -> counterexample "the region does not lie on the face" False
           Just t ->
             case withStitching (runTrial standardTolerance reader standardRegistration t) of
               Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
               _ -> property True
   where
+    usual = exploration standardSensor (AmongTurns rotations) standardRegionSize
     found image = case recognise reader (compositeOf image) of
       Left e -> Left (show e)
       Right recognition -> case recognisedAnswer recognition of

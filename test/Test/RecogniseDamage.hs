@@ -435,9 +435,11 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
                   ( take
                       count
                       ( trials
-                          standardSensor {sensorNoise = noise}
-                          halfTurns
-                          standardRegionSize
+                          ( exploration
+                              standardSensor {sensorNoise = noise}
+                              (AmongTurns halfTurns)
+                              standardRegionSize
+                          )
                           faces
                           77
                       )
@@ -473,7 +475,8 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
         doubts =
           concatMap
             ofParts
-            (catMaybes (take 150 (trials standardSensor rotations (36, 46) faces 78)))
+            (catMaybes (take 150 (trials smaller faces 78)))
+        smaller = exploration standardSensor (AmongTurns rotations) (36, 46)
         expected = sum (map fst doubts)
         wrong = fromIntegral (length (filter snd doubts)) :: Double
     length doubts `shouldSatisfy` (> 300)

@@ -185,8 +185,9 @@ roomSpec = do
             fitting (AmongTurns rotations) size faces seed count
               === all
                 isJust
-                (take count (trials idealSensor rotations size [(f, flat) | f <- faces] seed))
+                (take count (trials (exploring size) [(f, flat) | f <- faces] seed))
   where
+    exploring = exploration idealSensor (AmongTurns rotations)
     flat = HeightMap taxelPitch (constant 0 0 0)
     taxelsOf millimetres = round (millimetres / (127 / 80)) :: Int
     atCorner r = abs (regionRight r) < 1e-9 && abs (regionDown r) < 1e-9

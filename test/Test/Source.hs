@@ -3,20 +3,23 @@ module Test.Source (spec) where
 
 import Control.Exception (IOException, try)
 import Control.Monad (filterM, forM_)
+import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
 import Data.List (isPrefixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile
 import PraTactile.Files
+import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, generate)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
 import PraTactile.Object.Placement (Face (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (faceText, vertexText)
 import PraTactile.Recognise (ReadWindow (..))
-import PraTactile.Sensor.Frame (taxelPitch)
-import PraTactile.Sensor.Manifest (ManifestError (..))
+import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
+import PraTactile.Sensor.Frame (Layout (..), standardLayout, taxelPitch)
+import PraTactile.Sensor.Manifest
 import PraTactile.Source
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
@@ -25,11 +28,13 @@ import System.IO.Error (isPermissionError)
 import System.Posix.Files (setFileMode)
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
+import qualified Test.QuickCheck as QuickCheck
 import Test.Support
 
 spec :: Spec
 spec = do
   describe "a folder as bytes" bytesSpec
+  describe "frames as they are put together" preparedSpec
   describe "a folder on disk" diskSpec
   describe "decoding" decodeSpec
 
@@ -37,48 +42,97 @@ bytesSpec :: Spec
 bytesSpec = do
   it "the frames of the folder of frames are those frames" $
     property $
-      forAll (listOf1 frame) $ \frames ->
-        fmap folderFrames (framesFolder frames) === Right (Right frames)
-  it "chosen frames do not need the images of the others" $
-    fmap
-      length
-      ( chosenFrames
-          (== "b.pgm")
-          (Folder (manifest ["a.pgm", "b.pgm"]) (Map.singleton "b.pgm" flat))
-      )
-      `shouldBe` Right 1
+      forAll (listOf1 genFrame) $ \frames ->
+        fmap folderFrames (folderOf frames) === Right (Right frames)
   it "a name that leads out of the folder is refused, even if there are bytes for it" $
-    [folderFrames (Folder (manifest [name]) (Map.singleton name flat)) | name <- elsewhere]
+    [folderFrames (Folder (listed [name]) (Map.singleton name flat)) | name <- elsewhere]
       `shouldBe` map (Left . ImageElsewhere) elsewhere
-  it "an image that is not there, or none, is refused by its name; so is a manifest" $ do
-    folderFrames (Folder (manifest ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
-    folderFrames (Folder (manifest ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
+  it "an image that is not there, or none, is refused by its name" $ do
+    folderFrames (Folder (listed ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
+    folderFrames (Folder (listed ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
       `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
-    folderFrames (Folder Bytes.empty Map.empty) `shouldBe` Left (ManifestRefused EmptyManifest)
-  it "the images to be read are those in the folder, each once" $ do
-    namedImages (manifest (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
+  it "an image of another size than the manifest says is refused with both" $
+    folderFrames
+      (Folder (listed ["a.pgm"]) {manifestFrame = Just (16, 8)} (Map.singleton "a.pgm" flat))
+      `shouldBe` Left (ImageSize "a.pgm" (16, 16) (16, 8))
+  it "the images to be read are those in the folder, each once" $
+    imagesNamed (listed (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
       `shouldBe` ["b.pgm", "sub/a.pgm"]
-    namedImages (Bytes8.pack "no manifest") `shouldBe` []
   where
     elsewhere = ["../a.pgm", "/a.pgm", "sub/../../a.pgm"]
-    frame = do
-      pose <- Pose <$> number <*> number <*> elements [0, 90, 180, 270]
-      -- Steps of 1/255 pass through an 8-bit image unchanged.
-      values <- vectorOf 256 (choose (0, 255 :: Int))
-      Frame pose
-        <$> number
-        <*> pure (generate 16 16 (\x y -> fromIntegral (values !! (16 * y + x)) / 255))
-        <*> pure taxelPitch
-        <*> pure []
+
+-- | Frames of 16 x 16 taxels whose images pass through 8 bits unchanged.
+genFrame :: Gen Frame
+genFrame = do
+  pose <- Pose <$> number <*> number <*> elements [0, 90, 180, 270]
+  values <- vectorOf 256 (choose (0, 255 :: Int))
+  Frame pose
+    <$> number
+    <*> pure (generate 16 16 (\x y -> fromIntegral (values !! (16 * y + x)) / 255))
+    <*> pure taxelPitch
+    <*> pure []
+  where
     number = choose (-1e3, 1e3)
 
+-- | The folder of frames of the standard sensor.
+folderOf :: [Frame] -> Either String Folder
+folderOf frames = do
+  files <- first show (folderFiles standardLayout 8 frames)
+  let (lists, images) = Map.partitionWithKey (\name _ -> name == manifestName) (Map.fromList files)
+  entries <- traverse (first show . parseManifest) (Map.elems lists)
+  pure (Folder (listing (concat entries)) images)
+
+listed :: [FilePath] -> Manifest
+listed names = listing [Entry name (Pose 0 0 0) 1 | name <- names]
+
 manifest :: [FilePath] -> Bytes.ByteString
-manifest names =
-  Bytes8.pack
-    (unlines ("file,x_mm,y_mm,rotation_deg,force_n" : [name ++ ",0,0,0,1" | name <- names]))
+manifest = renderManifest . manifestEntries . listed
 
 flat :: Bytes.ByteString
 flat = either (const Bytes.empty) (encodePgm Binary) (pgmFromIntensity 255 (constant 16 16 0))
+
+preparedSpec :: Spec
+preparedSpec = do
+  it "as stated, frames are the folder's, along the axes that the manifest states" $
+    forAll ((,) <$> elements (map snd axesNamed) <*> few genFrame) $ \(axes, frames) ->
+      whenRight (folderOf frames) $ \folder ->
+        preparedFrames asStated (alongTheirs axes folder)
+          === Right [frame {framePose = alongAxes axes (framePose frame)} | frame <- frames]
+  it "axes and a pitch that are chosen replace what the manifest states" $
+    forAll ((,) <$> elements (map snd axesNamed) <*> elements (map snd axesNamed)) $
+      \(stated, chosen) -> forAll ((,) <$> choose (0.1, 5) <*> few genFrame) $
+        \(taxel, frames) -> whenRight (folderOf frames) $ \folder ->
+          preparedFrames
+            asStated {preparedAxes = Just chosen, preparedTaxel = Just taxel}
+            (alongTheirs stated folder)
+            === Right
+              [ frame {framePose = alongAxes chosen (framePose frame), frameTaxel = taxel}
+                | frame <- frames
+              ]
+  it "frames are corrected by the calibration, which must be of their size" $
+    forAll genFrame $ \frame -> whenRight (folderOf [frame]) $ \folder -> do
+      let known side =
+            Calibration (constant side side 0.25) (constant side side 2) [(3, 4)]
+          by side = asStated {preparedCalibration = Just (known side)}
+      preparedFrames (by 16) folder
+        === first CalibrationRefused (traverse (corrected (known 16)) [frame])
+        .&&. preparedFrames (by 15) folder
+        === Left (CalibrationRefused (SensorsDiffer (15, 15) (16, 16)))
+  it "an element that reads full scale wherever the sensor is was not felt" $ do
+    let stuck k =
+          Frame (Pose (12.7 * fromIntegral k) 0 0) 1 (generate 16 16 (value k)) taxelPitch []
+        value :: Int -> Int -> Int -> Double
+        value k x y
+          | (x, y) == (5, 2) = 1
+          | otherwise = if even (x + y + k) then 0.2 else 0
+    folder <- right (folderOf (map stuck [0 .. 5]))
+    fmap (map frameDead) (preparedFrames asStated folder) `shouldBe` Right (replicate 6 [(2, 5)])
+    fmap (map frameDead) (folderFrames folder) `shouldBe` Right (replicate 6 [])
+  where
+    -- Too few for elements to be known as stuck.
+    few gen = choose (1, 5) >>= (`vectorOf` gen)
+    alongTheirs axes folder =
+      folder {folderManifest = (folderManifest folder) {manifestAxes = axes}}
 
 diskSpec :: Spec
 diskSpec = do
@@ -88,21 +142,81 @@ diskSpec = do
       Bytes.writeFile (folder </> "other.pgm") flat
       Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
       readFolder folder
-        `shouldReturn` Right
-          (Folder (manifest ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
-      readChosen (const False) folder >>= (`shouldBe` Right Map.empty) . fmap folderImages
+        `shouldReturn` Right (Folder (listed ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
+  it "frames are written and read again, by either manifest; the one in JSON goes first" $
+    inFolder $ \folder ->
+      forM_ [(standardLayout, 8, manifestName), (Layout 16 16 0.8, 8, jsonManifestName)] $
+        \(layout, bits, name) -> do
+          drawn <- QuickCheck.generate (vectorOf 3 genFrame)
+          let frames = [frame {frameTaxel = layoutTaxel layout} | frame <- drawn]
+          files <- right (folderFiles layout bits frames)
+          map fst files `shouldContain` [name]
+          forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
+          found <- readFolder folder >>= right
+          folderFrames found `shouldBe` Right frames
+  it "of more than 8 bits, images have as many grey values as the readings" $
+    inFolder $ \folder -> do
+      let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
+          level k = fromIntegral (135 * k) / 4095
+      files <- right (folderFiles standardLayout 12 [frame])
+      forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
+      found <- readFolder folder >>= right
+      folderFrames found `shouldBe` Right [frame]
   it "each thing that is missing or wrong is told apart" $
     inFolder $ \folder -> do
       problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
       let none = folder </> "none"
+          (csv, json) = (folder </> "manifest.csv", folder </> "manifest.json")
       problem (readFolder none) `shouldReturn` Just (NoSuchFolder none)
-      Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm"])
+      Bytes.writeFile csv (manifest ["a.pgm"])
       problem (readFolder folder) `shouldReturn` Just (NoSuchFile (folder </> "a.pgm"))
-      problem (readFolder (folder </> "manifest.csv"))
-        `shouldReturn` Just (IsFile (folder </> "manifest.csv"))
+      problem (readFolder csv) `shouldReturn` Just (IsFile csv)
       createDirectory (folder </> "a.pgm")
       problem (readFolder folder) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
       problem (readImage (folder </> "a.pgm")) `shouldReturn` Just (IsFolder (folder </> "a.pgm"))
+      Bytes.writeFile csv Bytes.empty
+      problem (readFolder folder) `shouldReturn` Just (ManifestRefused csv EmptyManifest)
+      Bytes.writeFile json Bytes.empty
+      problem (readFolder folder)
+        `shouldReturn` Just (JsonManifestRefused json (JsonRefused NoText))
+  it "paths are sources: folders, images, and the frames of a folder together" $
+    inFolder $ \folder -> do
+      let inside name = folder </> name
+          frames = inside "frames"
+      createDirectory frames
+      forM_ ["a.pgm", "b.pgm", "c.pgm", "other.pgm"] $ \name ->
+        Bytes.writeFile (frames </> name) flat
+      Bytes.writeFile (frames </> "manifest.csv") (manifest ["a.pgm", "b.pgm", "gone.pgm"])
+      Bytes.writeFile (inside "image.pgm") flat
+      found <-
+        sourcePaths
+          [ frames </> "b.pgm",
+            inside "image.pgm",
+            "-",
+            frames,
+            frames </> "other.pgm",
+            frames </> "a.pgm"
+          ]
+      found
+        `shouldBe` Right
+          [ ImagePath (inside "image.pgm"),
+            ImagePath "-",
+            FolderPath frames,
+            ImagePath (frames </> "other.pgm"),
+            FramePaths frames ["b.pgm", "a.pgm"]
+          ]
+      -- In the manifest's order, whatever else it names.
+      readSource (FramePaths frames ["b.pgm", "a.pgm"])
+        `shouldReturn` Right
+          ( FrameFolder
+              (Folder (listed ["a.pgm", "b.pgm"]) (Map.fromList [("a.pgm", flat), ("b.pgm", flat)]))
+          )
+      readSource (ImagePath (inside "image.pgm")) `shouldReturn` Right (WholeImage flat)
+      problem (sourcePaths [inside "image.pgm", inside "none"])
+        `shouldReturn` Just (NoSuchPath (inside "none"))
+      Bytes.writeFile (frames </> "manifest.json") Bytes.empty
+      problem (sourcePaths [frames </> "c.pgm"])
+        `shouldReturn` Just (JsonManifestRefused (frames </> "manifest.json") (JsonRefused NoText))
   it "a file is read if it is no longer than the limit" $
     inFolder $ \folder ->
       forM_ [0 .. 5] $ \size -> forM_ [0 .. 5] $ \limit -> do
@@ -155,8 +269,8 @@ decodeSpec = do
   it "what is no image, and no folder of frames, is an error of its own" $ do
     errorOf (canonicalDecoder >>= (`decodeImage` Bytes8.pack "P7"))
       `shouldBe` Just (FileRefused (NotPgm (Bytes8.pack "P7")))
-    errorOf (canonicalDecoder >>= (`decodeFolder` Folder Bytes.empty Map.empty))
-      `shouldBe` Just (FolderRefused (ManifestRefused EmptyManifest))
+    errorOf (canonicalDecoder >>= (`decodeFolder` Folder (listed ["a.pgm"]) Map.empty))
+      `shouldBe` Just (FolderRefused (ImageAbsent "a.pgm"))
     errorOf (canonicalDecoder >>= (`decodeFrames` []))
       `shouldSatisfy` maybe False (isPrefixOf "FramesRefused" . show)
   where

@@ -1,11 +1,20 @@
--- | Reading folders of frames and images from disk. Only bytes are read here: what they hold is for
--- "PraTactile.Source" to say.
+-- | Reading folders of frames and images from disk. What their bytes hold is for
+-- "PraTactile.Source" and "PraTactile.Format" to say.
 module PraTactile.Files
-  ( -- * Reading
+  ( -- * Folders of frames
     readFolder,
-    readChosen,
-    readImages,
+    hasManifest,
+
+    -- * Images
     readImage,
+
+    -- * Whatever a path holds
+    SourcePath (..),
+    sourcePath,
+    sourcePaths,
+    readSource,
+
+    -- * Bytes
     readUpTo,
     largestInput,
 
@@ -15,31 +24,41 @@ module PraTactile.Files
 where
 
 import Control.Exception (try)
+import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Char (toLower)
+import Data.List (nub)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import GHC.IO.Exception (IOException (..))
-import PraTactile.Source (Folder (..), manifestName, namedImages)
-import System.Directory (doesDirectoryExist, doesPathExist)
-import System.FilePath ((</>))
-import System.IO (IOMode (..), hFileSize, withBinaryFile)
+import PraTactile.Format (FormatError, decodeManifest)
+import PraTactile.Sensor.Manifest
+import PraTactile.Source (Folder (..), Source (..), imagesNamed)
+import System.Directory (doesDirectoryExist, doesFileExist, doesPathExist)
+import System.FilePath (takeDirectory, takeFileName, (</>))
+import System.IO (Handle, IOMode (..), hFileSize, stdin, withBinaryFile)
 import System.IO.Error (isDoesNotExistError, isPermissionError)
 
--- | Why bytes were not read; each names the path.
+-- | Why nothing was read; each names the path.
 data FilesError
   = -- | There is no such file.
     NoSuchFile FilePath
   | -- | There is no such folder.
     NoSuchFolder FilePath
+  | -- | There is neither a file nor a folder of this name.
+    NoSuchPath FilePath
   | -- | It is a folder, where a file is needed.
     IsFolder FilePath
   | -- | It is a file, where a folder is needed.
     IsFile FilePath
-  | -- | The folder holds no manifest ('manifestName').
+  | -- | The folder holds no manifest ('manifestName', 'jsonManifestName').
     NoManifest FilePath
+  | -- | The file is no manifest in the CSV form.
+    ManifestRefused FilePath ManifestError
+  | -- | The file is no manifest in the JSON form.
+    JsonManifestRefused FilePath FormatError
   | -- | The file may not be read.
     NotPermitted FilePath
   | -- | The file, or the folder's images together, is larger than this many bytes.
@@ -53,32 +72,46 @@ data FilesError
 largestInput :: Int
 largestInput = 256 * 1024 * 1024
 
--- | A folder's manifest, and the images that it names. Names that lead out of the folder are not
--- read, nor is anything if the manifest is wrong: 'PraTactile.Source.folderFrames' refuses such a
--- folder and says why.
+-- | A folder's manifest, in its JSON form where there is one, else in its CSV form, and the images
+-- that it names. Names that lead out of the folder are not read:
+-- 'PraTactile.Source.folderFrames' refuses such a folder and says why.
 readFolder :: FilePath -> IO (Either FilesError Folder)
-readFolder = readChosen (const True)
+readFolder = readListed (const True)
 
--- | A folder's manifest, and those images that it names whose names are wanted.
-readChosen :: (FilePath -> Bool) -> FilePath -> IO (Either FilesError Folder)
-readChosen wanted folder = do
+-- | The same of those frames alone whose files' names are wanted.
+readListed :: (FilePath -> Bool) -> FilePath -> IO (Either FilesError Folder)
+readListed wanted folder =
+  readManifest folder `andThen` \manifest -> do
+    let chosen =
+          manifest {manifestEntries = filter (wanted . entryFile) (manifestEntries manifest)}
+    fmap (Folder chosen) <$> readImages folder (imagesNamed chosen)
+
+-- | Whether a folder has a manifest of either form.
+hasManifest :: FilePath -> IO Bool
+hasManifest folder =
+  (||) <$> doesFileExist (folder </> manifestName) <*> doesFileExist (folder </> jsonManifestName)
+
+readManifest :: FilePath -> IO (Either FilesError Manifest)
+readManifest folder = do
+  inJson <- doesFileExist json
   isFolder <- doesDirectoryExist folder
   isSomething <- doesPathExist folder
-  hasManifest <- doesPathExist (folder </> manifestName)
+  inCsv <- doesPathExist csv
   case () of
     _
-      | isFolder && hasManifest ->
-        readUpTo largestInput (folder </> manifestName) >>= either (pure . Left) named
+      | inJson -> parsed (first (JsonManifestRefused json) . decodeManifest) json
+      | isFolder && inCsv -> parsed (first (ManifestRefused csv) . fmap listing . parseManifest) csv
       | isFolder -> pure (Left (NoManifest folder))
       | isSomething -> pure (Left (IsFile folder))
       | otherwise -> pure (Left (NoSuchFolder folder))
   where
-    named manifest = fmap (Folder manifest) <$> readImages wanted folder (namedImages manifest)
+    json = folder </> jsonManifestName
+    csv = folder </> manifestName
+    parsed parser file = (>>= parser) <$> readUpTo largestInput file
 
--- | Those images of a folder, by their names, whose names are wanted.
-readImages ::
-  (FilePath -> Bool) -> FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
-readImages wanted folder = fmap (fmap Map.fromList) . images largestInput . filter wanted
+-- | These images of a folder, by their names.
+readImages :: FilePath -> [FilePath] -> IO (Either FilesError (Map FilePath ByteString))
+readImages folder = fmap (fmap Map.fromList) . images largestInput
   where
     images _ [] = pure (Right [])
     images room (name : names) = do
@@ -93,24 +126,83 @@ readImages wanted folder = fmap (fmap Map.fromList) . images largestInput . filt
 readImage :: FilePath -> IO (Either FilesError ByteString)
 readImage = readUpTo largestInput
 
--- | A file's bytes, if there are not more than so many; of a pipe or a device as well.
+-- | Where a source is.
+data SourcePath
+  = -- | a folder of frames with its manifest
+    FolderPath FilePath
+  | -- | those frames of a folder, by their files' names, as its manifest has them
+    FramePaths FilePath [FilePath]
+  | -- | one image that is a whole composite; @-@ is the standard input
+    ImagePath FilePath
+  deriving stock (Eq, Show)
+
+-- | The path that stands for a source: its file or its folder.
+sourcePath :: SourcePath -> FilePath
+sourcePath source = case source of
+  FolderPath folder -> folder
+  FramePaths folder _ -> folder
+  ImagePath file -> file
+
+-- | Paths as sources: folders and whole images each by itself, in their order; then, folder by
+-- folder, the files that the manifest beside them lists, which belong together. Refuses a path
+-- where nothing is, and a manifest that is none beside a file.
+sourcePaths :: [FilePath] -> IO (Either FilesError [SourcePath])
+sourcePaths paths = do
+  found <- traverse sourceAt paths
+  pure (grouped <$> sequence found)
+  where
+    grouped found =
+      [source | source <- found, not (isFrame source)]
+        ++ [ FramePaths folder (concat [names | FramePaths beside names <- found, beside == folder])
+             | folder <- nub [folder | FramePaths folder _ <- found]
+           ]
+    isFrame source = case source of
+      FramePaths _ _ -> True
+      _ -> False
+
+-- | The source that one path is of.
+sourceAt :: FilePath -> IO (Either FilesError SourcePath)
+sourceAt "-" = pure (Right (ImagePath "-"))
+sourceAt path = do
+  isFolder <- doesDirectoryExist path
+  isFile <- doesFileExist path
+  listed <- hasManifest folder
+  case () of
+    _
+      | isFolder -> pure (Right (FolderPath path))
+      | not isFile -> pure (Left (NoSuchPath path))
+      | listed -> fmap besideOthers <$> readManifest folder
+      | otherwise -> pure (Right (ImagePath path))
+  where
+    folder = takeDirectory path
+    name = takeFileName path
+    besideOthers manifest
+      | name `elem` map entryFile (manifestEntries manifest) = FramePaths folder [name]
+      | otherwise = ImagePath path
+
+-- | What a source holds.
+readSource :: SourcePath -> IO (Either FilesError Source)
+readSource source = case source of
+  FolderPath folder -> fmap FrameFolder <$> readFolder folder
+  FramePaths folder names -> fmap FrameFolder <$> readListed (`elem` names) folder
+  ImagePath file -> fmap WholeImage <$> readImage file
+
+-- | A file's bytes, if there are not more than so many; of a pipe or a device as well. @-@ is the
+-- standard input.
 readUpTo :: Int -> FilePath -> IO (Either FilesError ByteString)
+readUpTo limit "-" = maybe (Left (TooLarge "the standard input" limit)) Right <$> most limit stdin
 readUpTo limit file = do
   isFolder <- doesDirectoryExist file
   if isFolder
     then pure (Left (IsFolder file))
     else do
       outcome <- try (withBinaryFile file ReadMode bytesOf)
-      pure (either (Left . problemOf) id outcome)
+      pure (either (Left . problemOf) (maybe (Left (TooLarge file limit)) Right) outcome)
   where
     bytesOf handle = do
       -- A pipe has no size to be asked for; it is read as far as it may go.
       size <- either unknown id <$> try (hFileSize handle)
-      bytes <-
-        if size > toInteger limit then pure Nothing else Just <$> Lazy.hGet handle (limit + 1)
-      pure $ case bytes of
-        Just whole | Lazy.length whole <= fromIntegral limit -> Right (Lazy.toStrict whole)
-        _ -> Left (TooLarge file limit)
+      if size > toInteger limit then pure Nothing else most limit handle
     unknown :: IOException -> Integer
     unknown _ = 0
     -- The system's own words, without the names of the library's functions.
@@ -122,3 +214,13 @@ readUpTo limit file = do
       | isDoesNotExistError problem = NoSuchFile file
       | isPermissionError problem = NotPermitted file
       | otherwise = Unreadable file (reason (ioe_description problem))
+
+-- | All that there is to be read, if it is not more than so many bytes.
+most :: Int -> Handle -> IO (Maybe ByteString)
+most limit handle = do
+  bytes <- Lazy.hGet handle (limit + 1)
+  pure (if Lazy.length bytes <= fromIntegral limit then Just (Lazy.toStrict bytes) else Nothing)
+
+-- | One reading after the other, if the first succeeds.
+andThen :: IO (Either e a) -> (a -> IO (Either e b)) -> IO (Either e b)
+andThen one next = one >>= either (pure . Left) next

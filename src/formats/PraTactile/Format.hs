@@ -59,6 +59,7 @@ module PraTactile.Format
     decodeCalibration,
     encodeManifest,
     decodeManifest,
+    folderFiles,
 
     -- * Rates and objects
     encodeRates,

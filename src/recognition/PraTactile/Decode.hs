@@ -7,10 +7,19 @@ module PraTactile.Decode
     canonicalDecoder,
 
     -- * Decoding
+    Decoding (..),
+    standardDecoding,
+    decodeSources,
+    sourceComposite,
     decodeFolder,
     decodeImage,
     decodeFrames,
     decodeComposites,
+
+    -- * How frames are put together
+    Stitching (..),
+    standardStitching,
+    nominalStitching,
 
     -- * What can be wrong
     DecodeError (..),
@@ -26,7 +35,8 @@ import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement (Placement, PlacementError)
 import PraTactile.Profile
 import PraTactile.Recognise
-import PraTactile.Registration
+import PraTactile.Registration (Composite, StitchError)
+import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Calibration (withoutStuck)
 import PraTactile.Sensor.Frame (Frame)
 import PraTactile.Shape (Alphabet, ShapeError, paperAlphabet)
@@ -82,26 +92,47 @@ canonicalDecoder = do
   network <- first NetworkRefused shippedNetwork
   decoder canonicalProfile layout alphabet network
 
--- | What the frames of a folder show, stitched with 'standardRegistration' and the noise that
--- they show, by 'standardTolerance'.
--- Refuses what 'folderFrames' and 'stitch' refuse.
-decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
-decodeFolder with folder = first FolderRefused (folderFrames folder) >>= decodeFrames with
+-- | How sources are decoded.
+data Decoding = Decoding
+  { decodingPreparation :: Preparation,
+    decodingStitching :: Stitching,
+    decodingTolerance :: Tolerance
+  }
 
--- | What one PGM file shows that is a whole composite, likewise. Refuses what 'imageComposite'
--- refuses.
+-- | Frames as their manifest has them, put together by 'standardStitching'; answers by
+-- 'standardTolerance'.
+standardDecoding :: Decoding
+standardDecoding = Decoding asStated standardStitching standardTolerance
+
+-- | The composite of a source: the frames of a folder, prepared and put together, or the image that
+-- is one. Refuses what 'preparedFrames', 'stitchedBy' and 'imageComposite' refuse.
+sourceComposite :: Preparation -> Stitching -> Source -> Either DecodeError Composite
+sourceComposite known stitching source = case source of
+  FrameFolder folder ->
+    first FolderRefused (preparedFrames known folder)
+      >>= first FramesRefused . stitchedBy stitching
+  WholeImage bytes -> first FileRefused (imageComposite bytes)
+
+-- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
+decodeSources :: Decoding -> Decoder -> [Source] -> Either DecodeError Recognition
+decodeSources how with sources =
+  traverse (sourceComposite (decodingPreparation how) (decodingStitching how)) sources
+    >>= decodeComposites (decodingTolerance how) with
+
+-- | What the frames of a folder show, by 'standardDecoding'.
+decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
+decodeFolder with folder = decodeSources standardDecoding with [FrameFolder folder]
+
+-- | What one PGM file shows that is a whole composite, likewise.
 decodeImage :: Decoder -> ByteString -> Either DecodeError Recognition
-decodeImage with bytes =
-  first FileRefused (imageComposite bytes) >>= decodeComposites standardTolerance with . pure
+decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 
 -- | What frames show, likewise, elements that are stuck not felt ('withoutStuck'). Refuses what
--- 'stitch' refuses.
+-- 'stitchedBy' refuses.
 decodeFrames :: Decoder -> [Frame] -> Either DecodeError Recognition
 decodeFrames with frames =
-  first FramesRefused (stitch (withNoiseOf felt standardRegistration) felt)
+  first FramesRefused (stitchedBy standardStitching (withoutStuck frames))
     >>= decodeComposites standardTolerance with . pure
-  where
-    felt = withoutStuck frames
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
 decodeComposites :: Tolerance -> Decoder -> [Composite] -> Either DecodeError Recognition

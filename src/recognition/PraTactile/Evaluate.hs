@@ -2,15 +2,20 @@
 -- faces in turn, each decoded with stitching and, from the same frames, with the nominal positions
 -- alone.
 module PraTactile.Evaluate
-  ( -- * A trial
+  ( -- * Whole experiments
+    Experiment (..),
+    standardExperiment,
+    evaluated,
+    assumedStitching,
+    ExperimentError (..),
+
+    -- * A trial
     Trial (..),
-    trial,
-    trials,
     Exploration (..),
     exploration,
     Foreign (..),
-    trialOf,
-    trialsOf,
+    trial,
+    trials,
     fitting,
 
     -- * Its results
@@ -26,22 +31,118 @@ module PraTactile.Evaluate
   )
 where
 
+import Control.Monad (unless)
+import Data.Bifunctor (first)
 import Data.Either (isRight)
 import Data.List (foldl', unfoldr)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isJust)
-import PraTactile.Array (Shape (..))
+import Data.Maybe (catMaybes, fromMaybe, isJust)
+import Data.Traversable (for)
+import PraTactile.Array (PseudorandomArray, Shape (..))
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
-import PraTactile.Registration (Composite, Registration, compositePosition, placeOnly, stitch)
-import PraTactile.Sensor (HeightMap, Sensor, drawSpecimen)
-import PraTactile.Sensor.Frame (Frame)
-import PraTactile.Symmetry (Symmetry)
+import PraTactile.Registration
+  ( Composite,
+    Registration,
+    Way (..),
+    compositePosition,
+    placeOnly,
+    stitch,
+  )
+import PraTactile.Registration.Stitching
+import PraTactile.Relief
+import PraTactile.Sensor (HeightMap, Sensor (..), drawSpecimen, sensorLayout)
+import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
+import PraTactile.Shape (Alphabet, shapes)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)
+
+-- | Which presses are evaluated, and how they are decoded.
+data Experiment = Experiment
+  { -- | how many regions are explored
+    experimentPresses :: Int,
+    experimentSeed :: Int,
+    experimentExploration :: Exploration,
+    -- | the share of presses on what is none of ours: our shapes in an arrangement by chance
+    experimentForeign :: Maybe Double,
+    -- | decoders are told 'experimentForeign' in place of its prior of foreign things
+    experimentTolerance :: Tolerance
+  }
+
+-- | A thousand regions of the usual size with this sensor, on faces that lie upright or turned by
+-- 180 degrees, none foreign; answers by 'standardTolerance'.
+standardExperiment :: Sensor -> Experiment
+standardExperiment sensor =
+  Experiment
+    { experimentPresses = 1000,
+      experimentSeed = 1,
+      experimentExploration = exploration sensor (AmongTurns halfTurns) standardRegionSize,
+      experimentForeign = Nothing,
+      experimentTolerance = standardTolerance
+    }
+
+-- | Why an experiment cannot be made.
+data ExperimentError
+  = -- | A face has no relief.
+    ReliefRefused ReliefError
+  | -- | The presses do not cover the region.
+    PressesRefused ProbeError
+  | -- | A region of this width and height, taxels, does not lie on every face.
+    RegionOffFaces Int Int
+  deriving stock (Eq, Show)
+
+-- | What comes of each press on the array's faces in turn, in their order and each as it is needed.
+evaluated ::
+  KnownField k =>
+  Experiment ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Recogniser k ->
+  Either ExperimentError [TrialResult]
+evaluated experiment alphabet array reader = do
+  faces <- for (laidFaces layout) $ \face ->
+    (,) face <$> first ReliefRefused (relief array layout alphabet face)
+  _ <-
+    first PressesRefused $
+      planScanOf (sensorLayout sensor) (explorationSpacing how) (0, 0) (explorationSize how)
+  unless
+    (fitting (explorationTurns how) (explorationSize how) (map fst faces) seed presses)
+    (Left (uncurry RegionOffFaces (explorationSize how)))
+  pure (map decoded (take presses (catMaybes (trials how faces seed))))
+  where
+    Experiment presses seed said share tolerance = experiment
+    layout = recogniserPlacement reader
+    sensor = explorationSensor said
+    how = said {explorationForeign = others <$> share}
+    others part =
+      Foreign
+        { foreignShare = part,
+          foreignClasses = length (shapes alphabet),
+          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face
+        }
+    decoded t = runTrial weighing reader (registrationFor known (trialFrames t)) t
+    known = assumedStitching sensor
+    weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
+
+-- | What is known of a sensor and its robot when its frames are put together: the position error,
+-- and the noise of a reading at full scale with what frames differ by because their elements do.
+assumedStitching :: Sensor -> Stitching
+assumedStitching sensor =
+  Stitching
+    { stitchingWay = Automatic,
+      stitchingPositionError = sensorPositionError sensor,
+      stitchingNoise = Just assumed
+    }
+  where
+    assumed
+      | slope <= 0 && spread <= 0 = noise
+      | otherwise = sqrt ((noise + slope) ** 2 + (spread / 2) ** 2)
+    noise = sensorNoise sensor
+    slope = sensorNoiseSlope sensor
+    spread = sensorGainSpread sensor
 
 -- | One exploration whose truth is known.
 data Trial = Trial
@@ -77,14 +178,10 @@ data Foreign = Foreign
 exploration :: Sensor -> Turns -> (Int, Int) -> Exploration
 exploration sensor turns size = Exploration sensor (defaultSpacing sensor) turns size Nothing
 
--- | Explore a region of the given size (taxels) at a random place on a face, which lies in one of
--- the given rotations; @Nothing@ if it does not fit.
-trial :: Sensor -> [Symmetry] -> (Int, Int) -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trial sensor = (trialOf .) . exploration sensor . AmongTurns
-
--- | One trial made so. Of a foreign one the face is that whose size and symbols' number it has.
-trialOf :: Exploration -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
-trialOf how (face, heights) generator = do
+-- | Explore a region at a random place on a face; @Nothing@ if it does not fit. Of a foreign trial
+-- the face is that whose size and symbols' number it has.
+trial :: Exploration -> (LaidFace, HeightMap) -> StdGen -> Maybe Trial
+trial how (face, heights) generator = do
   (region, generator1) <-
     drawnRegion (explorationTurns how) (explorationSize how) face generator
   (foreign', pressed, generator2) <- case explorationForeign how of
@@ -122,13 +219,9 @@ ground others (face, heights) generator
 
 -- | Trials on the faces in turn, each with a generator of its own split from the seed, so that any
 -- one can be run alone.
-trials :: Sensor -> [Symmetry] -> (Int, Int) -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trials sensor possible size = trialsOf (exploration sensor (AmongTurns possible) size)
-
--- | The same made so.
-trialsOf :: Exploration -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
-trialsOf how faces seed =
-  zipWith (trialOf how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
+trials :: Exploration -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
+trials how faces seed =
+  zipWith (trial how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
 -- | Whether this many 'trials' all find room on their faces; costs next to nothing beside running
 -- them.

@@ -3,18 +3,20 @@
 module PraTactile.Source
   ( -- * Folders of frames
     Folder (..),
-    manifestName,
-    jsonManifestName,
     imagesNamed,
-    namedImages,
     folderFrames,
-    chosenFrames,
-    manifestFrames,
-    framesFolder,
     frameImages,
+
+    -- * How they are taken
+    Preparation (..),
+    asStated,
+    preparedFrames,
 
     -- * Whole images
     imageComposite,
+
+    -- * Either
+    Source (..),
 
     -- * What can be wrong
     SourceError (..),
@@ -25,30 +27,30 @@ import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Word (Word16)
 import PraTactile.Image (Raster, rasterSize)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), decodePgm, encodePgm, pgmFromIntensity, pgmIntensity)
 import PraTactile.Registration (Composite, compositeOf)
+import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
 import PraTactile.Sensor.Frame (Frame (..))
 import PraTactile.Sensor.Manifest
 import System.FilePath (isAbsolute, splitDirectories)
 import Text.Printf (printf)
 
--- | A folder of frames: the bytes of its manifest and of the images that this names, by their
--- names.
+-- | A folder of frames: what its manifest says, and the bytes of the images that this names, by
+-- their names.
 data Folder = Folder
-  { folderManifest :: ByteString,
+  { folderManifest :: Manifest,
     folderImages :: Map FilePath ByteString
   }
   deriving stock (Eq, Show)
 
 -- | Why a source holds no frames.
 data SourceError
-  = -- | The manifest cannot be read.
-    ManifestRefused ManifestError
-  | -- | The manifest names this file, which is not one of its folder: the path is absolute or has a
+  = -- | The manifest names this file, which is not one of its folder: the path is absolute or has a
     -- @..@ in it.
     ImageElsewhere FilePath
   | -- | The manifest names this file, and it is not among the folder's images.
@@ -58,46 +60,22 @@ data SourceError
     ImageSize FilePath (Int, Int) (Int, Int)
   | -- | The file of this name is no frame.
     ImageRefused FilePath ImageError
+  | -- | The calibration does not correct the frames.
+    CalibrationRefused CalibrationError
   deriving stock (Eq, Show)
 
--- | The name of the manifest in a folder of frames.
-manifestName :: FilePath
-manifestName = "manifest.csv"
-
--- | The name of a manifest in its JSON form.
-jsonManifestName :: FilePath
-jsonManifestName = "manifest.json"
-
 -- | The files that a manifest names, as far as they lie in its folder, each once: those to be read.
--- None if it cannot be read; 'folderFrames' then tells why.
-namedImages :: ByteString -> [FilePath]
-namedImages = either (const []) imagesNamed . parseManifest
-
--- | The same of its entries.
-imagesNamed :: [Entry] -> [FilePath]
-imagesNamed = Set.toAscList . Set.fromList . filter inside . map entryFile
+imagesNamed :: Manifest -> [FilePath]
+imagesNamed = Set.toAscList . Set.fromList . filter inside . map entryFile . manifestEntries
 
 -- | Whether a name stays within the folder that it is relative to.
 inside :: FilePath -> Bool
 inside name = not (isAbsolute name) && ".." `notElem` splitDirectories name
 
--- | All frames of a folder, in the manifest's order. Refuses, naming the file, a manifest and
--- images that cannot be read, names that lead out of the folder, and images that are not there.
+-- | All frames of a folder, in the manifest's order and along its axes. Refuses, naming the file,
+-- images that cannot be read or are not there, and names that lead out of the folder.
 folderFrames :: Folder -> Either SourceError [Frame]
-folderFrames = chosenFrames (const True)
-
--- | The frames of a folder whose file names are wanted; the others' images need not be there.
-chosenFrames :: (FilePath -> Bool) -> Folder -> Either SourceError [Frame]
-chosenFrames wanted folder = do
-  entries <- first ManifestRefused (parseManifest (folderManifest folder))
-  manifestFrames wanted (listing entries) (folderImages folder)
-
--- | The frames of a manifest whose file names are wanted, along its axes, from its images by their
--- names.
-manifestFrames ::
-  (FilePath -> Bool) -> Manifest -> Map FilePath ByteString -> Either SourceError [Frame]
-manifestFrames wanted manifest images =
-  traverse frame (filter (wanted . entryFile) (manifestEntries manifest))
+folderFrames (Folder manifest images) = traverse frame (manifestEntries manifest)
   where
     frame entry = do
       felt <- image (entryFile entry)
@@ -113,15 +91,38 @@ manifestFrames wanted manifest images =
         bytes <- maybe (Left (ImageAbsent name)) Right (Map.lookup name images)
         first (ImageRefused name) (intensities bytes)
 
--- | The folder of these frames, each an 8-bit binary PGM. Refuses what has no such image
--- ('pgmFromIntensity').
-framesFolder :: [Frame] -> Either ImageError Folder
-framesFolder frames = do
-  (entries, images) <- frameImages 255 frames
-  pure (Folder (renderManifest entries) images)
+-- | What is known of frames that their manifest does not say, or says wrongly.
+data Preparation = Preparation
+  { -- | what the manifest's two coordinates are, in place of what it says
+    preparedAxes :: Maybe Axes,
+    -- | the distance of neighbouring taxels in millimetres, likewise
+    preparedTaxel :: Maybe Double,
+    -- | what the frames are corrected by
+    preparedCalibration :: Maybe Calibration
+  }
+  deriving stock (Eq, Show)
+
+-- | Frames as their manifest has them, not corrected.
+asStated :: Preparation
+asStated = Preparation Nothing Nothing Nothing
+
+-- | The frames of a folder as they are put together: prepared, and elements that are stuck not felt
+-- ('withoutStuck'). Refuses what 'folderFrames' refuses, and a calibration that does not fit them.
+preparedFrames :: Preparation -> Folder -> Either SourceError [Frame]
+preparedFrames known folder = do
+  frames <- folderFrames folder {folderManifest = stated}
+  withoutStuck <$> first CalibrationRefused (traverse calibrated frames)
+  where
+    manifest = folderManifest folder
+    stated =
+      manifest
+        { manifestAxes = fromMaybe (manifestAxes manifest) (preparedAxes known),
+          manifestTaxel = fromMaybe (manifestTaxel manifest) (preparedTaxel known)
+        }
+    calibrated = maybe Right corrected (preparedCalibration known)
 
 -- | The entries of these frames in a manifest, and their images as binary PGM files of this maximum
--- value, by their names.
+-- value, by their names. Refuses what has no such image ('pgmFromIntensity').
 frameImages :: Word16 -> [Frame] -> Either ImageError ([Entry], Map FilePath ByteString)
 frameImages top frames = do
   images <- traverse (fmap (encodePgm Binary) . pgmFromIntensity top . frameImage) frames
@@ -129,6 +130,14 @@ frameImages top frames = do
   where
     names = [printf "frame_%03d.pgm" i | i <- [0 .. length frames - 1]]
     entries = [Entry name (framePose f) (frameForce f) | (name, f) <- zip names frames]
+
+-- | What shows one composite.
+data Source
+  = -- | frames that are put together
+    FrameFolder Folder
+  | -- | the bytes of an image that is a whole composite
+    WholeImage ByteString
+  deriving stock (Eq, Show)
 
 -- | The composite that a PGM file is. Refuses what is no PGM.
 imageComposite :: ByteString -> Either ImageError Composite

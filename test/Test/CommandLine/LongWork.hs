@@ -69,7 +69,8 @@ countSpec = do
           $ \(turns, size) -> do
             let faces = laidFaces layout
                 flat = HeightMap 1 (constant 0 0 0)
-                made = take 24 (trials standardSensor turns size [(face, flat) | face <- faces] 5)
+                possible = exploration standardSensor (AmongTurns turns) size
+                made = take 24 (trials possible [(face, flat) | face <- faces] 5)
             (turns, size, fitting (AmongTurns turns) size faces 5 24)
               `shouldBe` (turns, size, all isJust made)
   where
@@ -119,10 +120,10 @@ progressSpec = do
     reverse (take 4 (reverse told)) `shouldBe` "\r\ESC[K"
   it "nothing is told where the standard error is no terminal" $
     inFolder $ \folder -> do
-      (_, _, evaluated) <- pra ["evaluate", "--presses", "6"]
+      (_, _, quiet) <- pra ["evaluate", "--presses", "6"]
       (_, _, tabled) <- pra (words table ++ ["--output", folder </> "table.csv"])
       (_, _, designed) <- pra ["shapes", "--design", "--output", folder </> "shapes.txt"]
-      (evaluated, tabled, designed) `shouldBe` ("", "", "")
+      (quiet, tabled, designed) `shouldBe` ("", "", "")
       doesFileExist (folder </> "table.csv") `shouldReturn` True
   it "a table on a terminal has no bar between its lines" $ do
     told <- readProcess "script" ["-qc", "pra-tactile table", "/dev/null"] ""

@@ -5,15 +5,19 @@
 module PraTactile.Format.Manifest
   ( encodeManifest,
     decodeManifest,
+    folderFiles,
   )
 where
 
 import Data.ByteString (ByteString)
+import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
-import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Image.Error (ImageError)
+import PraTactile.Sensor.Frame (Frame, Layout (..), Pose (..), standardLayout)
 import PraTactile.Sensor.Manifest
+import PraTactile.Source (frameImages)
 
 -- | A manifest on one line, without its end.
 encodeManifest :: Manifest -> ByteString
@@ -24,6 +28,24 @@ encodeManifest = writeLine manifestKeys
 -- that are empty.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
+
+-- | The files of a folder of frames, by their names: its manifest, and images as binary PGM, of a
+-- sensor of this layout whose readings have so many bits, 0 for real numbers. Of the standard
+-- sensor and at most 8 bits the manifest is in its CSV form, else in its JSON form, and images have
+-- as many grey values as the readings. Refuses what 'frameImages' refuses.
+folderFiles :: Layout -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
+folderFiles layout bits frames = do
+  (entries, images) <- frameImages (if bits <= 8 then 255 else 2 ^ bits - 1) frames
+  pure (manifest entries : Map.toList images)
+  where
+    manifest entries
+      | layout == standardLayout && bits <= 8 = (manifestName, renderManifest entries)
+      | otherwise = (jsonManifestName, encodeManifest (listed entries) <> "\n")
+    listed entries =
+      (listing entries)
+        { manifestTaxel = layoutTaxel layout,
+          manifestFrame = Just (layoutColumns layout, layoutRows layout)
+        }
 
 manifestKeys :: Keys Manifest Manifest
 manifestKeys =

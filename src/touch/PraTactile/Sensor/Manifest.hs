@@ -7,6 +7,8 @@ module PraTactile.Sensor.Manifest
     Manifest (..),
     listing,
     Entry (..),
+    manifestName,
+    jsonManifestName,
 
     -- * Axes
     Axes,
@@ -72,6 +74,14 @@ data Manifest = Manifest
 -- any size, straight axes.
 listing :: [Entry] -> Manifest
 listing = Manifest taxelPitch Nothing straight
+
+-- | The name of the manifest in a folder of frames.
+manifestName :: FilePath
+manifestName = "manifest.csv"
+
+-- | The name of a manifest in its JSON form.
+jsonManifestName :: FilePath
+jsonManifestName = "manifest.json"
 
 -- | What the two coordinates of a manifest are: each x to the right or y down, or its negative.
 -- Rotations are clockwise as seen from outside the face, whatever the axes are.

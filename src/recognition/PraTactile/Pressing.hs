@@ -1,0 +1,163 @@
+-- | The simulated sensor pressed on one face of an object, frame by frame, where the truth is
+-- known; and the frames that a sensor is calibrated by.
+module PraTactile.Pressing
+  ( Pressing (..),
+    pressingWith,
+    pressed,
+    darkPresses,
+    flatPresses,
+
+    -- * What cannot be pressed
+    PressError (..),
+  )
+where
+
+import Data.Bifunctor (bimap, first)
+import Data.Maybe (fromMaybe)
+import Data.Tuple (swap)
+import PraTactile.Array (PseudorandomArray)
+import PraTactile.Explore
+import PraTactile.Field (KnownField)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge (FaceName, ObjectName, sameFace)
+import PraTactile.Relief
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), ProbeError, taxelPitch)
+import PraTactile.Shape (Alphabet)
+import PraTactile.Symmetry (exchangesAxes, nearestQuarter)
+import PraTactile.Truth (Truth (..))
+import System.Random (StdGen, mkStdGen, randomR, split)
+
+-- | What is pressed, where and by what.
+data Pressing = Pressing
+  { pressingSensor :: Sensor,
+    -- | the distance of neighbouring presses, in the sensor's taxels
+    pressingSpacing :: Int,
+    -- | of every random draw
+    pressingSeed :: Int,
+    -- | of what differs from one sensor to the next; 'Nothing': 'pressingSeed'
+    pressingSpecimen :: Maybe Int,
+    -- | the face, by its vertices from any of them; 'Nothing': drawn with equal chances
+    pressingFace :: Maybe FaceName,
+    -- | the region's upper left corner, millimetres right of and below the face's upper left
+    -- vertex; 'Nothing': drawn by chance
+    pressingAt :: Maybe (Double, Double),
+    -- | the region's width and height, taxels
+    pressingSize :: (Int, Int),
+    pressingTurns :: Turns,
+    -- | the region's upper left corner in the robot's coordinates, millimetres
+    pressingOrigin :: (Double, Double)
+  }
+
+-- | A sensor with a seed, at its usual spacing, on a region of the usual size anywhere on any face,
+-- which lies upright or turned by 180 degrees.
+pressingWith :: Sensor -> Int -> Pressing
+pressingWith sensor seed =
+  Pressing
+    { pressingSensor = sensor,
+      pressingSpacing = defaultSpacing sensor,
+      pressingSeed = seed,
+      pressingSpecimen = Nothing,
+      pressingFace = Nothing,
+      pressingAt = Nothing,
+      pressingSize = standardRegionSize,
+      pressingTurns = AmongTurns halfTurns,
+      pressingOrigin = (0, 0)
+    }
+
+-- | Why nothing is pressed.
+data PressError
+  = -- | There is no such object.
+    ObjectRefused PlacementError
+  | -- | No face of the object is laid on the array.
+    NoFaceLaid
+  | -- | It has no face of this name; those that it has.
+    NoSuchFace FaceName [LaidFace]
+  | -- | The face has no relief.
+    NoRelief ReliefError
+  | -- | A region of this width and height, millimetres on the face, does not lie on it.
+    RegionOffFace LaidFace (Double, Double)
+  | -- | The presses do not cover the region.
+    NotCovered ProbeError
+  deriving stock (Eq, Show)
+
+-- | The frames of a region of an object's face, in the robot's coordinates, and where that is.
+pressed ::
+  KnownField k =>
+  Pressing ->
+  Alphabet ->
+  PseudorandomArray k ->
+  Placement ->
+  ObjectName ->
+  Either PressError ([Frame], Truth)
+pressed how alphabet array layout object = do
+  _ <- first ObjectRefused (findObject layout object)
+  (face, generator) <-
+    chosenFace [one | one <- laidFaces layout, faceObject (laidFace one) == object]
+  heights <- first NoRelief (relief array layout alphabet face)
+  (region, generator') <- chosenRegion how face generator
+  (frames, _) <-
+    first NotCovered $
+      exploreWith sensor (pressingSpacing how) (specimen how) heights region generator'
+  pure (map moved frames, Truth (laidFace face) region (pressingOrigin how))
+  where
+    sensor = pressingSensor how
+    seeded = mkStdGen (pressingSeed how)
+    chosenFace faces = case (pressingFace how, faces) of
+      (Just name, _)
+        | face : _ <- [one | one <- faces, sameFace (faceName (laidFace one)) name] ->
+          Right (face, seeded)
+        | otherwise -> Left (NoSuchFace name faces)
+      (Nothing, one : others) ->
+        let (i, generator) = randomR (0, length others) seeded
+         in Right (foldr const one (drop i faces), generator)
+      (Nothing, []) -> Left NoFaceLaid
+    moved frame = frame {framePose = movedPose (framePose frame)}
+    movedPose pose =
+      pose
+        { poseX = poseX pose + fst (pressingOrigin how),
+          poseY = poseY pose + snd (pressingOrigin how)
+        }
+
+-- | A region drawn by chance, but where and how it is asked for.
+chosenRegion :: Pressing -> LaidFace -> StdGen -> Either PressError (Region, StdGen)
+chosenRegion how face generator = case drawn of
+  Just (region, generator') | onFace region -> Right (region, generator')
+  _ -> Left (RegionOffFace face (bimap millimetres millimetres size))
+  where
+    drawn = first placed <$> drawnRegion (pressingTurns how) (pressingSize how) face generator
+    placed = maybe id atPlace (pressingAt how)
+    atPlace (x, y) region = region {regionRight = x / taxelPitch, regionDown = y / taxelPitch}
+    onFace region =
+      fits (regionRight region) (fst (regionExtent region)) (spotRight (laidExtent face))
+        && fits (regionDown region) (snd (regionExtent region)) (spotDown (laidExtent face))
+    fits offset side extent =
+      offset >= 0 && taxelPitch * (offset + fromIntegral side) <= fromRational extent + 1e-9
+    size = (if lying then swap else id) (pressingSize how)
+    lying = case pressingTurns how of
+      AmongTurns [symmetry] -> exchangesAxes symmetry
+      TurnedBy degrees -> exchangesAxes (fst (nearestQuarter degrees))
+      _ -> False
+    millimetres taxels = taxelPitch * fromIntegral taxels
+
+-- | So many frames of the sensor that touches nothing.
+darkPresses :: Pressing -> Int -> [Frame]
+darkPresses = untouched darkFrames
+
+-- | So many frames of the sensor whose elements are all pressed alike, to half of full scale.
+flatPresses :: Pressing -> Int -> [Frame]
+flatPresses = untouched flatFrames
+
+untouched :: (Sensor -> Specimen -> Int -> StdGen -> [Frame]) -> Pressing -> Int -> [Frame]
+untouched frames how count = frames (pressingSensor how) (specimen how) count generator
+  where
+    -- Not the draws that the specimen came from.
+    generator = snd (split (mkStdGen (pressingSeed how)))
+
+specimen :: Pressing -> Specimen
+specimen how =
+  fst
+    ( drawSpecimen
+        (pressingSensor how)
+        (mkStdGen (fromMaybe (pressingSeed how) (pressingSpecimen how)))
+    )

@@ -1,0 +1,55 @@
+-- | How frames are put together, by what is known of the robot and of the sensor.
+module PraTactile.Registration.Stitching
+  ( Stitching (..),
+    standardStitching,
+    nominalStitching,
+    registrationFor,
+    assembledBy,
+    stitchedBy,
+  )
+where
+
+import PraTactile.Registration
+import PraTactile.Sensor.Frame (Frame)
+
+-- | What is known beforehand.
+data Stitching = Stitching
+  { -- | how frames are registered
+    stitchingWay :: Way,
+    -- | the standard deviation of each frame's position on both axes, in taxels
+    stitchingPositionError :: Double,
+    -- | the standard deviation of the sensor's noise, as a share of full scale; 'Nothing' where it
+    -- is not known, and taken as the frames show it
+    stitchingNoise :: Maybe Double
+  }
+  deriving stock (Eq, Show)
+
+-- | Position errors of one taxel, whatever noise the frames show.
+standardStitching :: Stitching
+standardStitching = Stitching Automatic 1 Nothing
+
+-- | No correction: every frame lies where its pose has it.
+nominalStitching :: Stitching
+nominalStitching =
+  Stitching Nominal (registrationSigma known) (Just (registrationNoise known))
+  where
+    known = standardRegistration
+
+-- | The settings of registration for these frames. A position error of less than a hundredth of a
+-- taxel is taken as that, because a prior without width cannot be searched.
+registrationFor :: Stitching -> [Frame] -> Registration
+registrationFor known frames = case stitchingNoise known of
+  Just noise -> settings {registrationNoise = noise}
+  Nothing -> withNoiseOf frames settings
+  where
+    sigma = stitchingPositionError known
+    settings =
+      standardRegistration {registrationSigma = if sigma >= 0 then max 0.01 sigma else sigma}
+
+-- | Frames put together so, and how. Refuses what 'assemble' refuses.
+assembledBy :: Stitching -> [Frame] -> Either StitchError Assembly
+assembledBy known frames = assemble (stitchingWay known) (registrationFor known frames) frames
+
+-- | The composite alone.
+stitchedBy :: Stitching -> [Frame] -> Either StitchError Composite
+stitchedBy known = fmap assemblyComposite . assembledBy known

@@ -1,0 +1,177 @@
+-- | What is pressed lies where the truth says, and an experiment is its presses in their order.
+module Test.Recognition.WhereItIsPressed (spec) where
+
+import Data.Maybe (catMaybes)
+import Data.Traversable (for)
+import PraTactile.Array (Surface (Torus))
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Image (Raster)
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Object.WingedEdge
+import PraTactile.Pressing
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Registration.Stitching
+import PraTactile.Relief (relief)
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
+import PraTactile.Shape (paperAlphabet)
+import PraTactile.Symmetry
+import PraTactile.Truth
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck
+import Test.Support
+
+spec :: Spec
+spec = do
+  describe "presses" pressSpec
+  describe "experiments" experimentSpec
+
+pressSpec :: Spec
+pressSpec = do
+  modifyMaxSuccess (const 10) $
+    it "frames are what is felt of the true face where the true region has them" $
+      forAll ((,) <$> choose (1, 99999) <*> elements [(0, 0), (10, -20)]) $ \(seed, origin) ->
+        forAll (elements [AmongTurns halfTurns, TurnedBy 33, AmongTurns [turned 1]]) $ \lying ->
+          let how = (small seed) {pressingTurns = lying, pressingOrigin = origin}
+           in whenRight (pressingOf how "cube") $ \(frames, truth) ->
+                whenRight (feltAt truth) $ \felt ->
+                  map frameImage frames === map (felt . framePose) frames
+  it "the face asked for is pressed, named from any of its vertices, where it is asked for" $
+    property $
+      forAll (elements ["C1 C2 C3 C4", "C3 C4 C1 C2"]) $ \name ->
+        whenRight
+          ( pressingOf
+              (small 1) {pressingFace = Just (readFaceName name), pressingAt = Just (12.7, 40)}
+              "cube"
+          )
+          $ \(_, truth) ->
+            (faceText (faceName (truthFace truth)), regionCorner (truthRegion truth))
+              === ("C1 C2 C3 C4", (12.7, 40))
+  it "each face of the object is drawn, and of no other" $ do
+    let drawn seed = faceName . truthFace . snd <$> pressingOf (small seed) "parallelepiped"
+        layout = either (const []) laidFaces canonicalPlacement
+        own = [laidFace f | f <- layout, faceObject (laidFace f) == ObjectName "parallelepiped"]
+    faces <- right (traverse drawn [1 .. 60])
+    map faceName own `shouldSatisfy` all (`elem` faces)
+    faces `shouldSatisfy` all (`elem` map faceName own)
+  it "a specimen has the same gains in other presses, and another one has others" $ do
+    let gains seed one = map frameImage (flatPresses (spread seed) {pressingSpecimen = one} 1)
+        spread seed = pressingWith idealSensor {sensorGainSpread = 0.2} seed
+    gains 1 (Just 7) `shouldBe` gains 2 (Just 7)
+    gains 2 (Just 7) `shouldSatisfy` (/= gains 2 (Just 8))
+    gains 2 Nothing `shouldBe` gains 1 (Just 2)
+    length (darkPresses (spread 1) 2) `shouldBe` 2
+  it "what cannot be pressed is told apart" $ do
+    problem (pressingOf (small 1) "sphere") `shouldSatisfy` \e -> case e of
+      Just (ObjectRefused _) -> True
+      _ -> False
+    problem (pressingOf (small 1) {pressingFace = Just (readFaceName "C1 C2")} "cube")
+      `shouldSatisfy` \e -> case e of
+        Just (NoSuchFace name _) -> name == readFaceName "C1 C2"
+        _ -> False
+    problem (pressingOf (small 1) {pressingSize = (30, 500)} "cube") `shouldSatisfy` off (30, 500)
+    problem (pressingOf (small 1) {pressingSize = (30, 500), pressingTurns = TurnedBy 90} "cube")
+      `shouldSatisfy` off (500, 30)
+    problem (pressingOf (small 1) {pressingAt = Just (100, 100)} "cube")
+      `shouldSatisfy` off (20, 24)
+    problem (pressingOf (small 1) {pressingSize = (8, 8)} "cube") `shouldSatisfy` \e -> case e of
+      Just (NotCovered _) -> True
+      _ -> False
+  where
+    small seed = (pressingWith idealSensor seed) {pressingSize = (20, 24)}
+    problem = either Just (const Nothing)
+    off (w, h) e = case e of
+      Just (RegionOffFace _ size) -> size == (1.5875 * w, 1.5875 * h)
+      _ -> False
+
+-- | What is pressed of an object of the paper's.
+pressingOf :: Pressing -> String -> Either PressError ([Frame], Truth)
+pressingOf how object =
+  case (,) <$> shown canonicalPlacement <*> shown paperAlphabet of
+    Right (layout, alphabet) ->
+      either
+        (const (Left NoFaceLaid))
+        id
+        ( withProfile canonicalProfile $ \array _ ->
+            pressed how alphabet array layout (ObjectName object)
+        )
+    Left _ -> Left NoFaceLaid
+
+-- | What the ideal sensor feels of the true face at a pose in the robot's coordinates.
+feltAt :: Truth -> Either String (Pose -> Raster)
+feltAt truth = do
+  layout <- shown canonicalPlacement
+  alphabet <- shown paperAlphabet
+  face <-
+    maybe (Left "no such face") Right $
+      lookup (truthFace truth) [(laidFace one, one) | one <- laidFaces layout]
+  heights <-
+    shown (withProfile canonicalProfile (\array _ -> relief array layout alphabet face)) >>= shown
+  let (x, y) = truthOrigin truth
+      onFace pose =
+        move
+          (regionMotion (truthRegion truth))
+          pose {poseX = poseX pose - x, poseY = poseY pose - y}
+  pure (forwardImage idealSensor heights . onFace)
+
+shown :: Show e => Either e a -> Either String a
+shown = either (Left . show) Right
+
+experimentSpec :: Spec
+experimentSpec = do
+  it "as many results as presses, each that of the trial with its number" $
+    withParts $ \alphabet layout net -> do
+      let made array mask = do
+            reader <- shown (recogniser Torus array mask layout alphabet net)
+            faces <- for (laidFaces layout) $ \face ->
+              (,) face <$> shown (relief array layout alphabet face)
+            found <- shown (evaluated experiment alphabet array reader)
+            let one t =
+                  runTrial
+                    standardTolerance
+                    reader
+                    (registrationFor (assumedStitching standardSensor) (trialFrames t))
+                    t
+                how = experimentExploration experiment
+            pure (found, map one (take 3 (catMaybes (trials how faces 5))))
+          experiment =
+            (standardExperiment standardSensor) {experimentPresses = 3, experimentSeed = 5}
+      (found, wanted) <- right (shown (withProfile canonicalProfile made) >>= id)
+      found `shouldBe` wanted
+  it "a region that lies on no face, and one below the sensor, are refused" $
+    withParts $ \alphabet layout net -> do
+      let refused size =
+            shown $
+              withProfile canonicalProfile $ \array mask -> do
+                reader <- shown (recogniser Torus array mask layout alphabet net)
+                pure (evaluated (over size) alphabet array reader)
+          over size =
+            (standardExperiment standardSensor)
+              { experimentExploration =
+                  exploration standardSensor (AmongTurns halfTurns) size
+              }
+          cause = either (const "parts") (either (const "parts") (either name (const "none")))
+          name e = case e of
+            RegionOffFaces w h -> show (w, h)
+            PressesRefused _ -> "presses"
+            ReliefRefused _ -> "relief"
+      map (cause . refused) [(500, 20), (4, 4)] `shouldBe` ["(500,20)", "presses"]
+  it "the noise of a sensor is that at full scale, with what its elements differ by" $ do
+    let known sensor = stitchingNoise (assumedStitching sensor)
+    known idealSensor {sensorNoise = 0.25, sensorNoiseSlope = 0, sensorGainSpread = 0}
+      `shouldBe` Just 0.25
+    known idealSensor {sensorNoise = 0.125, sensorNoiseSlope = 0.25, sensorGainSpread = 1}
+      `shouldBe` Just 0.625
+    stitchingPositionError (assumedStitching standardSensor {sensorPositionError = 1.5})
+      `shouldBe` 1.5
+  where
+    withParts check = do
+      alphabet <- right paperAlphabet
+      layout <- right canonicalPlacement
+      net <- right shippedNetwork
+      check alphabet layout net :: Expectation
