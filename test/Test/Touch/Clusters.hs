@@ -1,9 +1,12 @@
--- | Symbols arranged in clusters, stated once more from what the lattice is: each symbol in the
--- cell that the shortest way from neighbour to neighbour leads to, and what contradicts that.
+-- | Symbols arranged in clusters, by what makes an arrangement right: wherever chains from
+-- neighbour to neighbour lead to one cell of its own for each symbol, it is in that; where they do
+-- not, the contradiction is one.
 module Test.Touch.Clusters (spec) where
 
-import Data.List (nub, sortOn)
+import Data.List (minimumBy, nub, sort)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import Data.Ord (comparing)
 import PraTactile.Image (constant)
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Segmentation.Lattice
@@ -17,8 +20,10 @@ spec =
     . it "are what chains of neighbours connect, by the shortest chains, or how these contradict"
     $ forAllShrink (oneof [genSymbols, genRoads]) (shrinkList (const [])) $
       \symbols ->
-        let found = arrange image symbols
-         in label (unwords (nub (map kind found))) (found === defined symbols)
+        let numbered = zip [0 ..] symbols
+            found = arrange (image . snd) numbered
+         in counterexample (show found) $
+              label (unwords (nub (map kind found))) (lawful numbered found)
   where
     kind cluster = case cluster of
       Cluster _ -> "cluster"
@@ -60,49 +65,63 @@ genRoads = do
   places <- shuffle ((0, 0) : long ++ short ++ others)
   pure [((right' * x, down * y), 0) | (x, y) <- drop gone places]
 
-defined :: [Symbol] -> [Cluster Symbol]
-defined symbols = clusters (zip [0 :: Int ..] (sortOn (\((x, y), _) -> (y, x)) symbols))
+-- | A symbol with its number among those given.
+type Numbered = (Int, Symbol)
+
+-- | What holds of the clusters of some symbols.
+lawful :: [Numbered] -> [Cluster Numbered] -> Property
+lawful symbols found =
+  conjoin
+    [ counterexample "each symbol is in one cluster" $
+        sort (concatMap members found) === sort symbols,
+      counterexample "clusters are what chains of neighbours connect, and nothing else is" $
+        sort (map (sort . members) found) === sort (map sort (chains symbols)),
+      counterexample "they are told from top to bottom and left to right of their first symbols" $
+        let firsts = map (minimum . map inOrder . members) found in firsts === sort firsts,
+      conjoin (map agrees found)
+    ]
   where
-    clusters [] = []
-    clusters (start : others) =
-      let (members, conflict) = reached [start] [(start, (0, 0))] Nothing
-          rest = [s | s <- others, fst s `notElem` map (fst . fst) members]
-          inOrder = map snd (sortOn fst (map fst members))
-       in cluster members inOrder conflict : clusters rest
-      where
-        -- Those whose neighbours were not looked at yet, the cells so far, and what contradicts.
-        reached [] members conflict = (members, conflict)
-        reached (here : queue) members conflict =
-          let cell = head' [c | (s, c) <- members, fst s == fst here]
-              beside =
-                [ (s, (fst cell + di, snd cell + dj))
-                  | s <- start : others,
-                    Just (di, dj) <- [neighbour (image (snd here)) (image (snd s))]
-                ]
-              new = [b | b@(s, _) <- beside, fst s `notElem` map (fst . fst) members]
-              twice =
-                [ TwoCells (snd s) c c'
-                  | (s, c') <- beside,
-                    (s', c) <- members,
-                    fst s == fst s',
-                    c /= c'
-                ]
-           in reached (queue ++ map fst new) (members ++ new) (conflict `orFirst` twice)
-        orFirst Nothing (c : _) = Just c
-        orFirst c _ = c
-    cluster members inOrder conflict = case (conflict, shared) of
-      (Just c, _) -> Contradiction c inOrder
-      (Nothing, c : _) -> Contradiction c inOrder
-      (Nothing, []) ->
-        Cluster
-          ( Map.fromList
-              [((i - least fst, j - least snd), snd s) | (s, (i, j)) <- members]
-          )
-      where
-        least part = minimum (map (part . snd) members)
-        shared =
-          [ SharedCell c a b
-            | c <- Map.keys (Map.fromList [(c, ()) | (_, c) <- members]),
-              a : b : _ <- [map snd (sortOn fst [s | (s, c') <- members, c' == c])]
-          ]
-    head' = foldr const (0, 0)
+    members cluster = case cluster of
+      Cluster cells -> Map.elems cells
+      Contradiction _ those -> those
+    inOrder (n, ((x, y), _)) = (y, x, n)
+    chains [] = []
+    chains (s : rest) =
+      let own = grown [s] rest in own : chains [t | t <- rest, t `notElem` own]
+    grown own rest = case [t | t <- rest, any (isJust . stepTo t) own] of
+      [] -> own
+      new -> grown (own ++ new) [t | t <- rest, t `notElem` new]
+    stepTo t s = neighbour (image (snd s)) (image (snd t))
+    -- The cells to which chains of so many steps lead from the first symbol.
+    byLengthOf those =
+      let start = minimumBy (comparing inOrder) those
+          further reached =
+            nub
+              [ (t, (i + di, j + dj))
+                | (s, (i, j)) <- reached,
+                  t <- those,
+                  Just (di, dj) <- [stepTo t s]
+              ]
+       in take (length those + 1) (iterate further [(start, (0, 0))])
+    agrees cluster =
+      let those = members cluster
+          byLength = byLengthOf those
+          reached = nub (concat byLength)
+          twice = [s | s <- those, length [() | (t, _) <- reached, t == s] > 1]
+          shared = [c | (s, c) <- reached, (t, c') <- reached, s < t, c == c']
+          -- The cells of the shortest chains to a symbol.
+          shortest s = take 1 (filter (not . null) [[c | (t, c) <- r, t == s] | r <- byLength])
+       in case cluster of
+            Cluster cells ->
+              counterexample "no chains contradict, and each symbol is where they lead" $
+                null twice && null shared
+                  .&&. sort [(s, c) | (c, s) <- Map.toList cells]
+                  === sort [(s, (i - least fst, j - least snd)) | (s, (i, j)) <- reached]
+              where
+                least part = minimum (map (part . snd) reached)
+            Contradiction (TwoCells s a b) _ ->
+              counterexample "two chains lead to two cells, the shorter to the first" $
+                a /= b && (s, b) `elem` reached && any (a `elem`) (shortest s)
+            Contradiction (SharedCell c s t) _ ->
+              counterexample "no chains contradict, and two symbols are in one cell" $
+                null twice && inOrder s < inOrder t && all (`elem` reached) [(s, c), (t, c)]

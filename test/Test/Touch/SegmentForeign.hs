@@ -2,11 +2,10 @@
 -- how high symbols stand, and what is foreign beside them: each against its definition.
 module Test.Touch.SegmentForeign (spec) where
 
-import Data.List (nub, sort, sortOn)
-import Data.Maybe (fromMaybe)
+import Data.List (nub, sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (Composite (..), compositeOf)
-import PraTactile.Composite.Level (Levels (..), levels)
+import PraTactile.Composite.Level (Levels (..))
 import PraTactile.Image hiding (mean)
 import PraTactile.Segmentation.Foreign
 import PraTactile.Segmentation.Foreign.Extent
@@ -23,7 +22,7 @@ spec = do
   modifyMaxSuccess (const 100) sizeSpec
   straightSpec
   modifyMaxSuccess (const 40) heightSpec
-  modifyMaxSuccess (const 60) foreignSpec
+  foreignSpec
   modifyMaxSuccess (const 50) removedSpec
 
 wide, high :: Int
@@ -41,6 +40,10 @@ regionOf holds =
       x <- [0 .. wide - 1],
       holds (fromIntegral x, fromIntegral y)
   ]
+
+-- | The pixels of a rectangle: its left column and top row, its width and height.
+rectangle :: (Int, Int) -> (Int, Int) -> Region
+rectangle (l, t) (w, h) = [y * wide + x | y <- [t .. t + h - 1], x <- [l .. l + w - 1]]
 
 -- | A bar of that length and width around a place, turned clockwise by so many degrees.
 bar :: (Double, Double) -> Double -> (Double, Double) -> (Double, Double) -> Bool
@@ -73,14 +76,13 @@ sizeSpec = do
           wanted = length region `elem` [24 .. 110] && any (fits . (5 *)) [0 .. 35]
        in collect wanted (symbolSized field region === wanted)
   it "it is unlike symbols if it is too long, or whole, of 36 pixels or more and not of that size" $
-    forAll genBar $ \region ->
-      let inside p = p `mod` wide `elem` [1 .. wide - 2] && p `div` wide `elem` [1 .. high - 2]
-          wanted =
-            tooLong field region
-              || length region >= 36
-              && all inside region
-              && not (symbolSized field region)
-       in collect wanted (unlikeSymbols field region === wanted)
+    [ ((l, t, w, h), unlikeSymbols field (rectangle (l, t) (w, h)))
+      | (l, t, w, h) <-
+          [(12, 9, 6, 6), (12, 9, 10, 10), (9, 9, 19, 2), (9, 9, 19, 1), (0, 0, 19, 1)]
+            ++ [(12, 9, 5, 7), (12, 9, 8, 12), (12, 9, 12, 8), (9, 9, 18, 1)]
+            ++ [(0, 9, 6, 6), (wide - 6, 9, 6, 6), (12, 0, 6, 6), (12, high - 6, 6, 6)]
+    ]
+      `shouldSatisfy` ((== replicate 5 True ++ replicate 8 False) . map snd)
   it "what lies at what was not touched is not whole" $
     -- A square of 6 x 6 with an untouched pixel beside it.
     forAll (elements [(9, 10), (16, 10), (12, 8), (12, 15)]) $ \(x, y) ->
@@ -181,12 +183,6 @@ genComposite = do
       coverage x y = if touched !! (y * wide + x) then 1 else 0
   pure (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
 
--- | The element of a rank, from 0 to 1, of some; 0 of none.
-rankOf :: Double -> [Double] -> Double
-rankOf rank values = case drop (floor (rank * fromIntegral (length values))) (sort values) of
-  v : _ -> v
-  [] -> 0
-
 -- | Of some pixels those that are none of others.
 without :: Masked -> [Int] -> [Int] -> [Int]
 without scene others = filter (not . (around scene 0 others V.!))
@@ -213,52 +209,60 @@ heightSpec = do
         n <- [11, 12]
     ]
       `shouldSatisfy` \found -> map (fmap length) found == [Nothing, Just 1]
-  it "symbols stand as high as the middle of what is of their size where it is cut at half height" $
-    forAllBlind genScene $ \scene -> forAll (elements [0, 0.01, 0.05]) $ \noise ->
-      let wanted = defined scene noise
+  it "symbols stand as high as the middle of them, above what lies around them" $
+    forAll (vectorOf 3 (choose (0.4, 0.6))) $ \heights -> forAll (choose (0, 0.09)) $ \noise ->
+      let pixels = raised 0.25 (zip places heights)
+       in case symbolLevels pixels noise of
+            Just (Levels low up, symbols) ->
+              (low, sort (map sort symbols)) === (0.25, sort places)
+                .&&. counterexample (show up) (abs (up - 0.25 - sort heights !! 1) < 1e-9)
+            Nothing -> property False
+  it "what is more than 1.6 times or less than half as high as most is none of them" $ do
+    let found other =
+          length . snd <$> symbolLevels (raised 0 (zip places [0.5, 0.5, other])) 0
+    map found [0.26, 0.24, 0.79, 0.81] `shouldBe` [Just 3, Just 2, Just 3, Just 2]
+  it "what is not of their size has no part in it, however high" $ do
+    let bars = [(rectangle (2, 17) (30, 3), 1), (rectangle (4, 23) (4, 4), 0.9)]
+        pixels = raised 0.25 (zip (take 2 places) [0.5, 0.5] ++ bars)
+    fmap (sort . map sort) <$> symbolLevels pixels 0
+      `shouldBe` Just (Levels 0.25 0.75, take 2 places)
+  it "a symbol must stand four times as high as the noise, and two steps of 8 bits" $ do
+    let one height noise = maybe 0 (length . snd) (symbolLevels (raised 0 [(p, height)]) noise)
+        p = rectangle (12, 9) (8, 12)
+    [one 0.5 0.1249, one 0.5 0.1251, one (2.01 / 255) 0, one (1.99 / 255) 0]
+      `shouldBe` [1, 0, 1, 0]
+  it "of what shares pixels, that is one which is cut off nearest to half its height" $ do
+    -- Of a symbol's size with its shoulder, too.
+    let own = rectangle (12, 9) (8, 12)
+        shoulder = rectangle (20, 9) (1, 12)
+    fmap (map sort) <$> symbolLevels (raised 0 [(own, 1), (shoulder, 0.3)]) 0
+      `shouldBe` Just (Levels 0 1, [own])
+  it "nothing is a symbol that has its size only far from half its height" $ do
+    -- On a plateau too large for one.
+    let plateau h =
+          raised 0 [(rectangle (12, 9) (8, 12), 1 - h), (rectangle (10, 9) (12, 12), h)]
+    [length . snd <$> symbolLevels (plateau h) 0 | h <- [0.65, 0.75]] `shouldBe` [Just 1, Nothing]
+  it "a symbol is as high as the lowest of the highest three tenths of its pixels" $ do
+    let ridges n =
+          raised 0 [(rectangle (12, 9) (8, 12), 0.75), (take n (rectangle (12, 9) (8, 12)), 0.25)]
+        height n = levelEmbossing . fst <$> symbolLevels (ridges n) 0
+    map height [28, 29] `shouldBe` [Just 0.75, Just 1]
+  it "at twice the gain all is twice as high, and the same are symbols" $
+    forAllBlind genScene $ \scene -> forAll (elements [0.01, 0.05]) $ \noise ->
+      let doubled = scene {maskedValues = V.map (2 *) (maskedValues scene)}
+          twice (Levels a b, symbols) = (Levels (2 * a) (2 * b), symbols)
           found = symbolLevels scene noise
-          numbers (Levels a b, symbols) = (a, b, map sort symbols)
-       in label (maybe "none" (show . length . snd) wanted) $
-            fmap numbers found === fmap numbers wanted
+       in label (maybe "none" (show . length . snd) found) $
+            symbolLevels doubled (2 * noise) === fmap twice found
   where
-    defined scene noise
-      | null found = Nothing
-      | otherwise = Just (Levels low (low + usual), [region | (_, (region, _, _)) <- alike])
-      where
-        found = apart (sortOn fst (concatMap cut [1 .. 23]))
-        touched = V.toList (V.ifilter (\p _ -> maskedTouched scene V.! p) (maskedValues scene))
-        cut :: Int -> [(Double, (Region, Double, Double))]
-        cut k =
-          let (bottom, top) = (minimum touched, maximum touched)
-              height = bottom + (top - bottom) * fromIntegral k / 24
-           in [ (misfit, (region, floor', up))
-                | not (null touched),
-                  gap <- [0, 2],
-                  region <- components scene gap (touchedWhere (>= height) scene),
-                  symbolSized scene region,
-                  -- What lies three pixels from it, and is no nearer.
-                  let ring = without scene (grown scene 2 region) (grown scene 3 region),
-                  let beyond = [maskedValues scene V.! p | p <- ring, maskedTouched scene V.! p],
-                  length beyond >= 12,
-                  let floor' = rankOf 0.5 beyond,
-                  let up = rankOf 0.7 (map (maskedValues scene V.!) region),
-                  up - floor' >= max (2 / 255) (4 * noise),
-                  let misfit = abs (height - (floor' + up) / 2) / (up - floor'),
-                  misfit < 0.2
-              ]
-        -- Of those that share pixels the one that is cut nearest to half its height.
-        apart [] = []
-        apart (c@(_, (region, _, _)) : rest) =
-          c : apart [d | d@(_, (other, _, _)) <- rest, not (any (`elem` region) other)]
-        usual = rankOf 0.5 [up - low' | (_, (_, low', up)) <- found]
-        alike =
-          [ c
-            | c@(_, (_, low', up)) <- found,
-              let ratio = (up - low') / usual,
-              ratio > 0.5,
-              ratio < 1.6
-          ]
-        low = rankOf 0.5 [low' | (_, (_, low', _)) <- alike]
+    places = [rectangle (4, 1) (8, 12), rectangle (21, 1) (8, 12), rectangle (4, 17) (8, 12)]
+
+-- | A field of that level with some regions above it by so much.
+raised :: Double -> [(Region, Double)] -> Masked
+raised level regions =
+  field {maskedValues = V.generate (wide * high) (\p -> level + sum (heights p))}
+  where
+    heights p = [h | (region, h) <- regions, p `elem` region]
 
 foreignSpec :: Spec
 foreignSpec = do
@@ -267,72 +271,107 @@ foreignSpec = do
       | n <- [11, 12]
     ]
       `shouldBe` [0, 1]
-  it "foreign is what is too long and too high, what is straight and long, and what is sunk" $
-    forAllBlind genScene $ \scene -> forAll (choose (0.05, 0.5)) $ \contrast' ->
-      forAll (listOf (elements [0 .. wide * high - 1])) $ \pixels ->
-        let -- The levels of symbols, and where these are.
-            (low, symbols) = (0.3, [take 60 (grown scene 3 [p]) | p <- take 2 pixels])
-            found = foreignIn scene (Levels low (low + contrast')) symbols
-            kept = grown scene 1 (concat symbols)
-            free holds share =
-              [ p
-                | p <- [0 .. wide * high - 1],
-                  maskedTouched scene V.! p,
-                  holds (maskedValues scene V.! p) (low + share * contrast')
-              ]
-            parts = components scene 0 . without scene kept
-            rim by region = without scene kept (grown scene by region)
-            tall = map (rim 2) (filter (tooLong scene) (parts (free (>=) 1.5)))
-            level = without scene (concat tall) (free (>=) 0.35)
-            raised = concatMap (straight scene) (filter (tooLong scene) (parts level))
-            sunk = filter ((>= 12) . length) (parts (free (<=) (-0.35)))
-            wanted =
-              [(sort r, TooLarge, True) | r <- tall]
-                ++ [(sort (rim 1 r), TooLarge, False) | r <- raised]
-                ++ [(sort (rim 2 r), Hollow, True) | r <- sunk]
-         in collect (map length [tall, raised, sunk]) $
-              [(sort (strangePixels s), strangeCause s, strangeHeight s) | s <- found] === wanted
+  it "a bar is foreign from 0.35 of the symbols' height on, as high as none from 1.5 on" $
+    [ [(cause, height, of' region) | (region, cause, height) <- foreign' [(bar', v)] []]
+      | v <- [0.34, 0.35, 1, 1.49, 1.5, 3],
+        -- With a rim of one pixel at least and of two at most.
+        let of' region = all (`elem` region) (grown field 1 bar') && all (`elem` rim2) region
+    ]
+      `shouldBe` [[]]
+      ++ replicate 3 [(TooLarge, False, True)]
+      ++ replicate 2 [(TooLarge, True, True)]
+  it "what is no longer than a symbol is not, nor what of it is not straight" $ do
+    foreign' [(rectangle (7, 10) (17, 3), 1), (rectangle (7, 20) (12, 8), 2)] [] `shouldBe` []
+    -- A square of 8 x 8 under the end of the bar, on lines through both but for its far side.
+    case foreign' [(bar', 1), (rectangle (7, 13) (8, 8), 1)] [] of
+      [(region, TooLarge, False)] -> do
+        filter (`notElem` region) bar' `shouldBe` []
+        filter (`elem` region) (rectangle (7, 19) (8, 2)) `shouldBe` []
+      other -> expectationFailure (show other)
+  it "what is sunk by 0.35 of the symbols' height is foreign, of any shape" $
+    [foreign' [(rectangle (9, 9) (4, 3), v)] [] | v <- [-0.34, -0.35, -2]]
+      `shouldBe` [ [],
+                   [(rectangle (7, 7) (8, 7), Hollow, True)],
+                   [(rectangle (7, 7) (8, 7), Hollow, True)]
+                 ]
+  it "what is a symbol's, or lies at its rim, is not" $ do
+    let symbol = rectangle (10, 14) (8, 12)
+        kept = rectangle (9, 13) (10, 14)
+    foreign' [(bar', 2), (symbol, 1)] [symbol]
+      `shouldBe` [([p | p <- rim2, p `notElem` kept], TooLarge, True)]
+    foreign' [(symbol, 2)] [symbol] `shouldBe` []
+  it "the slope of what is too high is told with it, not once more" $
+    foreign' [(bar', 1.5), (rectangle (6, 9) (22, 5), 0.5)] []
+      `shouldBe` [(rim2, TooLarge, True)]
+  it "the high ones are told first, then the level ones, then the sunk ones" $
+    map
+      (\(_, cause, height) -> (cause, height))
+      ( foreign'
+          [ (rectangle (3, 2) (4, 4), -1),
+            (rectangle (3, 10) (24, 3), 1),
+            (rectangle (3, 20) (24, 3), 2)
+          ]
+          []
+      )
+      `shouldBe` [(TooLarge, True), (TooLarge, False), (Hollow, True)]
+  where
+    bar' = rectangle (7, 10) (20, 3)
+    rim2 = rectangle (5, 8) (24, 7)
+    -- The foreign regions of a field at 0, where symbols are at 1.
+    foreign' regions symbols =
+      [ (sort (strangePixels s), strangeCause s, strangeHeight s)
+        | s <- foreignIn (raised 0 regions) (Levels 0 1) symbols
+      ]
 
 removedSpec :: Spec
-removedSpec =
-  it "what is foreign is taken out where there is something unlike symbols, beside symbols" $
-    forAllBlind (oneof [genComposite, genHole]) $ \composite ->
-      let scene = smoothed (masked composite)
-          noise = 6 / 16 * pixelNoise (masked composite)
-          found = do
-            Levels low high' <- levels noise (touchedValues scene)
-            let at share = low + share * (high' - low)
-                those holds share = components scene 0 (touchedWhere (`holds` at share) scene)
-                strange =
-                  any (unlikeSymbols scene) (those (>=) 0.5)
-                    || any ((>= 12) . length) (those (<=) (-0.35))
-            (own, symbols) <- symbolLevels scene noise
-            if strange then Just (foreignIn scene own symbols) else Nothing
-          wanted = case found of
-            Just strange@(_ : _) ->
-              Cleaned
-                (blanked composite (concatMap strangePixels strange))
-                (Just (blanked composite (concatMap strangePixels (filter strangeHeight strange))))
-                [Reject (regionBox scene (strangePixels s)) (strangeCause s) | s <- strange]
-            _ -> Cleaned composite Nothing []
-       in label (maybe "none" (show . length) found) (cleaned composite === wanted)
+removedSpec = do
+  it "a bar, a hole or a plateau beside a symbol is taken out with its rim, and nothing else" $
+    forAll (elements things) $ \(thing, value, cause, height) -> forAll (choose (0, 0.3)) $ \low ->
+      let picture = drawn low [(symbol, 0.4), (thing, value)]
+          composite = compositeOf picture
+          Cleaned found forParts rejects = cleaned composite
+          image = compositeImage found
+          gone = [p | (p, 0) <- zip [0 ..] (V.toList (rasterValues (compositeCoverage found)))]
+       in conjoin
+            [ counterexample "all of it" $ filter (`notElem` gone) thing === [],
+              counterexample "with no more than four pixels around it" $
+                filter (`notElem` grown field 4 thing) gone === [],
+              counterexample "none of the symbol" $ filter (`elem` gone) symbol === [],
+              counterexample "what is taken out counts as flat, the rest stays" $
+                V.toList (rasterValues image)
+                  === [ if p `elem` gone then 0 else v
+                        | (p, v) <- zip [0 ..] (V.toList (rasterValues picture))
+                      ],
+              counterexample "parts are read where it is as high as symbols" $
+                forParts === Just (if height then found else composite),
+              case rejects of
+                [Reject (l, t, r, b) why] ->
+                  why === cause
+                    .&&. [l, t, r, b]
+                    === [ minimum (columnsOf gone) - 0.5,
+                          minimum (rowsOf gone) - 0.5,
+                          maximum (columnsOf gone) + 0.5,
+                          maximum (rowsOf gone) + 0.5
+                        ]
+                _ -> counterexample (show rejects) False
+            ]
+  it "without a symbol beside it nothing is" $
+    forAll (elements things) $ \(thing, value, _, _) ->
+      let composite = compositeOf (drawn 0.2 [(thing, value)])
+       in cleaned composite === Cleaned composite Nothing []
+  it "a hole of which a dozen pixels lie deep is, a lesser one is noise" $ do
+    let taken w h = length (cleanedRejects (cleaned (holed (rectangle (24, 14) (w, h)))))
+        holed hole = compositeOf (drawn 0.5 [(symbol, 0.4), (hole, -0.5)])
+    [taken 1 1, taken 2 2, taken 4 3, taken 5 5] `shouldBe` [0, 0, 1, 1]
   where
-    -- A symbol, and a hole of about as many pixels as count.
-    genHole = do
-      (w, h) <- (,) <$> choose (1, 6) <*> choose (1, 3)
-      depth <- elements [0.5, 0.7, 1, 3]
-      let symbol = bar (16, 12) 0 (12, 8)
-          value x y
-            | symbol (fromIntegral x, fromIntegral y) = 1
-            | x >= 4 && x < 4 + w && y >= 24 && y < 24 + h = negate depth
-            | otherwise = 0
-      pure (compositeOf (generate wide high value))
-    blanked composite pixels =
-      composite
-        { compositeImage = blank (compositeImage composite),
-          compositeCoverage = blank (compositeCoverage composite)
-        }
-      where
-        blank image =
-          generate wide high $ \x y ->
-            if y * wide + x `elem` pixels then 0 else fromMaybe 0 (index image x y)
+    symbol = rectangle (8, 15) (8, 12)
+    things =
+      [ (rectangle (3, 5) (28, 4), 0.4, TooLarge, False),
+        (rectangle (3, 5) (28, 4), 0.7, TooLarge, True),
+        (rectangle (24, 3) (4, 24), 0.4, TooLarge, False),
+        (rectangle (23, 12) (8, 9), -0.6, Hollow, True)
+      ]
+    drawn low regions =
+      generate wide high $ \x y -> low + sum [h | (r, h) <- regions, (y * wide + x) `elem` r]
+    columnsOf = map (fromIntegral . (`mod` wide)) :: Region -> [Double]
+    rowsOf = map (fromIntegral . (`div` wide)) :: Region -> [Double]
