@@ -1,21 +1,19 @@
--- | A press from the draws to the image, a sensor's specimen and its calibration, each stated once
--- more as a whole from what its constants mean, and asked at the limits.
+-- | Presses as a whole, by closed forms where nothing is drawn and by the deviations where
+-- something is; a sensor's specimen and its calibration, at their limits too.
 module Test.Touch.SensorSteps (spec) where
 
 import Data.Foldable (for_)
-import Data.List (sort, unfoldr)
+import Data.List (sort)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
-import PraTactile.Random (normal, normalPair, normals, uniform)
 import PraTactile.Sensor
 import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Press
 import PraTactile.Sensor.Response
-import System.Random (StdGen, mkStdGen)
+import System.Random (mkStdGen)
 import Test.Hspec
-import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Sensor (texture)
 
@@ -35,10 +33,6 @@ closeTo a b =
   counterexample (show (toRows a, toRows b)) $
     rasterSize a == rasterSize b
       && V.all (< 1e-9) (V.zipWith (\p q -> abs (p - q)) (rasterValues a) (rasterValues b))
-
--- | The next draw of a generator, which tells where it stands.
-next :: StdGen -> Double
-next = fst . uniform
 
 angleSpec :: Spec
 angleSpec = do
@@ -112,209 +106,132 @@ scaleSpec = do
         V.all (\v -> abs (v - wanted) < 1e-3) (rasterValues (forwardImage sensor steep here))
           `shouldBe` True
 
--- | A sensor whose elements average heights, with any of the errors.
-genSensor :: Gen Sensor
-genSensor = do
-  columns <- choose (3, 6)
-  rows' <- choose (3, 6)
-  let some low high = frequency [(1, pure 0), (2, choose (low, high))]
-  position <- some 0.1 2
-  rotation <- some 1 9
-  forceSpread <- some 0.05 0.5
-  tilt <- some 0.01 0.1
-  exponent' <- elements [1, 1, 0.7]
-  share <- some 0.005 0.02
-  hysteresis <- some 0.05 0.4
-  drift <- some 0.01 0.1
-  noise <- some 0.01 0.2
-  slope <- some 0.01 0.2
-  ofRows <- some 0.1 0.5
-  ofColumns <- some 0.1 0.5
-  bits <- elements [0, 0, 4, 8]
-  zeroed <- elements [0, 2]
-  pure
-    idealSensor
-      { sensorColumns = columns,
-        sensorRows = rows',
-        sensorPositionError = position,
-        sensorRotationError = rotation,
-        sensorForceSpread = forceSpread,
-        sensorTiltSpread = tilt,
-        sensorExponent = exponent',
-        sensorCrosstalk = share,
-        sensorHysteresis = hysteresis,
-        sensorDrift = drift,
-        sensorNoise = noise,
-        sensorNoiseSlope = slope,
-        sensorRowNoise = ofRows,
-        sensorColumnNoise = ofColumns,
-        sensorBits = bits,
-        sensorZeroed = zeroed
-      }
-
--- | Draws where the constant is not nothing.
-drawn :: Double -> a -> (StdGen -> (a, StdGen)) -> StdGen -> (a, StdGen)
-drawn constant' without draw g
-  | constant' > 0 = draw g
-  | otherwise = (without, g)
-
--- | What a specimen reads of levels at the press of a number.
-read' :: Sensor -> Raster -> Int -> Raster -> StdGen -> (Raster, StdGen)
-read' sensor gains number levels g0 = (generate w h given, g3)
-  where
-    (w, h) = rasterSize levels
-    later = 1 + sensorDrift sensor * logBase 10 (fromIntegral number)
-    amplified = generate w h (\x y -> at levels x y * later * at gains x y)
-    mixed = generate w h $ \x y ->
-      (1 - 2 * share) * at amplified x y
-        + share * sum [at amplified u y | u <- [0 .. w - 1]] / fromIntegral w
-        + share * sum [at amplified x v | v <- [0 .. h - 1]] / fromIntegral h
-    share = sensorCrosstalk sensor
-    noiseless = sensorNoise sensor <= 0 && sensorNoiseSlope sensor <= 0
-    (own, g1) = if noiseless then (V.replicate (w * h) 0, g0) else normals (w * h) g0
-    (ofRows, g2) = common sensorRowNoise h g1
-    (ofColumns, g3) = common sensorColumnNoise w g2
-    common part n
-      | noiseless = (,) (V.replicate n 0)
-      | otherwise = drawn (part sensor) (V.replicate n 0) (normals n)
-    noisy' x y =
-      let v = at mixed x y
-          sd = sensorNoise sensor + sensorNoiseSlope sensor * max 0 (min 1 v)
-          (r, c) = (sensorRowNoise sensor, sensorColumnNoise sensor)
-       in v
-            + sd
-              * ( sqrt (1 - r - c) * own V.! (y * w + x)
-                    + sqrt r * ofRows V.! y
-                    + sqrt c * ofColumns V.! x
-                )
-    given x y =
-      converted (sensorBits sensor) (sensorZeroed sensor) $
-        if at gains x y > 0 then noisy' x y else 0
-
 pressSpec :: Spec
 pressSpec = do
-  modifyMaxSuccess (const 60)
-    . it "in turn are the heights with what is left of the presses before, read as is said"
-    $ forAll genSensor $ \sensor ->
-      forAll (choose (1, 99999)) $ \seed ->
-        forAll (choose (1, 4) >>= (`vectorOf` genPose)) $ \poses ->
-          forAll (elements [0, 90, 37]) $ \turn ->
-            let motion = Motion turn 30 20
-                relief = texture 5 40 40
-                (w, h) = (sensorColumns sensor, sensorRows sensor)
-                gains = generate w h (\x y -> fromIntegral ((x * 5 + y * 3 + seed) `mod` 4) / 2)
-                plain = idealSensor {sensorColumns = w, sensorRows = h}
-                -- The readings of presses in turn, and the generator after them.
-                go _ _ [] g = ([], g)
-                go earlier number (pose : rest) g0 =
-                  let ((ex, ey), g1) = normalPair g0
-                      (er, g2) = drawn (sensorRotationError sensor) 0 normal g1
-                      err = sensorPositionError sensor * 1.5875
-                      true =
-                        Pose
-                          (poseX pose + err * ex)
-                          (poseY pose + err * ey)
-                          (poseRotation pose + sensorRotationError sensor * er)
-                      (_, g3) = drawn (sensorForceSpread sensor) 0 normal g2
-                      (_, g4) = drawn (sensorTiltSpread sensor) (0, 0) normalPair g3
-                      shares = forwardImage plain relief (move motion true)
-                      felt = generate w h $ \x y ->
-                        at shares x y + maybe 0 ((sensorHysteresis sensor *) . flip' x y) earlier
-                      levels = mapRaster conducted felt
-                      (image, g5) = read' sensor gains number levels g4
-                      (images, end) = go (Just felt) (number + 1) rest g5
-                   in (image : images, end)
-                flip' x y image = at image x y
-                conducted v = if v <= 0 then 0 else v ** sensorExponent sensor
-                (found, rest') =
-                  scanWith sensor (Specimen gains) relief motion poses (mkStdGen seed)
-                (wanted, stands) = go Nothing 1 poses (mkStdGen seed)
-             in conjoin
-                  [ length found === length poses,
-                    map framePose found === poses,
-                    conjoin (zipWith (closeTo . frameImage) found wanted),
-                    next rest' === next stands
-                  ]
-  modifyMaxSuccess (const 40)
-    . it "of one alone, without errors of place, are the first press of a flawless specimen"
-    $ forAll genSensor $ \sensor ->
-      forAll ((,) <$> genPose <*> choose (1, 99999)) $ \(pose, seed) ->
-        let still = sensor {sensorPositionError = 0, sensorRotationError = 0}
-            relief = texture 5 40 40
-            (image, g) = press still relief pose (mkStdGen seed)
-            -- A scan draws the two errors of place first.
-            from = snd (normalPair (mkStdGen seed))
-            (frames, _) = scanWith still (flawless still) relief stay [pose] (mkStdGen seed)
-            (alone, g') = press still relief pose from
-         in map frameImage frames === [alone]
-              .&&. (next g == next g') === (next (mkStdGen seed) == next from)
-              .&&. V.length (rasterValues image) === sensorColumns sensor * sensorRows sensor
-  modifyMaxSuccess (const 40)
-    . it "by a rigid sensor are the tabs' displacements at the force and the tilts that are drawn"
-    $ forAll ((,) <$> elements [0, 0.2, 2] <*> elements [0, 0.05]) $ \(forceSpread, tilt) ->
-      forAll (choose (1, 99999)) $ \seed ->
-        let sensor =
-              idealSensor
-                { sensorStiffness = 0.19,
-                  sensorTab = 1.2,
-                  sensorForce = 12,
-                  sensorForceSpread = forceSpread,
-                  sensorTiltSpread = tilt,
-                  sensorFullForce = 0.9,
-                  sensorBreakForce = 0.01,
-                  sensorExponent = 0.8,
-                  sensorDepth = 0.7
-                }
-            relief = texture 5 40 40
-            pose = Pose 30 28 20
-            (force', g1) = drawn forceSpread 0 normal (mkStdGen seed)
-            ((a, b), _) = drawn tilt (0, 0) normalPair g1
-            -- At least a twentieth of the force.
-            force = 12 * max 0.05 (1 + forceSpread * force')
-            under = footing (sensorLayout sensor) 1.2 relief pose
-            seen newtons tilts =
-              mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) $
-                spreadForces taxelPitch 0.7 $
-                  mapRaster (0.19 *) (displacements 0.19 newtons tilts under)
-            wanted = seen force (a * tilt * 1.5875, b * tilt * 1.5875)
-         in closeTo (fst (press sensor relief pose (mkStdGen seed))) wanted
-              .&&. closeTo (forwardImage sensor relief pose) (seen 12 (0, 0))
+  it "forces and what is left of the press before conduct; gains, drift, crosstalk, dead, code" $
+    forAll ((,,) <$> choose (0, 0.4) <*> elements [1, 0.7] <*> choose (0, 0.1)) $
+      \(hysteresis, k, drift) ->
+        forAll ((,) <$> choose (0, 0.02) <*> elements [0, 4, 8]) $ \(share, bits) ->
+          forAll (listOf1 (elements [Pose 50 50 0, Pose 999 50 0])) $ \poses ->
+            let sensor =
+                  idealSensor
+                    { sensorColumns = 5,
+                      sensorRows = 4,
+                      sensorHysteresis = hysteresis,
+                      sensorExponent = k,
+                      sensorDrift = drift,
+                      sensorCrosstalk = share,
+                      sensorBits = bits,
+                      sensorZeroed = 2
+                    }
+                -- Half of full scale everywhere, or nothing.
+                plateau = HeightMap 10 (constant 10 10 (sensorFullScale sensor / 2))
+                gain x y = if (x, y) == (3, 1) then 0 else 1 + fromIntegral (x - y) / 10 :: Double
+                specimen = Specimen (generate 5 4 gain)
+                forces = drop 1 (scanl withLeft 0 [if poseX p < 100 then 0.5 else 0 | p <- poses])
+                withLeft old now = now + hysteresis * old
+                readings n force = generate 5 4 $ \x y ->
+                  let own u v = (force ** k) * (1 + drift * logBase 10 n) * gain u v
+                      ofRow = sum [own u y | u <- [0 .. 4]] / 5
+                      ofColumn = sum [own x v | v <- [0 .. 3]] / 4
+                      mixed = (1 - 2 * share) * own x y + share * (ofRow + ofColumn)
+                   in if gain x y > 0 then converted bits 2 mixed else 0
+                frames = fst (scanWith sensor specimen plateau stay poses (mkStdGen 1))
+                agrees n force frame = closeTo (readings n force) (frameImage frame)
+             in conjoin (zipWith3 agrees [1 ..] forces frames)
+                  .&&. map framePose frames === poses
+  it "of one alone is the first of a flawless specimen's" $
+    forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 15]) $ \(x, r) ->
+      let sensor = idealSensor {sensorHysteresis = 0.3, sensorDrift = 0.1, sensorCrosstalk = 0.02}
+          relief = texture 5 40 40
+          pose = Pose (20 + x) 30 r
+          alone = fst (press sensor relief pose (mkStdGen 3))
+       in map frameImage (fst (scanWith sensor (flawless sensor) relief stay [pose] (mkStdGen 4)))
+            === [alone]
+  it "without noise a rigid sensor reads its tabs' displacements, spread, by their conductance" $
+    forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 20]) $ \(x, r) ->
+      let relief = texture 5 40 40
+          pose = Pose (30 + x) 28 r
+          under = footing (sensorLayout rigid) 1.2 relief pose
+          felt = mapRaster (0.19 *) (displacements 0.19 12 (0, 0) under)
+          wanted =
+            mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) (spreadForces taxelPitch 0.7 felt)
+       in closeTo (forwardImage rigid relief pose) wanted
+            .&&. closeTo (fst (press rigid relief pose (mkStdGen 1))) wanted
+  it "bears a twentieth of its force at least, and tilts alike across and down" $ do
+    let even' = HeightMap 5 (constant 20 20 0)
+        linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
+        images sensor =
+          map frameImage (fst (scan sensor even' stay (replicate 400 (Pose 50 50 0)) (mkStdGen 2)))
+        forces = [10 * V.sum (rasterValues i) | i <- images linear {sensorForceSpread = 1}]
+        tilted = images linear {sensorTiltSpread = 0.02}
+        -- From the outer elements' centres to the middle is 15 / 16 of half the sensor.
+        tilts (x, y) = [(at i x y - at i (15 - x) (15 - y)) / 0.019 / 2 * 16 / 15 | i <- tilted]
+        deviation values = sqrt (sum (map (^ (2 :: Int)) values) / 400)
+        (right', down) = (tilts (15, 8), tilts (8, 15))
+        -- Opposite elements lie a row or a column beside the middle.
+        own = 0.02 * 1.5875
+    minimum forces `shouldSatisfy` (\least -> abs (least - 0.5) < 1e-9)
+    -- 17 % of the draws are below that.
+    length (filter (< 0.5000001) forces) `shouldSatisfy` (\n -> n > 30 && n < 110)
+    [deviation right', deviation down]
+      `shouldSatisfy` all (\sd -> abs (sd - own) < 5 * own / sqrt 800 + own / 200)
+    -- The two are drawn apart.
+    abs (sum (zipWith (*) right' down) / 400) `shouldSatisfy` (< 5 * own * own / 20 + own * own / 7)
+  it "has noise of which a row and a column have their shares in common, the last ones too" $ do
+    let sensor =
+          idealSensor
+            { sensorColumns = 12,
+              sensorRows = 5,
+              sensorNoise = 0.04,
+              sensorRowNoise = 0.4,
+              sensorColumnNoise = 0.2
+            }
+        noises =
+          [ mapRaster (subtract 0.5) (frameImage f)
+            | f <- flatFrames sensor (flawless sensor) 3000 (mkStdGen 6)
+          ]
+        together (x, y) (u, v) = sum [at i x y * at i u v | i <- noises] / (3000 * 0.04 * 0.04)
+        -- The standard error of a mean of products of normal values.
+        close wanted found = abs (found - wanted) < 5 * sqrt ((1 + wanted * wanted) / 3000)
+    [together p p | p <- [(0, 0), (11, 4), (11, 0)]] `shouldSatisfy` all (close 1)
+    [together (0, y) (11, y) | y <- [0, 4]] `shouldSatisfy` all (close 0.4)
+    [together (x, 0) (x, 4) | x <- [0, 11]] `shouldSatisfy` all (close 0.2)
+    [together (0, 0) (11, 4), together (0, 4) (11, 0)] `shouldSatisfy` all (close 0)
   where
-    genPose = Pose <$> choose (-3, 3) <*> choose (-3, 3) <*> elements [0, 90, 15]
+    rigid =
+      idealSensor
+        { sensorStiffness = 0.19,
+          sensorTab = 1.2,
+          sensorForce = 12,
+          sensorFullForce = 0.9,
+          sensorBreakForce = 0.01,
+          sensorExponent = 0.8,
+          sensorDepth = 0.7
+        }
 
 specimenSpec :: Spec
 specimenSpec = do
-  it "have gains about 1, none negative, and are dead where the fate drawn is below the share" $
-    forAll (choose (1, 99999)) $ \seed ->
-      forAll ((,) <$> elements [0, 0.1, 1.5] <*> elements [0, 0.3, 1]) $ \(spread, dead) ->
-        let sensor =
-              idealSensor
-                { sensorColumns = 5,
-                  sensorRows = 3,
-                  sensorGainSpread = spread,
-                  sensorDead = dead
-                }
-            (specimen, g) = drawSpecimen sensor (mkStdGen seed)
-            (off, g1) = drawn spread (V.replicate 15 0) (normals 15) (mkStdGen seed)
-            (fates, g2)
-              | dead > 0 = (take 15 (unfoldr (Just . uniform) g1), iterate (snd . uniform) g1 !! 15)
-              | otherwise = (replicate 15 1, g1)
-            gain x y =
-              let i = y * 5 + x
-               in if fates !! i < dead then 0 else max 0 (1 + spread * off V.! i)
-         in closeTo (specimenGains specimen) (generate 5 3 gain) .&&. next g === next g2
-  modifyMaxSuccess (const 30)
-    . it "in calibration frames read nothing, or half of full scale, each as at the first press"
-    $ forAll ((\s -> s {sensorBits = 0}) <$> genSensor) $ \sensor ->
-      forAll ((,) <$> choose (0, 3) <*> choose (1, 99999)) $ \(count, seed) ->
-        let (w, h) = (sensorColumns sensor, sensorRows sensor)
-            gains = generate w h (\x y -> fromIntegral ((x + 2 * y) `mod` 3))
-            wanted level =
-              take count $
-                unfoldr (Just . read' sensor gains 1 (constant w h level)) (mkStdGen seed)
-            told frames = map frameImage (frames sensor (Specimen gains) count (mkStdGen seed))
-            same a b = length a === length b .&&. conjoin (zipWith closeTo a b)
-         in same (told darkFrames) (wanted 0) .&&. same (told flatFrames) (wanted 0.5)
+  it "have no negative gains; all elements are dead where the share is 1, none where it is 0" $ do
+    let gains spread dead =
+          V.toList . rasterValues . specimenGains . fst $
+            drawSpecimen
+              idealSensor {sensorGainSpread = spread, sensorDead = dead}
+              (mkStdGen 8)
+    minimum (gains 1.5 0) `shouldBe` 0
+    length (filter (== 0) (gains 1.5 0)) `shouldSatisfy` (< 128)
+    gains 0.1 1 `shouldBe` replicate 256 0
+    filter (== 0) (gains 0.1 0) `shouldBe` []
+  it "in calibration frames read nothing, or half of full scale, each as at the first press" $ do
+    let sensor =
+          idealSensor {sensorColumns = 5, sensorRows = 3, sensorDrift = 0.3, sensorHysteresis = 0.4}
+        gains = generate 5 3 (\x y -> fromIntegral ((x + 2 * y) `mod` 3))
+        told s frames = map frameImage (frames s (Specimen gains) 3 (mkStdGen 7))
+        halves = mapRaster (min 1 . (0.5 *)) gains
+        noisy' = told sensor {sensorNoise = 0.01} flatFrames
+    told sensor darkFrames `shouldBe` replicate 3 (constant 5 3 0)
+    told sensor flatFrames `shouldBe` replicate 3 halves
+    [i | (i, j) <- zip noisy' (drop 1 noisy'), i == j] `shouldBe` []
 
 calibrationSpec :: Spec
 calibrationSpec = do
