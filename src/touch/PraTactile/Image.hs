@@ -143,10 +143,10 @@ bracket n t = (i, min (n - 1) (i + 1), t' - fromIntegral i)
    its indices lie in [0, n - 1]; the constructor is hidden and every function here keeps width *
    height values; so r * w + x is an index of the vector. -}
 
--- | The part whose upper left pixel is x, y, of that width and height. Refuses ('OutsideImage')
--- what is not wholly in the image.
-crop :: Int -> Int -> Int -> Int -> Raster -> Either ImageError Raster
-crop x y cw ch image@(Raster w h _)
+-- | The part whose upper left pixel is at a place, x and y, of that width and height. Refuses
+-- ('OutsideImage') what is not wholly in the image.
+crop :: (Int, Int) -> (Int, Int) -> Raster -> Either ImageError Raster
+crop (x, y) (cw, ch) image@(Raster w h _)
   | x < 0 || y < 0 || cw < 0 || ch < 0 || x > w - cw || y > h - ch =
     Left (OutsideImage (x, y, cw, ch) (w, h))
   | otherwise = Right (rearranged cw ch (\i j -> (x + i, y + j)) image)

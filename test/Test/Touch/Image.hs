@@ -69,18 +69,18 @@ rasters = do
                 then Just (fromIntegral (10 * x + y))
                 else Nothing
             )
-  it "index (crop x y w h r) i j = index r (x + i) (y + j)" $
+  it "index (crop (x, y) (w, h) r) i j = index r (x + i) (y + j)" $
     forAll genRaster $ \r ->
       forAll ((,) <$> choose (0, rasterWidth r) <*> choose (0, rasterHeight r)) $ \(x, y) ->
         let w = rasterWidth r - x
             h = rasterHeight r - y
-         in fmap (\c -> [index c i j | i <- [0 .. w - 1], j <- [0 .. h - 1]]) (crop x y w h r)
+         in fmap (\c -> [index c i j | i <- [0 .. w - 1], j <- [0 .. h - 1]]) (crop (x, y) (w, h) r)
               === Right [index r (x + i) (y + j) | i <- [0 .. w - 1], j <- [0 .. h - 1]]
   it "refuses to crop what is not in the image" $ do
     let r = constant 4 3 1
-    crop 1 1 4 1 r `shouldBe` Left (OutsideImage (1, 1, 4, 1) (4, 3))
-    crop (-1) 0 1 1 r `shouldBe` Left (OutsideImage (-1, 0, 1, 1) (4, 3))
-    crop 0 0 maxBound 1 r `shouldBe` Left (OutsideImage (0, 0, maxBound, 1) (4, 3))
+    crop (1, 1) (4, 1) r `shouldBe` Left (OutsideImage (1, 1, 4, 1) (4, 3))
+    crop (-1, 0) (1, 1) r `shouldBe` Left (OutsideImage (-1, 0, 1, 1) (4, 3))
+    crop (0, 0) (maxBound, 1) r `shouldBe` Left (OutsideImage (0, 0, maxBound, 1) (4, 3))
   it "sample at a pixel's centre is its value" $
     forAll genRaster $ \r ->
       and

@@ -130,7 +130,8 @@ truth = do
     forAll (choose (1, 1000000)) $ \seed ->
       let relief = texture seed 60 60
           expected =
-            mapRaster (/ sensorFullScale idealSensor) <$> crop 10 10 32 40 (heightValues relief)
+            mapRaster (/ sensorFullScale idealSensor)
+              <$> crop (10, 10) (32, 40) (heightValues relief)
           frames = pressed idealSensor relief [(pose, (0, 0)) | pose <- region 32 40]
        in conjoin
             [ closeTo expected (compositeImage <$> assemble frames)
@@ -422,9 +423,9 @@ real = do
     -- The second crop lies two right and eight down (six and five) of the first, which is not what
     -- its pose says.
     registered first second (x, y) (nx, ny) = do
-      a <- either (Left . show) Right (crop x y 16 16 first)
+      a <- either (Left . show) Right (crop (x, y) (16, 16) first)
       b <-
-        either (Left . show) Right (crop (x + trueStepX first) (y + trueStepY first) 16 16 second)
+        either (Left . show) Right (crop (x + trueStepX first, y + trueStepY first) (16, 16) second)
       c <-
         either
           (Left . show)
