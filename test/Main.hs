@@ -73,6 +73,7 @@ import qualified Test.Conformance.Forms
 import qualified Test.Conformance.Generators
 import qualified Test.Conformance.InForce
 import qualified Test.Conformance.Liars
+import qualified Test.Conformance.LikelyCauses
 import qualified Test.Conformance.Lines
 import qualified Test.Conformance.Reports
 import qualified Test.Conformance.Shrinking
@@ -281,6 +282,7 @@ specs = do
   describe "Conformance: the definition" Test.Conformance.Definition.spec
   describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
   describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
+  describe "Conformance: likely causes" Test.Conformance.LikelyCauses.spec
   describe "Conformance: what fails" Test.Conformance.Failures.spec
   describe "Conformance: profiles in force" Test.Conformance.InForce.spec
   describe "Conformance: lines" Test.Conformance.Lines.spec

@@ -51,7 +51,7 @@ run :: Options -> IO ExitStatus
 run options
   | listed options = Answered <$ printAs (form options) text json
   | form options == AsJson = unusable "--json is for --impostors; replies are JSON anyway"
-  | otherwise = Answered <$ answer (maybe id impostorMake (impostor options) library) stdin stdout
+  | otherwise = Answered <$ answer (maybe library impostorMade (impostor options)) stdin stdout
   where
     answer = if once options then serveOnce else serve
     text = concatMap listedText impostors

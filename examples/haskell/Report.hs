@@ -1,4 +1,5 @@
--- | All laws under all default profiles in one call. Put your own record in the place of 'library'.
+-- | All laws under all default profiles in one call. Put your own 'Implementation' in the place of
+-- 'library'.
 module Main (main) where
 
 import PraTactile.Conformance (library, runLaws)

@@ -1,7 +1,24 @@
 -- | The conformance suite: what every implementation of the code must do, as data. A law has an id
 -- and cases; what it expects is what the definition says under the profile. To put your own
--- implementation under it, fill in the record 'Implementation' with functions that call it,
--- beginning with 'noOperations' where it lacks some, and run
+-- implementation under it, write one function from every 'Question' to its answer, 'notOffered' for
+-- those that it lacks, and say what it offers:
+--
+-- > yours :: Implementation
+-- > yours =
+-- >   Implementation
+-- >     { implementationName = "yours",
+-- >       offered = [OfAdd, OfCell],
+-- >       open = \profile -> pure (answering (answers profile)),
+-- >       touch = answering (const notOffered)
+-- >     }
+-- >
+-- > answers :: Profile -> Question a -> Wire a
+-- > answers profile question = case question of
+-- >   Add a b -> pure (yourSum a b)
+-- >   Cell row column -> pure (yourCell profile row column)
+-- >   _ -> notOffered
+--
+-- Then run
 --
 -- > runLaws yours >>= exitWith
 --
@@ -15,7 +32,7 @@
 module PraTactile.Conformance
   ( -- * Implementations under test
     module PraTactile.Conformance.Implementation,
-    module PraTactile.Conformance.Question.Touch,
+    module PraTactile.Conformance.Question,
     library,
 
     -- * Running all laws
@@ -46,4 +63,4 @@ import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Properties
-import PraTactile.Conformance.Question.Touch
+import PraTactile.Conformance.Question

@@ -45,7 +45,7 @@ spec = do
     (counterGot shown, counterExpected shown)
       `shouldBe` (result 7, Just (CameResult (toJSON (0 :: Int))))
     (counterRoad shown, counterReason shown) `shouldBe` ("a road", "a reason")
-    lawReportLikely law `shouldBe` Just "likely under q = 4, 2 wrong"
+    lawReportLikely law `shouldBe` Just "likely under q = 4, 1 wrong"
   it "of a profile that is not put in force: the law erred; it is asked once for all its laws" $
     forM_ [Right (CameRefused "no"), Right (CameResult (Bool False)), Left gone] $ \came -> do
       asked <- newIORef []

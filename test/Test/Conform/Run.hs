@@ -1,3 +1,4 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The runner on laws made for it: what it finds does not depend on how many trials go on at once,
@@ -164,13 +165,13 @@ steps =
   Implementation
     { implementationName = "steps",
       offered = [],
-      open = \profile' ->
-        pure
-          (noOperations profile')
-            { terms = \from _ -> pure [if from == 3 || from >= 7 then 1 else 0]
-            },
-      touch = noTouch
+      open = const (pure onTerms),
+      touch = answering (const notOffered)
     }
+  where
+    onTerms = answering $ \question -> case question of
+      Terms from _ -> pure [if from == 3 || from >= 7 then 1 else 0]
+      _ -> notOffered
 
 summary :: Tried -> (Maybe (Value, Int), Int)
 summary one =

@@ -14,7 +14,7 @@ import Data.Maybe (mapMaybe)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (Position), Shape (..), Surface (..), naturalsBelow)
 import PraTactile.Conformance.Definition
-import PraTactile.Conformance.Implementation (Implementation (..), Session, answerOf)
+import PraTactile.Conformance.Implementation (Implementation (..), Session, answerTo)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles
 import PraTactile.Conformance.Question
@@ -159,7 +159,7 @@ disagreements profile = case known profile of
 -- | Whether both answer alike, or refuse for the same reason.
 agreed :: Session -> Known -> SomeQuestion -> IO Bool
 agreed session k (SomeQuestion question) = do
-  came <- runExceptT (answerOf session question)
+  came <- runExceptT (answerTo session question)
   pure $ case (expected k question, came) of
     (Right wanted, Right given) -> agrees k question wanted given
     (Left wanted, Left given) -> wanted == given

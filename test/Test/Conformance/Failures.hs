@@ -19,7 +19,6 @@ import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law (codeStages, touchStages)
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Properties (lawsReported)
-import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
@@ -32,7 +31,7 @@ spec :: Spec
 spec = do
   it "a property that fails says what was asked and answered, what should have been, and why" $ do
     [one] <- pure [one | one <- impostors, impostorName one == "keeps-the-second-summand"]
-    [law] <- pure [p | (name, p) <- lawProperties (impostorMake one library), ofAddition name]
+    [law] <- pure [p | (name, p) <- lawProperties (impostorMade one), ofAddition name]
     came <- quickCheckWithResult stdArgs {chatty = False} law
     let said = lines (output came)
         beginnings =
@@ -61,18 +60,21 @@ spec = do
       let relief x y = sin (x * x / 40 + y / 3) + cos (y * y / 37 - x / 2) :: Double
           grey x y = round (30000 + 12000 * relief (fromInteger x) (fromInteger y))
           frame (dx, dy) = [[grey (x + dx) (y + dy) | x <- [1 .. w]] | y <- [1 .. h]]
-      found <- runExceptT (register (touch library) (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3))
+      let asked = Register (Pair (frame (0, 0)) (frame (5, 1)) (4, 0) 3)
+      found <- runExceptT (answerTo (touch library) asked)
       let near (x, y) = max (abs (x - 5)) (abs (y - 1)) <= 0.5
       ((w, h), near . registeredBest <$> either (const Nothing) Just found)
         `shouldBe` ((w, h), Just True)
   it "several places told by their number and dimension are the same places" $
     for_ [about | (name, p) <- take 1 defaultProfiles, Right about <- [known p], name == "paper"] $
       \about -> do
+        -- Of a cell the rank is 1, and the degree 4.
         let several = OneOf [Position 0 0, Position 1 2, Position 3 4]
-            same = agrees about (Locate [[Nothing]]) several
-        map same [several, Coset 3 1, Coset 2 1, Coset 4 1] `shouldBe` [True, True, False, False]
-        map same [OneOf [Position 0 0], At (Position 0 0)] `shouldBe` [False, False]
-        agrees about (Locate [[Nothing]]) (Coset 3 1) (Coset 3 1) `shouldBe` True
+            same = agrees about (Locate [[Just 1]])
+        map (same several) [several, Coset 3 3, Coset 2 3, Coset 4 3, Coset 3 2]
+          `shouldBe` [True, True, False, False, False]
+        map (same several) [OneOf [Position 0 0], At (Position 0 0)] `shouldBe` [False, False]
+        same (Coset 3 3) (Coset 3 3) `shouldBe` True
   it "probabilities are the same to 10^-9, those left out being 0, of each position of the array" $
     for_ [about | (_, p) <- take 1 defaultProfiles, Right about <- [known p]] $ \about -> do
       let Shape n1 n2 = profileShape (knownProfile about)
@@ -98,7 +100,7 @@ spec = do
         status stages profiles = fmap fst . lawsReported stages profiles
     status codeStages one adding `shouldReturn` ExitSuccess
     [wrong] <- pure [i | i <- impostors, impostorName i == "keeps-the-second-summand"]
-    status codeStages one (impostorMake wrong adding) `shouldReturn` ExitFailure 1
+    status codeStages one (impostorMade wrong) {offered = [OfAdd]} `shouldReturn` ExitFailure 1
     status codeStages one (library {offered = []}) `shouldReturn` ExitFailure 1
     status touchStages [] adding `shouldReturn` ExitFailure 1
     lawsReported codeStages (one ++ spoilt) adding

@@ -13,7 +13,6 @@ import PraTactile.Array (area)
 import PraTactile.Conformance
 import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
-import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile
 import Test.Conformance.Trials

@@ -20,7 +20,6 @@ import PraTactile.Array (Folding (..), Position (..), Shape (..), Surface (..), 
 import PraTactile.Conformance
 import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
-import PraTactile.Conformance.Question
 import PraTactile.Profile
 import PraTactile.Window (Packing (..))
 import Test.Hspec
@@ -128,37 +127,15 @@ changed operation change base =
 
 -- | The first session with this operation of the second.
 exchanged :: Operation -> Session -> Session -> Session
-exchanged operation s other = case operation of
-  OfAdd -> s {add = add other}
-  OfMultiply -> s {multiply = multiply other}
-  OfNegate -> s {negation = negation other}
-  OfInverse -> s {inverse = inverse other}
-  OfPower -> s {power = power other}
-  OfLogarithm -> s {logarithm = logarithm other}
-  OfTrace -> s {trace = trace other}
-  OfPrimitive -> s {primitive = primitive other}
-  OfFirstPrimitive -> s {firstPrimitive = firstPrimitive other}
-  OfTerm -> s {term = term other}
-  OfTerms -> s {terms = terms other}
-  OfCell -> s {cell = cell other}
-  OfPack -> s {pack = pack other}
-  OfUnpack -> s {unpack = unpack other}
-  OfLocate -> s {locate = locate other}
-  OfNearest -> s {nearest = nearest other}
-  OfPosterior -> s {posterior = posterior other}
-  OfProve -> s {prove = prove other}
-  OfDistance -> s {distance = distance other}
-  -- No profile is known to touch.
-  OfRegister -> s
-  OfStitch -> s
-  OfSegment -> s
+exchanged operation right other = answering $ \question ->
+  answerTo (if operationOf question == operation then other else right) question
 
 -- | Whether a law that needs the operation finds it; small arrays, and those that need little else,
 -- come first.
 foundBy :: Operation -> (Implementation -> Implementation) -> IO Bool
 foundBy operation make = isJust <$> firstJust (map (findsAt 1 comparedProfiles one) trials)
   where
-    one = Impostor "made" "made" [] make
+    one = Impostor "made" "made" [] (make library)
     trials =
       [ Kill (lawId law) name 0
         | (name, _, _) <- sortOn (\(_, p, _) -> area (profileShape p)) comparedProfiles,
@@ -258,26 +235,4 @@ overAnswers ::
   (forall a. Question a -> Wire a -> Wire a) -> Implementation -> Implementation
 overAnswers change base = base {open = fmap session . open base}
   where
-    session s =
-      s
-        { add = \a b -> change (Add a b) (add s a b),
-          multiply = \a b -> change (Multiply a b) (multiply s a b),
-          negation = \a -> change (Negate a) (negation s a),
-          inverse = \a -> change (Inverse a) (inverse s a),
-          power = \a i -> change (Power a i) (power s a i),
-          logarithm = \a -> change (Logarithm a) (logarithm s a),
-          trace = \a -> change (Trace a) (trace s a),
-          primitive = \h -> change (Primitive h) (primitive s h),
-          firstPrimitive = \n -> change (FirstPrimitive n) (firstPrimitive s n),
-          term = \i -> change (Term i) (term s i),
-          terms = \i n -> change (Terms i n) (terms s i n),
-          cell = \(Position r c) -> change (Cell r c) (cell s (Position r c)),
-          pack = \codes -> change (Pack codes) (pack s codes),
-          unpack = \n -> change (Unpack n) (unpack s n),
-          locate = \cells -> change (Locate cells) (locate s cells),
-          nearest = \radius cells -> change (Nearest radius cells) (nearest s radius cells),
-          posterior = \cells ->
-            change (Posterior (map (map (maybe Unfelt Probably)) cells)) (posterior s cells),
-          prove = \mask -> change (Prove mask) (prove s mask),
-          distance = \mask -> change (Distance mask) (distance s mask)
-        }
+    session right = answering (\question -> change question (answerTo right question))

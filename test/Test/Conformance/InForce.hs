@@ -1,3 +1,4 @@
+{-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
 -- | Which profile is in force in this process, what is not offered, and what laws of profiles say.
@@ -15,8 +16,6 @@ import PraTactile.Conformance.Ask (answerAll)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Process.OneShot (samples)
-import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run (Suite (..))
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Suite (standardSuite)
@@ -28,22 +27,16 @@ import Test.Hspec
 spec :: Spec
 spec = do
   it "who has no operation refuses each as not offered, and what is no input as invalid" $ do
-    map (\(SomeQuestion question) -> operationOf question) samples `shouldBe` [minBound ..]
-    forM_ samples $ \(SomeQuestion question) -> do
-      let session = noOperations possible
+    map (operationIn . exampleOf) [minBound ..] `shouldBe` [minBound ..]
+    forM_ (map exampleOf [minBound ..]) $ \(SomeQuestion question) -> do
+      let session = answering (const notOffered)
           operation = operationOf question
           ofTouch = operation `elem` touchOperations
           says wire = either refusalReason (const "answered") <$> runExceptT wire
-          byTouch :: Question b -> IO (Maybe String)
-          byTouch = traverse says . touched noTouch
-          ifTouch reason = if ofTouch then Just reason else Nothing
-      says (answerOf session question) `shouldReturn` "not-offered"
-      says (answerOf session (Raw operation (questionInput question)))
+      says (answerTo session question) `shouldReturn` "not-offered"
+      says (answerTo session (Raw operation (questionInput question)))
         `shouldReturn` "not-offered"
-      says (answerOf session (Raw operation Null)) `shouldReturn` "invalid"
-      byTouch question `shouldReturn` ifTouch "not-offered"
-      byTouch (Raw operation (questionInput question)) `shouldReturn` ifTouch "not-offered"
-      byTouch (Raw operation Null) `shouldReturn` ifTouch "invalid"
+      says (answerTo session (Raw operation Null)) `shouldReturn` "invalid"
       Right about <- pure (known possible)
       (operation, either refusalReason (const "") (expected about question) == "not-offered")
         `shouldBe` (operation, ofTouch)
@@ -73,12 +66,11 @@ spec = do
     sum' `shouldReturn` none
     reverse <$> readIORef opened `shouldReturn` [possible, impossible]
   it "in this process an answer is computed to its end, a reason too; what throws ends a batch" $ do
-    let session p =
-          (noOperations p)
-            { terms = \_ count -> pure (if count == 2 then [1, error "no such term"] else [count]),
-              term = \i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
-            }
-    subject <- inProcess library {open = pure . session}
+    let session = answering $ \question -> case question of
+          Terms _ count -> pure (if count == 2 then [1, error "no such term"] else [count])
+          Term i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
+          _ -> notOffered
+    subject <- inProcess library {open = const (pure session)}
     _ <- subjectProfile subject possible
     let came questions = do
           replies <- subjectAsk subject questions
@@ -129,6 +121,7 @@ spec = do
     map (suiteAnswer suite about) [SomeQuestion (Add 1 1), SomeQuestion (Inverse 0)]
       `shouldBe` [Result (toJSON (0 :: Int)), RefusedFor "division-by-zero"]
   where
+    operationIn (SomeQuestion question) = operationOf question
     named name = head [p | (name', p) <- defaultProfiles, name' == name]
     possible = named "gf2-3x5"
     other = named "gf3-2x13"

@@ -3,11 +3,10 @@
 {-# LANGUAGE RankNTypes #-}
 
 -- | One answer in the place of another, anywhere: the law that asks for it says so, at that case,
--- and says what was to be expected. And what is said of the likely cause of a failure.
+-- and says what was to be expected.
 module Test.Conformance.Liars (spec) where
 
 import Control.Monad (unless)
-import Control.Monad.Trans.Except (runExceptT)
 import Control.Monad.Trans.State.Strict (State, get, put, runState)
 import Data.Aeson (Value (..), toJSON)
 import qualified Data.Aeson.KeyMap as KeyMap
@@ -21,11 +20,8 @@ import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Direct
-import PraTactile.Conformance.Impostors
 import PraTactile.Conformance.Impostors.Score
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Likely (likely)
-import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Wire (answerValue, questionInput)
 import PraTactile.Format.Json.Codec (listOf, natural, readValue)
@@ -154,46 +150,6 @@ spec = do
                 _ -> Left (Refusal "")
           (asked, c, d, fst (answeredBy answers (asking one)) == Holds)
             `shouldBe` (asked, c, d, (c, d) == (count, dimension))
-  describe "the likely cause of a failure" $ do
-    it "is the impostor that gives every one of these answers, if no other one does" $ do
-      named <-
-        sequence
-          [ (,) (impostorName one) <$> failuresOf p about one
-            | one <- impostors,
-              impostorTouches one == [OnField],
-              (name, p, about) <- comparedProfiles,
-              name == "gf3-2x13"
-          ]
-      let ofFailures = [(name, cause) | (name, Just cause) <- named]
-      -- Where several err alike in these answers none is named; else it is the one.
-      [(name, cause) | (name, Just cause) <- ofFailures, name /= cause] `shouldBe` []
-      length (mapMaybe snd ofFailures) `shouldSatisfy` (>= 3)
-    it "is of touch the impostor of touch that answers so, without a profile" $ do
-      let blank = questionInput (Segment (replicate 4 (replicate 4 0)))
-          answers found = [[Exchange (Just OfSegment) blank (Result (symbols found))]]
-          symbols found = answerValue (Segment []) [Symbol (x, y) 0 | (x, y) <- found]
-      likely Nothing (answers [(0, 2)]) `shouldReturn` Just "sees-a-symbol-in-nothing"
-      -- The right answer is that of all others of touch; nobody gives the last one.
-      likely Nothing (answers []) `shouldReturn` Nothing
-      likely Nothing (answers [(1, 1)]) `shouldReturn` Nothing
-      -- Under a profile touch is not asked.
-      for_ (take 1 comparedProfiles) $ \(_, p, _) ->
-        likely (Just p) (answers [(0, 2)]) `shouldReturn` Nothing
-    it "is none of no answers, of right ones, and on arrays of more than 300 cells" $ do
-      likely Nothing [] `shouldReturn` Nothing
-      for_ (take 1 comparedProfiles) $ \(_, p, _) -> do
-        likely (Just p) [] `shouldReturn` Nothing
-        likely (Just p) [[Exchange Nothing "" (RefusedFor "")]] `shouldReturn` Nothing
-      causes <-
-        sequence
-          [ failuresOf p about one
-            | (name, p) <- defaultProfiles,
-              name `elem` ["gf4-63x65", "gf8-7x9"],
-              Right about <- [known p],
-              one <- impostors,
-              impostorName one == "keeps-the-second-summand"
-          ]
-      causes `shouldMatchList` [Just Nothing, Just (Just "keeps-the-second-summand")]
   it "windows and masks have 1 to 4096 cells, arrays at most 2^20" $ do
     Just paper <- pure (lookup "paper" defaultProfiles)
     let why' answer = either (Just . refusalReason) (const Nothing) answer
@@ -277,25 +233,6 @@ liedTo about i trials = go 1 trials
         Left _ -> Left (Refusal "not-offered")
         Right _ -> Left (Refusal "contradiction")
       | otherwise = expected about question
-
--- | What is named as the cause of how the laws of the field fail of an impostor; 'Nothing' where
--- none does.
-failuresOf :: Profile -> Known -> Impostor -> IO (Maybe (Maybe String))
-failuresOf p about one = do
-  opened <- runExceptT (open (impostorMake one library) p)
-  case opened of
-    Left _ -> pure Nothing
-    Right session -> do
-      found <-
-        sequence
-          [ firstViolated (sessionAnswers session) most trials
-            | law <- laws,
-              lawStage law == OnField,
-              let (trials, most) = trialsUnder about law
-          ]
-      case [violationAsked violation | Just (_, violation) <- found] of
-        [] -> pure Nothing
-        asked -> Just <$> likely (Just p) asked
 
 -- | The verdict, and what was asked with the replies, where all is answered so.
 answeredBy :: (forall b. Question b -> Either Refusal b) -> Ask Verdict -> (Verdict, [Exchange])

@@ -11,7 +11,6 @@ import Data.Maybe (mapMaybe)
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
-import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire (readAnswer)
 import Test.Conformance.Trials
 import Test.Hspec

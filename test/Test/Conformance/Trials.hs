@@ -13,7 +13,6 @@ import Control.Monad.Trans.Writer.Strict (Writer, runWriter, tell)
 import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law (Verdict (..))
-import PraTactile.Conformance.Question
 import Test.QuickCheck (Gen, vectorOf)
 import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)

@@ -68,12 +68,12 @@ expected k question = case question of
       | otherwise = refused "invalid"
     coded a = fromIntegral (a :: Int) :: Natural
 
--- | Whether an answer, the last argument, is the expected one. The number of positions may stand in
--- place of their list, probabilities are held to 10^-9, and those of positions left out are 0.
+-- | Whether an answer, the last argument, is as good as the expected one. Probabilities are held to
+-- 10^-9, and those of positions left out are 0.
 agrees :: Known -> Question a -> a -> a -> Bool
 agrees k question wanted came = case question of
-  Locate _ -> samePlace wanted came
-  Nearest _ _ -> samePlace wanted came
+  Locate patch -> samePlace k patch wanted came
+  Nearest _ patch -> samePlace k patch wanted came
   Posterior _ -> sameChances k wanted came
   Raw operation input
     | Just (SomeQuestion asked) <- someQuestion operation input,
@@ -92,10 +92,18 @@ sameChances k wanted came =
     inside (Position r c) = r < rows shape && c < columns shape
     shape = profileShape (knownProfile k)
 
-samePlace :: Place -> Place -> Bool
-samePlace wanted came = case (wanted, came) of
-  (OneOf several, Coset count _) -> fromIntegral (length several) == count
+-- | In place of a list of positions their number may stand, with the dimension of the coset that
+-- they are: the degree less the rank of the observed cells.
+samePlace :: Known -> Patch -> Place -> Place -> Bool
+samePlace k patch wanted came = case (wanted, came) of
+  (OneOf several, Coset count dimension) ->
+    count == fromIntegral (length several) && Just dimension == (less <$> rank)
   _ -> wanted == came
+  where
+    degree = fromIntegral (length (profilePolynomial (knownProfile k))) - 1
+    less r = degree - min degree r
+    rank = either (const Nothing) proofRank (expected k (Prove (map (map drawn) patch)))
+    drawn = maybe '.' (const '#')
 
 orRefuse :: String -> Maybe a -> Either Refusal a
 orRefuse reason = maybe (refused reason) Right

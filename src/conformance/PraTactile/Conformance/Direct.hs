@@ -5,7 +5,6 @@ module PraTactile.Conformance.Direct
   ( Answers,
     sessionAnswers,
     openingAnswers,
-    touchAnswers,
     verdictBy,
     firstViolated,
   )
@@ -22,21 +21,14 @@ import PraTactile.Profile (Profile)
 data Answers
   = Answers (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
 
--- | A session answers questions, under its profile alone.
+-- | A session answers questions, under its profile alone, or about touch.
 sessionAnswers :: Session -> Answers
-sessionAnswers session = Answers (const notOffered) (runExceptT . answerOf session)
+sessionAnswers asked = Answers (const (runExceptT notOffered)) (runExceptT . answerTo asked)
 
 -- | An implementation is asked for nothing but to put profiles in force.
 openingAnswers :: Implementation -> Answers
 openingAnswers implementation =
-  Answers (\p -> (() <$) <$> runExceptT (open implementation p)) (const notOffered)
-
--- | The stages of touch answer questions of theirs, under no profile.
-touchAnswers :: Touch -> Answers
-touchAnswers with = Answers (const notOffered) (maybe notOffered runExceptT . touched with)
-
-notOffered :: IO (Either Refusal a)
-notOffered = pure (Left (Refusal "not-offered"))
+  Answers (\p -> (() <$) <$> runExceptT (open implementation p)) (const (runExceptT notOffered))
 
 -- | What comes of a trial.
 verdictBy :: Answers -> Ask a -> IO a

@@ -15,7 +15,7 @@ import Data.Aeson (Value (Bool), encode)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.IORef
 import PraTactile.Conformance.Implementation
-import PraTactile.Conformance.Question (Question, SomeQuestion (..))
+import PraTactile.Conformance.Question
 import PraTactile.Conformance.Subject
 import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile)
@@ -50,19 +50,19 @@ putInForce implementation force profile' = do
   opened <- runExceptT (open implementation profile')
   case opened of
     Left why -> pure (CameRefused (refusalReason why))
-    Right session -> CameResult (Bool True) <$ writeIORef force (Just session)
+    Right made -> CameResult (Bool True) <$ writeIORef force (Just made)
 
 -- | The answer of the session in force, or, to a question about touch, which needs none, that of
 -- the implementation, computed to its end.
 answerIn :: Implementation -> Force -> Question a -> IO Came
-answerIn implementation force question = case touched (touch implementation) question of
-  Just wire -> answered wire
-  Nothing -> readIORef force >>= maybe none (\session -> answered (answerOf session question))
+answerIn implementation force question
+  | operationOf question `elem` touchOperations = answered (touch implementation)
+  | otherwise = readIORef force >>= maybe none answered
   where
     none = pure (CameErrored "no profile is in force")
-    answered wire = do
-      answer <- runExceptT wire
-      case answer of
+    answered session = do
+      came <- runExceptT (answerTo session question)
+      case came of
         Left why -> CameRefused <$> evaluated why
         Right a -> do
           let value = answerValue question a

@@ -1,3 +1,5 @@
+{-# LANGUAGE GADTs #-}
+
 -- | This library as an implementation under test.
 module PraTactile.Conformance.Library
   ( library,
@@ -9,8 +11,9 @@ import Data.Bifunctor (first)
 import Data.Either (isRight)
 import Data.List (genericTake, intercalate)
 import Data.Proxy (Proxy (..))
+import Numeric.Natural (Natural)
 import PraTactile.Array
-  ( Position,
+  ( Position (..),
     PseudorandomArray,
     Surface (..),
     area,
@@ -23,10 +26,11 @@ import PraTactile.Array
   )
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Library.Touch
+import PraTactile.Conformance.Question hiding (Symbol (..))
 import PraTactile.Field (GF, KnownField, fieldOrder, fromCode, toCode)
 import qualified PraTactile.Field as Field
 import qualified PraTactile.Field.Structure as Structure
-import PraTactile.Locate hiding (locate)
+import PraTactile.Locate hiding (Posterior, locate, probabilities)
 import qualified PraTactile.Locate as Locate
 import PraTactile.Locate.Patch (completeWindows, observedOffsets)
 import PraTactile.Polynomial (checkPrimitive, coefficients, polynomial, primitivePolynomial)
@@ -59,68 +63,87 @@ session p array mask
   where
     locators = locatorsOf p array mask
     possible name = isRight (decoderFor (locators name) (profileSurface p) Guaranteed)
-    sessionBy exact =
-      withLocating p array mask exact locators . withWindows p array mask . withSequence array $
-        withField p (Proxy :: Proxy k)
+    term = termAt (arrayPrimitive array) (arrayState array)
+    sessionBy exact = answering (answers (Prepared p array mask exact locators term))
 
--- | Elements of the field, and polynomials over it.
-withField :: forall k. KnownField k => Profile -> Proxy k -> Session
-withField p _ =
-  (noOperations p)
-    { add = \a b -> fromElement <$> ((+) <$> element a <*> element b),
-      multiply = \a b -> fromElement <$> ((*) <$> element a <*> element b),
-      negation = \a -> fromElement . negate <$> element a,
-      inverse = \a -> element a >>= fmap fromElement . inverted,
-      power = \a i -> do
-        base <- element a
-        fromElement <$> if i < 0 then raised (negate i) <$> inverted base else pure (raised i base),
-      logarithm = \a ->
-        element a >>= maybe (refuse "out-of-range") (pure . fromIntegral) . Field.logarithm,
-      trace = fmap (fromElement . Structure.trace Structure.primeSubfield) . element,
-      primitive = \codes ->
-        either (const False) (const True) . checkPrimitive . polynomial <$> traverse element codes,
-      firstPrimitive = \n -> do
-        h <- orRefuse "invalid" (Polynomial.firstPrimitive n)
-        pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
-    }
-  where
-    element = elementOf :: Code -> Wire (GF k)
-    inverted = orRefuse "division-by-zero" . Field.inverse
-    raised i a = Field.power a (fromInteger i)
+-- | What is made once for all questions under a profile: its array and window, the decoder of
+-- complete windows, the locators, and the terms of the sequence.
+data Prepared k = Prepared
+  { preparedProfile :: Profile,
+    preparedArray :: PseudorandomArray k,
+    preparedWindow :: Mask,
+    preparedExact :: DecoderName,
+    preparedLocator :: DecoderName -> Locator k,
+    preparedTerm :: Natural -> GF k
+  }
 
--- | Terms of the sequence, and cells.
-withSequence :: KnownField k => PseudorandomArray k -> Session -> Session
-withSequence array s =
-  s
-    { term = pure . fromElement . termOf,
-      terms = \from count -> pure (map (fromElement . termOf) (genericTake count [from ..])),
-      cell = pure . fromElement . cellAt array
-    }
+answers :: forall k a. KnownField k => Prepared k -> Question a -> Wire a
+answers prepared question = case question of
+  Add a b -> fromElement <$> ((+) <$> element a <*> element b)
+  Multiply a b -> fromElement <$> ((*) <$> element a <*> element b)
+  Negate a -> fromElement . negate <$> element a
+  Inverse a -> element a >>= fmap fromElement . inverted
+  Power a i -> do
+    base <- element a
+    fromElement <$> if i < 0 then raised (negate i) <$> inverted base else pure (raised i base)
+  Logarithm a ->
+    element a >>= maybe (refuse "out-of-range") (pure . fromIntegral) . Field.logarithm
+  Trace a -> fromElement . Structure.trace Structure.primeSubfield <$> element a
+  Primitive codes ->
+    either (const False) (const True) . checkPrimitive . polynomial <$> traverse element codes
+  FirstPrimitive n -> do
+    h <- orRefuse "invalid" (Polynomial.firstPrimitive n)
+    pure (map fromElement (coefficients (primitivePolynomial (h :: Polynomial.Primitive k))))
+  Term i -> pure (fromElement (termOf i))
+  Terms from count -> pure (map (fromElement . termOf) (genericTake count [from ..]))
+  Cell r c -> pure (fromElement (cellAt array (Position r c)))
+  Pack codes -> do
+    cells <- traverse element codes
+    if length cells == maskSize mask
+      then pure (Window.pack (profilePacking p) q (map toCode cells))
+      else refuse "invalid"
+  Unpack n ->
+    map fromIntegral
+      <$> orRefuse "out-of-range" (Window.unpack (profilePacking p) q (maskSize mask) n)
+  Locate rows -> do
+    observed <- observedIn rows
+    if exact /= TableDecoder
+      && not (null (observedCells observed))
+      && null (completeWindows mask observed)
+      then refuse (reasonName NoCompleteWindow)
+      else locatedBy exact Guaranteed observed
+  Nearest stated rows -> do
+    observed <- observedIn rows
+    radius <- maybe (guaranteedFor p array (observedOffsets observed)) (pure . UpTo) stated
+    locatedBy NearestDecoder radius observed
+  Posterior chances ->
+    traverse (traverse (probabilities (profileOrder p))) chances
+      >>= posteriorBy (locators PosteriorDecoder) (profileSurface p)
+  Prove drawing -> drawn drawing >>= proofOf (profileSurface p) array
+  Distance drawing -> do
+    cells <- drawn drawing
+    Distance.distance <$> orRefuse "too-many-windows" (Distance.minimumDistance array cells)
+  _ -> notOffered
   where
-    -- Prepared once for all terms.
-    termOf = termAt (arrayPrimitive array) (arrayState array)
-
--- | Windows: packing, proofs and distances.
-withWindows ::
-  forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Session -> Session
-withWindows p array mask s =
-  s
-    { pack = \codes -> do
-        cells <- traverse (elementOf :: Code -> Wire (GF k)) codes
-        if length cells == maskSize mask
-          then pure (Window.pack (profilePacking p) q (map toCode cells))
-          else refuse "invalid",
-      unpack =
-        fmap (map fromIntegral) . orRefuse "out-of-range"
-          . Window.unpack (profilePacking p) q (maskSize mask),
-      prove = \drawing -> drawn drawing >>= proofOf (profileSurface p) array,
-      distance = \drawing -> do
-        cells <- drawn drawing
-        Distance.distance <$> orRefuse "too-many-windows" (Distance.minimumDistance array cells)
-    }
-  where
+    p = preparedProfile prepared
+    array = preparedArray prepared
+    mask = preparedWindow prepared
+    exact = preparedExact prepared
+    locators = preparedLocator prepared
+    termOf = preparedTerm prepared
     q = fieldOrder (Proxy :: Proxy k)
+    element = elementOf :: Code -> Wire (GF k)
+    inverted = orRefuse "division-by-zero" . Field.inverse :: GF k -> Wire (GF k)
+    raised i a = Field.power a (fromInteger i) :: GF k
+    drawn :: MaskRows -> Wire Mask
     drawn = orRefuse "invalid" . maskFromDrawing . intercalate "/"
+    observedIn :: [[Maybe Code]] -> Wire (Locate.Patch (GF k))
+    observedIn rows = traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
+    locatedBy :: DecoderName -> Radius -> Locate.Patch (GF k) -> Wire Place
+    locatedBy name radius observed = do
+      let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
+      found <- orRefuse "table-too-large" (Locate.locate (locators name) query)
+      placeOf (answerOutcome found)
 
 -- | What is proved of a mask.
 proofOf :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Wire Proof
@@ -130,41 +153,6 @@ proofOf surface array mask = case Proof.prove surface array mask of
   Right (verdict, _) -> do
     windows <- maybe (refuse "too-many-windows") pure (Proof.distinctWindows verdict)
     pure (Proof (Proof.proved verdict) (Proof.rank verdict) windows)
-
--- | Locating by each decoder.
-withLocating ::
-  forall k.
-  KnownField k =>
-  Profile ->
-  PseudorandomArray k ->
-  Mask ->
-  DecoderName ->
-  (DecoderName -> Locator k) ->
-  Session ->
-  Session
-withLocating p array mask exact locators s =
-  s
-    { locate = \rows -> do
-        observed <- observedIn rows
-        if exact /= TableDecoder
-          && not (null (observedCells observed))
-          && null (completeWindows mask observed)
-          then refuse (reasonName NoCompleteWindow)
-          else locatedBy exact Guaranteed observed,
-      nearest = \stated rows -> do
-        observed <- observedIn rows
-        radius <- maybe (guaranteedFor p array (observedOffsets observed)) (pure . UpTo) stated
-        locatedBy NearestDecoder radius observed,
-      posterior = posteriorBy (locators PosteriorDecoder) (profileSurface p)
-    }
-  where
-    observedIn rows =
-      traverse (traverse (traverse (elementOf :: Code -> Wire (GF k)))) rows
-        >>= orRefuse "invalid" . patch
-    locatedBy name radius observed = do
-      let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
-      answer <- orRefuse "table-too-large" (Locate.locate (locators name) query)
-      placeOf (answerOutcome answer)
 
 -- | The radius that the distance of these cells on the folding's own surface guarantees. The
 -- library promises none on a surface that is neither that nor the sheet cut from it; there it is

@@ -13,7 +13,7 @@ module PraTactile.Conformance.Properties
 where
 
 import Control.Monad.Trans.Except (runExceptT)
-import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Definition (known)
 import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess (inProcess)
@@ -80,25 +80,19 @@ lawProperties implementation =
       opened <- runExceptT (open implementation p)
       pure $ case opened of
         Left why -> counterexample ("the profile was refused: " ++ refusalReason why) False
-        Right session -> casesProperty (sessionAnswers session) (lawCases law about)
+        Right session -> lawProperty law about session
 
 -- | All laws of touch that an implementation offers what they need, each with its id.
 touchProperties :: Implementation -> [(String, Property)]
 touchProperties implementation =
-  [ (lawId law, casesProperty (touchAnswers (touch implementation)) (lawCases law ()))
+  [ (lawId law, lawProperty law () (touch implementation))
     | law <- touchLaws,
       all (`elem` offered implementation) (lawNeeds law)
   ]
 
--- | A law of sessions as a property of one. It fails for a session whose profile describes no
--- array.
-lawProperty :: Law Known -> Session -> Property
-lawProperty law session = case known (profile session) of
-  Left why ->
-    counterexample
-      ("the session's profile describes no array: " ++ refusalReason why)
-      False
-  Right about -> casesProperty (sessionAnswers session) (lawCases law about)
+-- | A law as a property of a session: about the session's profile, or, of touch, about nothing.
+lawProperty :: Law about -> about -> Session -> Property
+lawProperty law about opened = casesProperty (sessionAnswers opened) (lawCases law about)
 
 -- | A law of opening as a property of an implementation, about these profiles.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property

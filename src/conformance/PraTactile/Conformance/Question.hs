@@ -12,6 +12,7 @@ module PraTactile.Conformance.Question
     Operation (..),
     operationName,
     operationOf,
+    exampleOf,
     codeOperations,
     touchOperations,
 
@@ -26,6 +27,9 @@ module PraTactile.Conformance.Question
     Place (..),
     Proof (..),
     Refusal (..),
+
+    -- * Of touch
+    module PraTactile.Conformance.Question.Touch,
   )
 where
 
@@ -83,52 +87,88 @@ newtype Refusal = Refusal {refusalReason :: String}
   deriving stock (Eq, Ord, Show)
 
 -- | A question, and the type of its answer. Those of the code are asked under a profile; those of
--- touch, from 'Register' on, know none.
+-- touch, from 'Register' on, know none. Every operation refuses a code that is not below q, and
+-- every other input that is no such thing, as @invalid@. The examples are of the paper's array,
+-- whose codes 0, 1, 2, 3 are 0, 1, A and A^2.
 data Question a where
-  -- | a + b
+  -- | the sum of two elements: A + A^2 = 1, thus 1 for 2 and 3
   Add :: Code -> Code -> Question Code
-  -- | a b
+  -- | the product: A A^2 = 1, thus 1 for 2 and 3
   Multiply :: Code -> Code -> Question Code
-  -- | - a
+  -- | the additive inverse: 2 for 2 over GF(4), 1 for 2 over GF(3)
   Negate :: Code -> Question Code
-  -- | 1/a
+  -- | the multiplicative inverse: 3 for 2; refuses 0 as @division-by-zero@
   Inverse :: Code -> Question Code
-  -- | a^i; 0^0 = 1
+  -- | a power with any integer as exponent: A^-1 = A^2, thus 3 for 2 and -1; 0^0 is 1; refuses 0 to
+  -- a negative exponent as @division-by-zero@
   Power :: Code -> Integer -> Question Code
-  -- | the least i with A^i = a, A being the profile's primitive element
+  -- | the least exponent of the profile's primitive element, which is the smallest code of order
+  -- q - 1, that gives the element: 2 for 3; refuses 0 as @out-of-range@
   Logarithm :: Code -> Question Natural
-  -- | the trace of an element to the prime field
+  -- | the trace to the prime field, a + a^p + a^(p^2) + ...: A + A^2 = 1, thus 1 for 2
   Trace :: Code -> Question Code
-  -- | whether a polynomial over the field, constant term first, is primitive
+  -- | whether a polynomial over the field, constant term first, is primitive: true for
+  -- @3,2,1,0,1@; false for what is not monic, has degree 0 or constant term 0
   Primitive :: [Code] -> Question Bool
-  -- | the first primitive polynomial of a degree, in the profile's order
+  -- | the first primitive polynomial of a degree, coefficients being compared from the highest
+  -- degree down: @3,2,1,0,1@ for 4; refuses degree 0 as @invalid@
   FirstPrimitive :: Natural -> Question [Code]
-  -- | s(i)
+  -- | the term s(i) of the sequence, for any i: 1 for 3, and for 258
   Term :: Natural -> Question Code
-  -- | s(i), ..., s(i + length - 1): the index, and the length
+  -- | as many terms as the second number says, from the first on: @0,1,0@ for 2 and 3; none for the
+  -- length 0
   Terms :: Natural -> Natural -> Question [Code]
-  -- | the cell at a row and a column, which go on beyond the edges on the folding's own surface
+  -- | the cell at a row and a column, which go on beyond the edges on the folding's own surface:
+  -- round the torus for the diagonal, where the cell at 20 and 18 is that at 5 and 1; for the
+  -- row-major folding one past the last column is the next row's first
   Cell :: Natural -> Natural -> Question Code
-  -- | the number of a window's cells, given in reading order
+  -- | the number that packs a window's cells, given in reading order: 237 for @3,2,3,1@; refuses
+  -- another number of cells than the window has as @invalid@
   Pack :: [Code] -> Question Natural
-  -- | and back
+  -- | and back; refuses a number that packs no window as @out-of-range@: 256 and more
   Unpack :: Natural -> Question [Code]
-  -- | where a patch is, by the table of all windows
+  -- | where a patch is by the table of all windows. The complete windows in it that occur on the
+  -- surface are looked up; their places, intersected, at which every observed cell agrees, are the
+  -- answer. Refuses a patch of which nothing was observed as @too-few-cells@; without a complete
+  -- window, @no-complete-window@; if none occurs, @zero-window@ where all of them are zeros,
+  -- otherwise @not-in-array@; where no place agrees, @off-sheet@ if only the sheet's edges are in
+  -- the way, otherwise @contradiction@
   Locate :: Patch -> Question Place
-  -- | the nearest position within a radius; 'Nothing': within the guaranteed one
+  -- | the position, or the several equally near, that differ from a patch in the fewest cells, if
+  -- these are within a radius: the one that is stated, or else the largest e with 2 e < d, d being
+  -- the least number in which two contents of the observed cells differ on the array's own surface
+  -- (0 where two are the same); whether or not a window is complete. Refuses a patch of which
+  -- nothing was observed as @too-few-cells@. Where nothing is within the radius: if that is 0 and a
+  -- window is complete, as 'Locate' does; if it is 0 and none is, @zero-window@ where all observed
+  -- cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many observed cells as
+  -- the radius are not 0, else @beyond-radius@
   Nearest :: Maybe Natural -> Patch -> Question Place
-  -- | the probabilities of the positions
+  -- | the probability of every position, those of probability 0 perhaps left out, in any order,
+  -- given what is known of each cell, cells being independent and positions equally likely
+  -- beforehand. Refuses what fits no position as @contradiction@, and numbers that are no
+  -- probabilities as @invalid@: not q of them, a negative one, or a sum that differs from 1 by more
+  -- than 0.001
   Posterior :: Chances -> Question [(Position, Double)]
-  -- | whether all windows of a mask are different
+  -- | whether all windows of a mask differ: proved, with rank 4 and 255 windows, for @##/##@;
+  -- refuses a mask of which no window lies on the sheet as @off-sheet@
   Prove :: MaskRows -> Question Proof
-  -- | the least number of cells in which two windows of a mask differ
+  -- | the least number of cells in which two windows of a mask differ on the folding's own surface:
+  -- 1 for @##/##@, 2 for @###/###@; 0 if two are the same
   Distance :: MaskRows -> Question Natural
-  -- | where the second of two frames lies in the first
+  -- | where the second of two frames lies in the first: the only displacement of whole or broken
+  -- taxels within the search at which both show the same relief, whatever is affine in their grey
+  -- values. Refused, with the most probable one all the same: @no-overlap@ if the frames meet at
+  -- none of them; @blank@ if one of them shows nothing; @one-axis@ if the displacement along one
+  -- axis is fixed and that along the other is not; @ambiguous@ otherwise. Frames that differ in
+  -- size, or are not of 4 x 4 to 256 x 256 taxels, are @invalid@. So are, here and below, rows of
+  -- different lengths, no row, none in a row, and a grey value above 'fullScale'
   Register :: Pair -> Question Registered
-  -- | how far frames are from where they should be, each at most so many taxels along each axis; a
-  -- shift that is common to all of them means nothing
+  -- | how far each frame is from where it should be, in the order of the frames, each at most so
+  -- many taxels along each axis; a shift that is common to all of them means nothing. No frame, and
+  -- frames as above, are @invalid@
   Stitch :: Natural -> [Placed] -> Question [Taxels]
-  -- | the symbols that lie wholly in a composite, in any order
+  -- | the symbols of the shipped alphabet that lie wholly in a composite, in any order, each where
+  -- its box of 8 x 12 taxels has its centre
   Segment :: Rows -> Question [Symbol]
   -- | an operation with an input that may be anything; the answer is as it came
   Raw :: Operation -> Value -> Question Value
@@ -228,3 +268,31 @@ operationOf question = case question of
   Stitch _ _ -> OfStitch
   Segment _ -> OfSegment
   Raw operation _ -> operation
+
+-- | A question of each operation, to which every profile has an answer or a refusal.
+exampleOf :: Operation -> SomeQuestion
+exampleOf operation = case operation of
+  OfAdd -> SomeQuestion (Add 1 0)
+  OfMultiply -> SomeQuestion (Multiply 1 1)
+  OfNegate -> SomeQuestion (Negate 1)
+  OfInverse -> SomeQuestion (Inverse 1)
+  OfPower -> SomeQuestion (Power 1 1)
+  OfLogarithm -> SomeQuestion (Logarithm 1)
+  OfTrace -> SomeQuestion (Trace 1)
+  OfPrimitive -> SomeQuestion (Primitive [1, 1])
+  OfFirstPrimitive -> SomeQuestion (FirstPrimitive 1)
+  OfTerm -> SomeQuestion (Term 0)
+  OfTerms -> SomeQuestion (Terms 0 1)
+  OfCell -> SomeQuestion (Cell 0 0)
+  OfPack -> SomeQuestion (Pack [0])
+  OfUnpack -> SomeQuestion (Unpack 0)
+  OfLocate -> SomeQuestion (Locate [[Just 1]])
+  OfNearest -> SomeQuestion (Nearest Nothing [[Just 1]])
+  OfPosterior -> SomeQuestion (Posterior [[Certainly 1]])
+  OfProve -> SomeQuestion (Prove ["#"])
+  OfDistance -> SomeQuestion (Distance ["#"])
+  OfRegister -> SomeQuestion (Register (Pair blank blank (0, 0) 1))
+  OfStitch -> SomeQuestion (Stitch 1 [Placed blank (0, 0)])
+  OfSegment -> SomeQuestion (Segment blank)
+  where
+    blank = replicate 4 (replicate 4 0)

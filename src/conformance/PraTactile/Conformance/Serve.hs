@@ -35,7 +35,7 @@ serve implementation input output = do
   hSetBuffering output (BlockBuffering (Just 65536))
   force <- noForce
   start <- getMonotonicTime
-  answering (replyTo implementation force) input output start Empty
+  replying (replyTo implementation force) input output start Empty
 
 -- | What was read and not used: bytes, or the rest of a line that is too long.
 data Pending
@@ -45,8 +45,8 @@ data Pending
 
 -- | Reply to each line; what is ready is written when no more waits, or when it has waited for a
 -- fiftieth of a second.
-answering :: (ByteString -> IO (Maybe Series)) -> Handle -> Handle -> Double -> Pending -> IO ()
-answering reply input output = go
+replying :: (ByteString -> IO (Maybe Series)) -> Handle -> Handle -> Double -> Pending -> IO ()
+replying reply input output = go
   where
     go flushed pending = case pending of
       Pending bytes

@@ -24,7 +24,7 @@ import qualified Data.ByteString as Bytes
 import qualified Data.Set as Set
 import PraTactile.Array (Shape (..), naturalsBelow)
 import PraTactile.Conformance.Definition
-import PraTactile.Conformance.Implementation (Implementation (..), Session, answerOf)
+import PraTactile.Conformance.Implementation (Implementation (..), Session, answerTo)
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
@@ -140,7 +140,7 @@ withoutRepeated = filter (not . null . groupTests) . go Set.empty
 -- | A test, if both roads lead to the same answer.
 testOf :: Known -> Session -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
 testOf k session operation proof (SomeQuestion question) = do
-  came <- lift (runExceptT (answerOf session question))
+  came <- lift (runExceptT (answerTo session question))
   outcome <- case (expected k question, came) of
     (Right wanted, Right given)
       | agrees k question wanted given -> pure (Right (shown wanted given))
@@ -182,11 +182,7 @@ roads operation = case operation of
   OfPosterior -> ("sums of logarithms", "products of exact fractions")
   OfProve -> ("visit and rank of powers of alpha", "counting contents, elimination of windows")
   OfDistance -> ("search among information sets", "the lightest of all windows")
-  OfRegister -> scene
-  OfStitch -> scene
-  OfSegment -> scene
-  where
-    scene = ("the library", "the scene as it was drawn")
+  _ -> ("the library", "the definition")
 
 -- | All values of an operation that are too many to list, in an order.
 table :: Known -> Operation -> Maybe (String, [Question Code])
@@ -203,7 +199,7 @@ table k operation = case (wholeDomain k operation, operation) of
 
 digested :: Known -> Session -> (String, [Question Code]) -> ExceptT String IO Digest
 digested k session (over, questions) = do
-  came <- lift (runExceptT (traverse (answerOf session) questions))
+  came <- lift (runExceptT (traverse (answerTo session) questions))
   if came == traverse (expected k) questions
     then pure (Digest over (digestOf (Bytes.pack (map fromIntegral (either (const []) id came)))))
     else throwE ("the two roads part at the table of " ++ over)

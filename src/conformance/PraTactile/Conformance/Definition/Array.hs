@@ -1,18 +1,17 @@
 -- | Sequence and array from their definition: the recurrence, and the folding formula.
 module PraTactile.Conformance.Definition.Array
   ( -- * What is known under a profile
-    Known,
+    Known (..),
     known,
-    knownProfile,
-    knownField,
-    knownSize,
+    withTerms,
+    recurrence,
 
     -- * Sequence and cells
+    sequenceOf,
     termOf,
     cellOf,
 
     -- * Surfaces
-    positions,
     onSurface,
     canonical,
     ownSurface,
@@ -53,7 +52,7 @@ known profile = do
   f <- maybe impossible Right (field (toInteger q) (map toInteger (profileModulus profile)))
   need (all (< q) (profilePolynomial profile ++ profileState profile))
   let stated = map fromIntegral (profilePolynomial profile)
-      state = map fromIntegral (profileState profile)
+      state = profileState profile
       n = degreeOf stated
   need (n >= 1 && n1 * n2 == q ^ n - 1)
   if n1 * n2 > 2 ^ (20 :: Int) then Left (Refusal "too-large") else Right ()
@@ -61,10 +60,9 @@ known profile = do
   need (profileFolding profile == RowMajor || gcd n1 n2 == 1)
   need (windowCells >= 1 && windowCells <= 4096)
   let size = (fromIntegral n1, fromIntegral n2)
-      terms = sequenceOf f (characteristicOf f (profileReading profile) (take (n + 1) stated)) state
-      period = Vector.fromListN (uncurry (*) size) terms
-      cells = folded (profileFolding profile) size period
-  pure (Known profile f size period cells [(r, c) | r <- below fst size, c <- below snd size])
+      bare = Known profile f size Vector.empty Vector.empty
+      array = bare [(r, c) | r <- below fst size, c <- below snd size]
+  pure (withTerms (uncurry (sequenceOf f) (recurrence array)) array)
   where
     q = profileOrder profile
     Shape n1 n2 = profileShape profile
@@ -72,6 +70,23 @@ known profile = do
     impossible = Left (Refusal "impossible-profile")
     below side size = [0 .. side size - 1]
     need holds = if holds then Right () else impossible
+
+-- | The same with this sequence, of which a period is folded.
+withTerms :: [Int] -> Known -> Known
+withTerms terms k =
+  k {knownTerms = period, knownCells = folded (profileFolding (knownProfile k)) size period}
+  where
+    size = knownSize k
+    period = Vector.fromListN (uncurry (*) size) terms
+
+-- | The characteristic polynomial and the state.
+recurrence :: Known -> ([Int], [Int])
+recurrence k = (characteristicOf (knownField k) (profileReading p) (take (n + 1) stated), state)
+  where
+    p = knownProfile k
+    stated = map fromIntegral (profilePolynomial p)
+    state = map fromIntegral (profileState p)
+    n = length state
 
 -- | The characteristic polynomial h(x), or of a reciprocal one x^n h(1/x), made monic.
 characteristicOf :: Field -> Reading -> [Int] -> [Int]

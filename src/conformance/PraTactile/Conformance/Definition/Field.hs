@@ -2,9 +2,8 @@
 -- m over the integers modulo p, A being a root of the modulus; its code is the integer whose base-p
 -- digits are the coefficients, lowest degree first.
 module PraTactile.Conformance.Definition.Field
-  ( Field,
+  ( Field (..),
     field,
-    fieldOrder,
     add,
     multiply,
     negation,

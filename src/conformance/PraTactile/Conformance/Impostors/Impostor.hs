@@ -1,21 +1,30 @@
--- | Implementations that are wrong, each in one way in which a decoder may be wrong.
+{-# LANGUAGE GADTs #-}
+{-# LANGUAGE RankNTypes #-}
+
+-- | Implementations that are wrong, each in one way in which a decoder may be wrong: the
+-- definition, with one edit.
 module PraTactile.Conformance.Impostors.Impostor
   ( Impostor (..),
-    mistaken,
-    mistouched,
-    misstepped,
-    missearching,
-    elsewhereIn,
+    RightAnswers,
+    definition,
+
+    -- * Edits
+    answeringOtherwise,
+    touchingOtherwise,
+    reading,
+    opening,
+    knowing,
+    under,
   )
 where
 
-import Control.Monad.IO.Class (liftIO)
-import Control.Monad.Trans.Except (runExceptT)
+import Control.Monad.Trans.Except (except)
+import Data.Aeson (Value)
+import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Implementation
-import PraTactile.Conformance.Impostors.Decoder
-import PraTactile.Conformance.Impostors.Searching
-import PraTactile.Conformance.Impostors.Ways
 import PraTactile.Conformance.Law (Stage)
+import PraTactile.Conformance.Library (library)
+import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
 -- | An implementation with a mistake in it.
@@ -25,47 +34,59 @@ data Impostor = Impostor
     impostorMistake :: String,
     -- | The stages whose laws are there to find it.
     impostorTouches :: [Stage],
-    -- | Put the mistake into a right implementation.
-    impostorMake :: Implementation -> Implementation
+    -- | What it is.
+    impostorMade :: Implementation
   }
 
--- | With some operations of the session otherwise.
-mistaken :: String -> String -> (Session -> Session) -> Impostor
-mistaken name mistake change =
-  Impostor name mistake [] (\base -> base {open = fmap change . open base})
+-- | What is answered to every question.
+type RightAnswers = forall a. Question a -> Wire a
 
--- | With the stages of touch otherwise.
-mistouched :: String -> String -> (Touch -> Touch) -> Impostor
-mistouched name mistake change =
-  Impostor name mistake [] (\base -> base {touch = change (touch base)})
+-- | The definition as an implementation. Touch, which has none, is this library's.
+definition :: Implementation
+definition = library {open = fmap (\k -> answering (defined k)) . except . known}
 
--- | The decoder written from the documentation, with a wrong step on its way to the array.
-misstepped :: String -> String -> (Ways -> Ways) -> Impostor
-misstepped name mistake change =
+defined :: Known -> Question a -> Wire a
+defined k = except . expected k
+
+-- | With some answers otherwise, given what is known of the profile, and the right answers.
+answeringOtherwise ::
+  String ->
+  String ->
+  (forall a. Known -> RightAnswers -> Question a -> Wire a) ->
   Impostor
-    name
-    mistake
-    []
-    (decoder (change rightWays) rightSearching)
+answeringOtherwise name mistake edit =
+  edited name mistake (\k -> answering (edit k (defined k)))
 
--- | The decoder written from the documentation, with a wrong step in its search for places.
-missearching :: String -> String -> (Searching -> Searching) -> Impostor
-missearching name mistake change =
-  Impostor
-    name
-    mistake
-    []
-    (decoder rightWays (change rightSearching))
+-- | With some answers to questions about touch otherwise, given the right ones.
+touchingOtherwise ::
+  String -> String -> (forall a. RightAnswers -> Question a -> Wire a) -> Impostor
+touchingOtherwise name mistake edit =
+  Impostor name mistake [] definition {touch = answering (edit (answerTo (touch library)))}
 
--- | In some operations as the same implementation would answer under another profile, where that is
--- possible: given the session under the other profile, and the right one.
-elsewhereIn ::
-  String -> String -> (Profile -> Profile) -> (Session -> Session -> Session) -> Impostor
-elsewhereIn name mistake change join =
-  Impostor name mistake [] $ \base ->
-    base
-      { open = \p -> do
-          right <- open base p
-          other <- liftIO (runExceptT (open base (change p)))
-          pure (either (const right) (`join` right) other) {profile = p}
-      }
+-- | Taking an input for another one, before it is read.
+reading :: String -> String -> (Value -> Value) -> Impostor
+reading name mistake edit =
+  edited name mistake $ \k -> Session $ \question -> case question of
+    Raw operation input -> answerTo (answering (defined k)) (Raw operation (edit input))
+    _ -> defined k question
+
+-- | Taking a profile for another one, the first of these that is possible.
+opening :: String -> String -> (Profile -> [Profile]) -> Impostor
+opening name mistake others = Impostor name mistake [] definition {open = firstOf . others}
+  where
+    firstOf profiles = case [k | Right k <- map known profiles] of
+      k : _ -> pure (answering (defined k))
+      [] -> refuse "impossible-profile"
+
+-- | Answering by what is not so of an array.
+knowing :: String -> String -> (Known -> Known) -> Impostor
+knowing name mistake edit = edited name mistake (\k -> answering (defined (edit k)))
+
+-- | Answering as under another profile, where that is possible.
+under :: String -> String -> (Profile -> Profile) -> Impostor
+under name mistake edit = knowing name mistake other
+  where
+    other k = either (const k) id (known (edit (knownProfile k)))
+
+edited :: String -> String -> (Known -> Session) -> Impostor
+edited name mistake made = Impostor name mistake [] definition {open = fmap made . except . known}

@@ -18,7 +18,6 @@ import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
-import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Run.Case (Plan (..), trialsOf)
 import PraTactile.Conformance.Run.Work (Settings (..), standardSettings)
@@ -63,7 +62,7 @@ findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
     findsOpening seed [p | (_, p, _) <- profiles] law impostor
   | law : _ <- [law | law <- touchLaws, lawId law == killLaw kill] =
-    finds touchCases seed law () (touchAnswers (touch (impostorMake impostor library)))
+    finds touchCases seed law () (sessionAnswers (touch (impostorMade impostor)))
   | law : _ <- [law | law <- laws, lawId law == killLaw kill],
     (p, about) : _ <- [(p, about) | (name, p, about) <- profiles, name == killProfile kill] =
     findsUnder seed p about law impostor
@@ -71,11 +70,11 @@ findsAt seed profiles impostor kill
 
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
-  finds usualCases seed law profiles (openingAnswers (impostorMake impostor library))
+  finds usualCases seed law profiles (openingAnswers (impostorMade impostor))
 
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =
-  runExceptT (open (impostorMake impostor library) p)
+  runExceptT (open (impostorMade impostor) p)
     >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionAnswers)
 
 -- | In how many cases, of so many drawn at most, a law finds who answers so.

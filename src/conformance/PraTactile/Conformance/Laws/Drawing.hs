@@ -24,7 +24,7 @@ import Data.List (transpose)
 import Data.Maybe (isNothing)
 import qualified Data.Vector.Unboxed as Vector
 import PraTactile.Conformance.Laws.Relief
-import PraTactile.Conformance.Question.Touch
+import PraTactile.Conformance.Question
 import PraTactile.Format.Json.Codec
   ( Codec,
     bool,

@@ -8,7 +8,6 @@ module PraTactile.Conformance.Laws.Judge
     defined,
     invalid,
     asDefined,
-    agree,
     judge,
     questionForm,
 
@@ -40,7 +39,6 @@ import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Error (Misfit (NotAmong, NotPair))
 import PraTactile.Format.Json.Codec (Codec (..), listOf, readValue, refuse, text)
-import PraTactile.Profile (Profile (profilePolynomial))
 
 -- | A law that all these questions are answered, or refused, as the definition says. What it needs
 -- is the operation they ask for. The texts are the name of what holds, the sentence and its source.
@@ -86,7 +84,7 @@ law stage what = Law (stageName stage ++ "/" ++ what) stage
 -- | Ask, and judge by the definition.
 asDefined :: Known -> SomeQuestion -> Ask Verdict
 asDefined known (SomeQuestion question) =
-  judge question wanted (either (const (const False)) (agree known question) wanted) road reason
+  judge question wanted (either (const (const False)) (agrees known question) wanted) road reason
     <$> ask question
   where
     wanted = expected known question
@@ -107,32 +105,6 @@ judge question wanted fits road reason came = case (wanted, came) of
   (Left refusal, Left refusal') | refusal == refusal' -> Holds
   (_, Right a) | fits a -> Holds
   _ -> Violated (Violation [exchanged question came] (reply question wanted) road reason)
-
--- | Whether an answer is as good as the one that the definition gives; where positions are counted,
--- the dimension must be right too.
-agree :: Known -> Question a -> a -> a -> Bool
-agree known question wanted got = case question of
-  Locate rows -> samePlace known rows wanted got
-  Nearest _ rows -> samePlace known rows wanted got
-  Raw operation input
-    | Just (SomeQuestion typed) <- someQuestion operation input,
-      Just w <- readAnswer typed wanted,
-      Just g <- readAnswer typed got ->
-      agree known typed w g
-  _ -> agrees known question wanted got
-
--- | Positions that are too many to list may be told by their number and the dimension of the coset
--- that they are: the degree less the rank of the observed cells.
-samePlace :: Known -> Patch -> Place -> Place -> Bool
-samePlace known rows wanted got = case (wanted, got) of
-  (OneOf places, Coset count dimension) ->
-    count == fromIntegral (length places) && Just dimension == (less <$> rank)
-  _ -> wanted == got
-  where
-    degree = fromIntegral (length (profilePolynomial (knownProfile known))) - 1
-    less r = degree - min degree r
-    rank = either (const Nothing) proofRank (expected known (Prove (map (map drawn) rows)))
-    drawn cell = maybe '.' (const '#') cell
 
 exchanged :: Question a -> Either Refusal a -> Exchange
 exchanged question came =

@@ -13,7 +13,6 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Question.Touch
 import PraTactile.Format.Json.Codec (Codec, int, integer, key, object, pairOf)
 import PraTactile.Symmetry (onOffset)
 import Test.QuickCheck (Gen, chooseInt, elements, shrinkIntegral)

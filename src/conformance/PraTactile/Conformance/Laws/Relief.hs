@@ -25,7 +25,7 @@ where
 
 import Data.List (foldl')
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Question.Touch
+import PraTactile.Conformance.Question
 import PraTactile.Symmetry (Symmetry, onRows, symmetries)
 import System.Random (mkStdGen, randomRs)
 import Test.QuickCheck (Gen, chooseInt, chooseInteger, shrinkIntegral)

@@ -12,7 +12,6 @@ import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Laws.Malformed
 import PraTactile.Conformance.Laws.Relief
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Question.Touch
 import PraTactile.Symmetry (degreesClockwise, onPixel, onRows, turned)
 
 -- | The laws of segmentation.

@@ -42,10 +42,7 @@ smaller (SomeQuestion question) = case question of
   Posterior rows -> SomeQuestion . Posterior <$> smallerPatch chance rows
   Prove mask -> SomeQuestion . Prove <$> smallerMask mask
   Distance mask -> SomeQuestion . Distance <$> smallerMask mask
-  Register _ -> []
-  Stitch _ _ -> []
-  Segment _ -> []
-  Raw _ _ -> []
+  _ -> []
   where
     pairs a b = [(c, b) | c <- smallerNatural a] ++ [(a, d) | d <- smallerNatural b]
     -- One that ends in 0 states no degree.

@@ -1,3 +1,5 @@
+{-# LANGUAGE GADTs #-}
+
 -- | The stages of touch of this library as an implementation under test.
 module PraTactile.Conformance.Library.Touch
   ( libraryTouch,
@@ -10,7 +12,7 @@ import Data.Maybe (isNothing)
 import qualified Data.Vector as Vector
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Implementation
-import PraTactile.Conformance.Question.Touch
+import PraTactile.Conformance.Question
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
@@ -20,8 +22,12 @@ import PraTactile.Shape (paperAlphabet)
 
 -- | Registration by the better of its methods, stitching as for an exact sensor, and segmentation
 -- at any angle.
-libraryTouch :: Touch
-libraryTouch = Touch {register = registered, stitch = stitched, segment = segmented}
+libraryTouch :: Session
+libraryTouch = answering $ \question -> case question of
+  Register pair -> registered pair
+  Stitch search frames -> stitched search frames
+  Segment rows -> segmented rows
+  _ -> notOffered
 
 -- | Grey values as shares of full scale.
 image :: Rows -> Wire Raster

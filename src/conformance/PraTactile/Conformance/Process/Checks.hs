@@ -109,7 +109,7 @@ noneInForce limits session = case startedQuestions session of
 startedQuestions :: Session -> [SomeQuestion]
 startedQuestions session =
   [ question
-    | question@(SomeQuestion asked) <- samples,
+    | question@(SomeQuestion asked) <- map exampleOf [minBound ..],
       operationOf asked `elem` codeOperations,
       operationName (operationOf asked) `elem` startedOperations (sessionStarted session)
   ]

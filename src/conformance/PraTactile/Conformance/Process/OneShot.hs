@@ -5,7 +5,6 @@ module PraTactile.Conformance.Process.OneShot
   ( oneShot,
     offeredOneShot,
     runOnce,
-    samples,
   )
 where
 
@@ -19,7 +18,6 @@ import PraTactile.Conformance.Process.Lines
 import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Process.Session (Limits (..))
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Question.Touch
 import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
@@ -80,7 +78,7 @@ ended child deadline reply = do
 -- is @skipped@. 'Left' where it answers none of them.
 offeredOneShot :: Limits -> Command -> Profile -> IO (Either Fault [Operation])
 offeredOneShot limits command profile = do
-  replies <- sampled samples
+  replies <- sampled (map exampleOf [minBound ..])
   pure $ case [why | (_, Left why) <- replies] of
     why : _ | null [() | (_, Right _) <- replies] -> Left why
     _ -> Right [operation | (operation, reply) <- replies, not (skips reply)]
@@ -96,32 +94,3 @@ offeredOneShot limits command profile = do
     skips reply = case reply of
       Right (CameSkipped _) -> True
       _ -> False
-
--- | A question of each operation, to which every profile has an answer or a refusal.
-samples :: [SomeQuestion]
-samples =
-  [ SomeQuestion (Add 1 0),
-    SomeQuestion (Multiply 1 1),
-    SomeQuestion (Negate 1),
-    SomeQuestion (Inverse 1),
-    SomeQuestion (Power 1 1),
-    SomeQuestion (Logarithm 1),
-    SomeQuestion (Trace 1),
-    SomeQuestion (Primitive [1, 1]),
-    SomeQuestion (FirstPrimitive 1),
-    SomeQuestion (Term 0),
-    SomeQuestion (Terms 0 1),
-    SomeQuestion (Cell 0 0),
-    SomeQuestion (Pack [0]),
-    SomeQuestion (Unpack 0),
-    SomeQuestion (Locate [[Just 1]]),
-    SomeQuestion (Nearest Nothing [[Just 1]]),
-    SomeQuestion (Posterior [[Certainly 1]]),
-    SomeQuestion (Prove ["#"]),
-    SomeQuestion (Distance ["#"]),
-    SomeQuestion (Register (Pair blank blank (0, 0) 1)),
-    SomeQuestion (Stitch 1 [Placed blank (0, 0)]),
-    SomeQuestion (Segment blank)
-  ]
-  where
-    blank = replicate 4 (replicate 4 0)

@@ -7,13 +7,14 @@ module PraTactile.Conformance.Run.Case
     tryLaw,
     tryCase,
     trialsOf,
+    fewestAlike,
   )
 where
 
 import Data.Aeson (Value)
 import Data.Bits (xor)
 import Data.Char (ord)
-import Data.List (foldl')
+import Data.List (foldl', nub)
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Run.Trials
@@ -52,20 +53,41 @@ data Failure = Failure
     failureWrong :: [[Exchange]]
   }
 
+-- | How many failing cases a cause must agree with at least to be called likely.
+fewestAlike :: Int
+fewestAlike = 3
+
 -- | Try the cases of a law, drawn ones from the plan's seed and the law's own name.
 tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
 tryLaw plan subject name (Cases form domain trial) = case domain of
   Every every -> do
     came <- search' (map trial every)
     let failure (i, why) =
-          Failure why (writeValue form (every !! i)) 0 (searchWrong came)
-    pure (Tried (searchCases came) True (failure <$> searchTrouble came))
+          Failure why (writeValue form (every !! i)) 0
+            <$> further why (searchWrong came) (drop (i + 1) every)
+    Tried (searchCases came) True <$> traverse failure (searchTrouble came)
   Some gen smaller -> do
-    (cases, came) <- drawing 0 (drawn plan name gen)
+    let draws = drawn plan name gen
+    (cases, came) <- drawing 0 draws
     failure <- traverse (uncurry (shrunk smaller 0)) came
-    pure (Tried cases False failure)
+    Tried cases False <$> traverse (furtherDrawn draws) failure
   where
     search' = search subject (planWindow plan)
+    furtherDrawn draws failure = do
+      wrong <- further (failureTrouble failure) (failureWrong failure) (reverse draws)
+      pure failure {failureWrong = wrong}
+    -- A cause can be told by several cases only: more are tried, if a law is violated, until there
+    -- are three, or another sixty have been tried.
+    further why wrong = case why of
+      Wrong _ -> goOn (60 :: Int) wrong
+      Broke {} -> const (pure wrong)
+    goOn left wrong later
+      | length (nub wrong) >= fewestAlike || left <= 0 || null later = pure wrong
+      | otherwise = do
+        came <- search' (map trial (take left later))
+        case searchTrouble came of
+          Just (i, Wrong _) -> goOn (left - i - 1) (wrong ++ searchWrong came) (drop (i + 1) later)
+          _ -> pure wrong
     -- Draws of which the law says nothing are made good by others, up to ten for each case.
     drawing count draws
       | null now = pure (count, Nothing)

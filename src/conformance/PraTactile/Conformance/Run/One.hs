@@ -22,6 +22,7 @@ where
 
 import Data.Aeson (Value (Bool))
 import Data.IORef
+import Data.List (nub)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Process.Reply (profileRequest, profileRequestOf, runRequest)
 import PraTactile.Conformance.Question
@@ -116,7 +117,8 @@ reportOf suite work tried = case triedFailure tried of
           lawReportExhaustive = triedExhaustive tried
         }
     likely failure profile = case failureTrouble failure of
-      Wrong violation -> suiteLikely suite profile (violationAsked violation : failureWrong failure)
+      Wrong violation ->
+        suiteLikely suite profile (nub (violationAsked violation : failureWrong failure))
       Broke {} -> pure Nothing
 
 -- | Whether the law failed, or something else went wrong.

@@ -122,10 +122,8 @@ flagsOf profile several question =
     Posterior patch -> chanceFlags q patch
     Prove mask -> maskFlags mask
     Distance mask -> maskFlags mask
-    Register _ -> []
-    Stitch _ _ -> []
-    Segment _ -> []
     Raw _ _ -> [Malformed]
+    _ -> []
   where
     q = profileOrder profile
     Shape n1 n2 = profileShape profile

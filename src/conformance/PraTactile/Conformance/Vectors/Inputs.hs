@@ -182,9 +182,7 @@ edges k operation = case operation of
   OfPosterior -> map (SomeQuestion . Posterior) (chanceEdges k)
   OfProve -> map (SomeQuestion . Prove) masks
   OfDistance -> map (SomeQuestion . Distance) masks
-  OfRegister -> []
-  OfStitch -> []
-  OfSegment -> []
+  _ -> []
   where
     profile = knownProfile k
     q = profileOrder profile
@@ -336,8 +334,6 @@ typical k operation = case operation of
   OfInverse -> [SomeQuestion (Inverse 1)]
   OfLogarithm -> [SomeQuestion (Logarithm 1)]
   OfTrace -> [SomeQuestion (Trace 1)]
-  OfRegister -> []
-  OfStitch -> []
-  OfSegment -> []
+  _ -> []
   where
     window = patchAt k 1 1 (profileWindow (knownProfile k))

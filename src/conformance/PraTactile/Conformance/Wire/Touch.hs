@@ -26,7 +26,7 @@ import Control.Monad (guard, (>=>))
 import Data.Aeson (Object, Value, object, toJSON, (.=))
 import Data.Maybe (isNothing)
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Question.Touch
+import PraTactile.Conformance.Question
 import PraTactile.Conformance.Wire.Read
 import PraTactile.Format.Json (integerValue, naturalValue)
 
