@@ -9,12 +9,15 @@ import PraTactile.Geometry hiding (taxelPitch)
 import qualified PraTactile.Geometry as Geometry
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
+import PraTactile.Symmetry (degreesClockwise, identity, nearestQuarter, turned)
 import Test.Hspec
 import Test.QuickCheck
+import Test.Support (holds)
 
 spec :: Spec
 spec = do
   describe "Sizes" sizes
+  describe "Angles and parabolas" formulas
   describe "Motions" motions
   describe "Plans" plans
   describe "Manifests" manifests
@@ -27,6 +30,44 @@ sizes = do
   it "symbols are 8 x 12 taxels, 1.5875 mm high, 25.4 mm apart across and 31.75 mm down" $ do
     (symbolWidth, symbolHeight, symbolThickness) `shouldBe` (8, 12, 1.5875 :: Rational)
     (columnPitch * 1.5875, rowPitch * 1.5875) `shouldBe` (25.4 :: Rational, 31.75 :: Rational)
+
+formulas :: Spec
+formulas = do
+  it "half a turn is pi, and toDegrees (toRadians a) = a" $ do
+    toRadians 180 `shouldBe` pi
+    holds 100 $ property $ \a -> abs (toDegrees (toRadians a) - a) <= 1e-12 * abs a
+  it "cosine and sine are exact at the multiples of 90, and those of radians elsewhere" $ do
+    map (cosineSine . (90 *)) [-5 .. 5]
+      `shouldBe` take 11 (drop 3 (cycle [(1, 0), (0, 1), (-1, 0), (0, -1)]))
+    holds 100 . property $ \a ->
+      let (c, s) = cosineSine a
+          radians = a * pi / 180
+       in abs (c - cos radians) < 1e-12 && abs (s - sin radians) < 1e-12
+  it "rotated a . rotated b = rotated (a + b)" $
+    property $ \a b place ->
+      let (x, y) = rotated a (rotated b place)
+          (x', y') = rotated (a + b) place
+          size = 1 + abs (fst place) + abs (snd place)
+       in abs (x - x') + abs (y - y') < 1e-9 * size
+  it "a parabola that opens downwards is highest at its vertex; others are nowhere" $
+    forAll ((,,) <$> choose (-3, 3) <*> choose (-2, 2) <*> choose (-1, 1)) $ \(bend, v, top) ->
+      let at t = top - bend * (t - v) * (t - v)
+       in case parabolaVertex (at (-1)) (at 0) (at 1) of
+            Just found -> bend > 0 && (bend < 1e-3 || abs (found - v) < 1e-9)
+            Nothing -> bend < 1e-12
+  it "an angle is its nearest quarter turn and what is beyond, from -45 up to 45" $ do
+    map nearestQuarter [45, -45, 44.5, 350, 720]
+      `shouldBe` [ (turned 1, -45),
+                   (identity, -45),
+                   (identity, 44.5),
+                   (identity, -10),
+                   (identity, 0)
+                 ]
+    holds 100 . property $ \angle ->
+      let (quarter, beyond) = nearestQuarter angle
+          turns = (angle - degreesClockwise quarter - beyond) / 360
+       in beyond >= -45 && beyond < 45
+            && abs (turns - fromIntegral (round turns :: Int)) < 1e-9
 
 genMotion :: Gen Motion
 genMotion =

@@ -319,7 +319,7 @@ foreignSpec = do
     rim2 = rectangle (5, 8) (24, 7)
     -- The foreign regions of a field at 0, where symbols are at 1.
     foreign' regions symbols =
-      [ (sort (strangePixels s), strangeCause s, strangeHeight s)
+      [ (sort (foreignPixels s), foreignCause s, foreignHeight s)
         | s <- foreignIn (raised 0 regions) (Levels 0 1) symbols
       ]
 

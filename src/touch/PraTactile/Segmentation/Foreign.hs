@@ -11,7 +11,7 @@ module PraTactile.Segmentation.Foreign
     cleaned,
 
     -- * Foreign regions
-    Strange (..),
+    ForeignRegion (..),
     foreignIn,
   )
 where
@@ -60,14 +60,14 @@ share :: Double -> Levels -> Double
 share part found = levelBackground found + part * contrast found
 
 -- | A composite without some regions.
-removed :: Composite -> Masked -> [Strange] -> Cleaned
-removed composite pixels strange
-  | null strange = Cleaned composite Nothing []
+removed :: Composite -> Masked -> [ForeignRegion] -> Cleaned
+removed composite pixels regions
+  | null regions = Cleaned composite Nothing []
   | otherwise =
     Cleaned
-      (without strange)
-      (Just (without (filter strangeHeight strange)))
-      [Reject (regionBox pixels region) cause | Strange region cause _ <- strange]
+      (without regions)
+      (Just (without (filter foreignHeight regions)))
+      [Reject (regionBox pixels region) cause | ForeignRegion region cause _ <- regions]
   where
     without some =
       composite
@@ -75,34 +75,34 @@ removed composite pixels strange
           compositeCoverage = blank (compositeCoverage composite)
         }
       where
-        gone = around pixels 0 (concatMap strangePixels some)
+        gone = around pixels 0 (concatMap foreignPixels some)
         blank image =
           generate (maskedWidth pixels) (maskedHeight pixels) $ \x y ->
             if gone V.! (y * maskedWidth pixels + x) then 0 else fromMaybe 0 (index image x y)
 
 -- | A foreign region.
-data Strange = Strange
-  { strangePixels :: !Region,
-    strangeCause :: !Cause,
+data ForeignRegion = ForeignRegion
+  { foreignPixels :: !Region,
+    foreignCause :: !Cause,
     -- | whether no symbol is so high, or so low
-    strangeHeight :: !Bool
+    foreignHeight :: !Bool
   }
 
 -- | The foreign regions, given the symbols' levels and pixels: each with a rim, but for what is a
 -- symbol's and its rim. What stands clearly higher than symbols goes first, for a symbol close to
 -- it is not parted from it at a lower level.
-foreignIn :: Masked -> Levels -> [Region] -> [Strange]
+foreignIn :: Masked -> Levels -> [Region] -> [ForeignRegion]
 foreignIn pixels own symbols =
-  [Strange region TooLarge True | region <- high]
-    ++ [Strange (widened 1 region) TooLarge False | region <- raised]
-    ++ [Strange (widened 2 region) Hollow True | region <- sunken, length region >= leastHollow]
+  [ForeignRegion region TooLarge True | region <- high]
+    ++ [ForeignRegion (widened 1 region) TooLarge False | region <- raised]
+    ++ [ForeignRegion (widened 2 region) Hollow True | region <- holes]
   where
     kept = around pixels 1 (concat symbols)
     high = map (widened 2) (filter (tooLong pixels) (found (free (>= share 1.5 own))))
     gone = around pixels 0 (concat high)
     level = filter (not . (gone V.!)) (free (>= share 0.35 own))
     raised = concatMap (straight pixels) (filter (tooLong pixels) (found level))
-    sunken = found (free (<= share (-0.35) own))
+    holes = filter ((>= leastHollow) . length) (found (free (<= share (-0.35) own)))
     free test = filter (not . (kept V.!)) (touchedWhere test pixels)
     found = components pixels 0
     widened by region = [p | p <- grown pixels by region, not (kept V.! p)]
