@@ -116,32 +116,35 @@ import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
 import qualified Test.Touch.Blend
-import qualified Test.Touch.Calibration
-import qualified Test.Touch.ClassifyParts
-import qualified Test.Touch.Clusters
+import qualified Test.Touch.Classification.DescentByRule
+import qualified Test.Touch.Classification.EstimatesByPosterior
+import qualified Test.Touch.Classification.GradientByDifferences
+import qualified Test.Touch.Classification.NetworkByDefinition
+import qualified Test.Touch.Classification.SpecimensOfEachKind
+import qualified Test.Touch.Composite.TiltByDefinition
 import qualified Test.Touch.Cosine
-import qualified Test.Touch.Extents
-import qualified Test.Touch.Image
+import qualified Test.Touch.Image.PgmAgainstGrammar
+import qualified Test.Touch.Image.PgmBuiltAndMistaken
+import qualified Test.Touch.Image.PgmByTheManual
+import qualified Test.Touch.Image.RastersAndCorrelation
 import qualified Test.Touch.LatticeAngle
-import qualified Test.Touch.ManifestDefinition
-import qualified Test.Touch.Network
 import qualified Test.Touch.Pair
 import qualified Test.Touch.PairMatch
 import qualified Test.Touch.PairParts
-import qualified Test.Touch.Pgm
-import qualified Test.Touch.PgmDefinition
-import qualified Test.Touch.PgmImages
-import qualified Test.Touch.Probe
 import qualified Test.Touch.RegistrationByDefinition
-import qualified Test.Touch.Segment
-import qualified Test.Touch.SegmentForeign
-import qualified Test.Touch.SegmentParts
-import qualified Test.Touch.SegmentTurned
-import qualified Test.Touch.Sensor
-import qualified Test.Touch.SensorConstants
-import qualified Test.Touch.SensorSteps
-import qualified Test.Touch.Shape
-import qualified Test.Touch.Specimens
+import qualified Test.Touch.Segmentation.BoxesAndAxes
+import qualified Test.Touch.Segmentation.ClustersOfNeighbours
+import qualified Test.Touch.Segmentation.ForeignThingsFound
+import qualified Test.Touch.Segmentation.PartsByDefinition
+import qualified Test.Touch.Segmentation.ScenesAtAnyAngle
+import qualified Test.Touch.Segmentation.SymbolsWhereDrawn
+import qualified Test.Touch.Sensor.CalibrationUndoesGains
+import qualified Test.Touch.Sensor.ConstantsByClosedForm
+import qualified Test.Touch.Sensor.ManifestAgainstGrammar
+import qualified Test.Touch.Sensor.MeanHeights
+import qualified Test.Touch.Sensor.MotionsAndPlans
+import qualified Test.Touch.Sensor.PressesByClosedForm
+import qualified Test.Touch.Shape.DesignAndDistance
 import qualified Test.Touch.Stitch
 import qualified Test.Touch.StitchAgreement
 import qualified Test.Touch.StitchArrange
@@ -151,9 +154,6 @@ import qualified Test.Touch.StitchParts
 import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
 import qualified Test.Touch.StitchWays
-import qualified Test.Touch.Tilt
-import qualified Test.Touch.Train
-import qualified Test.Touch.TrainSteps
 import qualified Test.Truth
 
 main :: IO ()
@@ -207,16 +207,16 @@ specs = do
     describe "Rates of answers" Test.Code.LocateRates.spec
     describe "Profiles" Test.Code.Profile.DoorToArrays.spec
   describe "Touch" $ do
-    describe "Images" Test.Touch.Image.spec
-    describe "PGM" Test.Touch.Pgm.spec
-    describe "PGM word by word" Test.Touch.PgmDefinition.spec
-    describe "PGM images" Test.Touch.PgmImages.spec
-    describe "Probing" Test.Touch.Probe.spec
-    describe "Manifests word by word" Test.Touch.ManifestDefinition.spec
-    describe "The sensor" Test.Touch.Sensor.spec
-    describe "The sensor's constants" Test.Touch.SensorConstants.spec
-    describe "The sensor as a whole" Test.Touch.SensorSteps.spec
-    describe "Calibration and other sensors" Test.Touch.Calibration.spec
+    describe "Images" Test.Touch.Image.RastersAndCorrelation.spec
+    describe "PGM" Test.Touch.Image.PgmByTheManual.spec
+    describe "PGM word by word" Test.Touch.Image.PgmAgainstGrammar.spec
+    describe "PGM images" Test.Touch.Image.PgmBuiltAndMistaken.spec
+    describe "Probing" Test.Touch.Sensor.MotionsAndPlans.spec
+    describe "Manifests word by word" Test.Touch.Sensor.ManifestAgainstGrammar.spec
+    describe "The sensor" Test.Touch.Sensor.MeanHeights.spec
+    describe "The sensor's constants" Test.Touch.Sensor.ConstantsByClosedForm.spec
+    describe "The sensor as a whole" Test.Touch.Sensor.PressesByClosedForm.spec
+    describe "Calibration and other sensors" Test.Touch.Sensor.CalibrationUndoesGains.spec
     describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
     describe "Cosine transforms" Test.Touch.Cosine.spec
     describe "What stitching is made of" Test.Touch.StitchParts.spec
@@ -232,19 +232,19 @@ specs = do
     describe "Registration of pairs" Test.Touch.Pair.spec
     describe "Registration of pairs as a whole" Test.Touch.PairMatch.spec
     describe "Blending and growing" Test.Touch.Blend.spec
-    describe "Segmentation" Test.Touch.Segment.spec
-    describe "Symbols in clusters" Test.Touch.Clusters.spec
-    describe "Segmentation: foreign regions" Test.Touch.SegmentForeign.spec
-    describe "What segmentation is made of" Test.Touch.SegmentParts.spec
-    describe "Segmentation of scenes" Test.Touch.SegmentTurned.spec
-    describe "The angle of a composite" Test.Touch.Tilt.spec
-    describe "Extents" Test.Touch.Extents.spec
-    describe "Shapes" Test.Touch.Shape.spec
-    describe "What recognising is made of" Test.Touch.ClassifyParts.spec
-    describe "The network" Test.Touch.Network.spec
-    describe "Training" Test.Touch.Train.spec
-    describe "Training step by step" Test.Touch.TrainSteps.spec
-    describe "Training images and parts" Test.Touch.Specimens.spec
+    describe "Segmentation" Test.Touch.Segmentation.SymbolsWhereDrawn.spec
+    describe "Symbols in clusters" Test.Touch.Segmentation.ClustersOfNeighbours.spec
+    describe "Segmentation: foreign regions" Test.Touch.Segmentation.ForeignThingsFound.spec
+    describe "What segmentation is made of" Test.Touch.Segmentation.PartsByDefinition.spec
+    describe "Segmentation of scenes" Test.Touch.Segmentation.ScenesAtAnyAngle.spec
+    describe "The angle of a composite" Test.Touch.Composite.TiltByDefinition.spec
+    describe "Extents" Test.Touch.Segmentation.BoxesAndAxes.spec
+    describe "Shapes" Test.Touch.Shape.DesignAndDistance.spec
+    describe "What recognising is made of" Test.Touch.Classification.EstimatesByPosterior.spec
+    describe "The network" Test.Touch.Classification.NetworkByDefinition.spec
+    describe "Training" Test.Touch.Classification.GradientByDifferences.spec
+    describe "Training step by step" Test.Touch.Classification.DescentByRule.spec
+    describe "Training images and parts" Test.Touch.Classification.SpecimensOfEachKind.spec
   describe "Objects" $ do
     describe "Winged edges" Test.Object.WingedEdge.spec
     describe "Placement" Test.Object.Placement.spec

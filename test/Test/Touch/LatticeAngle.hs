@@ -12,7 +12,7 @@ import PraTactile.Registration.Spectrum
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec =

@@ -25,8 +25,8 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (Blind, generate, sample, tables)
 import Test.Support
-import Test.Touch.Image (genRasterOf)
-import Test.Touch.Sensor (embossing)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
 spec = do

@@ -21,8 +21,8 @@ import Registration.Definition
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
-import Test.Touch.Image (genRasterOf)
-import Test.Touch.Sensor (embossing)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
 spec = do

@@ -18,8 +18,8 @@ import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Image (genRasterOf)
-import Test.Touch.Sensor (faceOf, texture)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Sensor.MeanHeights (faceOf, texture)
 
 spec :: Spec
 spec = do

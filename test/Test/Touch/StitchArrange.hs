@@ -20,7 +20,7 @@ import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRasterOf, genRasterWithin)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do

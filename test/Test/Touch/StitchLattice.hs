@@ -30,7 +30,7 @@ import System.Random (mkStdGen, randomRs)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, generate, tables, total)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet

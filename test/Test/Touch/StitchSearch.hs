@@ -15,7 +15,7 @@ import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do

@@ -12,7 +12,7 @@ import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum (spectra)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
-import Test.Touch.Sensor (embossing)
+import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
 spec = do

@@ -1,5 +1,5 @@
 -- | Each constant of the forward model by itself, against its closed form.
-module Test.Touch.SensorConstants (spec) where
+module Test.Touch.Sensor.ConstantsByClosedForm (spec) where
 
 import Data.List (genericLength, nub)
 import Data.Maybe (fromMaybe)

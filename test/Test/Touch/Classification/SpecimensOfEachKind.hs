@@ -1,5 +1,5 @@
 -- | Training images, and parts of symbols, against what is said of them.
-module Test.Touch.Specimens (spec) where
+module Test.Touch.Classification.SpecimensOfEachKind (spec) where
 
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -16,7 +16,7 @@ import System.Random (mkStdGen)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do

@@ -1,7 +1,7 @@
 -- | Symbols arranged in clusters, by what makes an arrangement right: wherever chains from
 -- neighbour to neighbour lead to one cell of its own for each symbol, it is in that; where they do
 -- not, the contradiction is one.
-module Test.Touch.Clusters (spec) where
+module Test.Touch.Segmentation.ClustersOfNeighbours (spec) where
 
 import Data.List (minimumBy, nub, sort)
 import qualified Data.Map.Strict as Map

@@ -1,5 +1,5 @@
 -- | The angle of what a composite shows, and the composite set upright, against their definitions.
-module Test.Touch.Tilt (spec) where
+module Test.Touch.Composite.TiltByDefinition (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -9,7 +9,7 @@ import PraTactile.Image
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 60) $ do

@@ -3,7 +3,7 @@
 -- | PGM files against a reader that follows pgm(5) word by word: comments become blanks, the header
 -- is three words, the samples are the words or the bytes after them. It is slow, and says all that
 -- is wrong with a file.
-module Test.Touch.PgmDefinition
+module Test.Touch.Image.PgmAgainstGrammar
   ( spec,
     contents,
     samplesOf,

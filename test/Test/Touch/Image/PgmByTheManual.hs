@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | PGM files, against the netpbm manual's pgm(5).
-module Test.Touch.Pgm (spec) where
+module Test.Touch.Image.PgmByTheManual (spec) where
 
 import Codec.Picture (DynamicImage (..), Image (..), decodePng)
 import Data.ByteString (ByteString)
@@ -16,7 +16,7 @@ import PraTactile.Image (constant, generate, toRows)
 import PraTactile.Image.Pgm
 import Test.Hspec
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRaster)
+import Test.Touch.Image.RastersAndCorrelation (genRaster)
 
 spec :: Spec
 spec = do

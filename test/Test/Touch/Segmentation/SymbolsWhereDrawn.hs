@@ -1,5 +1,5 @@
 -- | Segmentation, and the arrangement of symbols on their lattice.
-module Test.Touch.Segment (spec) where
+module Test.Touch.Segmentation.SymbolsWhereDrawn (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
@@ -16,7 +16,7 @@ import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Sensor (embossing, faceOf)
+import Test.Touch.Sensor.MeanHeights (embossing, faceOf)
 
 spec :: Spec
 spec = do

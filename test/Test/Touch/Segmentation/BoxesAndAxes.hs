@@ -1,6 +1,6 @@
 -- | Boxes, their neighbourhood and their way back to the composite, case by case over all small
 -- distances.
-module Test.Touch.Extents (spec) where
+module Test.Touch.Segmentation.BoxesAndAxes (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)

@@ -1,5 +1,5 @@
 -- | Rasters, their correlation, and the random draws.
-module Test.Touch.Image
+module Test.Touch.Image.RastersAndCorrelation
   ( spec,
     genRaster,
     genRasterWithin,

@@ -2,7 +2,7 @@
 
 -- | Manifests against a slow reader of their grammar: lines, fields by RFC 4180 without line
 -- breaks, decimal numbers as fractions. It says all that is wrong with a file.
-module Test.Touch.ManifestDefinition (spec) where
+module Test.Touch.Sensor.ManifestAgainstGrammar (spec) where
 
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B

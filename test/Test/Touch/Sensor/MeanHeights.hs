@@ -1,5 +1,5 @@
 -- | The sensor's forward model, and scenes of touched faces for other specifications.
-module Test.Touch.Sensor
+module Test.Touch.Sensor.MeanHeights
   ( spec,
     texture,
     faceOf,
@@ -19,7 +19,7 @@ import PraTactile.Symmetry
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 -- | A relief of that many taxels whose every taxel's height is drawn from 0 to full scale: telling
 -- everywhere.

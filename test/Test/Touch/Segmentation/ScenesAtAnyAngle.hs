@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Segmentation at any angle, and beside what is none of the symbols'.
-module Test.Touch.SegmentTurned (spec) where
+module Test.Touch.Segmentation.ScenesAtAnyAngle (spec) where
 
 import Data.Aeson (Value (..))
 import qualified Data.Aeson.KeyMap as KeyMap
@@ -26,7 +26,7 @@ import System.Random (mkStdGen)
 import Test.CommandLine.Run
 import Test.Hspec
 import Test.Support
-import Test.Touch.Sensor (embossing)
+import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
 spec = do

@@ -1,6 +1,6 @@
 -- | Which regions are of a symbol's size, which are none of a symbol, and where they are straight;
 -- how high symbols stand, and what is foreign beside them: each against its definition.
-module Test.Touch.SegmentForeign (spec) where
+module Test.Touch.Segmentation.ForeignThingsFound (spec) where
 
 import Data.List (nub, sort)
 import qualified Data.Vector.Storable as V

@@ -1,5 +1,5 @@
 -- | Calibration, and frames of any size and pitch.
-module Test.Touch.Calibration (spec) where
+module Test.Touch.Sensor.CalibrationUndoesGains (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sort)
@@ -17,7 +17,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, sample)
 import Test.Support
-import Test.Touch.Sensor (texture)
+import Test.Touch.Sensor.MeanHeights (texture)
 
 spec :: Spec
 spec = do

@@ -1,6 +1,6 @@
 -- | What recognising a symbol is made of, each part against its definition: how like a shape an
 -- image is, how sure an estimate; and how a frame is turned against what it should show.
-module Test.Touch.ClassifyParts (spec) where
+module Test.Touch.Classification.EstimatesByPosterior (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sortOn)
@@ -21,7 +21,7 @@ import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
 import Test.Support
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
-module Test.Touch.Shape (spec) where
+module Test.Touch.Shape.DesignAndDistance (spec) where
 
 import Control.Monad (replicateM)
 import Data.List (nub, sort, tails, transpose)

@@ -1,6 +1,6 @@
 -- | What segmentation is made of, each part against its definition: connected regions, sides,
 -- levels, noise, and the steps of the lattice.
-module Test.Touch.SegmentParts (spec) where
+module Test.Touch.Segmentation.PartsByDefinition (spec) where
 
 import Data.Bifunctor (bimap)
 import Data.List (sort)
@@ -19,7 +19,7 @@ import PraTactile.Segmentation.Region
 import Test.Hspec hiding (around)
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate)
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do

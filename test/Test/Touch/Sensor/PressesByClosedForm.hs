@@ -1,6 +1,6 @@
 -- | Presses as a whole, by closed forms where nothing is drawn and by the deviations where
 -- something is; a sensor's specimen and its calibration, at their limits too.
-module Test.Touch.SensorSteps (spec) where
+module Test.Touch.Sensor.PressesByClosedForm (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sort)
@@ -15,7 +15,7 @@ import PraTactile.Sensor.Response
 import System.Random (mkStdGen)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
-import Test.Touch.Sensor (texture)
+import Test.Touch.Sensor.MeanHeights (texture)
 
 spec :: Spec
 spec = do

@@ -2,7 +2,7 @@
 
 -- | PGM images that are built and not read: what is one, how it is written, and what is mistaken
 -- for one.
-module Test.Touch.PgmImages (spec) where
+module Test.Touch.Image.PgmBuiltAndMistaken (spec) where
 
 import Codec.Picture (Image (..))
 import qualified Data.ByteString as B
@@ -12,7 +12,7 @@ import PraTactile.Image (fromRows)
 import PraTactile.Image.Pgm
 import Test.Hspec hiding (after, before)
 import Test.QuickCheck hiding (vector)
-import Test.Touch.PgmDefinition (contents, samplesOf)
+import Test.Touch.Image.PgmAgainstGrammar (contents, samplesOf)
 
 spec :: Spec
 spec = do

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
-module Test.Touch.Network (spec) where
+module Test.Touch.Classification.NetworkByDefinition (spec) where
 
 import Control.Monad (forM_, replicateM)
 import Data.Either (isRight)

@@ -1,4 +1,4 @@
-module Test.Touch.Train (spec) where
+module Test.Touch.Classification.GradientByDifferences (spec) where
 
 import Data.List (sort)
 import qualified Data.Vector.Storable as V

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Rigid motions, the plan of a scan, and manifests.
-module Test.Touch.Probe (spec) where
+module Test.Touch.Sensor.MotionsAndPlans (spec) where
 
 import qualified Data.ByteString as B
 import Data.Either (isLeft)

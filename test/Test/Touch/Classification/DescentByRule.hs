@@ -1,5 +1,5 @@
 -- | The rule of descent, and the images that a network is trained with.
-module Test.Touch.TrainSteps (spec) where
+module Test.Touch.Classification.DescentByRule (spec) where
 
 import Control.Monad (forM_)
 import Data.List (nub, sort, tails)
@@ -20,7 +20,7 @@ import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (generate, label, sample, scale)
 import Test.Support
-import Test.Touch.Image (genRasterOf)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do
