@@ -55,9 +55,16 @@ data Contradiction
 -- | A single image, such as one read from a file, as a composite that was touched once everywhere,
 -- with its pixel (0, 0) at the origin.
 compositeOf :: Raster -> Composite
-compositeOf image = Composite image everywhere (0, 0) [] True [] Nothing
-  where
-    everywhere = constant (rasterWidth image) (rasterHeight image) 1
+compositeOf image =
+  Composite
+    { compositeImage = image,
+      compositeCoverage = constant (rasterWidth image) (rasterHeight image) 1,
+      compositeOrigin = (0, 0),
+      compositeDisplacements = [],
+      compositeCompared = True,
+      compositeOthers = [],
+      compositeContradiction = Nothing
+    }
 
 -- | A place on the composite, x and y in pixels, as millimetres in the robot's coordinates.
 compositePosition :: Composite -> (Double, Double) -> (Double, Double)

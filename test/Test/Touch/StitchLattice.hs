@@ -7,7 +7,7 @@ import Data.List (sort, sortOn)
 import Data.Maybe (fromMaybe, isNothing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Noise
-import PraTactile.Geometry (columnPitch, rowPitch)
+import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Image hiding (mean)
 import PraTactile.Random (normalPair)
 import PraTactile.Registration
@@ -53,7 +53,7 @@ scene alphabet seed angle place
   | u < symbolWidth && v < symbolHeight && embossedAt shape u v = 1
   | otherwise = 0
   where
-    (x, y) = turnedBy (negate angle) place
+    (x, y) = rotated (negate angle) place
     (j, u) = floor x `divMod` columnPitch :: (Int, Int)
     (i, v) = floor y `divMod` rowPitch :: (Int, Int)
     classes = shapes alphabet
@@ -176,7 +176,7 @@ templatesSpec alphabet = do
               | b <- [0 .. symbolHeight - 1],
                 a <- [0 .. symbolWidth - 1],
                 embossedAt shape a b,
-                let (px, py) = turnedBy angle (x + fromIntegral a, y + fromIntegral b)
+                let (px, py) = rotated angle (x + fromIntegral a, y + fromIntegral b)
             ]
           | v <- [0 .. 15 :: Int],
             u <- [0 .. 15 :: Int]

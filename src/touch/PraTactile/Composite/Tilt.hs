@@ -21,6 +21,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Composite
+import PraTactile.Geometry (cosineSine, parabolaVertex)
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceAt)
 import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
@@ -34,19 +35,19 @@ import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 tilt :: [Composite] -> Maybe Double
 tilt composites
   | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = Nothing
-  | otherwise = Just (quarter (vertex 1 (finest (best [-45, -43.5 .. 44]))))
+  | otherwise = Just (quarter (vertex (finest (best [-45, -43.5 .. 44]))))
   where
     found = map gradients composites
     score angle = sum [sharpness places across down angle | (places, across, down) <- found]
     best = snd . maximum . map (\angle -> (score angle, angle))
     finest angle = best [angle - 1, angle - 0.5 .. angle + 1]
-    -- The vertex of the parabola through three scores.
-    vertex step angle
-      | bend < 0 = angle + max (-step) (min step (step * (before - after) / (2 * bend)))
-      | otherwise = angle
-      where
-        (before, here, after) = (score (angle - step), score angle, score (angle + step))
-        bend = before - 2 * here + after
+    -- To the vertex of the parabola through three scores, a degree away at most.
+    vertex angle =
+      angle
+        + maybe
+          0
+          (max (-1) . min 1)
+          (parabolaVertex (score (angle - 1)) (score angle) (score (angle + 1)))
 
 -- | Symbols that are turned by no more than this, in degrees, are read as they are: as well as
 -- those that are not turned at all, and the estimate of the angle is less certain than that.
@@ -63,7 +64,7 @@ quarter angle = angle - 90 * fromIntegral (floor ((angle + 45) / 90) :: Int)
 sharpness :: Vector Double -> Vector Double -> Vector Double -> Double -> Double
 sharpness places across down angle = summed c s + summed (negate s) c
   where
-    (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+    (c, s) = cosineSine angle
     count = V.length across
     reach = 2 + ceiling (sqrt 2 * V.foldl' (\m t -> max m (abs t)) 0 places) :: Int
     -- Along the direction (u, v): each pixel's gradient in that direction is added to the line on

@@ -17,6 +17,7 @@ import Data.List (foldl', sortOn)
 import qualified Data.Vector as Boxed
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
+import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
 import PraTactile.Registration.Pair.Blind (blindPosterior)
 import PraTactile.Registration.Pair.Straight (alongStraight)
@@ -46,7 +47,6 @@ registerPairwise settings tables frames = map snd (sortOn fst (zip order (map le
     n = fromIntegral (max 1 (length placed))
     mean part = sum (map (part . fst) placed) / n
     less ((x, y), sd) = ((eighth (x - mean fst), eighth (y - mean snd)), sd)
-    eighth t = fromIntegral (round (8 * t) :: Int) / 8
 
 -- | The least share of a frame that an overlap must have: a quarter, as diagonal ones have whose
 -- steps are half a frame.

@@ -22,12 +22,12 @@ import qualified Data.Set as Set
 import PraTactile.Composite.Blend (Blend (..), Place, blend)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
+import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search
   ( Prior (..),
     Registration (..),
     Window (..),
-    finestStep,
     mostProbable,
     probabilities,
     searchRadius,
@@ -35,7 +35,7 @@ import PraTactile.Registration.Search
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
 -- images' upper left pixels, and other displacements that it may have instead. The mean of the
--- first is zero, to half of 'finestStep', since a shift common to all frames cannot be seen. An
+-- first is zero, to a sixteenth of a taxel, since a shift common to all frames cannot be seen. An
 -- image's displacement does not depend on the order of the images.
 register :: Registration -> [(Place, Raster)] -> [(Place, [Hypothesis])]
 register settings images =
@@ -181,15 +181,15 @@ whole :: Place -> Place
 whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
 -- | The mean of some displacements, given their number and sums: rounded to the search's finest
--- step, (0, 0) when there are none; and their number. Rounded so, it leaves all displacements
--- multiples of that step, and what is displaced by whole taxels is seen so, without any
--- interpolation.
+-- step ('eighth'), (0, 0) when there are none; and their number. Rounded so, it leaves all
+-- displacements multiples of that step, and what is displaced by whole taxels is seen so, without
+-- any interpolation.
 centre :: Int -> Place -> (Place, Double)
 centre 0 _ = ((0, 0), 0)
 centre n (x, y) = ((mean x, mean y), count)
   where
     count = fromIntegral n
-    mean total = finestStep * fromIntegral (round (total / count / finestStep) :: Int)
+    mean total = eighth (total / count)
 
 -- | A frame's most probable displacement given those of other frames, looked for in a window by
 -- whole taxels from a start.

@@ -13,6 +13,7 @@ where
 import Data.List (sortOn)
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)
 import PraTactile.Registration.Joint.Estimate
@@ -23,6 +24,7 @@ import PraTactile.Registration.Lattice.Fits (Fits (..))
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..))
 
@@ -41,7 +43,7 @@ registerJointly settings fits frames = map snd (sortOn fst (zip order centredEst
       unzip
         ( sortOn
             (\(_, ((x, y), image, _)) -> (y, x, rasterValues image))
-            [ (k, (firstPlace (tablesOf image) (turnedBy (negate angle) place), image, fitted))
+            [ (k, (firstPlace (tablesOf image) (rotated (negate angle) place), image, fitted))
               | (k, (place, image), fitted) <- zip3 [0 :: Int ..] frames (fitsFrames fits)
             ]
         )
@@ -75,13 +77,13 @@ turnedTo :: Double -> Estimate -> Estimate
 turnedTo 0 l = l
 turnedTo angle l =
   l
-    { estimateShift = turnedBy angle (estimateShift l),
+    { estimateShift = rotated angle (estimateShift l),
       estimateDeviation = (along c s, along s c),
       estimateOthers =
-        [h {hypothesisShift = turnedBy angle (hypothesisShift h)} | h <- estimateOthers l]
+        [h {hypothesisShift = rotated angle (hypothesisShift h)} | h <- estimateOthers l]
     }
   where
-    (c, s) = turnedBy angle (1, 0)
+    (c, s) = cosineSine angle
     (sx, sy) = estimateDeviation l
     along i j = sqrt (i * i * sx * sx + j * j * sy * sy)
 

@@ -50,9 +50,11 @@
 -- >         a = Y / (Q - S^2 / N),    b = - a S / N
 -- >         v = (N (1 + b^2) - 2 a (Y - b S) + a^2 Q) / N        a >= 0.3, v >= 0.002
 --
--- They begin at v = the mean square of z(x, y) - z(x + 1, y) - z(x, y + 1) + z(x + 1, y + 1) over 4,
--- in 0.001 to 0.95, which is that of white noise, a = root (max 0.02 (1 - v)) / 0.36 and b = -0.15 a,
--- as is usual of symbols. From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
+-- They begin with v that of white noise, a and b as they are usual of symbols: v, within 0.001 to
+-- 0.95, is a quarter of the mean square of z(x, y) - z(x + 1, y) - z(x, y + 1) + z(x + 1, y + 1),
+-- a = root (max 0.02 (1 - v)) / 0.36, and b = - 0.15 a.
+--
+-- From coarse to fine: four steps at whole taxels, the first over all phases, the others over those
 -- that it leaves likely (within e^30 of the best); then one at half taxels, over the phases less
 -- than a taxel from one that is likely still. Where a phase that was left out turns out to matter,
 -- the steps are taken over all.
@@ -115,7 +117,8 @@
 -- > two reliefs:  covariance 0
 -- > P(d) ~ pi(d) * (mean over gains of (ratio of the two, each summed over kappa) ^ tempering) ^ m
 --
--- where m is how much larger the overlap is at the nominal displacement, within 1/2 to 2, and C_i is the mean cosine of a coefficient's phase over displacements within half a taxel.
+-- where C_i is the mean cosine of a coefficient's phase over displacements within half a taxel, and
+-- m, within 1/2 to 2, how many times as large the overlap is at the nominal displacement.
 --
 -- By correlation, the paper's, rho being that of n overlapping pixels (0.4 of them independent):
 --
@@ -128,6 +131,16 @@
 -- ("PraTactile.Registration.Pair.Straight"). Frames that agree at several places are refused
 -- ("PraTactile.Registration.Pair.Alike"); that frames would agree along other axes, or nowhere, is
 -- said ("PraTactile.Registration.Agreement").
+--
+-- = Names
+--
+-- > z, N              a frame, as fitOf standardises it      a, b, v   Theta
+-- > T                 Templates     <z, T>, sum T, sum T^2   Moments, summed up: Y, S, Q
+-- > l_k, l, L         classLogs, cellLogs, phaseLogs     log p(z)  logDensity
+-- > epsilon, P(k)     absence, classPrior                  beta      blurDeviation
+-- > log P(lambda)     phasePosterior                         log pi    normalLog
+-- > d, with l_fck     Displacement                           delta     outlier
+-- > q_f               meanField                              e^30      negligible
 module PraTactile.Registration.Model
   ( -- * What a frame reads
     Theta (..),
@@ -147,6 +160,7 @@ module PraTactile.Registration.Model
     normalLog,
     outlier,
     tolerance,
+    eighth,
   )
 where
 
@@ -226,3 +240,7 @@ outlier = 1e-12
 -- | How near to the truth a displacement counts as right, along each axis, taxels.
 tolerance :: Double
 tolerance = 0.75
+
+-- | To the nearest eighth of a taxel, as displacements are given.
+eighth :: Double -> Double
+eighth t = fromIntegral (round (8 * t) :: Int) / 8

@@ -4,6 +4,7 @@ module PraTactile.Registration.Turn
   )
 where
 
+import PraTactile.Geometry (cosineSine)
 import PraTactile.Image (Raster, generate, rasterHeight, rasterWidth, sample)
 
 -- | The image of a sensor that is turned by that many degrees clockwise, as it would be if the
@@ -15,8 +16,7 @@ turnedBack degrees image
   | min wide high < 4 = Nothing
   | otherwise = Just (generate wide high at)
   where
-    radians = degrees * pi / 180
-    (c, s) = (cos radians, sin radians)
+    (c, s) = cosineSine degrees
     (w, h) =
       (fromIntegral (rasterWidth image - 1), fromIntegral (rasterHeight image - 1)) ::
         ( Double,

@@ -4,7 +4,6 @@
 module PraTactile.Registration.Joint.Estimate
   ( Estimate (..),
     estimateAt,
-    eighth,
   )
 where
 
@@ -12,7 +11,7 @@ import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid (gridSpacing, onGrid)
-import PraTactile.Registration.Model (tolerance)
+import PraTactile.Registration.Model (eighth, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
 -- | Where a frame was found.
@@ -68,7 +67,3 @@ estimateAt place options =
       sqrt (sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12)
         / gridSpacing
     squared !t = t * t
-
--- | To the nearest eighth of a taxel.
-eighth :: Double -> Double
-eighth t = fromIntegral (round (8 * t) :: Int) / 8

@@ -8,6 +8,7 @@ import Data.List (find, foldl', maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
 import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
 import PraTactile.Registration.Lattice.Fits (Fits (..))
 import PraTactile.Registration.Lattice.Likelihood
@@ -41,17 +42,15 @@ latticeAngle at processes hint images
         most = 7
         nearby = foldl' nearer 0 [2, 1]
         nearer k by = maximumOn (\j -> (coarsely 8 (step j), j)) [k, k - by, k + by]
-        -- The vertex of the parabola through three, of which the middle one is the highest.
         climbed n k
           | n > 0 && before > here = climbed (n - 1) (k - 1)
           | n > 0 && after > here = climbed (n - 1) (k + 1)
-          | bend > 0 = fromIntegral k + max (-0.5) (min 0.5 ((after - before) / bend / 2))
-          | otherwise = fromIntegral k
+          | otherwise =
+            fromIntegral k + maybe 0 (max (-0.5) . min 0.5) (parabolaVertex before here after)
           where
             before = finely (step (k - 1))
             here = finely (step k)
             after = finely (step (k + 1))
-            bend = 2 * here - before - after
     -- By so many frames, those that show most.
     coarsely count fits = summed fitCoarse (take count telling) fits
     finely fits = summed fitLikely (take 8 telling) fits

@@ -6,7 +6,6 @@ module PraTactile.Registration.Lattice.Layout
     layout,
     cellIndex,
     onFrame,
-    turnedBy,
 
     -- * The padded grid
     paddedWidth,
@@ -24,7 +23,7 @@ where
 
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
+import PraTactile.Geometry (columnPitch, cosineSine, rotated, rowPitch, symbolHeight, symbolWidth)
 
 -- | The places of symbols on frames of one size: all from which a symbol is felt.
 data Layout = Layout
@@ -55,7 +54,7 @@ layout angle w h q =
     }
   where
     corners =
-      [ turnedBy (negate angle) (fromIntegral x, fromIntegral y)
+      [ rotated (negate angle) (fromIntegral x, fromIntegral y)
         | x <- [0, w - 1],
           y <- [0, h - 1]
       ]
@@ -84,17 +83,9 @@ onFrame places = \x y -> turned' (firstX + fromIntegral x / q) (firstY + fromInt
   where
     q = fromIntegral (layoutPlaces places)
     (firstX, firstY) = let (x, y) = layoutFirst places in (fromIntegral x, fromIntegral y)
-    (c, s) = turnedBy (layoutAngle places) (1, 0)
+    (c, s) = cosineSine (layoutAngle places)
     turned' x y = (c * x - s * y, s * x + c * y)
 {-# INLINE onFrame #-}
-
--- | A displacement, right and down, turned clockwise by so many degrees.
-turnedBy :: Double -> (Double, Double) -> (Double, Double)
-turnedBy 0 place = place
-turnedBy angle (x, y) = (c * x - s * y, s * x + c * y)
-  where
-    c = cos (angle * pi / 180)
-    s = sin (angle * pi / 180)
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.
 paddedWidth :: Layout -> Int
