@@ -63,9 +63,8 @@ import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Rest (alignedToRest)
 import PraTactile.Registration.Rotation (certainRotation, rotationPrior)
 import PraTactile.Registration.Search (Registration (..), standardRegistration, usable)
-import PraTactile.Registration.Turn (turnedBack)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
-import PraTactile.Sensor.Resample (atCanonicalPitch, isCanonical)
+import PraTactile.Sensor.Resample (atCanonicalPitch, isCanonical, turnedBack)
 import PraTactile.Symmetry
 
 -- | Why frames cannot be stitched. Frames are named by their zero-based place in the list.

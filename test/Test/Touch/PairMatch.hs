@@ -13,7 +13,6 @@ import PraTactile.Registration.Lattice.Template (Templates, templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
-import PraTactile.Registration.Pair.Correlation
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Pair.Overlap
 import PraTactile.Registration.Pair.Straight

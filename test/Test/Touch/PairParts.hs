@@ -9,12 +9,11 @@ import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
-import PraTactile.Registration.Pair.Correlation
 import PraTactile.Registration.Pair.Overlap
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Spectrum
-import PraTactile.Registration.Turn
+import PraTactile.Sensor.Resample
 import PraTactile.Symmetry
 import System.Random (mkStdGen, randomRs)
 import Test.Hspec

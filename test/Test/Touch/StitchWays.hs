@@ -3,7 +3,7 @@ module Test.Touch.StitchWays (spec) where
 
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe)
-import PraTactile.Composite.Spaced
+import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Arrangement

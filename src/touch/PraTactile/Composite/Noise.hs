@@ -1,12 +1,12 @@
--- | The noise of frames, found from the frames themselves.
+-- | The noise of frames, found from some of the frames themselves.
 module PraTactile.Composite.Noise
   ( frameNoise,
+    spacedOut,
   )
 where
 
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Level (medianSize)
-import PraTactile.Composite.Spaced (spacedOut)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 
 -- | The standard deviation of the noise of frames, grey values: from the median size of the
@@ -31,3 +31,11 @@ squares image
   where
     (w, h) = rasterSize image
     values = rasterValues image
+
+-- | At most so many of a list, evenly.
+spacedOut :: Int -> [a] -> [a]
+spacedOut most xs
+  | n <= most = xs
+  | otherwise = [x | (k, x) <- zip [0 ..] xs, (k * most) `div` n /= ((k - 1) * most) `div` n]
+  where
+    n = length xs

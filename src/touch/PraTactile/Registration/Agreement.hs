@@ -12,8 +12,7 @@ import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import PraTactile.Composite (Contradiction (..))
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Composite.Noise (frameNoise)
-import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Composite.Noise (frameNoise, spacedOut)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighboursAround)

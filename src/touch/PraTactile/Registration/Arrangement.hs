@@ -18,7 +18,7 @@ import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (compositeOf)
 import PraTactile.Composite.Blend (Blend (..), Place, blend)
-import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Image
   ( Raster,

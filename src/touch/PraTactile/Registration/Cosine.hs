@@ -17,7 +17,7 @@ import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
-import PraTactile.Registration.Product
+import PraTactile.Registration.Loops
 
 -- | By length, the cosines of each frequency at the first half of the places, frequency by
 -- frequency: the other half mirrors them, with the sign of the frequency's parity.

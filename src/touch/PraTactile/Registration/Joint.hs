@@ -12,7 +12,7 @@ where
 
 import Data.List (sortOn)
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Joint.Displacement (Displacement (..), displacementsOf)

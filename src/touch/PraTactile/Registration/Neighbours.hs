@@ -8,7 +8,7 @@ where
 
 import qualified Data.Map.Strict as Map
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 
 -- | Two frames that overlap, by their numbers, the smaller one first; where the second's upper left

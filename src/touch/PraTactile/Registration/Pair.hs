@@ -25,7 +25,6 @@ import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
-import PraTactile.Registration.Pair.Correlation
 import PraTactile.Registration.Pair.Lattice
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior

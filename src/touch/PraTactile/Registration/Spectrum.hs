@@ -28,7 +28,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster)
 import PraTactile.Registration.Cosine
-import PraTactile.Registration.Product
+import PraTactile.Registration.Loops
 
 -- | Tables for patches of up to a size; each is made when it is first looked at.
 data Spectra = Spectra

@@ -13,9 +13,8 @@ import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Layout (phaseCount)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
-import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Model (placesPerTaxel)
-import PraTactile.Registration.Product (dotWithin)
 
 -- | The orientation and the phase, row and column, of the lattice on the composite that the frames
 -- make likeliest.

@@ -7,7 +7,7 @@ where
 import Data.List (find, foldl', maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import qualified Data.Vector as Boxed
-import PraTactile.Composite.Spaced (spacedOut)
+import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
 import PraTactile.Registration.Lattice.Fits (Fits (..))

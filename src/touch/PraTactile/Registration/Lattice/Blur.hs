@@ -14,7 +14,7 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Lattice.Layout
-import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (blurDeviation)
 
 -- | The share of a unit taxel, blurred, that is seen at this distance from its centre.

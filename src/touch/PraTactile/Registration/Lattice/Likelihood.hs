@@ -22,8 +22,8 @@ import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWi
 import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
-import PraTactile.Registration.Lattice.Tabulate (tabulate)
 import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model
 
 -- | What a frame tells.

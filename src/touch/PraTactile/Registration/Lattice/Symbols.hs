@@ -18,7 +18,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Registration.Lattice.Blur (seenAt)
 import PraTactile.Registration.Lattice.Layout
-import PraTactile.Registration.Lattice.Tabulate (tabulate)
+import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (leastShare, placesPerTaxel)
 import PraTactile.Shape
   ( Alphabet,

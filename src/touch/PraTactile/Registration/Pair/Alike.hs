@@ -9,8 +9,8 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, rasterValues)
+import PraTactile.Registration.Loops
 import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
-import PraTactile.Registration.Product
 
 -- | The whole displacements within the search at which what both frames show is the same, but for
 -- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or

@@ -1,15 +1,35 @@
 {-# LANGUAGE BangPatterns #-}
 
--- | Products of vectors, as loops: the library's own zips are not fused where the compiler keeps
--- memory alive around each element, and take five times as long.
-module PraTactile.Registration.Product
-  ( dot,
+-- | Tables and products of vectors, as loops: the library's own zips are not fused where the
+-- compiler keeps memory alive around each element, and take five times as long.
+module PraTactile.Registration.Loops
+  ( tabulate,
+    dot,
     dotWithin,
   )
 where
 
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Storable.Mutable as M
+
+-- | A table of so many columns and rows, row by row, from what it has in a row and a column. What
+-- is the same for a row is calculated once, if the function does so before it takes the column.
+tabulate :: Int -> Int -> (Int -> Int -> Double) -> Vector Double
+tabulate columns rows at = V.create $ do
+  table <- M.unsafeNew (columns * rows)
+  -- Note [Bounds of tables]
+  let row !y
+        | y >= rows = pure ()
+        | otherwise = column (at y) (y * columns) 0 >> row (y + 1)
+      column here !start !x
+        | x >= columns = pure ()
+        | otherwise = M.unsafeWrite table (start + x) (here x) >> column here start (x + 1)
+  row 0
+  pure table
+{-# INLINE tabulate #-}
+
+{- Note [Bounds of tables] Rows and columns stay below how many there are of them. -}
 
 -- | The sum of the products of two vectors' elements, as far as both have any.
 dot :: Vector Double -> Vector Double -> Double
