@@ -6,8 +6,7 @@ import Data.List (find, maximumBy, sortOn)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Image
 import PraTactile.Registration.Lattice.Angle
-import PraTactile.Registration.Lattice.Fits (Fits (..))
-import PraTactile.Registration.Lattice.Likelihood (Fit (..))
+import PraTactile.Registration.Lattice.Fit (Fit (..), Fits (..))
 import PraTactile.Registration.Spectrum
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)

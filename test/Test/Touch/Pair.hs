@@ -6,7 +6,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Random (normals)
-import PraTactile.Registration.Lattice.Likelihood (likelihood)
+import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Template (templates)
 import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Lattice (latticePosterior)

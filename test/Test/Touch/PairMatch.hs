@@ -8,6 +8,7 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image
 import PraTactile.Registration.Cosine
+import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template (Templates, templates)
 import PraTactile.Registration.Pair

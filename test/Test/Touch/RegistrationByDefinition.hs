@@ -8,9 +8,9 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Registration.Joint
-import PraTactile.Registration.Lattice.Fits
+import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Layout
-import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model

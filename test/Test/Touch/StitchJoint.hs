@@ -14,8 +14,9 @@ import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Joint.Phase
+import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Layout (layoutGrid)
-import PraTactile.Registration.Lattice.Likelihood (Likelihood (..), likelihood)
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)

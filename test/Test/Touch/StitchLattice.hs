@@ -14,7 +14,7 @@ import PraTactile.Registration
 import PraTactile.Registration.Arrangement (withMisfit)
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Blur (areaSums)
-import PraTactile.Registration.Lattice.Fits (Fits (..), fitsAt)
+import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)

@@ -33,7 +33,7 @@ import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Incremental (register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
-import PraTactile.Registration.Lattice.Fits (Fits, bySize, fitsAt)
+import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Search (Registration (..))

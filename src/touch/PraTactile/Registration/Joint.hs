@@ -20,9 +20,8 @@ import PraTactile.Registration.Joint.Estimate
 import PraTactile.Registration.Joint.Grid (gridOf)
 import PraTactile.Registration.Joint.MeanField (meanField)
 import PraTactile.Registration.Joint.Phase (commonPhase)
-import PraTactile.Registration.Lattice.Fits (Fits (..))
+import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Layout
-import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))

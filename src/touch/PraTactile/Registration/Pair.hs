@@ -20,6 +20,7 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
+import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template

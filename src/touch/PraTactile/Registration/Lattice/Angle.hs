@@ -10,8 +10,7 @@ import qualified Data.Vector as Boxed
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
-import PraTactile.Registration.Lattice.Fits (Fits (..))
-import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Spectrum
 
 -- | What frames tell at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under

@@ -1,0 +1,153 @@
+-- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse to
+-- fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
+module PraTactile.Registration.Lattice.Fit
+  ( Fit (..),
+    fitOf,
+    likelihood,
+
+    -- * Many frames at one angle
+    Fits (..),
+    fitsAt,
+    bySize,
+  )
+where
+
+import qualified Data.IntSet as IntSet
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+  ( Raster,
+    mapRaster,
+    rasterHeight,
+    rasterSize,
+    rasterValues,
+    rasterWidth,
+  )
+import PraTactile.Registration.Lattice.Blur (areaSums)
+import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model
+
+-- | What a frame tells, each part made when it is first looked at.
+data Fit = Fit
+  { -- | log p(z) at whole taxels, over the phases that the first step leaves likely.
+    fitCoarse :: Double,
+    -- | The same at all places, over the phases that it leaves likely at whole taxels.
+    fitLikely :: Double,
+    -- | All, at all places.
+    fitLikelihood :: Likelihood
+  }
+
+-- | What a frame of the tables' size tells. A frame without any variation tells next to nothing.
+likelihood :: Templates -> Raster -> Likelihood
+likelihood tables = fitLikelihood . fitOf tables
+
+-- | The same by parts. Theta is found by four steps at whole taxels and one at all places, all but
+-- the first for likely phases only, or where others turn out to matter, for all.
+fitOf :: Templates -> Raster -> Fit
+fitOf tables image = Fit (logDensity coarseLikely) (logDensity fineLikely) fine
+  where
+    values = rasterValues image
+    n = fromIntegral (V.length values)
+    average = V.sum values / n
+    deviation = sqrt (V.sum (V.map (\v -> (v - average) * (v - average)) values) / n)
+    standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
+    step statistics = mStep statistics . eStep statistics
+    -- At whole taxels.
+    coarseAll = allPhases (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
+    first = eStep coarseAll (firstTheta standard)
+    coarseSteps statistics =
+      eStep statistics (iterate (step statistics) (mStep coarseAll first) !! 3)
+    coarseLikely = coarseSteps (atPhases coarseAll (likelyPhases coarseAll first))
+    coarse = overAll coarseAll coarseSteps coarseLikely
+    -- At all places.
+    areas = areaSums (templateLayout tables) standard
+    fineAll = allPhases tables areas
+    fineStep statistics = eStep statistics (step statistics (likelihoodTheta coarse))
+    fineLikely =
+      fineStep
+        ( somePhases
+            fineAll
+            areas
+            (finePhases (coarser tables) tables (likelyPhases coarseAll coarse))
+        )
+    fine = overAll fineAll fineStep fineLikely
+
+-- | What all phases tell, at the theta that was found by some of them; or, if others have any
+-- weight there, as it is found by all.
+overAll :: Statistics -> (Statistics -> Likelihood) -> Likelihood -> Likelihood
+overAll whole@(Statistics _ lattices _) steps some
+  | V.length (phaseLogs some) == V.length (phaseNumbers lattices) = some
+  | logDensity same - logDensity some < 1e-7 = same
+  | otherwise = steps whole
+  where
+    same = eStep whole (likelihoodTheta some)
+
+-- | The phases that are not most unlikely.
+likelyPhases :: Statistics -> Likelihood -> [Int]
+likelyPhases (Statistics _ lattices _) given =
+  map
+    (phaseNumbers lattices V.!)
+    (V.toList (V.findIndices (> V.maximum phases - negligible) phases))
+  where
+    phases = phaseLogs given
+
+-- | The phases of finer tables that are less than a taxel from some of coarser ones.
+finePhases :: Templates -> Templates -> [Int] -> [Int]
+finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
+  where
+    places = layoutPlaces . templateLayout
+    q = places fine `quot` places coarse
+    (acrossCoarse, downCoarse) = phaseCount (places coarse)
+    (across, down) = phaseCount (places fine)
+    around phase =
+      let (row, x) = phase `quotRem` acrossCoarse
+          (o, y) = row `quotRem` downCoarse
+       in [ (o * down + (q * y + j) `mod` down) * across + (q * x + i) `mod` across
+            | j <- [1 - q .. q - 1],
+              i <- [1 - q .. q - 1]
+          ]
+
+-- | A first guess: the noise from the second differences across, in which smooth relief has next to
+-- no part, and the gain and the offset from what is usual of symbols.
+firstTheta :: Raster -> Theta
+firstTheta image = Theta gain (-0.15 * gain) noise
+  where
+    w = rasterWidth image
+    h = rasterHeight image
+    v = rasterValues image
+    at y x = V.unsafeIndex v (y * w + x)
+    differences =
+      [ let d = at y x - at y (x + 1) - at (y + 1) x + at (y + 1) (x + 1) in d * d
+        | y <- [0 .. h - 2],
+          x <- [0 .. w - 2]
+      ]
+    noise
+      | null differences = 0.5
+      | otherwise = max 1e-3 (min 0.95 (sum differences / (4 * fromIntegral (length differences))))
+    gain = sqrt (max 0.02 (1 - noise)) / 0.36
+
+-- | What frames tell of the lattice at an angle. Each table and what each frame tells is made when
+-- it is first looked at, and once.
+data Fits = Fits
+  { -- | Degrees clockwise from the frames' axes.
+    fitsAngle :: !Double,
+    -- | The tables by the width and height of frames.
+    fitsTables :: (Int, Int) -> Templates,
+    -- | In the order of the frames.
+    fitsFrames :: [Fit]
+  }
+
+-- | Frames of any sizes at an angle, degrees clockwise.
+fitsAt :: PaperTables -> [Raster] -> Double -> Fits
+fitsAt tables images angle = Fits angle at [fitOf (at (rasterSize image)) image | image <- images]
+  where
+    at = bySize (map rasterSize images) (tables angle)
+
+-- | Tables by size, each of these sizes' made once.
+bySize :: [(Int, Int)] -> ((Int, Int) -> tables) -> (Int, Int) -> tables
+bySize sizes make = \size -> Map.findWithDefault (make size) size made
+  where
+    made = Map.fromSet make (Set.fromList sizes)
