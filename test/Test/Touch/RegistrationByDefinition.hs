@@ -9,8 +9,8 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Image
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Fit
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
@@ -58,10 +58,10 @@ tabled tables image =
         let classes = [(V.! (start + k)) | k <- [0 .. count - 1]]
     ]
   where
-    places = templateLayout tables
-    q = layoutPlaces places
-    (firstX, firstY) = layoutFirst places
-    (columns, rows) = layoutGrid places
+    places = templatePlaces tables
+    q = placesFineness places
+    (firstX, firstY) = placesFirst places
+    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
     (products, sums, squares) =
       (correlations tables image, templateSums tables, templateSquares tables)
@@ -72,8 +72,8 @@ phaseNumber :: Templates -> (Int, Int, Int) -> Int
 phaseNumber tables (o, y, x) =
   (o * down + (y - q * firstY) `mod` down) * across + (x - q * firstX) `mod` across
   where
-    q = layoutPlaces (templateLayout tables)
-    (firstX, firstY) = layoutFirst (templateLayout tables)
+    q = placesFineness (templatePlaces tables)
+    (firstX, firstY) = placesFirst (templatePlaces tables)
     (across, down) = (16 * q, 20 * q)
 
 -- | What a frame tells at whole and at half taxels: drawn along its axes, by the tables at angles.

@@ -15,8 +15,8 @@ import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Joint.MeanField
 import PraTactile.Registration.Joint.Phase
 import PraTactile.Registration.Lattice.Fit (likelihood)
-import PraTactile.Registration.Lattice.Layout (layoutGrid)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places (placesGrid)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
@@ -49,7 +49,7 @@ seenAt place phases classes =
     (Map.fromList (zip (indices rows columns) (inFours (V.toList classes))))
   where
     indices m n = [(o, y, x) | o <- [0, 1], y <- [0 .. m - 1], x <- [0 .. n - 1]]
-    (columns, rows) = layoutGrid (templateLayout (likelihoodTables blank))
+    (columns, rows) = placesGrid (templatePlaces (likelihoodTables blank))
     inFours values = case splitAt 4 values of
       ([], _) -> []
       (some, rest) -> some : inFours rest

@@ -15,8 +15,8 @@ import PraTactile.Registration.Arrangement (withMisfit)
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Blur (areaSums)
 import PraTactile.Registration.Lattice.Fit
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Neighbours
@@ -95,7 +95,7 @@ templatesSpec alphabet = do
       forAll (elements [0, 0, -77, 30, 90]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
         let tables = templates alphabet angle 16 16
             count = symbolsClasses (templateSymbols tables)
-            (columns, rows) = layoutGrid (templateLayout tables)
+            (columns, rows) = placesGrid (templatePlaces tables)
             products = correlations tables image
          in forAll
               ( (,,,) <$> choose (0, 1) <*> choose (0, columns - 1) <*> choose (0, rows - 1)
@@ -103,7 +103,7 @@ templatesSpec alphabet = do
               )
               $ \(o, x, y, k) ->
                 let shape = (if o == 1 then halfTurned else id) (shapes alphabet !! k)
-                    told = products V.! (cellIndex (templateLayout tables) o y x * count + k)
+                    told = products V.! (cellIndex (templatePlaces tables) o y x * count + k)
                     symbol = drawing shape angle (placeOf tables x y)
                     drawn = V.sum (V.zipWith (*) (rasterValues image) symbol)
                  in -- Turned, places lie between taxels to a 32nd of one.
@@ -117,13 +117,13 @@ templatesSpec alphabet = do
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
         let tables = templates alphabet angle 16 16
             count = symbolsClasses (templateSymbols tables)
-            (columns, rows) = layoutGrid (templateLayout tables)
+            (columns, rows) = placesGrid (templatePlaces tables)
          in forAll
               ((,,) <$> choose (0, columns - 1) <*> choose (0, rows - 1) <*> choose (0, count - 1))
               $ \(x, y, k) ->
                 let place = placeOf tables x y
                     drawn = drawing (shapes alphabet !! k) angle place
-                    i = cellIndex (templateLayout tables) 0 y x * count + k
+                    i = cellIndex (templatePlaces tables) 0 y x * count + k
                     total = V.sum drawn
                     squares = V.sum (V.map (\t -> t * t) drawn)
                  in counterexample
@@ -145,9 +145,9 @@ templatesSpec alphabet = do
         forAll (choose (0, 2559)) $ \phase ->
           let tables = templates alphabet angle 16 16
               count = symbolsClasses (templateSymbols tables)
-              cells = cellsOfPhase (templateLayout tables) phase
+              cells = cellsOfPhase (templatePlaces tables) phase
               Moments products sums squares =
-                momentsAt tables (areaSums (templateLayout tables) image) (V.fromList cells)
+                momentsAt tables (areaSums (templatePlaces tables) image) (V.fromList cells)
               ofCells numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
            in (products, sums, squares)
                 === ( ofCells (correlations tables image),
@@ -167,7 +167,7 @@ templatesSpec alphabet = do
     placeOf tables x y =
       (fromIntegral firstX + fromIntegral x / 2, fromIntegral firstY + fromIntegral y / 2)
       where
-        (firstX, firstY) = layoutFirst (templateLayout tables)
+        (firstX, firstY) = placesFirst (templatePlaces tables)
     -- The blurred taxels of a symbol, added up on each taxel of a frame of 16 x 16.
     drawing shape angle (x, y) =
       V.fromList

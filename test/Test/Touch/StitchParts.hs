@@ -7,7 +7,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Noise
 import PraTactile.Image
-import PraTactile.Registration.Lattice.Layout (Layout (..), layout)
+import PraTactile.Registration.Lattice.Places (Places (..), placesAt)
 import PraTactile.Registration.Neighbours
 import PraTactile.Registration.Posterior
 import Test.Hspec
@@ -235,8 +235,8 @@ placesSpec = do
                 let ts = map part corners
                  in (floor (minimum ts + 1e-7), ceiling (maximum ts - 1e-7)) :: (Int, Int)
               ((left, right'), (top, bottom)) = (whole fst, whole snd)
-              places = layout angle w h q
-              ((x0, y0), (columns, rows)) = (layoutFirst places, layoutGrid places)
+              places = placesAt angle w h q
+              ((x0, y0), (columns, rows)) = (placesFirst places, placesGrid places)
            in -- A symbol's 8 x 12 taxels lie behind its place, and count two taxels around.
               ((x0, y0), (x0 + columns `div` q, y0 + rows `div` q), (columns `mod` q, rows `mod` q))
                 === ((left - 10, top - 14), (right' + 3, bottom + 3), (0, 0))

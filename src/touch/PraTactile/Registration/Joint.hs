@@ -21,7 +21,7 @@ import PraTactile.Registration.Joint.Grid (gridOf)
 import PraTactile.Registration.Joint.MeanField (meanField)
 import PraTactile.Registration.Joint.Phase (commonPhase)
 import PraTactile.Registration.Lattice.Fit
-import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -90,4 +90,4 @@ turnedTo angle l =
 firstPlace :: Templates -> Place -> Place
 firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
   where
-    (i, j) = layoutFirst (templateLayout tables)
+    (i, j) = placesFirst (templatePlaces tables)

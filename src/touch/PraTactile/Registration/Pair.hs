@@ -21,8 +21,8 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Lattice.Fit (likelihood)
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
@@ -121,7 +121,7 @@ tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
 registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match
 registerPair tables pairing a b
   | size /= rasterSize b = Left (PairSizes size (rasterSize b))
-  | outside size || size /= layoutFrame (templateLayout (tablesTemplates tables)) =
+  | outside size || size /= placesFrame (templatePlaces (tablesTemplates tables)) =
     Left (PairFrameSize size)
   | not (all finite [a, b]) = Left PairNotFinite
   | not (sensible pairing) = Left (UnusablePairing pairing)

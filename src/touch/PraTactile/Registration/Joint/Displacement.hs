@@ -11,8 +11,8 @@ import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template (Templates (..))
 
@@ -39,9 +39,9 @@ displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   ]
   where
     tables = likelihoodTables given
-    places = templateLayout tables
-    (across, down) = phaseCount (layoutPlaces places)
-    (columns, rows) = layoutGrid places
+    places = templatePlaces tables
+    (across, down) = phaseCount (placesFineness places)
+    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
     ((nx, ny), (rx, ry)) = onGrid place
     reach = gridReach grid

@@ -11,8 +11,8 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
 import PraTactile.Registration.Joint.Grid
-import PraTactile.Registration.Lattice.Layout (phaseCount)
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Model (placesPerTaxel)
 

@@ -13,7 +13,7 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, rasterValues)
-import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (blurDeviation)
 
@@ -37,7 +37,7 @@ cumulative x
 -- | What the padded grid reads of a frame, added up: of values one each whole taxel before a place,
 -- across and down, up to its own, their sum over the rectangle that ends there. The grid begins a
 -- taxel before the padded one; that first row and column of taxels are 0.
-areaSums :: Layout -> Raster -> Vector Double
+areaSums :: Places -> Raster -> Vector Double
 areaSums places image = V.create $ do
   sums <- M.replicate (wide * high) 0
   let row !y
@@ -57,7 +57,7 @@ areaSums places image = V.create $ do
   row q
   pure sums
   where
-    q = layoutPlaces places
+    q = placesFineness places
     wide = areasWidth places
     high = paddedHeight places + q
     values = spread places image
@@ -67,9 +67,9 @@ areaSums places image = V.create $ do
 
 -- | What each place of the padded grid would read of the frame, blurred: along the frame's axes by
 -- rows first and then by columns, else at each place by itself.
-spread :: Layout -> Raster -> Vector Double
+spread :: Places -> Raster -> Vector Double
 spread places image
-  | layoutAngle places == 0 =
+  | placesAngle places == 0 =
     tabulate wide high $ \y ->
       let (_, v) = place 0 y
           !near = parted v
@@ -79,7 +79,7 @@ spread places image
       let (u, v) = place x y
        in if beyond w u || beyond h v then 0 else alone (parted u) (parted v)
   where
-    (w, h) = layoutFrame places
+    (w, h) = placesFrame places
     wide = paddedWidth places
     high = paddedHeight places
     place = onFrame places

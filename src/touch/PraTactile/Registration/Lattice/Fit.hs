@@ -1,5 +1,5 @@
--- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse to
--- fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
+-- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse
+-- to fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
 module PraTactile.Registration.Lattice.Fit
   ( Fit (..),
     fitOf,
@@ -25,8 +25,8 @@ import PraTactile.Image
     rasterWidth,
   )
 import PraTactile.Registration.Lattice.Blur (areaSums)
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
 
@@ -56,14 +56,14 @@ fitOf tables image = Fit (logDensity coarseLikely) (logDensity fineLikely) fine
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
     step statistics = mStep statistics . eStep statistics
     -- At whole taxels.
-    coarseAll = allPhases (coarser tables) (areaSums (templateLayout (coarser tables)) standard)
+    coarseAll = allPhases (coarser tables) (areaSums (templatePlaces (coarser tables)) standard)
     first = eStep coarseAll (firstTheta standard)
     coarseSteps statistics =
       eStep statistics (iterate (step statistics) (mStep coarseAll first) !! 3)
     coarseLikely = coarseSteps (atPhases coarseAll (likelyPhases coarseAll first))
     coarse = overAll coarseAll coarseSteps coarseLikely
     -- At all places.
-    areas = areaSums (templateLayout tables) standard
+    areas = areaSums (templatePlaces tables) standard
     fineAll = allPhases tables areas
     fineStep statistics = eStep statistics (step statistics (likelihoodTheta coarse))
     fineLikely =
@@ -98,7 +98,7 @@ likelyPhases (Statistics _ lattices _) given =
 finePhases :: Templates -> Templates -> [Int] -> [Int]
 finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
   where
-    places = layoutPlaces . templateLayout
+    places = placesFineness . templatePlaces
     q = places fine `quot` places coarse
     (acrossCoarse, downCoarse) = phaseCount (places coarse)
     (across, down) = phaseCount (places fine)

@@ -22,7 +22,7 @@ where
 
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Loops (tabulate)
@@ -62,7 +62,7 @@ atPhases statistics@(Statistics tables _ (Moments products sums squares)) phases
   | many tables phases = statistics
   | otherwise = Statistics tables here (Moments (at products) (at sums) (at squares))
   where
-    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+    (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
     count = symbolsClasses (templateSymbols tables)
     -- Note [Bounds of cells]
     at numbers =
@@ -75,12 +75,12 @@ somePhases statistics@(Statistics tables _ _) areas phases
   | many tables phases = statistics
   | otherwise = Statistics tables here (momentsAt tables areas cells)
   where
-    (here, cells) = renumbered (phasesOf (templateLayout tables) phases)
+    (here, cells) = renumbered (phasesOf (templatePlaces tables) phases)
 
 -- | Whether so many phases are compared faster together with all others, as are none: then what the
 -- frame tells is no number.
 many :: Templates -> [Int] -> Bool
-many tables phases = null phases || 4 * length phases > phaseTotal (templateLayout tables)
+many tables phases = null phases || 4 * length phases > phaseTotal (templatePlaces tables)
 
 -- | The cells of phases numbered from 0 on, as they come, and what they were.
 renumbered :: Phases -> (Phases, Vector Int)
@@ -110,7 +110,7 @@ eStep (Statistics tables lattices moments) theta@(Theta gain offset variance) =
       top
         + log
           ( V.sum (V.map (relativeTo top) phases)
-              / fromIntegral (phaseTotal (templateLayout tables))
+              / fromIntegral (phaseTotal (templatePlaces tables))
           )
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
@@ -120,7 +120,7 @@ eStep (Statistics tables lattices moments) theta@(Theta gain offset variance) =
 
 -- | The number of a frame's taxels.
 taxelsOf :: Templates -> Double
-taxelsOf tables = let (w, h) = layoutFrame (templateLayout tables) in fromIntegral (w * h)
+taxelsOf tables = let (w, h) = placesFrame (templatePlaces tables) in fromIntegral (w * h)
 
 -- | From classes to cells.
 cellsOf :: Int -> Vector Double -> Vector Double

@@ -17,7 +17,7 @@ import Data.Maybe (fromMaybe)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Registration.Lattice.Blur (seenAt)
-import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model (leastShare, placesPerTaxel)
 import PraTactile.Shape
@@ -98,15 +98,15 @@ boxHigh = symbolHeight + 2 * margin
 data Cover = Cover !(Vector Double) !(Vector Int) !(Vector Int)
 
 -- | What a frame covers.
-coverOf :: Layout -> Cover
+coverOf :: Places -> Cover
 coverOf places =
   Cover
     there
     (V.fromList [fromMaybe wide (V.findIndex (> 0) l) | l <- rows])
     (V.fromList [wide - fromMaybe wide (V.findIndex (> 0) (V.reverse l)) | l <- rows])
   where
-    (w, h) = layoutFrame places
-    q = layoutPlaces places
+    (w, h) = placesFrame places
+    q = placesFineness places
     wide = coverWidth places
     high = coverHeight places
     there =
@@ -119,23 +119,23 @@ coverOf places =
     rows = [V.slice (wide * i) wide there | i <- [0 .. q * high - 1]]
 
 -- | The length of a line of what a frame covers, in taxels, and how many there are.
-coverWidth, coverHeight :: Layout -> Int
-coverWidth places = fst (layoutGrid places) `quot` layoutPlaces places + boxWide - 1
-coverHeight places = snd (layoutGrid places) + (boxHigh - 1) * layoutPlaces places
+coverWidth, coverHeight :: Places -> Int
+coverWidth places = fst (placesGrid places) `quot` placesFineness places + boxWide - 1
+coverHeight places = snd (placesGrid places) + (boxHigh - 1) * placesFineness places
 
 -- | The sum over the frame of the squares of a class's template at a row and a column of places,
 -- upright and half turned. Along the frame's axes it is that at its pixels. Turned, it is that at
 -- whole taxels from the template's place, each counted for as much of a taxel as the frame has
 -- there, which differs at the frame's edge only. Unchecked: there must be that class and place.
-squaresAt :: Symbols -> Layout -> Cover -> Int -> Int -> Int -> (Double, Double)
+squaresAt :: Symbols -> Places -> Cover -> Int -> Int -> Int -> (Double, Double)
 squaresAt symbols places (Cover there begins ends) = at
   where
     boxes = symbolsSquares symbols
-    q = layoutPlaces places
+    q = placesFineness places
     wide = coverWidth places
     high = coverHeight places
     -- Then each of the places within a taxel has a box by itself.
-    upright = layoutAngle places == 0
+    upright = placesAngle places == 0
     boxSize = boxWide * boxHigh
     shapeSize = boxSize * placesPerTaxel * placesPerTaxel
     halfTurnedAfter = symbolsClasses symbols * shapeSize

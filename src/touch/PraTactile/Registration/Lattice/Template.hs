@@ -32,7 +32,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Geometry (sensorSide)
 import PraTactile.Image (Raster, constant)
 import PraTactile.Registration.Lattice.Blur (areaSums)
-import PraTactile.Registration.Lattice.Layout
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols
 import PraTactile.Registration.Model (placesPerTaxel)
 import PraTactile.Shape (Alphabet, paperAlphabet)
@@ -40,7 +40,7 @@ import PraTactile.Shape (Alphabet, paperAlphabet)
 -- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
 -- that are turned from the frames'. Each table is made when it is first looked at.
 data Templates = Templates
-  { templateLayout :: !Layout,
+  { templatePlaces :: !Places,
     templateSymbols :: !Symbols,
     -- | For each orientation and class, its shape.
     templateOutlines :: !(Boxed.Vector Outline),
@@ -73,21 +73,21 @@ templates = templatesOf . symbolsOf
 
 templatesOf :: Symbols -> Double -> Int -> Int -> Templates
 templatesOf symbols angle w h =
-  (tabled symbols (layout angle w h placesPerTaxel))
-    { templateCoarse = Just (tabled symbols (layout angle w h 1))
+  (tabled symbols (placesAt angle w h placesPerTaxel))
+    { templateCoarse = Just (tabled symbols (placesAt angle w h 1))
     }
 
 -- | The tables for those places alone.
-tabled :: Symbols -> Layout -> Templates
+tabled :: Symbols -> Places -> Templates
 tabled symbols places = tables
   where
     tables =
       Templates
-        { templateLayout = places,
+        { templatePlaces = places,
           templateSymbols = symbols,
           templateOutlines = Boxed.fromList (map outline (symbolsCorners symbols)),
           templateCover = coverOf places,
-          templateAreas = areaSums places (uncurry constant (layoutFrame places) 1),
+          templateAreas = areaSums places (uncurry constant (placesFrame places) 1),
           templateSums = correlationsOf tables (templateAreas tables),
           templateSquares = squaresOf tables,
           templatePhases = phasesOf places [0 .. phaseTotal places - 1],
@@ -96,7 +96,7 @@ tabled symbols places = tables
     outline corners =
       Outline
         ( V.fromList
-            [(y * areasWidth places + x) * layoutPlaces places | (x, y, _) <- corners]
+            [(y * areasWidth places + x) * placesFineness places | (x, y, _) <- corners]
         )
         (V.fromList [count | (_, _, count) <- corners])
 
@@ -119,7 +119,7 @@ paperTemplates = either (const Nothing) (Just . made . symbolsOf) paperAlphabet
 -- | The sum over the frame of its values times each template: by class, at each place, in each
 -- orientation. The image has the size that the tables are for.
 correlations :: Templates -> Raster -> Vector Double
-correlations tables = correlationsOf tables . areaSums (templateLayout tables)
+correlations tables = correlationsOf tables . areaSums (templatePlaces tables)
 
 -- | The same from the frame's 'areaSums'.
 correlationsOf :: Templates -> Vector Double -> Vector Double
@@ -164,9 +164,9 @@ correlationsOf tables areas = V.create $ do
   orientation (0 :: Int)
   pure sums
   where
-    places = templateLayout tables
+    places = templatePlaces tables
     outlines = templateOutlines tables
-    (columns, rows) = layoutGrid places
+    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
     wide = areasWidth places
 
@@ -195,8 +195,8 @@ squaresOf tables = V.create $ do
   row 0 (0 :: Int)
   pure sums
   where
-    places = templateLayout tables
-    (columns, rows) = layoutGrid places
+    places = templatePlaces tables
+    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
     half = rows * columns * count
     at = squaresAt (templateSymbols tables) places (templateCover tables)
@@ -214,8 +214,8 @@ momentsAt :: Templates -> Vector Double -> Vector Int -> Moments
 momentsAt tables areas cells =
   Moments (outlined areas) (outlined (templateAreas tables)) (each squares)
   where
-    places = templateLayout tables
-    (columns, rows) = layoutGrid places
+    places = templatePlaces tables
+    (columns, rows) = placesGrid places
     count = symbolsClasses (templateSymbols tables)
     each :: (Int -> Int -> Int -> Int -> Double) -> Vector Double
     each number =

@@ -12,8 +12,8 @@ import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Place)
-import PraTactile.Registration.Lattice.Layout
 import PraTactile.Registration.Lattice.Likelihood
+import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model (cellLog)
@@ -26,7 +26,7 @@ latticePosterior :: Place -> Double -> Likelihood -> Likelihood -> Posterior
 latticePosterior (stepX, stepY) search a b =
   posterior (taxels (startX, startY)) (1 / fromIntegral q) (side, side) (V.map log masses)
   where
-    q = layoutPlaces (templateLayout (likelihoodTables a))
+    q = placesFineness (templatePlaces (likelihoodTables a))
     taxels (x, y) = (fromIntegral x / fromIntegral q, fromIntegral y / fromIntegral q)
     reach = ceiling (search * fromIntegral q) :: Int
     side = 2 * reach + 1
@@ -52,7 +52,7 @@ latticePosterior (stepX, stepY) search a b =
 candidates :: Likelihood -> Likelihood -> (Int, Int) -> Int -> Vector Double -> [(Int, Int)]
 candidates a b (startX, startY) side priors = [(d, i) | (_, d, i) <- fewest 15 (upTo 15)]
   where
-    (across, down) = phaseCount (layoutPlaces (templateLayout (likelihoodTables a)))
+    (across, down) = phaseCount (placesFineness (templatePlaces (likelihoodTables a)))
     phasesA = phaseLogs a
     phasesB = phaseLogs b
     size = V.length phasesA
@@ -110,10 +110,10 @@ joint :: Likelihood -> Likelihood -> (Int, Int) -> Int -> Double
 joint a b (dx, dy) phase = go firstY firstX 0
   where
     tables = likelihoodTables a
-    places = templateLayout tables
+    places = templatePlaces tables
     count = symbolsClasses (templateSymbols tables)
-    (columns, rows) = layoutGrid places
-    (across, down) = phaseCount (layoutPlaces places)
+    (columns, rows) = placesGrid places
+    (across, down) = phaseCount (placesFineness places)
     (row, px) = phase `quotRem` across
     (o, py) = row `quotRem` down
     firstX = firstAtLeast px across (min 0 dx)

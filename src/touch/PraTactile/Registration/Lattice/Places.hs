@@ -1,9 +1,9 @@
 -- | Where symbols are tried on frames of one size: places on a grid along the symbols' axes, which
 -- may be turned from the frames'; and the phases of a lattice of cells there.
-module PraTactile.Registration.Lattice.Layout
+module PraTactile.Registration.Lattice.Places
   ( -- * Places
-    Layout (..),
-    layout,
+    Places (..),
+    placesAt,
     cellIndex,
     onFrame,
 
@@ -26,31 +26,31 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Geometry (columnPitch, cosineSine, rotated, rowPitch, symbolHeight, symbolWidth)
 
 -- | The places of symbols on frames of one size: all from which a symbol is felt.
-data Layout = Layout
+data Places = Places
   { -- | The width and height of the frames.
-    layoutFrame :: !(Int, Int),
+    placesFrame :: !(Int, Int),
     -- | By how many degrees, clockwise, the symbols' axes are turned from the frames'.
-    layoutAngle :: !Double,
+    placesAngle :: !Double,
     -- | Places to the taxel.
-    layoutPlaces :: !Int,
+    placesFineness :: !Int,
     -- | The first column and the first row of places, along the symbols' axes, in taxels from the
     -- centre of the frame's upper left taxel.
-    layoutFirst :: !(Int, Int),
+    placesFirst :: !(Int, Int),
     -- | The number of places across and down.
-    layoutGrid :: !(Int, Int)
+    placesGrid :: !(Int, Int)
   }
   deriving stock (Eq, Show)
 
 -- | The places for axes that are turned by so many degrees clockwise, frames of that width and
 -- height, and so many places to the taxel.
-layout :: Double -> Int -> Int -> Int -> Layout
-layout angle w h q =
-  Layout
-    { layoutFrame = (w, h),
-      layoutAngle = angle,
-      layoutPlaces = q,
-      layoutFirst = (left - symbolWidth - fringe, top - symbolHeight - fringe),
-      layoutGrid = ((wide + symbolWidth + 2 * fringe) * q, (high + symbolHeight + 2 * fringe) * q)
+placesAt :: Double -> Int -> Int -> Int -> Places
+placesAt angle w h q =
+  Places
+    { placesFrame = (w, h),
+      placesAngle = angle,
+      placesFineness = q,
+      placesFirst = (left - symbolWidth - fringe, top - symbolHeight - fringe),
+      placesGrid = ((wide + symbolWidth + 2 * fringe) * q, (high + symbolHeight + 2 * fringe) * q)
     }
   where
     corners =
@@ -71,33 +71,33 @@ fringe = 2
 
 -- | Where an orientation (0 upright, 1 half turned), a row and a column of places lie in tables, to
 -- be multiplied by the number of classes where these have one number a class.
-cellIndex :: Layout -> Int -> Int -> Int -> Int
+cellIndex :: Places -> Int -> Int -> Int -> Int
 cellIndex places orientation y x = (orientation * rows + y) * columns + x
   where
-    (columns, rows) = layoutGrid places
+    (columns, rows) = placesGrid places
 {-# INLINE cellIndex #-}
 
 -- | Where a column and a row of places lie on the frame, taxels.
-onFrame :: Layout -> Int -> Int -> (Double, Double)
+onFrame :: Places -> Int -> Int -> (Double, Double)
 onFrame places = \x y -> turned' (firstX + fromIntegral x / q) (firstY + fromIntegral y / q)
   where
-    q = fromIntegral (layoutPlaces places)
-    (firstX, firstY) = let (x, y) = layoutFirst places in (fromIntegral x, fromIntegral y)
-    (c, s) = cosineSine (layoutAngle places)
+    q = fromIntegral (placesFineness places)
+    (firstX, firstY) = let (x, y) = placesFirst places in (fromIntegral x, fromIntegral y)
+    (c, s) = cosineSine (placesAngle places)
     turned' x y = (c * x - s * y, s * x + c * y)
 {-# INLINE onFrame #-}
 
 -- | The width of the grid of places, padded so that a symbol at any place lies on it.
-paddedWidth :: Layout -> Int
-paddedWidth places = fst (layoutGrid places) + (symbolWidth - 1) * layoutPlaces places
+paddedWidth :: Places -> Int
+paddedWidth places = fst (placesGrid places) + (symbolWidth - 1) * placesFineness places
 
 -- | Its height.
-paddedHeight :: Layout -> Int
-paddedHeight places = snd (layoutGrid places) + (symbolHeight - 1) * layoutPlaces places
+paddedHeight :: Places -> Int
+paddedHeight places = snd (placesGrid places) + (symbolHeight - 1) * placesFineness places
 
 -- | The width of the grid of the sums of areas, which begins a taxel before the padded grid.
-areasWidth :: Layout -> Int
-areasWidth places = paddedWidth places + layoutPlaces places
+areasWidth :: Places -> Int
+areasWidth places = paddedWidth places + placesFineness places
 
 -- | The number of phases across and down, places to the taxel given.
 phaseCount :: Int -> (Int, Int)
@@ -112,11 +112,11 @@ data Phases = Phases
   }
 
 -- | The number of all phases: orientation, row and column of places, modulo the pitch.
-phaseTotal :: Layout -> Int
-phaseTotal places = let (across, down) = phaseCount (layoutPlaces places) in 2 * across * down
+phaseTotal :: Places -> Int
+phaseTotal places = let (across, down) = phaseCount (placesFineness places) in 2 * across * down
 
 -- | The cells of those phases, by 'cellIndex'.
-phasesOf :: Layout -> [Int] -> Phases
+phasesOf :: Places -> [Int] -> Phases
 phasesOf places phases =
   Phases
     (V.fromList phases)
@@ -126,14 +126,14 @@ phasesOf places phases =
     cells = map (cellsOfPhase places) phases
 
 -- | The cells of a lattice, by 'cellIndex'.
-cellsOfPhase :: Layout -> Int -> [Int]
+cellsOfPhase :: Places -> Int -> [Int]
 cellsOfPhase places phase =
   [ cellIndex places orientation y x
     | y <- [firstY, firstY + down .. rows - 1],
       x <- [firstX, firstX + across .. columns - 1]
   ]
   where
-    (columns, rows) = layoutGrid places
-    (across, down) = phaseCount (layoutPlaces places)
+    (columns, rows) = placesGrid places
+    (across, down) = phaseCount (placesFineness places)
     (row, firstX) = phase `quotRem` across
     (orientation, firstY) = row `quotRem` down
