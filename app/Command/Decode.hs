@@ -18,7 +18,7 @@ import Message
 import Options
 import Output (writeWhole)
 import Picture (pageSvg, recognitionPage)
-import PraTactile.Array (PseudorandomArray, Surface)
+import PraTactile.Array (ArrayOn (..), PseudorandomArray, Surface)
 import PraTactile.Decode (Stitching)
 import PraTactile.Field (KnownField)
 import PraTactile.Files (SourcePath (..), sourcePath, sourcePaths)
@@ -189,7 +189,7 @@ decoderOn profile options = do
   let on = fromMaybe (profileSurface profile) (surface options)
       made array mask =
         decodeWith alphabet profile array options
-          <$> recogniser on array mask layout alphabet net
+          <$> recogniser (ArrayOn on array) mask layout alphabet net
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
 -- | The composites, whole images at the places given for them; frames know their own.

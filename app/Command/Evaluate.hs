@@ -13,6 +13,7 @@ import qualified Data.Map.Strict as Map
 import ExitStatus
 import Message
 import Options
+import PraTactile.Array (ArrayOn (..))
 import PraTactile.Evaluate
 import PraTactile.Explore
 import PraTactile.Format (EvaluationConditions (..), EvaluationReport (..), encodeEvaluation)
@@ -109,7 +110,7 @@ run choice options
           reader <-
             first
               recogniserMessage
-              (recogniser (profileSurface profile) array mask layout alphabet net)
+              (recogniser (ArrayOn (profileSurface profile) array) mask layout alphabet net)
           first experimentMessage (evaluated experiment alphabet array reader)
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
     counted <- tallied (presses options) results

@@ -18,7 +18,7 @@ import Lines
 import Message
 import Options
 import PatchText
-import PraTactile.Array (PseudorandomArray, Surface (..))
+import PraTactile.Array (ArrayOn (..), Surface (..))
 import PraTactile.Field (KnownField)
 import PraTactile.Format (AnswerReport, encodeAnswer)
 import PraTactile.Format.Answer.Report (invalidReport)
@@ -152,7 +152,9 @@ run choice surface options
         profileMessage
         ( withProfile
             profile
-            (\array mask -> answering profile options <$> responder options profile on array mask)
+            ( \array mask ->
+                answering profile options <$> responder options profile (ArrayOn on array) mask
+            )
         )
 
 -- | The answer to what was read, in words and as JSON.
@@ -162,24 +164,23 @@ data Response = Response
     responseReport :: AnswerReport
   }
 
--- | From what is written to the response. 'Left' where the decoder surface is impossible for the
--- array. What is computed once for the array is computed when first used.
+-- | From what is written to the response. 'Left' where the decoder that is asked for is impossible
+-- for the array on this surface. What is computed once for the array is computed when first used.
 responder ::
   KnownField k =>
   Options ->
   Profile ->
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Either String (Text -> Either String Response)
-responder options profile on array mask = do
-  _ <- first locatorMessage (decoderFor made on (radius options))
+responder options profile on@(ArrayOn _ array) mask = do
+  _ <- first locatorMessage (decoderFor theLocator (radius options))
   pure $ \text -> do
     written <- readPatches text
     let query = queryOf written
         asked = Asked (querySymmetries query) (writtenDisplaced written)
         displacements = map fst (writtenPatches written)
-    answer <- first locatorMessage (locate made query)
+    answer <- first locatorMessage (locate theLocator query)
     seen <- first locatorMessage (agreedSymbols query)
     let inWords = answerText asked answer
         explanation
@@ -193,12 +194,11 @@ responder options profile on array mask = do
           responseReport = reportOf profile asked displacements explanation answer
         }
   where
-    made = locator (decoder options) (profilePacking profile) array mask
+    theLocator = locator (decoder options) (profilePacking profile) on mask
     queryOf written =
       Query
         { queryPatches = writtenPatches written,
           querySymmetries = symmetriesOf (turning options),
-          querySurface = on,
           queryRadius = radius options,
           queryDoubt = doubt options,
           queryForeign = foreignThings options

@@ -12,7 +12,7 @@ import MaskChoice
 import Message (profileMessage, proofMessage, windowMessage)
 import Numeric.Natural (Natural)
 import Options
-import PraTactile.Array (Position (..), Surface (..), arrayFolding, naturalSurface)
+import PraTactile.Array (ArrayOn (..), Position (..), Surface (..), arrayFolding, naturalSurface)
 import PraTactile.Format (Subject (..), encodeProof)
 import PraTactile.Format.Name (shapeText, surfaceName)
 import PraTactile.Format.Proof (subjectShape)
@@ -71,7 +71,7 @@ ofProfile :: ArrayChoice -> Maybe Mask -> Maybe Surface -> IO Result
 ofProfile choice drawn on = do
   (profile, mask) <- chosenMask choice drawn on
   let on' = profileSurface profile
-      proven array _ = (fst <$> prove on' array mask, distanceOn on' array mask)
+      proven array _ = (fst <$> prove (ArrayOn on' array) mask, distanceOn on' array mask)
   (outcome, far) <- orUnusable profileMessage (withProfile profile proven)
   found <- orUnusable proofMessage outcome
   pure (Result (OfProfile profile) mask found far)

@@ -17,7 +17,7 @@ import Output
 import PraTactile.Array
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Format.Rates
-import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate
 import PraTactile.Profile
 import PraTactile.Rates
 import PraTactile.Window
@@ -105,10 +105,7 @@ run choice options
     for_ (plot options) orNotSvg
     profile <- chosenProfile choice
     let on array mask =
-          either
-            (unusable . locateMessage)
-            (table profile options)
-            (buildCodebook (naturalSurface (arrayFolding array)) array mask)
+          table profile options (locator Nothing (profilePacking profile) (naturally array) mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
 -- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
@@ -124,9 +121,9 @@ data Setting k = Setting
 type role Setting nominal
 
 -- | Check what depends on the array, print the lines as they are made, and draw them.
-table :: KnownField k => Profile -> Options -> Codebook k -> IO ExitStatus
-table profile options codebook = do
-  settings <- settingsOf options codebook
+table :: KnownField k => Profile -> Options -> Locator k -> IO ExitStatus
+table profile options theLocator = do
+  settings <- settingsOf options theLocator
   for_ (plot options) orUnwritable
   let total = toInteger (length settings) * perLine
       say = unless drawnOnly . putStr
@@ -170,18 +167,18 @@ lineAs how l = case how of
   Json -> ""
 
 -- | All lines, size by size.
-settingsOf :: KnownField k => Options -> Codebook k -> IO [Setting k]
-settingsOf options codebook = do
+settingsOf :: KnownField k => Options -> Locator k -> IO [Setting k]
+settingsOf options theLocator = do
   unless (all (\p -> p >= 0 && p < chance) (errors options)) (unusable tooWrong)
   concat <$> for (sizes options) withSize
   where
     withSize size = do
       mask <- orUnusable windowMessage (rectangle size)
-      setup <- orUnusable setupMessage (trialSetup codebook size)
-      let exact = exactRates (radius options) codebook mask
+      setup <- orUnusable setupMessage (trialSetup (locatorArray theLocator) size)
+      let exact = exactRates (radius options) theLocator mask
       pure [Setting setup size exact p s | s <- erasures options, p <- errors options]
     -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
-    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (codebookArray codebook)))
+    chance = 100 * (1 - 1 / fromIntegral (fieldOrder (arrayItself (locatorArray theLocator))))
     tooWrong =
       "--errors is a share from 0 to below "
         ++ numberText chance

@@ -18,7 +18,7 @@ import Numeric (showHex)
 import Numeric.Natural (Natural)
 import Options
 import Output (writeWhole)
-import PraTactile.Array (Position (..), Shape (..), Surface, area)
+import PraTactile.Array (ArrayOn (..), Position (..), Shape (..), Surface, area)
 import PraTactile.Format.Name (surfaceName)
 import PraTactile.Format.Profile (profileText)
 import PraTactile.Locate
@@ -57,7 +57,7 @@ run choice chosen format output = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
       sizeAndText table = (tableSize table, rendered format profile on table)
-      built array mask = sizeAndText <$> buildTable (profilePacking profile) on array mask
+      built array mask = sizeAndText <$> buildTable (profilePacking profile) (ArrayOn on array) mask
   (size, rendering) <-
     orUnusable locateMessage =<< orUnusable profileMessage (withProfile profile built)
   (heading, body, end) <- maybe (unusable repeated) pure rendering

@@ -55,6 +55,7 @@ locatorMessage e = case e of
 setupMessage :: SetupError -> String
 setupMessage e = case e of
   SetupOnSheet -> "patches are read on the array's own surface, not on the sheet"
+  SetupArray problem -> locateMessage problem
   SetupEmpty -> "the patch has no cells"
   SetupTooLarge cells limit ->
     "patches at all positions have "

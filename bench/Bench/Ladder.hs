@@ -166,7 +166,7 @@ tabled :: Shape -> Shape -> Benchmark
 tabled shape window =
   bench
     (sized shape ++ ", " ++ sized window)
-    (whnf (either (const 0) tableSize . buildTable MostSignificantFirst Torus array) mask)
+    (whnf (either (const 0) tableSize . buildTable MostSignificantFirst (ArrayOn Torus array)) mask)
   where
     h = canonical (Proxy @GF4) (degree 1)
     degree n = if 4 ^ n - 1 == area shape then n else degree (n + 1 :: Natural)

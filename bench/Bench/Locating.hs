@@ -56,7 +56,13 @@ bulk n shape window = do
   memory <-
     evaluate
       ( memoryOf
-          (sure (buildTable MostSignificantFirst Torus (arrayOf n shape) (sure (rectangle window))))
+          ( sure
+              ( buildTable
+                  MostSignificantFirst
+                  (naturally (arrayOf n shape))
+                  (sure (rectangle window))
+              )
+          )
       )
   let size = fromIntegral (memorySize memory)
   windows <-
@@ -79,7 +85,7 @@ vast = arrayOf 30 (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
 -- | The mean over 64 windows all over the array.
 algebraEach :: IO (IO Measurement)
 algebraEach = do
-  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
   let places = [Position (part (2 * i) rows) (part (2 * i + 1) columns) | i <- [1 .. 64]]
       part i side = fromIntegral (mixed i) * 0x9e3779b9 `mod` side (arrayShape vast)
       at (Position r c) =
@@ -112,7 +118,9 @@ algebraOnce = do
   pure $ do
     (seconds, place) <-
       timed
-        (\mask -> located (sure (prepareAlgebra Torus array mask >>= (`algebraPatch` window))))
+        ( \mask ->
+            located (sure (prepareAlgebra (naturally array) mask >>= (`algebraPatch` window)))
+        )
         (sure (rectangle (Shape 15 2)))
     pure (Measurement seconds Seconds (show place))
 
@@ -136,7 +144,7 @@ felt =
 -- not measured.
 decodingEach :: IO (IO Measurement)
 decodingEach = do
-  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
   ready <- evaluate (sure (decoder standardEffort algebra eight))
   _ <- evaluate (atLeast (decoderDistance ready))
   patches <- mapM (evaluate . sure . patch . square' . damage . snd) felt
@@ -159,7 +167,7 @@ decodingEach = do
 -- distance.
 decodingOnce :: IO (IO Measurement)
 decodingOnce = do
-  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
   pure $ do
     (seconds, d) <- timed (atLeast . decoderDistance . sure . decoder standardEffort algebra) eight
     pure (Measurement seconds Seconds (show d))
@@ -168,7 +176,7 @@ decodingOnce = do
 -- symbol.
 listingEach :: IO (IO Measurement)
 listingEach = do
-  algebra <- evaluate (sure (prepareAlgebra Torus vast (sure (rectangle (Shape 15 2)))))
+  algebra <- evaluate (sure (prepareAlgebra (ArrayOn Torus vast) (sure (rectangle (Shape 15 2)))))
   patches <- mapM (evaluate . sure . patch . square' . map (Just . doubtful) . snd) felt
   pure $ do
     (seconds, _) <-
@@ -207,7 +215,8 @@ located outcome = case outcome of
 
 -- | The paper's array with all that is known of it before the first patch.
 codebook :: Codebook GF4
-codebook = sure (buildCodebook Torus (arrayOf 4 (Shape 15 17)) (sure (rectangle (Shape 2 2))))
+codebook =
+  sure (buildCodebook (naturally (arrayOf 4 (Shape 15 17))) (sure (rectangle (Shape 2 2))))
 
 -- | 1000 patches of 4 x 4 cells of the paper's array, by their codes, with 0 ... 4 wrong cells;
 -- then a number for each cell.

@@ -105,7 +105,8 @@ wholeProof window = do
   h <- evaluate (primitiveOf [2, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1] :: Primitive GF4)
   mask <- evaluate (sure window)
   let foldAndProve g =
-        distinct (prove Torus (sure (fold Diagonal (Shape 63 266305) g (canonicalState g))) mask)
+        let array = sure (fold Diagonal (Shape 63 266305) g (canonicalState g))
+         in distinct (prove (naturally array) mask)
   pure $ do
     (seconds, found) <- timed foldAndProve h
     pure (Measurement seconds Seconds (maybe "undecided" show found))
@@ -124,7 +125,7 @@ rankProof shape window = do
   pure $ do
     (seconds, verdict) <-
       timed
-        (\a -> let (v, _) = sure (prove Torus a mask) in if proved v then rank v else Nothing)
+        (\a -> let (v, _) = sure (prove (naturally a) mask) in if proved v then rank v else Nothing)
         array
     pure (Measurement seconds Seconds (show verdict))
 
@@ -160,7 +161,9 @@ withPaper use = sure (withProfile canonicalProfile prepared)
       use
         array
         layout
-        (sure (recogniser Torus array mask layout (sure paperAlphabet) (sure shippedNetwork)))
+        ( sure
+            (recogniser (naturally array) mask layout (sure paperAlphabet) (sure shippedNetwork))
+        )
     layout = sure canonicalPlacement
 
 -- | Recognise the composite of the worked example.

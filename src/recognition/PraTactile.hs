@@ -37,6 +37,8 @@ module PraTactile
     Shape (..),
     Position (..),
     Surface (..),
+    ArrayOn (..),
+    naturally,
     cellAt,
 
     -- * Its window property: "PraTactile.Window.Proof"

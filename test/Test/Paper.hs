@@ -3,6 +3,7 @@
 module Test.Paper
   ( paperPrimitive,
     paperArray,
+    paperOn,
     paperShape,
     paperWindow,
     paperTable,
@@ -35,6 +36,9 @@ paperPrimitive = right (checkPrimitive (polynomial [a * a, a, 1, 0, 1]))
   where
     a = primitive
 
+paperOn :: Surface -> IO (ArrayOn GF4)
+paperOn surface = ArrayOn surface <$> paperArray
+
 paperShape :: Shape
 paperShape = Shape 15 17
 
@@ -53,9 +57,8 @@ paperCodebook = onPaper buildCodebook
 paperAlgebra :: Surface -> IO (Algebra GF4)
 paperAlgebra = onPaper prepareAlgebra
 
-onPaper ::
-  Show e => (Surface -> PseudorandomArray GF4 -> Mask -> Either e a) -> Surface -> IO a
-onPaper make surface = make surface <$> paperArray <*> paperWindow >>= right
+onPaper :: Show e => (ArrayOn GF4 -> Mask -> Either e a) -> Surface -> IO a
+onPaper make surface = make <$> paperOn surface <*> paperWindow >>= right
 
 -- | Its 255 positions.
 everywhere :: [Position]
@@ -66,7 +69,7 @@ vastArray :: IO (PseudorandomArray GF4)
 vastArray = arrayOver gf4 30 Diagonal (Shape (4 ^ (15 :: Int) - 1) (4 ^ (15 :: Int) + 1))
 
 vastAlgebra :: IO (Algebra GF4)
-vastAlgebra = prepareAlgebra Torus <$> vastArray <*> right (rectangle (Shape 15 2)) >>= right
+vastAlgebra = prepareAlgebra . naturally <$> vastArray <*> right (rectangle (Shape 15 2)) >>= right
 
 type Cells = [[Maybe (GF GF4)]]
 

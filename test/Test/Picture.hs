@@ -12,7 +12,7 @@ import Data.Text (Text)
 import Drawing
 import Drawing.Svg
 import Picture
-import PraTactile.Array (PseudorandomArray, Surface (..))
+import PraTactile.Array (ArrayOn (..), PseudorandomArray, Surface (..))
 import PraTactile.Classification.Network (Network)
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate (Trial (..), exploration, trial)
@@ -46,8 +46,7 @@ spec = do
     Right parts@(layout, network, alphabet) ->
       either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
         withProfile canonicalProfile $ \array mask -> case recogniser
-          Torus
-          array
+          (ArrayOn Torus array)
           mask
           layout
           alphabet

@@ -5,7 +5,14 @@ import Data.Foldable (for_)
 import Data.List (nub, sort)
 import qualified Data.Map.Strict as Map
 import Numeric.LinearAlgebra (konst)
-import PraTactile.Array (Position (..), PseudorandomArray, Shape (..), Surface (..), cellAt)
+import PraTactile.Array
+  ( ArrayOn (..),
+    Position (..),
+    PseudorandomArray,
+    Shape (..),
+    Surface (..),
+    cellAt,
+  )
 import PraTactile.Classification.Network (Network, network)
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
@@ -38,14 +45,15 @@ spec = case shippedParts of
   Right parts ->
     either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
       withProfile canonicalProfile $ \array mask ->
-        case recogniser Torus array mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
-          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
-          Right reader -> do
-            recogniserSpec parts array mask
-            groupSpec
-            reliefSpec parts array
-            exploreSpec parts
-            recogniseSpec parts array reader
+        let on = ArrayOn Torus array
+         in case recogniser on mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
+              Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+              Right reader -> do
+                recogniserSpec parts array mask
+                groupSpec
+                reliefSpec parts array
+                exploreSpec parts
+                recogniseSpec parts array reader
 
 data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
 
@@ -75,7 +83,10 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
     Right two <- pure (alphabet (take 2 (zip (shapeNames all') (shapes all'))))
     Right three <- pure (network (konst 0 (5, 97)) (konst 0 (3, 6)))
     let refused names with =
-          either Just (const Nothing) (recogniser Torus array mask (placementOf parts) names with)
+          either
+            Just
+            (const Nothing)
+            (recogniser (ArrayOn Torus array) mask (placementOf parts) names with)
     refused two (networkOf parts) `shouldBe` Just (ClassesDiffer 4 2 4)
     refused (alphabetOf parts) three `shouldBe` Just (ClassesDiffer 3 4 4)
     refused two three `shouldBe` Just (ClassesDiffer 3 2 4)
@@ -93,7 +104,7 @@ recogniserSpec parts array mask = describe "a recogniser" $ do
         either
           Just
           (const Nothing)
-          (recogniser Torus array mask laid (alphabetOf parts) (networkOf parts))
+          (recogniser (ArrayOn Torus array) mask laid (alphabetOf parts) (networkOf parts))
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do

@@ -42,7 +42,7 @@ spec = do
     alphabetOfAll <- shown paperAlphabet
     shown $
       withProfile canonicalProfile $ \array mask ->
-        case recogniser Torus array mask layout alphabetOfAll net of
+        case recogniser (ArrayOn Torus array) mask layout alphabetOfAll net of
           Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
           Right reader -> do
             describe "a face at any angle" (angleSpec array reader alphabetOfAll)

@@ -309,8 +309,7 @@ damageSpec alphabetOfAll layout net array mask = do
       length (nub (map fst answers)) `shouldBe` 255
   where
     recognisedOn surface tolerance composites = case recogniser
-      surface
-      array
+      (ArrayOn surface array)
       mask
       layout
       alphabetOfAll
@@ -453,7 +452,8 @@ doubtSpec alphabetOfAll layout net array mask = describe "the doubt of a symbol"
       wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
       when (noise > 0.35) $ wrong `shouldSatisfy` (>= expected - 5 * sqrt (expected + 1))
   it "that is only partly seen is honest, too" $ do
-    reader <- either (fail . show) pure (recogniser Torus array mask layout alphabetOfAll net)
+    let on = ArrayOn Torus array
+    reader <- either (fail . show) pure (recogniser on mask layout alphabetOfAll net)
     let ofParts t = case stitch standardRegistration (trialFrames t)
           >>= \c -> either (const (Left NoFrames)) (Right . (,) c) (recognise reader c) of
           Left _ -> []

@@ -320,4 +320,4 @@ recogniserWith array window = do
   layout <- right canonicalPlacement
   net <- right shippedNetwork
   known <- right paperAlphabet
-  right (recogniser Torus array window layout known net)
+  right (recogniser (ArrayOn Torus array) window layout known net)

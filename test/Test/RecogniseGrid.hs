@@ -135,7 +135,7 @@ certainSpec = do
     net <- right shippedNetwork
     join . right $
       withProfile canonicalProfile $ \array mask -> do
-        reader <- right (recogniser Torus array mask layout alphabetOfAll net)
+        reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
         let classOf r c = toCode (cellAt array (Position (6 + r) (5 + c)))
             block =
               [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
@@ -254,7 +254,7 @@ saidSpec = do
       answered <-
         right $
           withProfile canonicalProfile $ \array mask -> do
-            reader <- right (recogniser Torus array mask layout alphabetOfAll net)
+            reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
             recognition <- right (recognise reader composite)
             pure (either Left (const (Right ())) (recognisedAnswer recognition))
       answered

@@ -34,10 +34,12 @@ onRecognisers tests = either (it "the shipped parts fit together" . expectationF
   known <- shown paperAlphabet
   shown $
     withProfile canonicalProfile $ \array mask ->
-      case traverse (\on -> (,) on <$> recogniser on array mask layout known net) [Torus, Sheet] of
+      case traverse (reading array mask layout known net) [Torus, Sheet] of
         Right readers -> tests array readers
         Left e -> it "the array has a recogniser" (expectationFailure (show e))
   where
+    reading array mask layout known net on =
+      (,) on <$> recogniser (ArrayOn on array) mask layout known net
     shown :: Show e => Either e a -> Either String a
     shown = either (Left . show) Right
 

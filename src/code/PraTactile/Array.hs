@@ -24,6 +24,10 @@ module PraTactile.Array
     arrayShape,
     FoldError (..),
 
+    -- * With what lies beyond the edges
+    ArrayOn (..),
+    naturally,
+
     -- * Cells
     cellAt,
     sequenceIndex,
@@ -84,6 +88,18 @@ data PseudorandomArray (k :: Field) = PseudorandomArray
   }
 
 type role PseudorandomArray nominal
+
+-- | An array with what lies beyond its edges.
+data ArrayOn (k :: Field) = ArrayOn
+  { arraySurface :: !Surface,
+    arrayItself :: !(PseudorandomArray k)
+  }
+
+type role ArrayOn nominal
+
+-- | An array on its 'naturalSurface'.
+naturally :: PseudorandomArray k -> ArrayOn k
+naturally array = ArrayOn (naturalSurface (arrayFolding array)) array
 
 -- | Fold a sequence into n1 x n2 cells. Refuses a shape whose cells are not q^n - 1 ('WrongArea'),
 -- and the diagonal of one whose sides have a common divisor ('NotCoprime'). O(log N): what cells

@@ -221,7 +221,7 @@ entryOf number array window mask =
       entryFolding = arrayFolding array,
       entryShape = arrayShape array,
       entryWindow = window,
-      entryVerdict = fst <$> prove (naturalSurface (arrayFolding array)) array mask,
+      entryVerdict = fst <$> prove (ArrayOn (naturalSurface (arrayFolding array)) array) mask,
       entryDistance = minimumDistance array mask
     }
   where

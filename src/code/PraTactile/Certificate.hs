@@ -152,7 +152,7 @@ certifyArray ::
   Mask ->
   Either CertificateError Certificate
 certifyArray method profile array mask = do
-  (verdict, _) <- first CertificateProof (prove (profileSurface profile) array mask)
+  (verdict, _) <- first CertificateProof (prove (ArrayOn (profileSurface profile) array) mask)
   unless (proved verdict) (Left (NotDistinct verdict))
   evidence <- evidenceBy method profile array mask verdict
   factors <-

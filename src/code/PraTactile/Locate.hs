@@ -1,7 +1,7 @@
 -- | From what was observed of an array to where that is (section II of the paper, and beyond it).
 -- There is one question, the 'Query': cells in patches, of which a symbol is known, or how likely
--- each symbol is; the symmetries in which they may be seen; the surface; and how many cells may be
--- wrong. There is one 'Locator', made once for an array, which chooses the decoder, and one
+-- each symbol is; the symmetries in which they may be seen; and how many cells may be wrong. There
+-- is one 'Locator', made once for an array on its surface, which chooses the decoder, and one
 -- 'Answer', which says where the patches are, or why not, and what that rests on. All combinations
 -- are answered.
 --

@@ -144,8 +144,8 @@ maskDrawing mask =
 
 -- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
 -- beyond the edges of the sheet. The cost is that of 'cellAt' for each of the m cells.
-windowAt :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Position -> Maybe [GF k]
-windowAt surface array mask position = traverse cell (maskOffsets mask)
+windowAt :: KnownField k => ArrayOn k -> Mask -> Position -> Maybe [GF k]
+windowAt (ArrayOn surface array) mask position = traverse cell (maskOffsets mask)
   where
     cell offset = cellAt array <$> displaced surface (arrayShape array) position offset
 

@@ -28,6 +28,7 @@ where
 
 import Data.Bifunctor (first)
 import Data.ByteString (ByteString)
+import PraTactile.Array (ArrayOn (..))
 import PraTactile.Classification.Network (Network, NetworkError)
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Image.Error (ImageError)
@@ -76,7 +77,8 @@ decoder profile layout alphabet network = do
       ( withProfile
           profile
           ( \array window ->
-              decoding <$> recogniser (profileSurface profile) array window layout alphabet network
+              let on = ArrayOn (profileSurface profile) array
+               in decoding <$> recogniser on window layout alphabet network
           )
       )
   first PartsRefused made

@@ -13,7 +13,7 @@ module PraTactile.Rates
     Radius (..),
     TrialSetup,
     trialSetup,
-    setupCodebook,
+    setupArray,
     setupShape,
     SetupError (..),
     simulate,

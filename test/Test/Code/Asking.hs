@@ -41,9 +41,9 @@ ask ::
   Patches (Cell k) ->
   Either LocatorError Answer
 ask decoder (surface, array, mask) =
-  let made = locator decoder MostSignificantFirst array mask
+  let theLocator = locator decoder MostSignificantFirst (ArrayOn surface array) mask
    in \possible radius tolerated patches ->
-        locate made (Query patches possible surface radius tolerated Nothing)
+        locate theLocator (Query patches possible radius tolerated Nothing)
 
 -- | One patch alone.
 alone :: a -> [((Integer, Integer), a)]

@@ -32,7 +32,7 @@ everyWindowSpec = do
     forM_ [minBound ..] $ \packing -> do
       array <- paperArray
       m <- paperWindow
-      table <- right (buildTable packing Torus array m)
+      table <- right (buildTable packing (ArrayOn Torus array) m)
       forM_ (windowsOf array m) $ \(p, content) -> do
         tableLookup table (pack packing 4 (map toCode content)) `shouldBe` [p]
         locateRows table (rowsOf 2 (map Just content)) `shouldBe` Right (Unique p [Position 0 0])
@@ -59,9 +59,9 @@ everyWindowSpec = do
       $ \setting@(_, _, folding, _, _) ->
         onArray setting $ \array m -> do
           let on = naturalSurface folding
-          table <- right (buildTable MostSignificantFirst on array m)
+          table <- right (buildTable MostSignificantFirst (ArrayOn on array) m)
           let found p = do
-                content <- windowAt on array m p
+                content <- windowAt (ArrayOn on array) m p
                 pure (locateRows table (rowsOf (columns (maskExtent m)) (map Just content)))
           [p | p <- cellsOf (arrayShape array), found p /= Just (Right (Unique p [Position 0 0]))]
             `shouldBe` []
@@ -69,7 +69,10 @@ everyWindowSpec = do
 -- | The windows of an array on the torus.
 windowsOf :: KnownField k => PseudorandomArray k -> Mask -> [(Position, [GF k])]
 windowsOf array m =
-  [(p, content) | p <- cellsOf (arrayShape array), Just content <- [windowAt Torus array m p]]
+  [ (p, content)
+    | p <- cellsOf (arrayShape array),
+      Just content <- [windowAt (ArrayOn Torus array) m p]
+  ]
 
 largerSpec :: Spec
 largerSpec = do
@@ -174,11 +177,11 @@ refusalSpec = do
   it "tables larger than 2^26 entries are none" $ do
     array <- paperArray
     m <- right (rectangle (Shape 2 7))
-    (() <$ buildTable MostSignificantFirst Torus array m)
+    (() <$ buildTable MostSignificantFirst (ArrayOn Torus array) m)
       `shouldBe` Left (TableTooLarge (4 ^ (14 :: Int)) largestTable)
     large <- arrayOver gf4 14 RowMajor (Shape 5 (4 ^ (14 :: Int) `div` 5))
     small <- paperWindow
-    (() <$ buildTable MostSignificantFirst Torus large small)
+    (() <$ buildTable MostSignificantFirst (ArrayOn Torus large) small)
       `shouldBe` Left (TableTooLarge (4 ^ (14 :: Int) - 1) largestTable)
 
 repeatSpec :: Spec
@@ -186,7 +189,7 @@ repeatSpec = do
   it "are ambiguous, with all their positions; a second window may decide" $ do
     array <- paperArray
     m <- right (rectangle (Shape 1 2))
-    table <- right (buildTable MostSignificantFirst Torus array m)
+    table <- right (buildTable MostSignificantFirst (ArrayOn Torus array) m)
     case locateText table ["3 2"] of
       Right (Ambiguous places support) -> do
         places
@@ -203,10 +206,10 @@ repeatSpec = do
     do
       array <- paperArray
       m <- right (mask [(0, 0), (2, 3)])
-      table <- right (buildTable MostSignificantFirst Torus array m)
+      table <- right (buildTable MostSignificantFirst (ArrayOn Torus array) m)
       sort (concatMap snd (tableEntries table)) `shouldBe` everywhere
       forM_ (tableEntries table) $ \(packed, places) -> forM_ places $ \p ->
-        fmap (pack MostSignificantFirst 4 . map toCode) (windowAt Torus array m p)
+        fmap (pack MostSignificantFirst 4 . map toCode) (windowAt (ArrayOn Torus array) m p)
           `shouldBe` Just packed
       tableLookup table 16 `shouldBe` []
       tableSize table `shouldBe` 16

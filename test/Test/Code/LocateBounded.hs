@@ -155,7 +155,7 @@ boundsSpec = do
     let shape = Shape 255 257
         sides' = [Shape 1 1, Shape 1 3, Shape 1 4, Shape 2 2, Shape 1 200]
     array <- arrayOver gf4 8 Diagonal shape
-    algebra <- right (rectangle (Shape 4 2)) >>= right . prepareAlgebra Sheet array
+    algebra <- right (rectangle (Shape 4 2)) >>= right . prepareAlgebra (ArrayOn Sheet array)
     forM_ sides' $ \side -> do
       code <- right (observedCode algebra (cellsOf side))
       forM_ [Position 3 5, Position 100 50] $ \at -> do
@@ -218,12 +218,12 @@ boundsSpec = do
         pure there
     -- One has exactly one, the other more.
     told `shouldSatisfy` \counts -> elem 1 counts && any (> 1) counts
-  it "one patch is upright, on its surface, corrected as far as is certain, and none foreign" $ do
+  it "one patch is upright, corrected as far as is certain, and none foreign" $ do
     seen <- right (patch [[Just (Symbol (1 :: GF GF4)), Nothing]])
-    let query = onePatch Sheet seen
+    let query = onePatch seen
     queryPatches query `shouldBe` [((0, 0), seen)]
-    (querySymmetries query, querySurface query, queryRadius query, queryDoubt query)
-      `shouldBe` ([identity], Sheet, Guaranteed, 0.001)
+    (querySymmetries query, queryRadius query, queryDoubt query)
+      `shouldBe` ([identity], Guaranteed, 0.001)
     queryForeign query `shouldBe` Nothing
   it "a search that would be too long is refused, and other cells than those prepared for" $ do
     array <- vastArray
@@ -262,7 +262,7 @@ boundsSpec = do
     short `shouldBe` map Just steps
   it "the far corner of the sheet has one position, however many of the torus agree" $
     onArray (2, 12, Diagonal, Shape 63 65, Shape 6 2) $ \array m -> do
-      algebra <- right (prepareAlgebra Sheet array m)
+      algebra <- right (prepareAlgebra (ArrayOn Sheet array) m)
       let at = Position 62 64
           p = patchOf (Shape 63 65) [(at, cellAt array at)]
       algebraPatch algebra p `shouldBe` Right (Unique (Position 0 0) [])
@@ -276,7 +276,7 @@ boundsSpec = do
     -- 2^40 cells over GF(2).
     bits40 surface = do
       array <- arrayOver gf2 40 Diagonal (Shape (2 ^ (20 :: Int) - 1) (2 ^ (20 :: Int) + 1))
-      algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra surface array
+      algebra <- right (rectangle (Shape 20 2)) >>= right . prepareAlgebra (ArrayOn surface array)
       pure (array, algebra)
 
 -- | At random positions of an array for this window, with this many cells missing, as many wrong
@@ -292,7 +292,7 @@ foundAgain ::
   Expectation
 foundAgain (k, n, shape, window) size missing least errors = do
   array <- arrayOver k n Diagonal shape
-  algebra <- right (rectangle window) >>= right . prepareAlgebra Torus array
+  algebra <- right (rectangle window) >>= right . prepareAlgebra (ArrayOn Torus array)
   holds 3 $
     forAll ((,) <$> genPosition shape <*> shuffle (cellsOf size)) $ \(place, shuffled) ->
       let offsets = sort (drop missing shuffled)

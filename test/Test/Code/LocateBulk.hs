@@ -38,7 +38,7 @@ spec = do
           ]
           $ \(folding, surface, packing) ->
             forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
-              table <- right (buildTable packing surface array m)
+              table <- right (buildTable packing (ArrayOn surface array) m)
               let all' = everyWindow (tableSize table)
                   found = locateWindows (memoryOf table) all'
                   expected packed = case tableLookup table (fromIntegral packed) of
@@ -60,11 +60,11 @@ spec = do
         m <- right (rectangle window)
         forM_ (either (const []) pure (folded Diagonal shape h)) $ \array ->
           forM_ [Torus, Sheet] $ \surface -> do
-            memory <- memoryOf <$> right (buildTable MostSignificantFirst surface array m)
+            memory <- memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
             forM_ [0 .. fromIntegral q ^ maskSize m - 1] $ \packed -> do
               codes <- right (unpack MostSignificantFirst q (maskSize m) (fromIntegral packed))
               patches <- mapM (right . patch) (toPatch window codes)
-              outcomes <- mapM (right . searchPatch surface array m) patches
+              outcomes <- mapM (right . searchPatch (ArrayOn surface array) m) patches
               (packed, locateOne memory packed)
                 `shouldBe` (packed, head' (map (asBulk shape) outcomes))
   it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
@@ -80,11 +80,11 @@ spec = do
             ioProperty $ do
               m <- right (mask offsets)
               array <- right (folded folding (Shape 3 5461) h)
-              table <- right (buildTable LeastSignificantFirst surface array m)
+              table <- right (buildTable LeastSignificantFirst (ArrayOn surface array) m)
               let standing =
                     [ (pack LeastSignificantFirst 4 (map toCode content), p)
                       | p <- places (Shape 3 5461),
-                        Just content <- [windowAt surface array m p]
+                        Just content <- [windowAt (ArrayOn surface array) m p]
                     ]
               pure
                 ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
@@ -113,7 +113,8 @@ spec = do
     table <-
       paperArray
         >>= \array ->
-          right (rectangle (Shape 2 2)) >>= right . buildTable MostSignificantFirst Sheet array
+          right (rectangle (Shape 2 2))
+            >>= right . buildTable MostSignificantFirst (ArrayOn Sheet array)
     holds 300 $
       forAll
         (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary]))
@@ -148,7 +149,7 @@ paperMemory :: Surface -> IO (Memory GF4)
 paperMemory surface = do
   array <- paperArray
   m <- right (rectangle (Shape 2 2))
-  memoryOf <$> right (buildTable MostSignificantFirst surface array m)
+  memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
 
 -- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column
 -- 4096.
@@ -190,11 +191,11 @@ foundWhereItStands k n shape window = do
   h <- firstOver k n
   array <- right (folded Diagonal shape h)
   m <- right (rectangle window)
-  memory <- memoryOf <$> right (buildTable MostSignificantFirst Torus array m)
+  memory <- memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn Torus array) m)
   let packed =
         [ w
           | p <- places shape,
-            Just content <- [windowAt Torus array m p],
+            Just content <- [windowAt (ArrayOn Torus array) m p],
             Just w <- [packWindow memory content]
         ]
   map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed)))

@@ -61,10 +61,11 @@ spec = do
         abs (share - true) `shouldSatisfy` (<= 1e-9 * true)
   it "no cell, no share; a patch that is larger than the sheet is nowhere" $ do
     array <- paperArray
-    spheres Torus array [identity] (Shape 2 2) [] `shouldSatisfy` isNothing
-    fmap sphereCentres (spheres Sheet array rotations (Shape 16 16) [Position 0 0, Position 15 15])
+    let sheet = ArrayOn Sheet array
+    spheres (ArrayOn Torus array) [identity] (Shape 2 2) [] `shouldSatisfy` isNothing
+    fmap sphereCentres (spheres sheet rotations (Shape 16 16) [Position 0 0, Position 15 15])
       `shouldBe` Just 0
-    fmap sphereCentres (spheres Sheet array symmetries (Shape 16 2) [Position 0 0, Position 15 1])
+    fmap sphereCentres (spheres sheet symmetries (Shape 16 2) [Position 0 0, Position 15 1])
       `shouldBe` Just (4 * 14 * 2)
   describe "of all contents of the observed cells, the share that is located" sharesSpec
 

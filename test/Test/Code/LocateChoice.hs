@@ -83,7 +83,9 @@ spec = do
   it "where there is neither a codebook nor a logarithm, the table answers" $ do
     array <- arrayOver gf2 21 Diagonal (Shape 127 16513)
     window <- right (rectangle (Shape 7 3))
-    decoderFor (locator Nothing MostSignificantFirst array window) TwistedTorus Guaranteed
+    decoderFor
+      (locator Nothing MostSignificantFirst (ArrayOn TwistedTorus array) window)
+      Guaranteed
       `shouldBe` Right TableDecoder
   it "and where there is no table either, none does, for both reasons" $ do
     let prime = 2 ^ (61 :: Int) - 1 :: Natural
@@ -127,7 +129,7 @@ spec = do
     nothing <- right (patch [[Nothing, Nothing :: Maybe (GF GF4)]])
     unknown <- right (patch [[Nothing :: Maybe (Belief GF4)]])
     algebraPatch algebra nothing `shouldBe` Right (Refused TooFewCells)
-    searchPatch Torus array window nothing `shouldBe` Right (Refused TooFewCells)
+    searchPatch (ArrayOn Torus array) window nothing `shouldBe` Right (Refused TooFewCells)
     forM_ [(Guaranteed, 0), (UpTo 3, 3)] $ \(radius, e) ->
       decodePatch algebra radius nothing
         `shouldBe` Right

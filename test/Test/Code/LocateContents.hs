@@ -56,9 +56,9 @@ spec = do
             [[True, False, True], [False, True, True]]
             (look array (Shape 2 3) (Position 6 5))
     p <- right (patch observed)
-    searchPatch Torus array m p `shouldBe` Right (Unique (Position 6 5) [])
+    searchPatch (ArrayOn Torus array) m p `shouldBe` Right (Unique (Position 6 5) [])
     few <- right (patch (take 1 observed))
-    case searchPatch Torus array m few of
+    case searchPatch (ArrayOn Torus array) m few of
       Right (Ambiguous places []) -> length places `shouldBe` 4 ^ (4 - 2 :: Int)
       other -> expectationFailure (show other)
   it "the algebra needs no table, on 2^60 cells: a 15 x 2 window, or any 30 independent cells" $ do
@@ -83,14 +83,15 @@ spec = do
   it "the algebra refuses a surface on which the sequence does not go on" $ do
     array <- paperArray
     m <- paperWindow
-    (() <$ prepareAlgebra TwistedTorus array m) `shouldBe` Left (SurfaceForeign TwistedTorus Torus)
+    (() <$ prepareAlgebra (ArrayOn TwistedTorus array) m)
+      `shouldBe` Left (SurfaceForeign TwistedTorus Torus)
   it "an array beyond 2^20 cells is not searched" $ do
     array <- arrayOver gf2 21 RowMajor (Shape 1 (2 ^ (21 :: Int) - 1))
     m <- right (rectangle (Shape 1 21))
     p <- right (patch [replicate 21 (Just 1)])
-    searchPatch TwistedTorus array m p
+    searchPatch (ArrayOn TwistedTorus array) m p
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
-    (() <$ buildCodebook TwistedTorus array m)
+    (() <$ buildCodebook (ArrayOn TwistedTorus array) m)
       `shouldBe` Left (TooManyPlaces (2 ^ (21 :: Int) - 1) (2 ^ (20 :: Int)))
 
 -- | The field's order, the degree, a shape of q^n - 1 cells, and a window: with the window
@@ -170,9 +171,9 @@ everyContent allOf h shape masks =
       forM_ (either (const []) pure (folded folding shape h)) $ \array ->
         forM_ masks $ \offsets -> do
           m <- right (maskFrom offsets)
-          table <- right (buildTable MostSignificantFirst surface array m)
-          codebook <- right (buildCodebook surface array m)
-          algebra <- right (prepareAlgebra surface array m)
+          table <- right (buildTable MostSignificantFirst (ArrayOn surface array) m)
+          codebook <- right (buildCodebook (ArrayOn surface array) m)
+          algebra <- right (prepareAlgebra (ArrayOn surface array) m)
           let occurring = map fst (tableEntries table)
               contents
                 | allOf (tableSize table) = [0 .. tableSize table - 1]
@@ -183,7 +184,7 @@ everyContent allOf h shape masks =
                   (flip (++))
                   [ (map toCode content, [p])
                     | p <- cellsOf shape,
-                      Just content <- [windowAt surface array m p]
+                      Just content <- [windowAt (ArrayOn surface array) m p]
                   ]
               failing =
                 [ (codes, arrayPrimitive array, shape, folding, surface, offsets)
@@ -193,7 +194,7 @@ everyContent allOf h shape masks =
                     Right content <- [traverse fromCode codes],
                     not
                       ( alike
-                          (searchPatch surface array m)
+                          (searchPatch (ArrayOn surface array) m)
                           table
                           codebook
                           algebra

@@ -79,8 +79,8 @@ spec = do
         told made cells tolerated = do
           seen <- right (patch [map (Just . Symbol) cells])
           right (locate made (asking seen tolerated (Just 0.3)))
-        small = locator Nothing MostSignificantFirst array window
-        large = locator Nothing MostSignificantFirst vast vastWindow
+        small = locator Nothing MostSignificantFirst (naturally array) window
+        large = locator Nothing MostSignificantFirst (naturally vast) vastWindow
         fitting outcome = case outcome of
           Unique _ _ -> 1 :: Natural
           Ambiguous several _ -> fromIntegral (length several)
@@ -121,7 +121,9 @@ spec = do
         asked name share = do
           seen <- right (patch (map (map (fmap beliefs)) rows'))
           right $
-            locate (locator (Just name) MostSignificantFirst array window) (asking seen 0.5 share)
+            locate
+              (locator (Just name) MostSignificantFirst (naturally array) window)
+              (asking seen 0.5 share)
         foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
         alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0)
     listed <- asked ListDecoder Nothing
@@ -133,11 +135,11 @@ spec = do
   it "told wrong and counted wrong agree: a fifth of 1500 patches is foreign" $ do
     array <- paperArray
     window <- paperWindow
-    let made = locator Nothing MostSignificantFirst array window
+    let theLocator = locator Nothing MostSignificantFirst (naturally array) window
         judged seed = do
           let (isForeign, at, codes) = drawn array (mkStdGen seed)
           seen <- right (patch (map (map (Just . Probabilities . seenAs)) codes))
-          answer <- right (locate made (asking seen 0.5 (Just 0.2)))
+          answer <- right (locate theLocator (asking seen 0.5 (Just 0.2)))
           pure $ case (answerOutcome answer, answerPosterior answer) of
             (Unique found _, Just told) ->
               [(isForeign || candidatePosition found /= at, posteriorDoubt told)]
@@ -173,9 +175,9 @@ spec = do
       seen <- right (patch (map (map (fmap kind)) rows'))
       right $
         locate
-          (locator Nothing MostSignificantFirst array window)
+          (locator Nothing MostSignificantFirst (naturally array) window)
           (asking seen tolerated share)
-    asking seen = Query [((0, 0), seen)] [identity] Torus Guaranteed
+    asking seen = Query [((0, 0), seen)] [identity] Guaranteed
     -- Which symbol was seen; it is that one with this probability.
     sure p a =
       either (error . show) id $

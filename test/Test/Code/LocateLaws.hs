@@ -49,7 +49,7 @@ asDefined decoder on@(surface, array, window) asked radius patches =
           decoder /= Just TableDecoder
             || not (null (completeWindows window (uprightAs o together)))
       ]
-    every = differencesByDefinition surface array possible together
+    every = differencesByDefinition (ArrayOn surface array) possible together
     wrongIn candidate cells =
       length [() | at <- fromMaybe [] (lookup candidate every), at `elem` cells]
     only found = case found of
@@ -66,7 +66,7 @@ asDefined decoder on@(surface, array, window) asked radius patches =
             ( length asked > 1 || null known
                 || distanceHolds
                   decoder
-                  (candidateDistance surface array asked shape (map fst known))
+                  (candidateDistance (ArrayOn surface array) asked shape (map fst known))
                   (codeDistance distances)
             ),
           if null known
@@ -226,7 +226,7 @@ asBayes decoder on@(surface, array, _) possible tolerated patches =
           | o <- symmetries
         ]
     known = [(at, b) | (at, several) <- looks, not (disputed several), b <- several]
-    exact = posteriorByDefinition surface array possible shape known
+    exact = posteriorByDefinition (ArrayOn surface array) possible shape known
 
 -- | Probabilities that leave no doubt have the outcome of symbols, but for support and reason.
 asSymbols ::

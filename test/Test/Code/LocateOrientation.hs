@@ -50,13 +50,13 @@ distanceSpec = do
         array <- arrayOver k n Diagonal shape
         holds 60 $
           forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
-            candidateDistance Torus array possible size offsets
+            candidateDistance (ArrayOn Torus array) possible size offsets
               === byDefinition array possible size offsets
   it "is promised on no surface but the array's own and the sheet" $ do
     array <- paperArray
     let size = Shape 4 4
-    [candidateDistance on array rotations size (cellsOf size) | on <- [Torus, Sheet, TwistedTorus]]
-      `shouldBe` [4, 4, 0]
+        least on = candidateDistance (ArrayOn on array) rotations size (cellsOf size)
+    map least [Torus, Sheet, TwistedTorus] `shouldBe` [4, 4, 0]
 
 shownSpec :: Spec
 shownSpec = do
@@ -95,8 +95,8 @@ shownSpec = do
       array <- paperArray
       window <- paperWindow
       let asked patches =
-            right . locate (locator Nothing MostSignificantFirst array window) $
-              Query patches rotations Torus Guaranteed 0.01 Nothing
+            right . locate (locator Nothing MostSignificantFirst (naturally array) window) $
+              Query patches rotations Guaranteed 0.01 Nothing
       pure (array, \patches -> mapM (traverse (right . patch)) patches >>= asked)
     lying o = map (map (>>= either (const Nothing) (Just . Probabilities) . oriented . sure o))
     sure o a =
@@ -192,7 +192,7 @@ byDefinition :: KnownField k => PseudorandomArray k -> [Symmetry] -> Shape -> [P
 byDefinition array possible size offsets =
   minimum
     [ fromIntegral (length (filter id (zipWith (/=) a b)))
-      | (_, a) : others <- tails (everyCandidate Torus array (nub possible) size offsets),
+      | (_, a) : others <- tails (everyCandidate (ArrayOn Torus array) (nub possible) size offsets),
         (_, b) <- others
     ]
 

@@ -208,7 +208,7 @@ listed most tolerated algebra p =
 listingIsRight ::
   KnownField k => Int -> Surface -> PseudorandomArray k -> Mask -> Expectation
 listingIsRight count surface array m = do
-  algebra <- right (prepareAlgebra surface array m)
+  algebra <- right (prepareAlgebra (ArrayOn surface array) m)
   holds count $
     forAll
       ( (,,)
@@ -222,8 +222,7 @@ listingIsRight count surface array m = do
                 [ (place, x)
                   | (Candidate _ place, x) <-
                       posteriorByDefinition
-                        surface
-                        array
+                        (ArrayOn surface array)
                         [identity]
                         (patchShape p)
                         (observedCells p)
@@ -252,7 +251,7 @@ listingIsRight count surface array m = do
 -- which rounding decides are left out: that there is a doubt at all is no such case.
 listingDecides :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
 listingDecides count array m = do
-  algebra <- right (prepareAlgebra Torus array m)
+  algebra <- right (prepareAlgebra (ArrayOn Torus array) m)
   holds count $
     forAll
       ( (,,)
@@ -265,7 +264,12 @@ listingDecides count array m = do
           let exact =
                 sortOn
                   (Down . snd)
-                  (posteriorByDefinition Torus array possible (patchShape p) (observedCells p))
+                  ( posteriorByDefinition
+                      (ArrayOn Torus array)
+                      possible
+                      (patchShape p)
+                      (observedCells p)
+                  )
               doubt = maybe 1 ((1 -) . snd) (listToMaybe exact)
               tied = or [1 - b / a < 1e-9 | [(_, a), (_, b)] <- [take 2 exact]]
               rounded = doubt /= 0 && abs (fromRational doubt - tolerated) < 1e-6
@@ -283,7 +287,7 @@ listingDecides count array m = do
 -- not listed are at least what they are, the listed ones' probabilities and the margin at most.
 listingIsSafe :: KnownField k => Int -> PseudorandomArray k -> Mask -> Expectation
 listingIsSafe count array m = do
-  algebra <- right (prepareAlgebra Torus array m)
+  algebra <- right (prepareAlgebra (ArrayOn Torus array) m)
   holds count $
     forAll
       ( (,,)
@@ -293,7 +297,8 @@ listingIsSafe count array m = do
       )
       $ \(chances, possible, most) ->
         any (any (/= Nothing)) chances ==> softly chances $ \p ->
-          let exact = posteriorByDefinition Torus array possible (patchShape p) (observedCells p)
+          let on = ArrayOn Torus array
+              exact = posteriorByDefinition on possible (patchShape p) (observedCells p)
               likely place = maybe 0 fromRational (lookup place exact) :: Double
            in whenRight (listPatch most 0 algebra possible p) $ \found ->
                 let ranking = posteriorRanking found

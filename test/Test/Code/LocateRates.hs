@@ -163,7 +163,7 @@ spec = do
 asDecided :: KnownField k => PseudorandomArray k -> Shape -> Expectation
 asDecided array size = do
   m <- right (rectangle size)
-  codebook <- right (buildCodebook Torus array m)
+  codebook <- right (buildCodebook (ArrayOn Torus array) m)
   let n = maskSize m
       q = fieldOrder array
       Shape high wide = arrayShape array
@@ -172,7 +172,7 @@ asDecided array size = do
           | r <- [0 .. high - 1],
             c <- [0 .. wide - 1],
             let at = Position r c,
-            Just content <- [windowAt Torus array m at]
+            Just content <- [windowAt (ArrayOn Torus array) m at]
         ]
       supports = map (supportOf . snd) places
   code <- maybe (expectationFailure "nothing" >> fail "nothing") pure (punctured n supports)
@@ -223,7 +223,7 @@ puncturedOf size = do
       [ supportOf content
         | r <- [0 .. 14],
           c <- [0 .. 16],
-          Just content <- [windowAt Torus array m (Position r c)]
+          Just content <- [windowAt (ArrayOn Torus array) m (Position r c)]
       ]
 
 -- | Bit i for the cell i, if it is not zero.

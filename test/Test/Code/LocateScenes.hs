@@ -130,7 +130,7 @@ genWithin array = do
       around = onShape o size
   observed <- sublistOf (cellsOf around)
   count <-
-    choose (0, guaranteed (candidateDistance surface array possible around observed))
+    choose (0, guaranteed (candidateDistance (ArrayOn surface array) possible around observed))
   wrong <- take count <$> shuffle observed
   by <- genElement `suchThat` (/= zero)
   let known =

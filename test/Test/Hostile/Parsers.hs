@@ -106,7 +106,7 @@ patchJudge possible = (`asText` answered)
         (withProfile canonicalProfile answering)
     answering :: KnownField k => PseudorandomArray k -> Mask -> String -> Judged
     answering array mask =
-      let made = locator Nothing MostSignificantFirst array mask
+      let made = locator Nothing MostSignificantFirst (naturally array) mask
        in \text -> case readPatches (Text.pack text) >>= \written ->
             (,) written <$> located array mask made written of
             Left why -> Refused why
@@ -124,7 +124,7 @@ patchJudge possible = (`asText` answered)
     located array mask made written = do
       let asked = Asked possible (writtenDisplaced written)
           displacements = map fst (writtenPatches written)
-          query = Query (writtenPatches written) possible Torus Guaranteed 0.001 Nothing
+          query = Query (writtenPatches written) possible Guaranteed 0.001 Nothing
       answer <- either (Left . locatorMessage) Right (locate made query)
       seen <- either (Left . locatorMessage) Right (agreedSymbols query)
       let explained = explainAnswer array mask asked displacements seen 0.001 answer
@@ -177,7 +177,7 @@ judgedCertificate bytes = case decodeCertificate bytes of
   where
     windowsAreDistinct certificate = either (const False) id $ do
       mask <- either (const (Left ())) Right (maskFrom (certificateMask certificate))
-      let visited on array _ = proved . fst <$> prove on array mask
+      let visited on array _ = proved . fst <$> prove (ArrayOn on array) mask
       either
         (const (Left ()))
         (either (const (Left ())) Right)

@@ -3,7 +3,7 @@ module Test.Recognition.WhereItIsPressed (spec) where
 
 import Data.Maybe (catMaybes)
 import Data.Traversable (for)
-import PraTactile.Array (Surface (Torus))
+import PraTactile.Array (ArrayOn (..), Surface (Torus))
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
 import PraTactile.Explore
@@ -127,7 +127,7 @@ experimentSpec = do
   it "as many results as presses, each that of the trial with its number" $
     withParts $ \alphabet layout net -> do
       let made array mask = do
-            reader <- shown (recogniser Torus array mask layout alphabet net)
+            reader <- shown (recogniser (ArrayOn Torus array) mask layout alphabet net)
             faces <- for (laidFaces layout) $ \face ->
               (,) face <$> shown (relief array layout alphabet face)
             found <- shown (evaluated experiment alphabet array reader)
@@ -148,7 +148,7 @@ experimentSpec = do
       let refused size =
             shown $
               withProfile canonicalProfile $ \array mask -> do
-                reader <- shown (recogniser Torus array mask layout alphabet net)
+                reader <- shown (recogniser (ArrayOn Torus array) mask layout alphabet net)
                 pure (evaluated (over size) alphabet array reader)
           over size =
             (standardExperiment standardSensor)

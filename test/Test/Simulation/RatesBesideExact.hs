@@ -8,7 +8,6 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Locate (DecoderName (..), locator)
-import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
 import PraTactile.Rates.Decoding
@@ -35,16 +34,13 @@ spec = do
   it "the noise for no errors makes none" $
     forM_ [2, 4, 256] $ \q -> errorRate q (noiseFor q 0) `shouldSatisfy` (< 1e-15)
   it "the fast decoding of a trial is that of locate" $ do
-    paper <- paperCodebook Torus
-    let judged name codebook size damage = do
-          setup <- right (trialSetup codebook size)
+    paper <- paperOn Torus
+    window <- paperWindow
+    let judged name array size damage = do
+          setup <- right (trialSetup array size)
           let drawn = take 150 (trialsOf setup damage 5)
               by decoder =
-                locator
-                  (Just decoder)
-                  MostSignificantFirst
-                  (codebookArray codebook)
-                  (codebookMask codebook)
+                locator (Just decoder) MostSignificantFirst array window
               located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
@@ -68,14 +64,12 @@ spec = do
     sort (nub answers) `shouldBe` [Correct, Mistaken, NoAnswer]
     binary <-
       right (firstPrimitive 4)
-        >>= right . folded Diagonal (Shape 3 5)
-        >>= bookOn Torus ::
-        IO (Codebook GF2)
+        >>= fmap naturally . right . folded Diagonal (Shape 3 5) ::
+        IO (ArrayOn GF2)
     ternary <-
       right (firstPrimitive 4)
-        >>= right . folded RowMajor (Shape 8 10)
-        >>= bookOn TwistedTorus ::
-        IO (Codebook GF3)
+        >>= fmap naturally . right . folded RowMajor (Shape 8 10) ::
+        IO (ArrayOn GF3)
     forM_ [Shape 1 3, Shape 2 2, Shape 3 4] $ \size ->
       void (judged "binary" binary size (Damage 0.1 0.2))
     forM_ [Shape 2 2, Shape 3 12] $ \size -> void (judged "ternary" ternary size (Damage 0.1 0.2))
@@ -83,7 +77,7 @@ spec = do
     "hard decoding is right, wrong and refused as often as the weights say, within 4 standard \
     \errors"
     $ do
-      codebook <- paperCodebook Torus
+      array <- paperOn Torus
       let cases =
             [ (Shape 2 2, Damage 0.02 0),
               (Shape 3 3, Damage 0.1 0),
@@ -92,12 +86,12 @@ spec = do
             ]
       forM_ cases $ \(size, damage) -> do
         m <- right (rectangle size)
-        setup <- right (trialSetup codebook size)
+        setup <- right (trialSetup array size)
         exact <-
           maybe
             (expectationFailure "nothing" >> fail "nothing")
             pure
-            (exactRates Guaranteed codebook m damage)
+            (exactOn Guaranteed array m damage)
         let found = hardRates (simulate Guaranteed setup damage trials 1)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate found - rate exact)
@@ -106,9 +100,9 @@ spec = do
     "a stated radius: within the guaranteed one as the weights say; beyond it more answers are \
     \right, and more are wrong"
     $ do
-      codebook <- paperCodebook Torus
+      array <- paperOn Torus
       m <- right (rectangle (Shape 4 4))
-      setup <- right (trialSetup codebook (Shape 4 4))
+      setup <- right (trialSetup array (Shape 4 4))
       let damage = Damage 0.2 0
           found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 5)) [0 .. 7]
       forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
@@ -116,27 +110,27 @@ spec = do
           maybe
             (expectationFailure "nothing" >> fail "nothing")
             pure
-            (exactRates (UpTo e) codebook m damage)
+            (exactOn (UpTo e) array m damage)
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate rates - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / 20000) + 1e-9)
-      exactRates (UpTo 5) codebook m damage `shouldBe` Nothing
+      exactOn (UpTo 5) array m damage `shouldBe` Nothing
       -- Whether there are any is known before anything is computed.
       [large, larger] <- mapM (right . rectangle) [Shape 25 40, Shape 7 143]
-      [isJust (exactRates Guaranteed codebook them damage) | them <- [large, larger]]
+      [isJust (exactOn Guaranteed array them damage) | them <- [large, larger]]
         `shouldBe` [True, False]
-      exactRates (UpTo 4) codebook m (Damage 0.2 0.1) `shouldBe` Nothing
+      exactOn (UpTo 4) array m (Damage 0.2 0.1) `shouldBe` Nothing
       and (zipWith (<=) (map rateRight found) (drop 1 (map rateRight found))) `shouldBe` True
       and (zipWith (<=) (map rateWrong found) (drop 1 (map rateWrong found))) `shouldBe` True
   it
     "soft decoding errs as often as its doubts add up to, within 4 standard errors, at every \
     \threshold"
     $ do
-      codebook <- paperCodebook Torus
+      array <- paperOn Torus
       forM_
         [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
         $ \(size, damage) -> do
-          setup <- right (trialSetup codebook size)
+          setup <- right (trialSetup array size)
           let tally = simulate Guaranteed setup damage trials 2
           forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
             let Calibration answers expected wrong = calibration tolerated tally
@@ -144,8 +138,8 @@ spec = do
             expected `shouldSatisfy` (<= tolerated * fromIntegral answers)
           calibratedAnswers (calibration 1 tally) `shouldBe` trials
   it "soft decoding answers more often than hard decoding, at no more wrong answers" $ do
-    codebook <- paperCodebook Torus
-    setup <- right (trialSetup codebook (Shape 3 3))
+    array <- paperOn Torus
+    setup <- right (trialSetup array (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
       let tally = simulate Guaranteed setup damage trials 3
           hard = hardRates tally
@@ -155,8 +149,8 @@ spec = do
     "soft decoding at most as wrong as no answers are gives none, at most as wrong as all are \
     \gives all"
     $ do
-      codebook <- paperCodebook Torus
-      setup <- right (trialSetup codebook (Shape 2 2))
+      array <- paperOn Torus
+      setup <- right (trialSetup array (Shape 2 2))
       let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 4
           Rates none none' all' = softRatesAtMost 0 tally
           Rates a b c = softRatesAtMost 1 tally
@@ -194,9 +188,9 @@ spec = do
                 calibratedWrong (calibration 1 tally) === trials' - likely
               ]
   it "one seed, one result; every seed, damage and size its own; parts merge" $ do
-    codebook <- paperCodebook Torus
-    setup <- right (trialSetup codebook (Shape 3 3))
-    other <- right (trialSetup codebook (Shape 3 4))
+    array <- paperOn Torus
+    setup <- right (trialSetup array (Shape 3 3))
+    other <- right (trialSetup array (Shape 3 4))
     let part = simulate Guaranteed setup (Damage 0.05 0.1) 50
         whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
     part 7 `shouldBe` part 7
@@ -211,11 +205,11 @@ spec = do
             ++ [whole other (Damage 0.05 0.1) 7]
     length (nub (map show results)) `shouldBe` 5
   it "the sheet, no cells and too many cells are refused" $ do
-    codebook <- paperCodebook Torus
-    sheet <- paperCodebook Sheet
+    array <- paperOn Torus
+    sheet <- paperOn Sheet
     either Left (const (Right ())) (trialSetup sheet (Shape 2 2)) `shouldBe` Left SetupOnSheet
-    either Left (const (Right ())) (trialSetup codebook (Shape 0 2)) `shouldBe` Left SetupEmpty
-    either Left (const (Right ())) (trialSetup codebook (Shape 1000 1000))
+    either Left (const (Right ())) (trialSetup array (Shape 0 2)) `shouldBe` Left SetupEmpty
+    either Left (const (Right ())) (trialSetup array (Shape 1000 1000))
       `shouldBe` Left (SetupTooLarge 255000000 largestSetup)
   where
     trials = 5000 :: Int
@@ -224,10 +218,10 @@ spec = do
         (Just . drawTrial setup (noiseOf setup damage) (damageErasures damage))
         (mkStdGen seed)
     noiseOf setup damage =
-      noiseFor (fieldOrder (codebookArray (setupCodebook setup))) (damageErrors damage)
+      noiseFor (fieldOrder (arrayItself (setupArray setup))) (damageErrors damage)
 
-bookOn :: KnownField k => Surface -> PseudorandomArray k -> IO (Codebook k)
-bookOn surface array = right (rectangle (Shape 2 2)) >>= right . buildCodebook surface array
+exactOn :: KnownField k => Radius -> ArrayOn k -> Mask -> Damage -> Maybe Rates
+exactOn stated array m = exactRates stated (locator Nothing MostSignificantFirst array m) m
 
 -- | What decoding may make of a trial. Doubts are such as add up without rounding.
 genResult :: Gen TrialResult

@@ -68,13 +68,12 @@ data Spheres = Spheres
 -- cells.
 spheres ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [Position] ->
   Maybe Spheres
-spheres surface array possible shape offsets
+spheres (ArrayOn surface array) possible shape offsets
   | null offsets = Nothing
   | otherwise =
     Just

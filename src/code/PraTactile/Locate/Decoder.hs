@@ -64,17 +64,17 @@ data LocatorError
 
 -- | An array with all that is computed once for it, as it is first needed.
 data Locator (k :: Field) = Locator
-  { -- | The array.
-    locatorArray :: !(PseudorandomArray k),
+  { -- | The array on its surface.
+    locatorArray :: !(ArrayOn k),
     -- | Its window, by which the support of an answer and a refusal are named.
     locatorMask :: !Mask,
     locatorChoice :: !(Maybe DecoderName),
-    locatorOn :: Surface -> Prepared k
+    locatorPrepared :: Prepared k
   }
 
 type role Locator nominal
 
--- | What there is for one surface.
+-- | What decoders need, each part made when it is first asked for.
 data Prepared (k :: Field) = Prepared
   { preparedCodebook :: Either LocateError (Codebook k),
     preparedAlgebra :: Either AlgebraError (Algebra k),
@@ -89,38 +89,29 @@ type role Prepared nominal
 -- decoder asked for, or 'Nothing' for the one that the array needs: symbols and probabilities are
 -- compared with the codebook up to 2^20 cells; beyond, they are decoded by information sets and by
 -- lists, and where there are no logarithms by the table. O(1): what a decoder needs is made when it
--- is first used, once for each surface.
-locator :: KnownField k => Maybe DecoderName -> Packing -> PseudorandomArray k -> Mask -> Locator k
-locator choice packing array mask =
-  Locator array mask choice $ \surface -> case surface of
-    Torus -> torus
-    TwistedTorus -> twistedTorus
-    Sheet -> sheet
-  where
-    torus = prepared packing Torus array mask
-    twistedTorus = prepared packing TwistedTorus array mask
-    sheet = prepared packing Sheet array mask
+-- is first used, and once.
+locator :: KnownField k => Maybe DecoderName -> Packing -> ArrayOn k -> Mask -> Locator k
+locator choice packing on mask = Locator on mask choice (prepared packing on mask)
 
--- | The array's codebook on a surface, the one that its decoders use; refused where the array is
--- too large for one.
-locatorCodebook :: Locator k -> Surface -> Either LocateError (Codebook k)
-locatorCodebook made = preparedCodebook . locatorOn made
+-- | The array's codebook, the one that its decoders use; refused where the array is too large for
+-- one.
+locatorCodebook :: Locator k -> Either LocateError (Codebook k)
+locatorCodebook = preparedCodebook . locatorPrepared
 
--- | All there is for a surface, each part made when it is first asked for.
-prepared :: KnownField k => Packing -> Surface -> PseudorandomArray k -> Mask -> Prepared k
-prepared packing surface array mask =
+prepared :: KnownField k => Packing -> ArrayOn k -> Mask -> Prepared k
+prepared packing on mask =
   Prepared
-    { preparedCodebook = buildCodebook surface array mask,
+    { preparedCodebook = buildCodebook on mask,
       preparedAlgebra = algebra,
-      preparedTable = buildTable packing surface array mask,
+      preparedTable = buildTable packing on mask,
       preparedRectangles =
         Map.fromList
-          [ (shape, algebra >>= \made -> decoder standardEffort made (shapeCells shape))
+          [ (shape, algebra >>= \ready -> decoder standardEffort ready (shapeCells shape))
             | shape <- Shape <$> [1 .. 32] <*> [1 .. 32]
           ]
     }
   where
-    algebra = prepareAlgebra surface array mask
+    algebra = prepareAlgebra on mask
 
 -- | A decoder of symbols.
 data SymbolDecoder (k :: Field) = SymbolDecoder
@@ -136,14 +127,9 @@ data SymbolDecoder (k :: Field) = SymbolDecoder
 
 type role SymbolDecoder nominal
 
--- | The decoder of symbols that answers on a surface, with this radius.
-symbolDecoder ::
-  KnownField k =>
-  Locator k ->
-  Surface ->
-  Radius ->
-  Either LocatorError (SymbolDecoder k)
-symbolDecoder made surface stated = case locatorChoice made of
+-- | The decoder of symbols that answers with this radius.
+symbolDecoder :: KnownField k => Locator k -> Radius -> Either LocatorError (SymbolDecoder k)
+symbolDecoder theLocator stated = case locatorChoice theLocator of
   Just TableDecoder -> first LocatorPatch (preparedTable ready) >>= byTable
   Just AlgebraDecoder -> first LocatorAlgebra (preparedAlgebra ready) >>= byAlgebra
   Just SearchDecoder -> bySearch
@@ -155,44 +141,42 @@ symbolDecoder made surface stated = case locatorChoice made of
     (_, _, Right table) -> byTable table
     (_, Left infeasible, Left tooLarge) -> Left (LocatorImpossible infeasible tooLarge)
   where
-    ready = locatorOn made surface
-    byCodebook = codebookDecoder made
-    byInformationSets = informationSetDecoder made (preparedRectangles ready)
+    ready = locatorPrepared theLocator
+    byCodebook = codebookDecoder theLocator
+    byInformationSets = informationSetDecoder theLocator (preparedRectangles ready)
     byTable table = exact TableDecoder (Right . locatePatch table)
     byAlgebra algebra = exact AlgebraDecoder (first LocatorAlgebra . algebraPatch algebra)
-    bySearch = exact SearchDecoder (first LocatorPatch . searchPatch surface array mask)
-    array = locatorArray made
-    mask = locatorMask made
+    bySearch = exact SearchDecoder (first LocatorPatch . searchPatch on (locatorMask theLocator))
+    on = locatorArray theLocator
     exact name outcomeOf = case stated of
       UpTo e | e > 0 -> Left (NothingCorrected name)
-      _ -> Right (exactDecoder made surface name outcomeOf)
+      _ -> Right (exactDecoder theLocator name outcomeOf)
 
 -- | A decoder that corrects nothing, by its name and its outcomes.
 exactDecoder ::
   KnownField k =>
   Locator k ->
-  Surface ->
   DecoderName ->
   (Patch (GF k) -> Either LocatorError (Outcome Position)) ->
   SymbolDecoder k
-exactDecoder made surface name outcomeOf =
+exactDecoder theLocator name outcomeOf =
   SymbolDecoder
     { symbolName = name,
       symbolDecide = \_ upright -> exactDecision (AtLeast 0) <$> outcomeOf upright,
       symbolDistance = \possible seen -> Just (AtLeast (if differ possible seen then 1 else 0)),
-      symbolOwnRadius = uprightRadius made surface
+      symbolOwnRadius = uprightRadius theLocator
     }
   where
     differ possible seen =
-      candidatesDiffer surface (locatorArray made) possible (patchShape seen) (observedOffsets seen)
+      candidatesDiffer (locatorArray theLocator) possible (patchShape seen) (observedOffsets seen)
 
 -- | Wrong cells corrected by comparison with all positions.
 codebookDecoder :: KnownField k => Locator k -> Codebook k -> SymbolDecoder k
-codebookDecoder made codebook =
+codebookDecoder theLocator codebook =
   SymbolDecoder
     { symbolName = NearestDecoder,
       symbolDecide = \radius -> Right . nearest codebook radius,
-      symbolDistance = distanceBetween made (codebookSurface codebook),
+      symbolDistance = distanceBetween theLocator,
       symbolOwnRadius = guaranteedRadius . observedDistance codebook
     }
 
@@ -203,7 +187,7 @@ informationSetDecoder ::
   Map Shape (Either AlgebraError (Decoder k)) ->
   Algebra k ->
   SymbolDecoder k
-informationSetDecoder made rectangles algebra =
+informationSetDecoder theLocator rectangles algebra =
   SymbolDecoder
     { symbolName = InformationSetDecoder,
       symbolDecide = \radius upright -> first LocatorDecoding $
@@ -211,31 +195,28 @@ informationSetDecoder made rectangles algebra =
           Just (Right ready)
             | decoderOffsets ready == observedOffsets upright -> decodeWith ready radius upright
           _ -> decodePatch algebra radius upright,
-      symbolDistance = distanceBetween made surface,
-      symbolOwnRadius = uprightRadius made surface
+      symbolDistance = distanceBetween theLocator,
+      symbolOwnRadius = uprightRadius theLocator
     }
-  where
-    surface = algebraSurface algebra
 
 -- | In how many cells candidates in several symmetries differ; of a single symmetry the decoder has
 -- it itself.
 distanceBetween ::
-  KnownField k => Locator k -> Surface -> [Symmetry] -> Patch (GF k) -> Maybe Known
-distanceBetween made surface possible seen = case possible of
+  KnownField k => Locator k -> [Symmetry] -> Patch (GF k) -> Maybe Known
+distanceBetween theLocator possible seen = case possible of
   [_] -> Nothing
   _ ->
     Just . AtLeast $
       candidateDistance
-        surface
-        (locatorArray made)
+        (locatorArray theLocator)
         possible
         (patchShape seen)
         (observedOffsets seen)
 
 -- | How many of some upright cells can be wrong for certain.
-uprightRadius :: KnownField k => Locator k -> Surface -> [Position] -> Natural
-uprightRadius made surface =
-  guaranteedRadius . candidateDistance surface (locatorArray made) [identity] (Shape 1 1)
+uprightRadius :: KnownField k => Locator k -> [Position] -> Natural
+uprightRadius theLocator =
+  guaranteedRadius . candidateDistance (locatorArray theLocator) [identity] (Shape 1 1)
 
 -- | A decoder of probabilities.
 data BeliefDecoder (k :: Field) = BeliefDecoder
@@ -246,14 +227,9 @@ data BeliefDecoder (k :: Field) = BeliefDecoder
 
 type role BeliefDecoder nominal
 
--- | The decoder of probabilities that answers on a surface, when this doubt is tolerated.
-beliefDecoder ::
-  KnownField k =>
-  Locator k ->
-  Surface ->
-  Double ->
-  Either LocatorError (BeliefDecoder k)
-beliefDecoder made surface tolerated = case locatorChoice made of
+-- | The decoder of probabilities that answers when this doubt is tolerated.
+beliefDecoder :: KnownField k => Locator k -> Double -> Either LocatorError (BeliefDecoder k)
+beliefDecoder theLocator tolerated = case locatorChoice theLocator of
   Nothing -> case (preparedCodebook ready, preparedAlgebra ready) of
     (Right codebook, _) -> Right (byCodebook codebook)
     (_, Right algebra) -> Right (byList algebra)
@@ -262,7 +238,7 @@ beliefDecoder made surface tolerated = case locatorChoice made of
   Just ListDecoder -> byList <$> first LocatorAlgebra (preparedAlgebra ready)
   Just name -> Left (ProbabilitiesRefused name)
   where
-    ready = locatorOn made surface
+    ready = locatorPrepared theLocator
     byCodebook codebook =
       BeliefDecoder PosteriorDecoder (\possible -> Right . posteriorAmong codebook possible)
     byList algebra =
@@ -272,4 +248,5 @@ beliefDecoder made surface tolerated = case locatorChoice made of
 
 -- | Whether the decoder asked for takes symbols as probabilities.
 decodesProbabilities :: Locator k -> Bool
-decodesProbabilities made = locatorChoice made `elem` [Just PosteriorDecoder, Just ListDecoder]
+decodesProbabilities =
+  (`elem` [Just PosteriorDecoder, Just ListDecoder]) . locatorChoice

@@ -34,13 +34,12 @@ import PraTactile.Window
 -- with which all of the cells and the upper left one of the upright patch lie on it.
 everyCandidate ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [Position] ->
   [(Candidate, [GF k])]
-everyCandidate surface array possible shape offsets =
+everyCandidate (ArrayOn surface array) possible shape offsets =
   [ (Candidate o place, content)
     | o <- possible,
       place <- shapeCells (arrayShape array),
@@ -57,15 +56,14 @@ everyCandidate surface array possible shape offsets =
 -- | Every candidate with the observed cells that differ there.
 differencesByDefinition ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Patch (GF k) ->
   [(Candidate, [Position])]
-differencesByDefinition surface array possible observed =
+differencesByDefinition on possible observed =
   [ (candidate, [offset | ((offset, a), b) <- zip cells content, a /= b])
     | (candidate, content) <-
-        everyCandidate surface array possible (patchShape observed) (map fst cells)
+        everyCandidate on possible (patchShape observed) (map fst cells)
   ]
   where
     cells = observedCells observed
@@ -76,19 +74,18 @@ differencesByDefinition surface array possible observed =
 -- may be several looks at one cell each. None if no candidate is possible.
 posteriorByDefinition ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [(Position, Belief k)] ->
   [(Candidate, Rational)]
-posteriorByDefinition surface array possible shape cells
+posteriorByDefinition on possible shape cells
   | total == 0 = []
   | otherwise = [(candidate, p / total) | (candidate, p) <- likelihood]
   where
     likelihood =
       [ (candidate, product (zipWith (probability candidate) (map snd cells) content))
-        | (candidate, content) <- everyCandidate surface array possible shape (map fst cells)
+        | (candidate, content) <- everyCandidate on possible shape (map fst cells)
       ]
     probability candidate b a =
       toRational (Primitive.toList (probabilitiesIn (candidateSymmetry candidate) b) !! toCode a)
@@ -118,17 +115,16 @@ looksByDefinition given = (Shape (side bottom top) (side right left), Map.toAscL
 -- to no observed cell at all. Refuses arrays of more than 'largestSearchedArray' cells.
 searchPatch ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Patch (GF k) ->
   Either LocateError (Outcome Position)
-searchPatch surface array mask observed
+searchPatch on@(ArrayOn _ array) mask observed
   | cells > largestSearchedArray = Left (TooManyPlaces cells largestSearchedArray)
-  | otherwise = Right $ case agreeing surface array (observedCells observed) of
+  | otherwise = Right $ case agreeing on (observedCells observed) of
     _ | null (observedCells observed) -> Refused TooFewCells
     [place] -> Unique place support
-    [] -> Refused (nowhere surface array mask (agreeing surface array) observed)
+    [] -> Refused (nowhere on mask (agreeing on) observed)
     places -> Ambiguous places support
   where
     cells = area (arrayShape array)
@@ -140,8 +136,8 @@ largestSearchedArray = 2 ^ (20 :: Int)
 
 -- | The positions, ascending, at which these cells, by their offsets, are those of the array. On
 -- the sheet all of them must lie on it.
-agreeing :: KnownField k => Surface -> PseudorandomArray k -> [(Position, GF k)] -> [Position]
-agreeing surface array cells =
+agreeing :: KnownField k => ArrayOn k -> [(Position, GF k)] -> [Position]
+agreeing (ArrayOn surface array) cells =
   [ place
     | place <- shapeCells shape,
       and [(cellAt array <$> displaced surface shape place offset) == Just a | (offset, a) <- cells]
@@ -158,13 +154,12 @@ shifted surface shape (r, c) (Position i j) =
 -- function is where cells, by their offsets, agree, as 'agreeing' has it.
 nowhere ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   ([(Position, GF k)] -> [Position]) ->
   Patch (GF k) ->
   Reason
-nowhere surface array mask agreeingAt observed
+nowhere (ArrayOn surface array) mask agreeingAt observed
   | null windows = if all ((== zero) . snd) cells then ZeroWindow else Contradiction
   | null occurring = if all (all (== zero) . snd) windows then ZeroWindow else NotInArray
   | surface == Sheet && any sticksOut places = OffSheet

@@ -41,11 +41,11 @@ import PraTactile.Symmetry
 -- probabilities. Refuses what the decoder that is asked for cannot do, and where there is none. The
 -- costs are those of the decoder, as "PraTactile.Locate" has them.
 locate :: KnownField k => Locator k -> Query k -> Either LocatorError Answer
-locate made asked
+locate theLocator asked
   | null (querySymmetries asked) = Left NoSymmetry
   | otherwise = case traverse (traverse (traverse symbolOf)) (queryPatches query) of
-    Just given | not (decodesProbabilities made) -> locateSymbols made query given
-    _ -> locateBeliefs made query (map (fmap (fmap cellBelief)) (queryPatches query))
+    Just given | not (decodesProbabilities theLocator) -> locateSymbols theLocator query given
+    _ -> locateBeliefs theLocator query (map (fmap (fmap cellBelief)) (queryPatches query))
   where
     query = asked {querySymmetries = nub (querySymmetries asked)}
 
@@ -55,20 +55,20 @@ symbolOf cell = case cell of
   Symbol a -> Just a
   Probabilities _ -> Nothing
 
--- | Which decoder answers questions about symbols on a surface with this radius; refused where none
--- does. Makes the codebook or the table, if that is the one, once for each surface.
-decoderFor :: KnownField k => Locator k -> Surface -> Radius -> Either LocatorError DecoderName
-decoderFor made surface stated = symbolName <$> symbolDecoder made surface stated
+-- | Which decoder answers questions about symbols with this radius; refused where none does. Makes
+-- the codebook or the table, if that is the one, once.
+decoderFor :: KnownField k => Locator k -> Radius -> Either LocatorError DecoderName
+decoderFor theLocator stated = symbolName <$> symbolDecoder theLocator stated
 
 -- | The minimum distance of the cells with these offsets in an upright patch: in how many of them
 -- any two positions differ at least, on the array's 'naturalSurface' and the sheet; 0 for no cells,
 -- and where no distance is promised. With a codebook O(cells of the array * offsets).
-cellsDistance :: KnownField k => Locator k -> Surface -> [Position] -> Known
-cellsDistance made surface offsets = case locatorCodebook made surface of
+cellsDistance :: KnownField k => Locator k -> [Position] -> Known
+cellsDistance theLocator offsets = case locatorCodebook theLocator of
   Right codebook -> Exactly (observedDistance codebook offsets)
   Left _ ->
     AtLeast
-      (candidateDistance surface (locatorArray made) [identity] (extentOf offsets) offsets)
+      (candidateDistance (locatorArray theLocator) [identity] (extentOf offsets) offsets)
 
 -- | The observed symbols of a question in the rectangle around its patches, without those in
 -- dispute; of probabilities none.
@@ -90,12 +90,12 @@ locateSymbols ::
   Query k ->
   [((Integer, Integer), Patch (GF k))] ->
   Either LocatorError Answer
-locateSymbols made query given = do
+locateSymbols theLocator query given = do
   joined <- first LocatorPatch (joint agreedSymbol given)
-  decoder <- symbolDecoder made (querySurface query) (queryRadius query)
+  decoder <- symbolDecoder theLocator (queryRadius query)
   let seen = jointPatch joined
   decision <- decideIn decoder query seen
-  let alien = foreignSymbolsAt made query seen (decisionOutcome decision)
+  let alien = foreignSymbolsAt theLocator query seen (decisionOutcome decision)
       outcome
         | any (> queryDoubt query) alien = Refused BelowThreshold
         | otherwise = decisionOutcome decision
@@ -109,9 +109,13 @@ locateSymbols made query given = do
         answerPosterior = Nothing,
         answerDoubts = PlaceDoubts Nothing <$> alien,
         answerChance =
-          (if windowless decoder seen then atMost else id) . share <$> spheresOf made query seen,
+          (if windowless decoder seen then atMost else id) . share
+            <$> spheresOf theLocator query seen,
         answerPatches =
-          patchVerdicts (symbolsBelong made query decoder (patchShape seen)) joined (only outcome),
+          patchVerdicts
+            (symbolsBelong theLocator query decoder (patchShape seen))
+            joined
+            (only outcome),
         answerDisputed = jointDisputed joined
       }
   where
@@ -119,14 +123,14 @@ locateSymbols made query given = do
     windowless decoder seen =
       symbolName decoder == TableDecoder
         && or
-          [ null (completeWindows (locatorMask made) (uprightAs o seen))
+          [ null (completeWindows (locatorMask theLocator) (uprightAs o seen))
             | o <- querySymmetries query
           ]
 
 -- | When symbols belong to the others of a patch of this shape.
 symbolsBelong ::
   KnownField k => Locator k -> Query k -> SymbolDecoder k -> Shape -> Belonging (GF k)
-symbolsBelong made query decoder shape =
+symbolsBelong theLocator query decoder shape =
   Belonging
     { wrongAt = wrong,
       belongsAt = \candidate cells ->
@@ -136,7 +140,7 @@ symbolsBelong made query decoder shape =
     }
   where
     wrong candidate (offset, a) =
-      symbolAt (querySurface query) (locatorArray made) shape candidate offset /= Just a
+      symbolAt (locatorArray theLocator) shape candidate offset /= Just a
 
 -- | Decode a patch in each of the symmetries of the question. 'Guaranteed' is half of the least
 -- distance between any two candidates, which several symmetries make smaller, often 0: then only
@@ -185,12 +189,12 @@ locateBeliefs ::
   Query k ->
   [((Integer, Integer), Patch (Belief k))] ->
   Either LocatorError Answer
-locateBeliefs made query given = do
+locateBeliefs theLocator query given = do
   joined <- first LocatorPatch (joint combined given)
-  decoder <- beliefDecoder made (querySurface query) (queryDoubt query)
+  decoder <- beliefDecoder theLocator (queryDoubt query)
   let seen = jointPatch joined
       certain = fromIntegral (length (filter (isCertain . snd) (observedCells seen)))
-  (alien, found) <- weighedPosterior made query decoder (querySymmetries query) seen
+  (alien, found) <- weighedPosterior theLocator query decoder (querySymmetries query) seen
   let outcome = outcomeOf query seen found
   pure
     Answer
@@ -200,16 +204,19 @@ locateBeliefs made query given = do
         answerPosterior = Just found,
         answerDoubts = alien,
         -- Only a cell that leaves no doubt keeps out a position.
-        answerChance = chance . amongCells certain <$> spheresOf made query seen,
+        answerChance = chance . amongCells certain <$> spheresOf theLocator query seen,
         answerPatches =
-          patchVerdicts (beliefsBelong made query decoder (patchShape seen)) joined (only outcome),
+          patchVerdicts
+            (beliefsBelong theLocator query decoder (patchShape seen))
+            joined
+            (only outcome),
         answerDisputed = jointDisputed joined
       }
 
 -- | When probabilities belong to the others of a patch of this shape.
 beliefsBelong ::
   KnownField k => Locator k -> Query k -> BeliefDecoder k -> Shape -> Belonging (Belief k)
-beliefsBelong made query decoder shape =
+beliefsBelong theLocator query decoder shape =
   Belonging
     { wrongAt = \candidate (offset, b) ->
         let shown = likeliestIn (candidateSymmetry candidate) b
@@ -223,14 +230,14 @@ beliefsBelong made query decoder shape =
       credible = \seen -> decided (querySymmetries query) seen >>= only
     }
   where
-    symbolIn = symbolAt (querySurface query) (locatorArray made) shape
+    symbolIn = symbolAt (locatorArray theLocator) shape
     allowed candidate (offset, b) =
       any (\a -> possibleIn (candidateSymmetry candidate) a b) (symbolIn candidate offset)
     decided possible seen =
       either
         (const Nothing)
         (Just . outcomeOf query seen . snd)
-        (weighedPosterior made query decoder possible seen)
+        (weighedPosterior theLocator query decoder possible seen)
 
 -- | How likely candidates are in these symmetries, and what makes them wrong if the question weighs
 -- that it may be foreign. Where candidates are unlisted, the listed ones alone speak for the array.
@@ -242,9 +249,9 @@ weighedPosterior ::
   [Symmetry] ->
   Patch (Belief k) ->
   Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
-weighedPosterior made query decoder possible seen = do
+weighedPosterior theLocator query decoder possible seen = do
   found <- beliefPosterior decoder possible seen
-  let symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
+  let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
       chanceAt candidate (offset, b) =
         let o = candidateSymmetry candidate
             given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
@@ -252,7 +259,7 @@ weighedPosterior made query decoder possible seen = do
       alien = do
         best <- posteriorBest found
         foreignGiven
-          made
+          theLocator
           query {querySymmetries = possible}
           seen
           Expected
@@ -268,17 +275,17 @@ weighedPosterior made query decoder possible seen = do
 -- | The probability that symbols which are located so are foreign, if the question weighs that.
 foreignSymbolsAt ::
   KnownField k => Locator k -> Query k -> Patch (GF k) -> Outcome Candidate -> Maybe Double
-foreignSymbolsAt made query seen outcome = do
+foreignSymbolsAt theLocator query seen outcome = do
   (expected, count) <- case outcome of
     Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
     Ambiguous candidates@(first' : _) _ ->
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
-  foreignGiven made query seen (Expected expected 0 (negate (naturalLogarithm count)))
+  foreignGiven theLocator query seen (Expected expected 0 (negate (naturalLogarithm count)))
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
-    symbolIn = symbolAt (querySurface query) (locatorArray made) (patchShape seen)
+    symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
 
 -- | The logarithm of how probable cells make a symmetry, as many times as the mean of all that are
 -- possible; 0 where none shows how it lies.
@@ -299,14 +306,14 @@ data Expected = Expected
 -- | The probability that a patch is foreign, if the question weighs that.
 foreignGiven ::
   KnownField k => Locator k -> Query k -> Patch symbol -> Expected -> Maybe Double
-foreignGiven made query seen expected = do
+foreignGiven theLocator query seen expected = do
   share <- queryForeign query
-  places <- sphereCentres <$> spheresOf made query seen
+  places <- sphereCentres <$> spheresOf theLocator query seen
   Just $
     foreignChance
       ForeignComparison
         { foreignShare = share,
-          foreignSymbols = fieldOrder (locatorArray made),
+          foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
           foreignPlaces = places,
           foreignExpected = expectedChances expected,
           foreignLikeliest = expectedLikeliest expected,
@@ -328,10 +335,9 @@ allows candidate outcome = case outcome of
 
 -- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.
 spheresOf :: KnownField k => Locator k -> Query k -> Patch a -> Maybe Spheres
-spheresOf made query seen =
+spheresOf theLocator query seen =
   spheres
-    (querySurface query)
-    (locatorArray made)
+    (locatorArray theLocator)
     (querySymmetries query)
     (patchShape seen)
     (observedOffsets seen)
@@ -344,13 +350,12 @@ uprightOffset candidate = onPosition (invert (candidateSymmetry candidate))
 -- right; 'Nothing' beyond the sheet.
 symbolAt ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Shape ->
   Candidate ->
   Position ->
   Maybe (GF k)
-symbolAt surface array shape candidate offset =
+symbolAt (ArrayOn surface array) shape candidate offset =
   cellAt array
     <$> displaced
       surface

@@ -1,5 +1,5 @@
 -- | The one question: cells that were observed, in one patch or in several at known displacements,
--- seen in one of the symmetries that are possible, on a surface; and how much of them may be wrong.
+-- seen in one of the symmetries that are possible; and how much of them may be wrong.
 module PraTactile.Locate.Query
   ( Query (..),
     onePatch,
@@ -13,7 +13,6 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Field
-import PraTactile.Grid (Surface)
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
 import PraTactile.Symmetry
@@ -64,8 +63,6 @@ data Query (k :: Field) = Query
     queryPatches :: [((Integer, Integer), Patch (Cell k))],
     -- | In which symmetries they may be seen; the identity alone if they are upright.
     querySymmetries :: [Symmetry],
-    -- | What lies beyond the edges of the array.
-    querySurface :: Surface,
     -- | How many symbols may be wrong.
     queryRadius :: Radius,
     -- | The probability of a wrong answer that is tolerated, below 1; if any cell has
@@ -79,7 +76,7 @@ data Query (k :: Field) = Query
 
 type role Query nominal
 
--- | The question for one upright patch on a surface: of symbols as many may be wrong as can be
+-- | The question for one upright patch: of symbols as many may be wrong as can be
 -- corrected for certain, a doubt of a thousandth is tolerated, and nothing foreign is thought of.
-onePatch :: Surface -> Patch (Cell k) -> Query k
-onePatch surface seen = Query [((0, 0), seen)] [identity] surface Guaranteed 0.001 Nothing
+onePatch :: Patch (Cell k) -> Query k
+onePatch seen = Query [((0, 0), seen)] [identity] Guaranteed 0.001 Nothing

@@ -59,42 +59,39 @@ import PraTactile.Window.Rank (windowVectors)
 -- lower bound. See Note [Distance between orientations].
 candidateDistance ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [Position] ->
   Natural
-candidateDistance surface array possible shape offsets =
+candidateDistance on possible shape offsets =
   case map (fromIntegral . leastWeight largestOrientedSearch)
-    <$> codesOfDifferences surface array possible shape offsets of
+    <$> codesOfDifferences on possible shape offsets of
     Just distances@(_ : _) -> minimum distances
     _ -> 0
 
 -- | Whether that distance is above 0, so that any two candidates differ: by ranks alone.
 candidatesDiffer ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [Position] ->
   Bool
-candidatesDiffer surface array possible shape offsets =
-  maybe False (not . null) (codesOfDifferences surface array possible shape offsets)
+candidatesDiffer on possible shape offsets =
+  maybe False (not . null) (codesOfDifferences on possible shape offsets)
 
 -- | The codes of Note [Distance between orientations], one for every two orientations, or that of
 -- the only one; 'Nothing' where one of them has not the full dimension, and where no distance is
 -- promised.
 codesOfDifferences ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   [Symmetry] ->
   Shape ->
   [Position] ->
   Maybe [LinearCode k]
-codesOfDifferences surface array possible shape offsets
+codesOfDifferences (ArrayOn surface array) possible shape offsets
   | surface `notElem` [Sheet, naturalSurface (arrayFolding array)] || null offsets = Nothing
   | any ((< full) . dimension) codes = Nothing
   | otherwise = Just codes
@@ -122,8 +119,7 @@ largestOrientedSearch = 2 ^ (18 :: Int)
 orientedDistance :: KnownField k => Codebook k -> [Symmetry] -> Natural -> Natural
 orientedDistance codebook possible side =
   candidateDistance
-    (codebookSurface codebook)
-    (codebookArray codebook)
+    (codebookOn codebook)
     possible
     (Shape side side)
     (shapeCells (Shape side side))

@@ -99,11 +99,10 @@ type role Proved nominal
 -- and when the two disagree. The costs are those of 'enumerate' and of 'windowRank'.
 prove ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Either ProofError (Verdict, Maybe (Proved k))
-prove on array mask
+prove (ArrayOn on array) mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
     (Left reason, Nothing) -> Left reason

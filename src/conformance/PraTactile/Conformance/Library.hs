@@ -13,7 +13,8 @@ import Data.List (genericTake, intercalate)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Array
-  ( Position (..),
+  ( ArrayOn (..),
+    Position (..),
     PseudorandomArray,
     Surface (..),
     area,
@@ -62,7 +63,7 @@ session p array mask
   | otherwise = refuse "table-too-large"
   where
     locators = locatorsOf p array mask
-    possible name = isRight (decoderFor (locators name) (profileSurface p) Guaranteed)
+    possible name = isRight (decoderFor (locators name) Guaranteed)
     term = termAt (arrayPrimitive array) (arrayState array)
     sessionBy exact = answering (answers (Prepared p array mask exact locators term))
 
@@ -118,8 +119,8 @@ answers prepared question = case question of
     locatedBy NearestDecoder radius observed
   Posterior chances ->
     traverse (traverse (probabilities (profileOrder p))) chances
-      >>= posteriorBy (locators PosteriorDecoder) (profileSurface p)
-  Prove drawing -> drawn drawing >>= proofOf (profileSurface p) array
+      >>= posteriorBy (locators PosteriorDecoder)
+  Prove drawing -> drawn drawing >>= proofOf (ArrayOn (profileSurface p) array)
   Distance drawing -> do
     cells <- drawn drawing
     Distance.distance <$> orRefuse "too-many-windows" (Distance.minimumDistance array cells)
@@ -141,13 +142,13 @@ answers prepared question = case question of
     observedIn rows = traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
     locatedBy :: DecoderName -> Radius -> Locate.Patch (GF k) -> Wire Place
     locatedBy name radius observed = do
-      let query = (onePatch (profileSurface p) (Symbol <$> observed)) {queryRadius = radius}
+      let query = (onePatch (Symbol <$> observed)) {queryRadius = radius}
       found <- orRefuse "table-too-large" (Locate.locate (locators name) query)
       placeOf (answerOutcome found)
 
 -- | What is proved of a mask.
-proofOf :: KnownField k => Surface -> PseudorandomArray k -> Mask -> Wire Proof
-proofOf surface array mask = case Proof.prove surface array mask of
+proofOf :: KnownField k => ArrayOn k -> Mask -> Wire Proof
+proofOf on mask = case Proof.prove on mask of
   Left Proof.NoWindowOnSheet -> refuse "off-sheet"
   Left _ -> refuse "too-many-windows"
   Right (verdict, _) -> do
@@ -179,16 +180,17 @@ locatorsOf p array mask = \name -> case name of
     bySearch = made SearchDecoder
     byDistance = made NearestDecoder
     byProbability = made PosteriorDecoder
-    made name = Locate.locator (Just name) (profilePacking p) array mask
+    made name = Locate.locator (Just name) (profilePacking p) on mask
+    on = ArrayOn (profileSurface p) array
 
 -- | The probabilities of positions.
 posteriorBy ::
-  KnownField k => Locator k -> Surface -> [[Maybe [Double]]] -> Wire [(Position, Double)]
-posteriorBy made surface rows = do
+  KnownField k => Locator k -> [[Maybe [Double]]] -> Wire [(Position, Double)]
+posteriorBy made rows = do
   beliefs <- orRefuse "invalid" (traverse (traverse (traverse belief)) rows)
   observed <- orRefuse "invalid" (patch beliefs)
   answer <-
-    orRefuse "table-too-large" (Locate.locate made (onePatch surface (Probabilities <$> observed)))
+    orRefuse "table-too-large" (Locate.locate made (onePatch (Probabilities <$> observed)))
   case maybe [] posteriorRanking (answerPosterior answer) of
     [] -> refuse (reasonName Contradiction)
     ranking -> pure (map (first candidatePosition) ranking)

@@ -131,7 +131,7 @@ locateGrid reader tolerance dissenters grid =
     seen = rightOnly (patch (map (map (>>= beliefAlong axis)) (gridRows (gridCells grid))))
     answer = seen >>= rightOnly . locate (recogniserLocator reader) . asked
     asked beliefs =
-      (onePatch (recogniserSurface reader) (Probabilities <$> beliefs))
+      (onePatch (Probabilities <$> beliefs))
         { querySymmetries = waysUp,
           queryDoubt = toleratedDoubt tolerance,
           queryForeign = Just (foreignPrior tolerance)
@@ -144,7 +144,7 @@ locateGrid reader tolerance dissenters grid =
 
     exactly some = do
       known <- rightOnly (knownPatch some orientation)
-      let symbols = onePatch (recogniserSurface reader) (Symbol <$> known)
+      let symbols = onePatch (Symbol <$> known)
       found <-
         rightOnly
           (locate (recogniserLocator reader) symbols {queryRadius = toleratedErrors tolerance})
@@ -226,7 +226,7 @@ witnessesOf reader tolerance orientation (dissenters, strays) cells =
   where
     known = [here | (here, o) <- ways, o == orientation]
     offsets = map offsetOf (Set.toAscList (Set.fromList (map fst known)))
-    distance = atLeast (cellsDistance (recogniserLocator reader) (recogniserSurface reader) offsets)
+    distance = atLeast (cellsDistance (recogniserLocator reader) offsets)
     ways =
       [ ((cell, s), o)
         | (cell, here) <- Map.toList cells,
@@ -262,7 +262,6 @@ chanceAmong reader way seen witnesses =
     . amongCells (counted (witnessesCells witnesses))
     . correcting (witnessesDistance witnesses) (witnessesRadius witnesses)
     <$> spheres
-      (recogniserSurface reader)
       (locatorArray (recogniserLocator reader))
       [way]
       (patchShape seen)
@@ -318,10 +317,10 @@ rightOnly = either (const Nothing) Just
 cellFrom :: KnownField k => Recogniser k -> Position -> Cell -> Maybe (Position, GF k)
 cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) <$> at
   where
-    array = locatorArray (recogniserLocator reader)
+    ArrayOn surface array = locatorArray (recogniserLocator reader)
     at =
       canonicalPosition
-        (recogniserSurface reader)
+        surface
         (arrayShape array)
         (toInteger r + toInteger i)
         (toInteger c + toInteger j)

@@ -7,7 +7,7 @@ module PraTactile.Recognise.Recogniser
   )
 where
 
-import PraTactile.Array (PseudorandomArray, Shape (..), Surface, area, arrayShape)
+import PraTactile.Array (ArrayOn (..), Shape (..), area, arrayShape)
 import PraTactile.Classification.Network (Network, outputCount)
 import PraTactile.Classification.Templates (templates)
 import PraTactile.Field (KnownField, fieldOrder)
@@ -27,8 +27,7 @@ import PraTactile.Window (Mask, Packing (..), maskExtent)
 -- | All that recognition needs: what locates cells in the array, the placement of the faces, and
 -- the trained network.
 data Recogniser k = Recogniser
-  { recogniserSurface :: Surface,
-    -- | of the array, with its window
+  { -- | of the array on its surface, with its window
     recogniserLocator :: Locator k,
     -- | the placement that positions are looked up in
     recogniserPlacement :: Placement,
@@ -58,14 +57,13 @@ data RecogniserError
 -- another shape or with symbols at another pitch than 'canonicalPitch', at which they are read.
 recogniser ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Placement ->
   Alphabet ->
   Network ->
   Either RecogniserError (Recogniser k)
-recogniser surface array window layout alphabetOfAll network
+recogniser on@(ArrayOn _ array) window layout alphabetOfAll network
   | any (/= q) [given, shaped] = Left (ClassesDiffer given shaped q)
   | placementShape layout /= arrayShape array =
     Left (ArraysDiffer (placementShape layout) (arrayShape array))
@@ -76,9 +74,8 @@ recogniser surface array window layout alphabetOfAll network
   | otherwise =
     Right
       Recogniser
-        { recogniserSurface = surface,
-          -- No table decodes; the order of cells in tables does not matter.
-          recogniserLocator = locator Nothing MostSignificantFirst array window,
+        { -- No table decodes; the order of cells in tables does not matter.
+          recogniserLocator = locator Nothing MostSignificantFirst on window,
           recogniserPlacement = layout,
           recogniserReader = Reader (templates alphabetOfAll) network
         }

@@ -21,7 +21,6 @@ import Data.Word (Word64)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
-import PraTactile.Locate.Decoder.Codebook (codebookSurface)
 import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
 
@@ -69,9 +68,9 @@ decodeByLocate bySymbols byProbabilities radius setup trial = do
         resultDoubt = posteriorDoubt soft
       }
   where
-    query seen = (onePatch (codebookSurface (setupCodebook setup)) seen) {queryRadius = radius}
+    query seen = (onePatch seen) {queryRadius = radius}
     rightOnly = either (const Nothing) Just
-    true = positionOf (setupCodebook setup) (trialPosition trial)
+    true = positionOf (arrayItself (setupArray setup)) (trialPosition trial)
     q = fieldOrder (Proxy :: Proxy k)
     reading j
       | not (testBit (trialSeen trial Primitive.! (j `div` 64)) (j `mod` 64)) = Just Nothing

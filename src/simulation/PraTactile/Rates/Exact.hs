@@ -10,20 +10,26 @@ import Data.List (foldl')
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.LinearCode.Punctured
-import PraTactile.Locate.Decoder.Codebook
-import PraTactile.Locate.Query (Radius (..), guaranteedRadius)
+import PraTactile.Locate
+  ( Locator,
+    Radius (..),
+    atLeast,
+    cellsDistance,
+    guaranteedRadius,
+    locatorArray,
+  )
 import PraTactile.Rates.Damage
 import PraTactile.Rates.Formulas
 import PraTactile.Window
 import PraTactile.Window.Distance
 
 -- | The rates of decoding the cells of this mask, to the radius of those observed, or to a stated
--- one. Applied to a book and a mask, it can be kept for many kinds of damage, as what takes time,
+-- one. Applied to a locator and a mask, it can be kept for many kinds of damage: what takes time,
 -- seconds for 25 cells, is done once. 'Nothing' where it would take too long: for codes beyond
 -- 'largestSearch' words or 'mostCells' cells, and with erasures beyond what 'punctured' takes; and
 -- where a stated radius is more than is guaranteed, or some cells are missing.
-exactRates :: KnownField k => Radius -> Codebook k -> Mask -> Damage -> Maybe Rates
-exactRates stated codebook mask = \damage -> do
+exactRates :: KnownField k => Radius -> Locator k -> Mask -> Damage -> Maybe Rates
+exactRates stated theLocator mask = \damage -> do
   guard (fromIntegral n <= mostCells)
   guard $ case stated of
     Guaranteed -> True
@@ -35,10 +41,10 @@ exactRates stated codebook mask = \damage -> do
         <$> holed
     else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
   where
-    array = codebookArray codebook
+    on@(ArrayOn _ array) = locatorArray theLocator
     q = fieldOrder array
     n = maskSize mask
-    windowDistance = observedDistance codebook (maskOffsets mask)
+    windowDistance = atLeast (cellsDistance theLocator (maskOffsets mask))
     radius = case stated of
       Guaranteed -> fromIntegral (guaranteedRadius windowDistance)
       UpTo e -> fromIntegral e
@@ -51,5 +57,5 @@ exactRates stated codebook mask = \damage -> do
     contents =
       [ content
         | position <- shapeCells (arrayShape array),
-          Just content <- [windowAt (codebookSurface codebook) array mask position]
+          Just content <- [windowAt on mask position]
       ]

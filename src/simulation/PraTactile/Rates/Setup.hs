@@ -7,7 +7,7 @@ module PraTactile.Rates.Setup
     largestSetup,
 
     -- * What it holds
-    setupCodebook,
+    setupArray,
     setupShape,
     setupCells,
     setupPositions,
@@ -32,13 +32,13 @@ import Data.Word (Word64)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (codeAt, displaced)
-import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Grid (Grid, codeAt, displaced)
+import PraTactile.Locate (LocateError (..), largestSearchedArray)
 
 -- | An array with the shape of the patches that are read of it, prepared for many trials.
 data TrialSetup (k :: Field) = TrialSetup
   { -- | The array on its surface.
-    setupCodebook :: !(Codebook k),
+    setupArray :: !(ArrayOn k),
     -- | The rows and columns of a patch.
     setupShape :: !Shape,
     -- | The cells of a patch.
@@ -63,6 +63,8 @@ type role TrialSetup nominal
 data SetupError
   = -- | The sheet, on which a patch can stick out.
     SetupOnSheet
+  | -- | The array is too large for patches to be compared with all of it.
+    SetupArray LocateError
   | -- | Patches without cells.
     SetupEmpty
   | -- | The patches at all positions together have this many cells, more than the second number.
@@ -75,15 +77,22 @@ largestSetup = 2 ^ (25 :: Int)
 
 -- | Patches of this shape on an array that has no edges. A patch larger than the array reads some
 -- cells again.
-trialSetup :: forall k. KnownField k => Codebook k -> Shape -> Either SetupError (TrialSetup k)
-trialSetup codebook shape
-  | codebookSurface codebook == Sheet = Left SetupOnSheet
+trialSetup :: forall k. KnownField k => ArrayOn k -> Shape -> Either SetupError (TrialSetup k)
+trialSetup on@(ArrayOn surface array) shape
+  | surface == Sheet = Left SetupOnSheet
   | area shape == 0 = Left SetupEmpty
+  | positionCount > largestSearchedArray =
+    Left (SetupArray (TooManyPlaces positionCount largestSearchedArray))
   | cells > largestSetup = Left (SetupTooLarge cells largestSetup)
-  | otherwise =
-    Right
+  | otherwise = do
+    grid <- either (Left . SetupArray . TableArray) Right (toGrid array)
+    let contents =
+          Primitive.fromListN
+            (positions * n)
+            (concatMap (contentAt on grid shape . positionOf array) [0 .. positions - 1])
+    pure
       TrialSetup
-        { setupCodebook = codebook,
+        { setupArray = on,
           setupShape = shape,
           setupCells = n,
           setupPositions = positions,
@@ -99,25 +108,21 @@ trialSetup codebook shape
         }
   where
     cells = area shape * positionCount
-    positionCount = area (arrayShape (codebookArray codebook))
+    positionCount = area (arrayShape array)
     positions = fromIntegral positionCount
     n = fromIntegral (area shape) :: Int
     q = fieldOrder (Proxy :: Proxy k)
     limbs = limbsFor n
     planes = length (takeWhile (< q) (iterate (* 2) 1))
-    contents =
-      Primitive.fromListN
-        (positions * n)
-        (concatMap (contentAt codebook shape . positionOf codebook) [0 .. positions - 1])
 
 -- | The codes of a patch of this shape at a position of a torus, row by row.
-contentAt :: Codebook k -> Shape -> Position -> [Int32]
-contentAt codebook shape position = map (codeOf . displacedFrom) (shapeCells shape)
+contentAt :: ArrayOn k -> Grid -> Shape -> Position -> [Int32]
+contentAt (ArrayOn surface array) grid shape position =
+  map (codeOf . displacedFrom) (shapeCells shape)
   where
-    displacedFrom =
-      displaced (codebookSurface codebook) (arrayShape (codebookArray codebook)) position
+    displacedFrom = displaced surface (arrayShape array) position
     -- On a torus every place is a cell.
-    codeOf place = maybe 0 fromIntegral (place >>= codeAt (codebookGrid codebook))
+    codeOf place = maybe 0 fromIntegral (place >>= codeAt grid)
 
 -- | How many machine words hold this many bits.
 limbsFor :: Int -> Int
@@ -138,6 +143,6 @@ limbOf holds n contents i =
     (position, from) = (* 64) <$> (i `divMod` limbsFor n)
 
 -- | The position with this index, row by row.
-positionOf :: Codebook k -> Int -> Position
-positionOf codebook i =
-  uncurry Position (fromIntegral i `divMod` columns (arrayShape (codebookArray codebook)))
+positionOf :: PseudorandomArray k -> Int -> Position
+positionOf array i =
+  uncurry Position (fromIntegral i `divMod` columns (arrayShape array))

@@ -216,7 +216,7 @@ proves q option claim = overField q $ \(_ :: Proxy k) -> do
     distinct <- case optionLayout option of
       Single folding -> do
         array <- right (fold folding (optionShape option) h (canonicalState h))
-        (verdict, _) <- right (prove (layoutSurface (optionLayout option)) array window)
+        (verdict, _) <- right (prove (ArrayOn (layoutSurface (optionLayout option)) array) window)
         pure (enumeration verdict)
       Joint g -> do
         code <- right (foldCode (optionShape option) h (canonicalState h))

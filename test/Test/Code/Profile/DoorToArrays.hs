@@ -32,7 +32,7 @@ spec = do
     it "opens to the paper's array, the worked example at (6, 5)" $
       withProfile
         canonicalProfile
-        (\array m -> map showElement <$> windowAt Torus array m (Position 6 5))
+        (\array m -> map showElement <$> windowAt (ArrayOn Torus array) m (Position 6 5))
         `shouldBe` Right (Just ["A^2", "A", "A^2", "1"])
     it "has the first primitive quartic of its field" $
       withProfile canonicalProfile (\array _ -> firstPrimitive 4 == Right (arrayPrimitive array))
@@ -64,7 +64,7 @@ spec = do
         `shouldBe` Left (ProfileFold (NotCoprime 15 273 3))
     it "63 x 65 has one, and its 3 x 2 windows are distinct" $
       ( chooseProfile 4 Nothing [2, 1, 1, 0, 0, 0, 1] (Shape 63 65) Nothing Nothing >>= \p ->
-          withProfile p (\array m -> fmap (proved . fst) (prove Torus array m))
+          withProfile p (\array m -> fmap (proved . fst) (prove (ArrayOn Torus array) m))
       )
         `shouldBe` Right (Right True)
     it "the reciprocal reading makes the monic reciprocal the characteristic polynomial" $ do

@@ -163,7 +163,11 @@ genMask = do
 -- | The windows at all positions of the array's own surface.
 allWindows :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
 allWindows array m =
-  [w | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1], Just w <- [windowAt Torus array m (Position r c)]]
+  [ w
+    | r <- [0 .. n1 - 1],
+      c <- [0 .. n2 - 1],
+      Just w <- [windowAt (ArrayOn Torus array) m (Position r c)]
+  ]
   where
     Shape n1 n2 = arrayShape array
 

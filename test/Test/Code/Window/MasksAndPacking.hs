@@ -62,18 +62,22 @@ spec = do
       array <- paperArray
       m <- right (rectangle (Shape 2 2))
       forM_ [Torus, Sheet] $ \surface ->
-        fmap (map showElement) (windowAt surface array m (Position 6 5))
+        fmap (map showElement) (windowAt (ArrayOn surface array) m (Position 6 5))
           `shouldBe` Just ["A^2", "A", "A^2", "1"]
     it "wrap on the torus, and are absent where they stick out of the sheet" $ do
       array <- paperArray
       m <- right (rectangle (Shape 2 2))
-      windowAt Torus array m (Position 14 16)
+      windowAt (ArrayOn Torus array) m (Position 14 16)
         `shouldBe` Just
           [cellAt array (Position r c) | (r, c) <- [(14, 16), (14, 0), (0, 16), (0, 0)]]
-      windowAt TwistedTorus array m (Position 0 16)
+      windowAt (ArrayOn TwistedTorus array) m (Position 0 16)
         `shouldBe` Just [cellAt array (Position r c) | (r, c) <- [(0, 16), (1, 0), (1, 16), (2, 0)]]
       length
-        [() | r <- [0 .. 14], c <- [0 .. 16], Just _ <- [windowAt Sheet array m (Position r c)]]
+        [ ()
+          | r <- [0 .. 14],
+            c <- [0 .. 16],
+            Just _ <- [windowAt (ArrayOn Sheet array) m (Position r c)]
+        ]
         `shouldBe` 14 * 16
   describe "packing" $ do
     it "the first cell is the most significant digit, or the least" $ do

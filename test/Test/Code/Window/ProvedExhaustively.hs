@@ -79,7 +79,7 @@ bothRoads k1 k2 h = do
   where
     provedOn on array = do
       m <- right (rectangle (Shape k1 k2))
-      (verdict, witness) <- right (prove on array m)
+      (verdict, witness) <- right (prove (ArrayOn on array) m)
       ( proved verdict,
         enumeration verdict,
         rankDecision verdict,
@@ -99,7 +99,7 @@ everyShape k n = do
       array <- right (folded folding shape h)
       forM_ (sureWindows q n (Single folding) shape) $ \window -> do
         m <- right (rectangle window)
-        (verdict, _) <- right (prove (naturalSurface folding) array m)
+        (verdict, _) <- right (prove (ArrayOn (naturalSurface folding) array) m)
         (shape, window, proved verdict, enumeration verdict, rankDecision verdict)
           `shouldBe` (shape, window, True, Just True, Just True)
   where

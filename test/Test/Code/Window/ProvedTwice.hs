@@ -24,7 +24,7 @@ spec = do
     it "is proved on the torus by both methods: 255 distinct windows, rank 4 of 4" $ do
       array <- paperArray
       m <- right (rectangle (Shape 2 2))
-      (verdict, witness) <- right (prove Torus array m)
+      (verdict, witness) <- right (prove (ArrayOn Torus array) m)
       verdict
         `shouldBe` Verdict
           { proved = True,
@@ -45,12 +45,14 @@ spec = do
     it "is refuted with 1 x 2 windows, and the two positions told have the same content" $ do
       array <- paperArray
       m <- right (rectangle (Shape 1 2))
-      (verdict, witness) <- right (prove Torus array m)
+      (verdict, witness) <- right (prove (ArrayOn Torus array) m)
       (proved verdict, rank verdict, distinctWindows verdict, isJust (zeroWindow verdict))
         `shouldBe` (False, Just 2, Just 16, True)
       fmap (const ()) witness `shouldBe` Nothing
       fmap
-        (\(a, b) -> (a == b, windowAt Torus array m a == windowAt Torus array m b))
+        ( \(a, b) ->
+            (a == b, windowAt (ArrayOn Torus array) m a == windowAt (ArrayOn Torus array) m b)
+        )
         (collision verdict)
         `shouldBe` Just (False, True)
     it "a mask of rank 3 is refuted on the torus and proved on the sheet by visiting" $ do
@@ -67,7 +69,7 @@ spec = do
       m <- right (rectangle (Shape 2 2))
       forM_ found $ \h -> do
         array <- right (folded Diagonal (Shape 15 17) h)
-        (verdict, _) <- right (prove Torus array m)
+        (verdict, _) <- right (prove (ArrayOn Torus array) m)
         (proved verdict, distinctWindows verdict, zeroWindow verdict)
           `shouldBe` (True, Just 255, Nothing)
     it "63 x 65 with 3 x 2 windows is proved on the torus" $ do
@@ -101,14 +103,14 @@ spec = do
               shape = Shape n1 ((fromIntegral q ^ (k1 * k2) - 1) `div` n1)
           array <- right (folded Diagonal shape h)
           m <- right (rectangle (Shape k1 k2))
-          (verdict, _) <- right (prove Torus array m)
+          (verdict, _) <- right (prove (ArrayOn Torus array) m)
           (q, k1, k2, proved verdict, distinctWindows verdict)
             `shouldBe` (q, k1, k2, True, Just (area shape))
     it "too large to visit are proved by the rank alone" $ do
       h <- firstOver gf4 16
       array <- right (folded Diagonal (Shape 255 (257 * 65537)) h)
       m <- right (rectangle (Shape 4 4))
-      (verdict, witness) <- right (prove Torus array m)
+      (verdict, witness) <- right (prove (ArrayOn Torus array) m)
       ( proved verdict,
         enumeration verdict,
         rankDecision verdict,
@@ -116,14 +118,14 @@ spec = do
         isJust witness
         )
         `shouldBe` (True, Nothing, Just True, Just (4 ^ (16 :: Int) - 1), True)
-      (onSheet, _) <- right (prove Sheet array m)
+      (onSheet, _) <- right (prove (ArrayOn Sheet array) m)
       distinctWindows onSheet `shouldBe` Just ((255 - 3) * (257 * 65537 - 3))
     it "too large to visit, and not for the rank to decide, are refused" $ do
       h <- firstOver gf4 16
       let shape = Shape 255 (257 * 65537)
       array <- right (folded Diagonal shape h)
       m <- right (rectangle (Shape 1 2))
-      (() <$ prove Sheet array m)
+      (() <$ prove (ArrayOn Sheet array) m)
         `shouldBe` Left (ArrayTooLarge (TooManyCells (area shape) largestGrid))
   describe "the rank road" $ do
     it "agrees with visiting, for any mask: distinct iff rank n; else q^rank windows" $ do
@@ -156,18 +158,18 @@ spec = do
     verdictOn on m = do
       array <- paperArray
       m' <- right m
-      right (prove on array m')
+      right (prove (ArrayOn on array) m')
     ofDegree6 folding shape window on = do
       h <- firstOver gf4 6
       array <- right (folded folding shape h)
       m <- right (rectangle window)
-      right (prove on array m)
+      right (prove (ArrayOn on array) m)
 
 -- | 'prove' compares the roads and refuses if they differ; here the theorem is stated once more.
 agree :: KnownField k => Surface -> PseudorandomArray k -> [(Natural, Natural)] -> Property
 agree on array offsets = case mask offsets of
   Left _ -> property Discard
-  Right m -> case (prove on array m, toGrid array) of
+  Right m -> case (prove (ArrayOn on array) m, toGrid array) of
     (Right (verdict, _), Right grid) ->
       let r = windowRank array m
           n = fromIntegral (primitiveDegree (arrayPrimitive array))
@@ -176,7 +178,7 @@ agree on array offsets = case mask offsets of
             fmap differentWindows (enumerate on grid m) === Right expected
               .&&. proved verdict === (r == n)
               .&&. fmap
-                (\(a, b) -> windowAt on array m a == windowAt on array m b)
+                (\(a, b) -> windowAt (ArrayOn on array) m a == windowAt (ArrayOn on array) m b)
                 (collision verdict)
                 =/= Just False
               .&&. isJust (collision verdict) === not (proved verdict)

@@ -153,7 +153,7 @@ visitingSpec = do
     array <- paperArray
     forM_ [Shape 5 5, Shape 6 6] $ \size -> do
       m <- right (rectangle size)
-      (verdict, _) <- right (prove Torus array m)
+      (verdict, _) <- right (prove (ArrayOn Torus array) m)
       (proved verdict, enumeration verdict, distinctWindows verdict)
         `shouldBe` (True, Just True, Just 255)
   it "finds the repetition in a matrix that is no pseudorandom array" $ do

@@ -5,6 +5,7 @@ module PraTactile.Locate.Decoder.Algebra
   ( -- * The decoder
     Algebra,
     prepareAlgebra,
+    algebraOn,
     algebraSurface,
     algebraArray,
     algebraMask,
@@ -55,10 +56,8 @@ data AlgebraError
 
 -- | An array on a surface, with what is computed once for all patches.
 data Algebra (k :: Field) = Algebra
-  { -- | What lies beyond the edges.
-    algebraSurface :: !Surface,
-    -- | The array.
-    algebraArray :: !(PseudorandomArray k),
+  { -- | The array on its surface.
+    algebraOn :: !(ArrayOn k),
     -- | The array's window.
     algebraMask :: !Mask,
     algebraLogarithms :: !(Logarithms k)
@@ -71,19 +70,26 @@ type role Algebra nominal
 -- sheet, and fields in which logarithms are infeasible.
 prepareAlgebra ::
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Either AlgebraError (Algebra k)
-prepareAlgebra surface array mask
+prepareAlgebra on@(ArrayOn surface array) mask
   | surface `notElem` [Sheet, natural] = Left (SurfaceForeign surface natural)
   | otherwise =
     either
       (Left . AlgebraLogarithm)
-      (Right . Algebra surface array mask)
+      (Right . Algebra on mask)
       (prepareLogarithms (arrayPrimitive array))
   where
     natural = naturalSurface (arrayFolding array)
+
+-- | What lies beyond the edges.
+algebraSurface :: Algebra k -> Surface
+algebraSurface = arraySurface . algebraOn
+
+-- | The array.
+algebraArray :: Algebra k -> PseudorandomArray k
+algebraArray = arrayItself . algebraOn
 
 -- | Positions, or that they are two at least and perhaps too many to list.
 data Listed = Listed [Position] | More
@@ -112,7 +118,7 @@ algebraPatch algebra observed
 -- | Why a patch that agrees with the array nowhere does so.
 algebraNowhere :: KnownField k => Algebra k -> Patch (GF k) -> Reason
 algebraNowhere algebra =
-  nowhere (algebraSurface algebra) (algebraArray algebra) (algebraMask algebra) occurring
+  nowhere (algebraOn algebra) (algebraMask algebra) occurring
   where
     -- A window has as few cells as any mask.
     occurring content = either (const []) (algebraPlaces algebra content) (solved algebra content)

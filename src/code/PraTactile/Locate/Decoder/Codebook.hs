@@ -6,6 +6,7 @@ module PraTactile.Locate.Decoder.Codebook
   ( -- * Codebooks
     Codebook,
     buildCodebook,
+    codebookOn,
     codebookSurface,
     codebookArray,
     codebookMask,
@@ -38,10 +39,8 @@ import PraTactile.Window
 
 -- | An array on a surface, with the window that its support and its refusals are named by.
 data Codebook (k :: Field) = Codebook
-  { -- | What lies beyond the edges.
-    codebookSurface :: !Surface,
-    -- | The array.
-    codebookArray :: !(PseudorandomArray k),
+  { -- | The array on its surface.
+    codebookOn :: !(ArrayOn k),
     -- | The array's window.
     codebookMask :: !Mask,
     -- | All its cells.
@@ -56,18 +55,25 @@ type role Codebook nominal
 buildCodebook ::
   forall k.
   KnownField k =>
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Either LocateError (Codebook k)
-buildCodebook surface array mask
+buildCodebook on@(ArrayOn _ array) mask
   | cells > largestSearchedArray = Left (TooManyPlaces cells largestSearchedArray)
   | otherwise = do
     grid <- either (Left . TableArray) Right (toGrid array)
-    pure (Codebook surface array mask grid (Primitive.fromList (0 : replicate (q - 1) 1)))
+    pure (Codebook on mask grid (Primitive.fromList (0 : replicate (q - 1) 1)))
   where
     cells = area (arrayShape array)
     q = fieldOrder (Proxy :: Proxy k)
+
+-- | What lies beyond the edges.
+codebookSurface :: Codebook k -> Surface
+codebookSurface = arraySurface . codebookOn
+
+-- | The array.
+codebookArray :: Codebook k -> PseudorandomArray k
+codebookArray = arrayItself . codebookOn
 
 -- | The score of each symbol in a cell, by its code: q entries.
 type Scores a = Vector a

@@ -67,11 +67,10 @@ buildTable ::
   forall k.
   KnownField k =>
   Packing ->
-  Surface ->
-  PseudorandomArray k ->
+  ArrayOn k ->
   Mask ->
   Either LocateError (Table k)
-buildTable packing surface array mask
+buildTable packing (ArrayOn surface array) mask
   | spanned > largestTable = Left (TableTooLarge spanned largestTable)
   | cells > largestTable = Left (TableTooLarge cells largestTable)
   | otherwise = do

@@ -91,13 +91,12 @@ wrongCells codebook observed place =
 -- 'BeyondRadius'.
 noneWithin :: KnownField k => Codebook k -> Natural -> Patch (GF k) -> Reason
 noneWithin codebook radius observed
-  | radius == 0 = nowhere surface array (codebookMask codebook) (agreeing surface array) observed
+  | radius == 0 = nowhere on (codebookMask codebook) (agreeing on) observed
   | fromIntegral (length (filter (/= zero) (map snd (observedCells observed)))) <= radius =
     ZeroWindow
   | otherwise = BeyondRadius
   where
-    surface = codebookSurface codebook
-    array = codebookArray codebook
+    on = codebookOn codebook
 
 -- | The least number and the next one, the same if it occurs twice; 'maxBound' for lack of numbers.
 leastTwo :: Primitive.Vector Int -> (Int, Int)
