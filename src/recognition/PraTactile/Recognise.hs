@@ -107,11 +107,11 @@ recogniseAsPut ::
 recogniseAsPut tolerance reader given = case tilt (map cleanedComposite composites) of
   Just angle
     | abs angle > leastTilt -> do
-      asGiven <- axesTilted <$> recogniseUpright tolerance reader (AsFelt Nothing) composites
+      asGiven <- axesTilted <$> recogniseUpright tolerance reader (NotRotated Nothing) composites
       let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- recogniseUpright tolerance reader SetUpright upright
+      turnedBack <- recogniseUpright tolerance reader RotatedBack upright
       pure (preferred angle asGiven (relocated angle places turnedBack))
-  shown -> recogniseUpright tolerance reader (AsFelt shown) composites
+  shown -> recogniseUpright tolerance reader (NotRotated shown) composites
   where
     composites = map cleaned given
 
@@ -122,37 +122,37 @@ cleanedUpright angle (Cleaned composite forParts foreignThings) =
   where
     (upright, back) = setUpright angle composite
 
--- | How composites are read.
-data Lie
+-- | How the composites that are read were made.
+data Rotation
   = -- | As their frames were put together; the symbols' axes are turned by that angle, in degrees
     -- clockwise, as far as the images show it.
-    AsFelt !(Maybe Double)
+    NotRotated !(Maybe Double)
   | -- | Turned back by the angle of the symbols' axes.
-    SetUpright
+    RotatedBack
 
 -- | The angle that is left, as far as the images show it.
-angleLeft :: Lie -> Maybe Double
-angleLeft lie = case lie of
-  AsFelt shown -> shown
-  SetUpright -> Just 0
+angleLeft :: Rotation -> Maybe Double
+angleLeft rotation = case rotation of
+  NotRotated shown -> shown
+  RotatedBack -> Just 0
 
--- | How the pixels of one came about.
-pixelsOf :: Lie -> Composite -> Pixels
-pixelsOf lie composite
+-- | How a composite's pixels were made.
+pixelsOf :: Rotation -> Composite -> Pixels
+pixelsOf rotation composite
   | not (compositeCompared composite) = Unregistered
-  | otherwise = case lie of
-    AsFelt _ -> AsPut
-    SetUpright -> Resampled
+  | otherwise = case rotation of
+    NotRotated _ -> AsPut
+    RotatedBack -> Resampled
 
 -- | 'recogniseWith' of composites whose symbols' axes are nearly theirs.
 recogniseUpright ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Lie ->
+  Rotation ->
   [Cleaned] ->
   Either NetworkError Recognition
-recogniseUpright tolerance reader lie composites = do
+recogniseUpright tolerance reader rotation composites = do
   upright <- readSymbols symbolReader identity 0 composites
   -- A composite whose upright symbols are known has no others, and one that is flat has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -169,7 +169,7 @@ recogniseUpright tolerance reader lie composites = do
   pure $
     if isMirrored
       then unanswered (concatMap viewSymbols views ++ known others) Mirrored
-      else answered tolerance reader lie views (known others)
+      else answered tolerance reader rotation views (known others)
   where
     symbolReader = recogniserReader reader
     known = filter (isJust . readClass) . concatMap viewSymbols
@@ -179,11 +179,11 @@ answered ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
-  Lie ->
+  Rotation ->
   [View] ->
   [ReadSymbol] ->
   Recognition
-answered tolerance reader lie views dissenters
+answered tolerance reader rotation views dissenters
   | null symbols = unanswered everything NoSymbols
   | all (isNothing . readClass) symbols = unanswered everything SymbolsUnclear
   | otherwise = maybe (unanswered everything GridContradicts) located (faceGrid (groups symbols))
@@ -192,14 +192,14 @@ answered tolerance reader lie views dissenters
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
     located grid =
-      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf lie) views next grid
+      let (whole, parts) = withParts (recogniserReader reader) (pixelsOf rotation) views next grid
           location =
             locateGrid reader tolerance dissenters whole
        in Recognition
             everything
             parts
             (locationEvidence location)
-            (gridTilt (angleLeft lie) grid)
+            (gridTilt (angleLeft rotation) grid)
             (answerAt reader location)
 
 -- | The answer where a grid is located.

@@ -209,13 +209,15 @@ data PatchVerdict = PatchVerdict
     -- | How many of its cells are wrong where all were located, disputed ones left out; of
     -- probabilities those whose likeliest symbol is. 'Nothing' if they were not located.
     patchWrong :: Maybe Int,
-    -- | Whether it does not belong where all are located. It does not if more of its cells are
-    -- wrong there, disputed ones among them, than it could have wrong for certain if it were alone;
-    -- and of probabilities if they make the place impossible, or alone determine another with a
-    -- doubt that is tolerated. If all of them are not located, the place is that to which most
-    -- patches belong, of all places of single patches and of all patches but one; if those are
-    -- several, as with two patches, nothing decides which is right, and whatever does not belong to
-    -- all of them is named.
+    -- | Whether it does not belong to the others. A patch of symbols does not belong to a place if
+    -- more of its cells are wrong there, disputed ones among them, than are corrected for certain
+    -- if it is alone. One of probabilities does not if they make the place impossible, or if it
+    -- alone determines another place with a doubt that is tolerated.
+    --
+    -- Where all patches are located together, that is the place. Where they are not, places are
+    -- tried to which single patches lead, and all patches but one; the place is that to which most
+    -- patches belong. If there are several such places, as there may be of two patches, nothing
+    -- decides between them, and a patch is inconsistent that does not belong to one of them.
     patchInconsistent :: Bool
   }
   deriving stock (Eq, Show)
