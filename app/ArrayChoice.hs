@@ -16,7 +16,7 @@ import Message (profileMessage)
 import Numeric.Natural (Natural)
 import Options
 import PraTactile.Array (Folding, Shape (..))
-import PraTactile.Profile (Profile (..), canonicalProfile, chooseProfile, foldedBy)
+import PraTactile.Profile
 
 -- | What the command line says about the array.
 data ArrayChoice = ArrayChoice
@@ -77,7 +77,13 @@ chosenProfile choice = case choice of
     maybe id foldedBy (choiceFolding choice)
       <$> orUnusable
         profileMessage
-        (chooseProfile q (choiceModulus choice) h shape (choiceWindow choice) (choiceState choice))
+        ( chooseProfile
+            (profileChoice q h shape)
+              { chosenModulus = choiceModulus choice,
+                chosenWindow = choiceWindow choice,
+                chosenState = choiceState choice
+              }
+        )
   _ ->
     unusable
       ( "to choose an array, give --q, --polynomial and --shape together (missing: "

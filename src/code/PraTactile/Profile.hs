@@ -8,6 +8,8 @@ module PraTactile.Profile
     Profile (..),
     Reading (..),
     canonicalProfile,
+    ProfileChoice (..),
+    profileChoice,
     chooseProfile,
     foldedBy,
     inferWindow,
@@ -101,19 +103,31 @@ data ProfileError
     WindowNotInferred Natural Natural
   deriving stock (Eq, Show)
 
--- | A profile from q, the modulus (or the default one), the polynomial, the shape, the window (or
--- the inferred one) and the initial state (or 0, ..., 0, 1), the rest as in 'canonicalProfile'.
--- Refuses a q that is no prime power up to 256 when no modulus is given, and a window that cannot
--- be inferred; whether the choice is possible is for 'withProfile' to say.
-chooseProfile ::
-  Natural ->
-  Maybe [Natural] ->
-  [Natural] ->
-  Shape ->
-  Maybe Shape ->
-  Maybe [Natural] ->
-  Either ProfileError Profile
-chooseProfile q givenModulus h shape givenWindow givenState = do
+-- | What is chosen of a profile; the rest is as in 'canonicalProfile'.
+data ProfileChoice = ProfileChoice
+  { -- | q.
+    chosenOrder :: Natural,
+    -- | The characteristic polynomial, as 'profilePolynomial' has it.
+    chosenPolynomial :: [Natural],
+    chosenShape :: Shape,
+    -- | 'Nothing' for the Conway polynomial.
+    chosenModulus :: Maybe [Natural],
+    -- | 'Nothing' for the inferred one.
+    chosenWindow :: Maybe Shape,
+    -- | 'Nothing' for 0, ..., 0, 1.
+    chosenState :: Maybe [Natural]
+  }
+  deriving stock (Eq, Show)
+
+-- | The choice of q, a polynomial and a shape, all else being the default.
+profileChoice :: Natural -> [Natural] -> Shape -> ProfileChoice
+profileChoice q h shape = ProfileChoice q h shape Nothing Nothing Nothing
+
+-- | The profile that is chosen. Refuses a q that is no prime power up to 256 when no modulus is
+-- given, and a window that cannot be inferred; whether the choice is possible is for 'withProfile'
+-- to say.
+chooseProfile :: ProfileChoice -> Either ProfileError Profile
+chooseProfile (ProfileChoice q h shape givenModulus givenWindow givenState) = do
   modulus <- maybe (snd <$> first ProfileField (conwayModulus q)) Right givenModulus
   window <- maybe (maybe notInferred Right (inferWindow q n shape)) Right givenWindow
   pure

@@ -16,6 +16,7 @@ import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder.Codebook
 import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Polynomial (firstPrimitive)
+import PraTactile.Rates.Damage (Damage (..))
 import PraTactile.Rates.Formulas
 import PraTactile.Rates.Noise
 import PraTactile.Window
@@ -59,13 +60,14 @@ spec = do
     forM_ erasedFigures $ \((side, p), (byWindow, byObserved)) -> do
       code <- puncturedOf (Shape side side)
       let percent (Rates a b c) = map (100 *) [a, b, c]
-      percent (erasedRates ByWindow 4 code p 0.15) `shouldSatisfy` (closeTo byWindow . take 1)
-      percent (erasedRates ByObserved 4 code p 0.15) `shouldSatisfy` closeTo byObserved
+      percent (erasedRates ByWindow 4 code (Damage p 0.15))
+        `shouldSatisfy` (closeTo byWindow . take 1)
+      percent (erasedRates ByObserved 4 code (Damage p 0.15)) `shouldSatisfy` closeTo byObserved
   it "without erasures the rates are those without erasures" $ do
     code <- puncturedOf (Shape 3 3)
     weights <- weightsOf (Shape 3 3)
     forM_ [ByWindow, ByObserved] $ \rule -> do
-      let Rates a b c = erasedRates rule 4 code 0.05 0
+      let Rates a b c = erasedRates rule 4 code (Damage 0.05 0)
           Rates a' b' c' = decodingRates 4 9 weights 1 0.05
       maximum (map abs [a - a', b - b', c - c']) `shouldSatisfy` (< 1e-12)
   it "small rates are not lost beside large ones" $ do
@@ -198,7 +200,7 @@ asDecided array size = do
           ]
           / fromIntegral (length places)
       located at outcome = case outcome of Unique found _ -> Just (found == at); _ -> Nothing
-      Rates a b c = erasedRates ByObserved q code p s
+      Rates a b c = erasedRates ByObserved q code (Damage p s)
       differences = zipWith (-) [a, b, c] (map (total . (==)) [Just True, Just False, Nothing])
   (size, length differences, maximum (map abs differences))
     `shouldSatisfy` (\(_, k, d) -> k == 3 && d < 1e-12)

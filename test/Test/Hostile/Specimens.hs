@@ -102,7 +102,7 @@ certificates =
 
 -- | Over GF(2), of 3 x 5 cells, with windows of 2 x 2.
 smallProfile :: Either ProfileError Profile
-smallProfile = chooseProfile 2 Nothing [1, 1, 0, 0, 1] (Shape 3 5) Nothing Nothing
+smallProfile = chooseProfile (profileChoice 2 [1, 1, 0, 0, 1] (Shape 3 5))
 
 -- | The censuses of the arrays of 7 cells over GF(2) and of 8 over GF(3).
 censuses :: [ByteString]

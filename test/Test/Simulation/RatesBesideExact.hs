@@ -7,7 +7,7 @@ import Data.Maybe (isJust)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named
-import PraTactile.Locate (DecoderName (..), locator)
+import PraTactile.Locate (locator)
 import PraTactile.Polynomial (firstPrimitive)
 import PraTactile.Rates
 import PraTactile.Rates.Decoding
@@ -39,9 +39,7 @@ spec = do
     let judged name array size damage = do
           setup <- right (trialSetup array size)
           let drawn = take 150 (trialsOf setup damage 5)
-              by decoder =
-                locator (Just decoder) MostSignificantFirst array window
-              located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
+              located = decodeByLocate (locator Nothing MostSignificantFirst array window)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
               let TrialResult a b doubt = decodeTrial radius setup trial

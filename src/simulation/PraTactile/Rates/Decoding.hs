@@ -39,26 +39,25 @@ data TrialResult = TrialResult
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | By 'locate', asked about the likeliest symbols by a locator of symbols, and about the
--- probabilities by one of probabilities. 'Nothing' where a question is refused.
+-- | By 'locate', asked about the likeliest symbols and about the probabilities. 'Nothing' where a
+-- question is refused.
 decodeByLocate ::
   forall k.
   KnownField k =>
-  Locator k ->
   Locator k ->
   Radius ->
   TrialSetup k ->
   Trial ->
   Maybe TrialResult
-decodeByLocate bySymbols byProbabilities radius setup trial = do
+decodeByLocate theLocator radius setup trial = do
   beliefs <-
     traverse
       (traverse reading)
       (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
       >>= rightOnly . patch
-  hard <- rightOnly (locate bySymbols (query (Symbol . likeliest <$> beliefs)))
+  hard <- rightOnly (locate theLocator (query (Symbol . likeliest <$> beliefs)))
   soft <-
-    rightOnly (locate byProbabilities (query (Probabilities <$> beliefs))) >>= answerPosterior
+    rightOnly (locate theLocator (query (Probabilities <$> beliefs))) >>= answerPosterior
   pure
     TrialResult
       { resultHard = case answerOutcome hard of

@@ -36,9 +36,7 @@ exactRates stated theLocator mask = \damage -> do
     UpTo e ->
       damageErasures damage <= 0 && windowDistance > 0 && e <= guaranteedRadius windowDistance
   if damageErasures damage > 0 || windowDistance == 0
-    then
-      (\code -> erasedRates ByObserved q code (damageErrors damage) (damageErasures damage))
-        <$> holed
+    then (\code -> erasedRates ByObserved q code damage) <$> holed
     else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
   where
     on@(ArrayOn _ array) = locatorArray theLocator

@@ -26,6 +26,7 @@ import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.LinearCode.Punctured
+import PraTactile.Rates.Damage (Damage (..))
 
 -- | Probabilities that add up to 1.
 data Rates = Rates
@@ -95,11 +96,11 @@ data ErasureRule
     ByWindow
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | @erasedRates rule q code p s@: as 'decodingRates' when each of the cells is also missing with
--- probability s, independently. Observed cells that are alike at two positions are refused, but for
--- zeros that occur at one position only.
-erasedRates :: ErasureRule -> Int -> Punctured -> Double -> Double -> Rates
-erasedRates rule q code p s = Rates (total rateRight) (total rateWrong) (total rateRefused)
+-- | @erasedRates rule q code damage@: as 'decodingRates' when cells are also missing, each with the
+-- probability that the damage has. Observed cells that are alike at two positions are refused, but
+-- for zeros that occur at one position only.
+erasedRates :: ErasureRule -> Int -> Punctured -> Damage -> Rates
+erasedRates rule q code (Damage p s) = Rates (total rateRight) (total rateWrong) (total rateRefused)
   where
     total rate =
       sum

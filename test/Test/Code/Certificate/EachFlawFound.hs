@@ -70,7 +70,8 @@ spec = do
             }
           `shouldBe` Left (CellsFault others)
     it "the field: of 256 elements there is one, of more there is none, nor of another degree" $ do
-      one' <- right (chooseProfile 256 Nothing [2, 1] (Shape 15 17) (Just (Shape 1 1)) Nothing)
+      let choice = profileChoice 256 [2, 1] (Shape 15 17)
+      one' <- right (chooseProfile choice {chosenWindow = Just (Shape 1 1)})
       c <- right (rectangle (Shape 1 1)) >>= right . certify AnyMethod one'
       checkCertificate c `shouldBe` Right ()
       let modulus = profileModulus one'
@@ -277,7 +278,8 @@ paper = right (rectangle (Shape 2 2)) >>= right . certify RankMethod canonicalPr
 -- | Over GF(2), by rank, of a polynomial, a shape, a folding and a window.
 certificateOver :: [Natural] -> Shape -> Folding -> Shape -> IO Certificate
 certificateOver h shape folding window = do
-  chosen <- right (chooseProfile 2 Nothing h (Shape 1 (area shape)) (Just window') Nothing)
+  let choice = profileChoice 2 h (Shape 1 (area shape))
+  chosen <- right (chooseProfile choice {chosenWindow = Just window'})
   let profile =
         chosen
           { profileShape = shape,

@@ -68,12 +68,13 @@ certificateOfFirst k n = do
   profile <-
     right
       ( chooseProfile
-          (fromIntegral (fieldOrder k))
-          Nothing
-          (map (fromIntegral . toCode) (coefficients (primitivePolynomial h)))
-          (Shape 1 (period h))
-          (Just (Shape 1 (fromIntegral n)))
-          Nothing
+          ( profileChoice
+              (fromIntegral (fieldOrder k))
+              (map (fromIntegral . toCode) (coefficients (primitivePolynomial h)))
+              (Shape 1 (period h))
+          )
+            { chosenWindow = Just (Shape 1 (fromIntegral n))
+            }
       )
   window <- right (rectangle (Shape 1 (fromIntegral n)))
   right

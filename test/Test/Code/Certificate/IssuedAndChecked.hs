@@ -119,12 +119,13 @@ spec = do
           profile <-
             right
               ( chooseProfile
-                  2
-                  Nothing
-                  [if i `elem` (n : terms) then 1 else 0 | i <- [0 .. n :: Int]]
-                  shape
-                  (Just window)
-                  Nothing
+                  ( profileChoice
+                      2
+                      [if i `elem` (n : terms) then 1 else 0 | i <- [0 .. n :: Int]]
+                      shape
+                  )
+                    { chosenWindow = Just window
+                    }
               )
           c <- made AnyMethod profile (rectangle window)
           (checkCertificate c, map shownPrime (certificatePrimes c))

@@ -19,15 +19,14 @@ spec = do
   describe "the canonical profile" $ do
     it "is what the choice of its array gives" $
       chooseProfile
-        4
-        (Just [1, 1, 1])
-        [3, 2, 1, 0, 1]
-        (Shape 15 17)
-        (Just (Shape 2 2))
-        (Just [0, 0, 0, 1])
+        (profileChoice 4 [3, 2, 1, 0, 1] (Shape 15 17))
+          { chosenModulus = Just [1, 1, 1],
+            chosenWindow = Just (Shape 2 2),
+            chosenState = Just [0, 0, 0, 1]
+          }
         `shouldBe` Right canonicalProfile
     it "and what it gives when all that can be left out is left out" $
-      chooseProfile 4 Nothing [3, 2, 1, 0, 1] (Shape 15 17) Nothing Nothing
+      chooseProfile (profileChoice 4 [3, 2, 1, 0, 1] (Shape 15 17))
         `shouldBe` Right canonicalProfile
     it "opens to the paper's array, the worked example at (6, 5)" $
       withProfile
@@ -56,14 +55,14 @@ spec = do
         $ \(q, n, shape) ->
           inferWindow q n shape `shouldBe` Nothing
     it "is asked for then" $
-      chooseProfile 4 Nothing [3, 2, 1, 0, 1] (Shape 17 15) Nothing Nothing
+      chooseProfile (profileChoice 4 [3, 2, 1, 0, 1] (Shape 17 15))
         `shouldBe` Left (WindowNotInferred 17 4)
   describe "other choices" $ do
     it "15 x 273 has no diagonal fold" $
-      (chooseProfile 4 Nothing [2, 1, 1, 0, 0, 0, 1] (Shape 15 273) Nothing Nothing >>= opened)
+      (chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 15 273)) >>= opened)
         `shouldBe` Left (ProfileFold (NotCoprime 15 273 3))
     it "63 x 65 has one, and its 3 x 2 windows are distinct" $
-      ( chooseProfile 4 Nothing [2, 1, 1, 0, 0, 0, 1] (Shape 63 65) Nothing Nothing >>= \p ->
+      ( chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 63 65)) >>= \p ->
           withProfile p (\array m -> fmap (proved . fst) (prove (ArrayOn Torus array) m))
       )
         `shouldBe` Right (Right True)
@@ -91,7 +90,7 @@ spec = do
     it "an order that is no prime power, or too large" $ do
       (\p -> p {profileOrder = 6}) `refusedBy` ProfileField (NotAPrimePower 6)
       (\p -> p {profileOrder = 512}) `refusedBy` ProfileField (FieldTooLarge 512 1)
-      chooseProfile 6 Nothing [1, 1] (Shape 1 5) Nothing Nothing
+      chooseProfile (profileChoice 6 [1, 1] (Shape 1 5))
         `shouldBe` Left (ProfileField (NotAPrimePower 6))
     it "a modulus of another degree, or reducible" $ do
       (\p -> p {profileModulus = [1, 1, 0, 1]}) `refusedBy` ModulusDegree 3 2
