@@ -58,27 +58,27 @@ import qualified Test.CommandLine.Rates
 import qualified Test.CommandLine.Sensor
 import qualified Test.CommandLine.Sequences
 import qualified Test.Common.SymmetryGroup
-import qualified Test.Conform
-import qualified Test.Conform.Checks
-import qualified Test.Conform.Choice
-import qualified Test.Conform.Reported
-import qualified Test.Conform.Run
-import qualified Test.Conform.Serve
-import qualified Test.Conform.Sessions
-import qualified Test.Conform.Whole
-import qualified Test.Conformance
 import qualified Test.Conformance.Definition
-import qualified Test.Conformance.Failures
-import qualified Test.Conformance.Forms
-import qualified Test.Conformance.Generators
-import qualified Test.Conformance.InForce
-import qualified Test.Conformance.Liars
-import qualified Test.Conformance.LikelyCauses
-import qualified Test.Conformance.Lines
-import qualified Test.Conformance.Reports
-import qualified Test.Conformance.Shrinking
-import qualified Test.Conformance.Tolerances
+import qualified Test.Conformance.InProcess
+import qualified Test.Conformance.Laws
+import qualified Test.Conformance.Laws.Coverage
+import qualified Test.Conformance.Laws.OneWrongAnswer
+import qualified Test.Conformance.Laws.Shrinking
+import qualified Test.Conformance.Laws.Tolerances
+import qualified Test.Conformance.Likely
+import qualified Test.Conformance.Process.Checks
+import qualified Test.Conformance.Process.Faults
+import qualified Test.Conformance.Process.Output
+import qualified Test.Conformance.Properties
+import qualified Test.Conformance.Report
+import qualified Test.Conformance.Run.Choice
+import qualified Test.Conformance.Run.Counterexamples
+import qualified Test.Conformance.Run.Search
+import qualified Test.Conformance.Run.Whole
+import qualified Test.Conformance.Serve
 import qualified Test.Conformance.Vectors
+import qualified Test.Conformance.Wire.Forms
+import qualified Test.Conformance.Wire.Lines
 import qualified Test.Documents
 import qualified Test.Examples
 import qualified Test.Explorations
@@ -276,27 +276,27 @@ specs = do
   describe "Sources" Test.Source.spec
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
-  describe "Conformance laws on this library" Test.Conformance.spec
-  describe "Conformance: what laws draw" Test.Conformance.Generators.spec
-  describe "Conformance: tolerances" Test.Conformance.Tolerances.spec
+  describe "Conformance laws on this library" Test.Conformance.Laws.spec
+  describe "Conformance: what laws draw" Test.Conformance.Laws.Coverage.spec
+  describe "Conformance: tolerances" Test.Conformance.Laws.Tolerances.spec
   describe "Conformance: the definition" Test.Conformance.Definition.spec
-  describe "Conformance: smaller cases" Test.Conformance.Shrinking.spec
-  describe "Conformance: one wrong answer" Test.Conformance.Liars.spec
-  describe "Conformance: likely causes" Test.Conformance.LikelyCauses.spec
-  describe "Conformance: what fails" Test.Conformance.Failures.spec
-  describe "Conformance: profiles in force" Test.Conformance.InForce.spec
-  describe "Conformance: lines" Test.Conformance.Lines.spec
-  describe "Conformance: questions and answers" Test.Conformance.Forms.spec
-  describe "Conformance: reports" Test.Conformance.Reports.spec
+  describe "Conformance: smaller cases" Test.Conformance.Laws.Shrinking.spec
+  describe "Conformance: one wrong answer" Test.Conformance.Laws.OneWrongAnswer.spec
+  describe "Conformance: likely causes" Test.Conformance.Likely.spec
+  describe "Conformance: what fails" Test.Conformance.Properties.spec
+  describe "Conformance: profiles in force" Test.Conformance.InProcess.spec
+  describe "Conformance: lines" Test.Conformance.Wire.Lines.spec
+  describe "Conformance: questions and answers" Test.Conformance.Wire.Forms.spec
+  describe "Conformance: reports" Test.Conformance.Report.spec
   describe "Conformance: test vectors" Test.Conformance.Vectors.spec
-  describe "Conformance: the runner" Test.Conform.Run.spec
-  describe "Conformance: what the runner tries" Test.Conform.Choice.spec
-  describe "Conformance: what the runner reports" Test.Conform.Reported.spec
-  describe "Conformance: whole runs" Test.Conform.Whole.spec
-  describe "Conformance: what processes write" Test.Conform.Sessions.spec
-  describe "Conformance: what must hold of processes" Test.Conform.Checks.spec
-  describe "Conformance: processes" Test.Conform.spec
-  describe "Conformance: the server" Test.Conform.Serve.spec
+  describe "Conformance: the runner" Test.Conformance.Run.Search.spec
+  describe "Conformance: what the runner tries" Test.Conformance.Run.Choice.spec
+  describe "Conformance: what the runner reports" Test.Conformance.Run.Counterexamples.spec
+  describe "Conformance: whole runs" Test.Conformance.Run.Whole.spec
+  describe "Conformance: what processes write" Test.Conformance.Process.Output.spec
+  describe "Conformance: what must hold of processes" Test.Conformance.Process.Checks.spec
+  describe "Conformance: processes" Test.Conformance.Process.Faults.spec
+  describe "Conformance: the server" Test.Conformance.Serve.spec
   describe "What is said is what happens" Test.Documents.spec
   describe "The command line" Test.CommandLine.spec
   describe "The command line: output, arguments, names" Test.CommandLine.Output.spec

@@ -2,7 +2,7 @@
 
 -- | What the runner reports of laws that fail and err: what was asked, what came, and why that is
 -- no answer.
-module Test.Conform.Reported (spec) where
+module Test.Conformance.Run.Counterexamples (spec) where
 
 import Control.Monad (forM_)
 import Data.Aeson (Value (..), toJSON)
@@ -13,7 +13,7 @@ import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Subject
-import Test.Conform.Made
+import Test.Conformance.Run.SmallSuite
 import Test.Hspec
 
 spec :: Spec

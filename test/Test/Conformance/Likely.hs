@@ -3,7 +3,7 @@
 
 -- | The likely cause of a failure: whoever errs as an impostor does is told so, and whoever errs
 -- otherwise is told nothing.
-module Test.Conformance.LikelyCauses (spec) where
+module Test.Conformance.Likely (spec) where
 
 import Data.Foldable (for_)
 import Data.Maybe (mapMaybe)

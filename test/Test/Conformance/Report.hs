@@ -2,7 +2,7 @@
 
 -- | Reports that are made by hand: what is said of them in words, as JSON and as JUnit's XML, and
 -- whether they certify.
-module Test.Conformance.Reports (spec) where
+module Test.Conformance.Report (spec) where
 
 import Data.Aeson (Value, decodeStrict, object, toJSON, (.=))
 import Data.Foldable (for_)

@@ -2,7 +2,7 @@
 
 -- | Processes and their pipes, by small shell scripts: what is read of them, what is said of how
 -- they end, and which question is at fault where several wait for their replies.
-module Test.Conform.Sessions (spec) where
+module Test.Conformance.Process.Output (spec) where
 
 import Control.Exception (bracket)
 import Control.Monad (forM_, replicateM, replicateM_)

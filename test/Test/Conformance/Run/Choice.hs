@@ -1,5 +1,5 @@
 -- | What the runner tries of a suite: which laws, under which profiles, in which order.
-module Test.Conform.Choice (spec) where
+module Test.Conformance.Run.Choice (spec) where
 
 import Control.Monad (forM_)
 import Data.Aeson (Value (..))
@@ -8,7 +8,7 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Token
-import Test.Conform.Made
+import Test.Conformance.Run.SmallSuite
 import Test.Hspec
 
 spec :: Spec

@@ -1,6 +1,6 @@
 -- | The conformance laws: they hold of the library, and of the definition; they find every
 -- impostor, and each of them finds one.
-module Test.Conformance (spec) where
+module Test.Conformance.Laws (spec) where
 
 import Data.Aeson (encode, toJSON)
 import Data.Foldable (for_)
@@ -26,7 +26,7 @@ import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile (..))
-import Test.Conformance.Ignoring
+import Test.Conformance.Laws.Ignoring
 import Test.Hspec
 
 spec :: Spec

@@ -4,7 +4,7 @@
 
 -- | One answer in the place of another, anywhere: the law that asks for it says so, at that case,
 -- and says what was to be expected.
-module Test.Conformance.Liars (spec) where
+module Test.Conformance.Laws.OneWrongAnswer (spec) where
 
 import Control.Monad (unless)
 import Control.Monad.Trans.State.Strict (State, get, put, runState)

@@ -3,7 +3,7 @@
 
 -- | Questions and answers in the form of the protocol: they are read as they are written, and not
 -- where a part is missing or of another type.
-module Test.Conformance.Forms (spec) where
+module Test.Conformance.Wire.Forms (spec) where
 
 import Control.Monad (unless)
 import Data.Aeson (Key, Value (..), object, toJSON, (.=))

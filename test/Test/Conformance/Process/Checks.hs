@@ -2,7 +2,7 @@
 
 -- | What must hold of the exchange with a process, whatever it is asked: how it ends, and what it
 -- does without a profile; by small shell scripts.
-module Test.Conform.Checks (spec) where
+module Test.Conformance.Process.Checks (spec) where
 
 import Control.Monad (forM, forM_)
 import Data.Aeson (Value (..), object, toJSON, (.=))

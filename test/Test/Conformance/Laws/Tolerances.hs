@@ -4,7 +4,7 @@
 
 -- | For each scene of touch an answer just within its tolerance passes, and one just beyond does
 -- not.
-module Test.Conformance.Tolerances (spec) where
+module Test.Conformance.Laws.Tolerances (spec) where
 
 import Data.Foldable (for_)
 import Data.Maybe (mapMaybe)
@@ -12,7 +12,7 @@ import PraTactile.Conformance
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Wire (readAnswer)
-import Test.Conformance.Trials
+import Test.Conformance.Laws.Trials
 import Test.Hspec
 
 spec :: Spec

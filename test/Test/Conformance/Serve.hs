@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | The server: this library through the pipe, and what it says to requests that are none.
-module Test.Conform.Serve (spec) where
+module Test.Conformance.Serve (spec) where
 
 import Data.Aeson (Value (..), decode, encode, object, (.=))
 import qualified Data.ByteString.Lazy as Lazy
@@ -24,7 +24,7 @@ import PraTactile.Profile (canonicalProfile)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
-import Test.Conform.Subjects
+import Test.Conformance.Process.Subjects
 import Test.Hspec
 import Test.Support (inFolder)
 

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | A suite made to try the runner with, and subjects that answer as they are told.
-module Test.Conform.Made
+module Test.Conformance.Run.SmallSuite
   ( -- * The suite
     suite,
     made,

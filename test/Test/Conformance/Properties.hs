@@ -2,7 +2,7 @@
 
 -- | What is said and done of implementations that fail: by properties, where they throw, where they
 -- start wrongly; and which answers of another form are the same.
-module Test.Conformance.Failures (spec) where
+module Test.Conformance.Properties (spec) where
 
 import Control.Exception (AsyncException (..), throwIO)
 import Control.Monad.IO.Class (liftIO)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Running @conform@ on the small subjects in @test/subjects@, and reading its report.
-module Test.Conform.Subjects
+module Test.Conformance.Process.Subjects
   ( -- * Running
     conform,
     adder,

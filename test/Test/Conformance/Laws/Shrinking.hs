@@ -3,7 +3,7 @@
 
 -- | What is tried in place of a failing case is smaller, and is still a case of the law; a failing
 -- one ends as a small one.
-module Test.Conformance.Shrinking (spec) where
+module Test.Conformance.Laws.Shrinking (spec) where
 
 import Data.Aeson (Value (..), object, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
@@ -19,7 +19,7 @@ import PraTactile.Conformance.Run
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (readValue, writeValue)
 import PraTactile.Profile
-import Test.Conformance.Trials
+import Test.Conformance.Laws.Trials
 import Test.Hspec
 import Text.Read (readMaybe)
 

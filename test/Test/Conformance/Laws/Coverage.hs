@@ -3,7 +3,7 @@
 
 -- | What laws ask: those that draw draw what matters about as often as is said here, and those that
 -- exhaust a domain ask as many different questions as it has.
-module Test.Conformance.Generators (spec) where
+module Test.Conformance.Laws.Coverage (spec) where
 
 import Data.Aeson (encode)
 import Data.Foldable (for_)
@@ -15,7 +15,7 @@ import PraTactile.Conformance.Definition (expected)
 import PraTactile.Conformance.Law (Cases (..), Domain (..))
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile
-import Test.Conformance.Trials
+import Test.Conformance.Laws.Trials
 import Test.Hspec
 import Test.QuickCheck
 

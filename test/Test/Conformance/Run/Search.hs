@@ -3,7 +3,7 @@
 
 -- | The runner on laws made for it: what it finds does not depend on how many trials go on at once,
 -- counterexamples are the first or the smallest, and tokens say all.
-module Test.Conform.Run (spec) where
+module Test.Conformance.Run.Search (spec) where
 
 import Control.Monad (forM, replicateM)
 import Data.Aeson (Value (..), encode, toJSON)

@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
 -- | Trials asked with answers of our own: what is asked, and the verdict.
-module Test.Conformance.Trials
+module Test.Conformance.Laws.Trials
   ( SomeQuestion (..),
     askedBy,
     passes,

@@ -2,7 +2,7 @@
 
 -- | Lines of the protocol: what is written as a whole number is one, and nothing else; all else is
 -- as any reader of JSON has it.
-module Test.Conformance.Lines (spec) where
+module Test.Conformance.Wire.Lines (spec) where
 
 import Data.Aeson (Value (..), decodeStrict, object, (.=))
 import qualified Data.ByteString.Char8 as Bytes

@@ -2,7 +2,7 @@
 
 -- | @conform@ on real processes: those that are right, those that are wrong, and those that do
 -- anything but reply; and what it leaves behind.
-module Test.Conform (spec) where
+module Test.Conformance.Process.Faults (spec) where
 
 import Data.Aeson (Value (..))
 import Data.Foldable (for_)
@@ -11,7 +11,7 @@ import System.Directory (findExecutable)
 import System.FilePath ((</>))
 import System.Process (readProcess)
 import Test.CommandLine.Run
-import Test.Conform.Subjects
+import Test.Conformance.Process.Subjects
 import Test.Hspec
 import Test.Support (inFolder)
 

@@ -4,7 +4,7 @@
 -- | Impostors made systematically: for every field of the profile and every operation one that
 -- takes another value of the field in that operation alone; for every reason of every operation one
 -- that gives another reason, and one that refuses what is to be answered.
-module Test.Conformance.Ignoring
+module Test.Conformance.Laws.Ignoring
   ( ignoringSpec,
   )
 where

@@ -2,7 +2,7 @@
 {-# LANGUAGE RankNTypes #-}
 
 -- | Which profile is in force in this process, what is not offered, and what laws of profiles say.
-module Test.Conformance.InForce (spec) where
+module Test.Conformance.InProcess (spec) where
 
 import Control.Monad (forM, forM_)
 import Control.Monad.IO.Class (liftIO)

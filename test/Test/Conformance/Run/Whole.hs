@@ -3,7 +3,7 @@
 
 -- | Whole runs on a suite made for them: their reports, their time and what is known to fail; and
 -- how cases are drawn, asked and made smaller.
-module Test.Conform.Whole (spec) where
+module Test.Conformance.Run.Whole (spec) where
 
 import Control.Concurrent (threadDelay)
 import Control.Monad (forM_, forever, void)
@@ -23,7 +23,7 @@ import PraTactile.Conformance.Run.Token
 import PraTactile.Conformance.Run.Trials
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Json.Codec (natural)
-import Test.Conform.Made
+import Test.Conformance.Run.SmallSuite
 import Test.Hspec
 import Test.QuickCheck (chooseInteger, sized)
 
