@@ -61,7 +61,8 @@ readCalibration =
 readClaim :: FilePath -> IO (Maybe Claim)
 readClaim = readAs readBytes decodeClaim "one answer as 'pra-tactile decode --json' prints it"
 
--- | A file, by how it is read, what its bytes stand for, and what it should be.
+-- | What a file holds: how its bytes are read, how they are decoded, and what a message says that
+-- the file should be.
 readAs ::
   (FilePath -> IO ByteString) ->
   (ByteString -> Either FormatError a) ->

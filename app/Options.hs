@@ -61,7 +61,7 @@ subcommand name does examples options =
 valued :: ReadM a -> String -> String -> String -> Parser a
 valued reader name meta text = option reader (long name <> metavar meta <> help text)
 
--- | The same with a value that is taken without it, and shown.
+-- | An option with a default, which its help shows.
 defaulting :: Show a => a -> ReadM a -> String -> String -> String -> Parser a
 defaulting standard reader name meta text =
   option reader (long name <> metavar meta <> value standard <> showDefault <> help text)
@@ -78,8 +78,9 @@ optionalFile name meta = optional . fileOption name meta
 outputFileOption :: Parser (Maybe FilePath)
 outputFileOption = optionalFile "output" "FILE" "Write to a file instead of the standard output"
 
--- | An option whose values have names: what they are, in messages, and these names; then its name,
--- what stands for its value, its help, and more of it.
+-- | An option whose values have names. The first argument is what a message calls such a value, the
+-- second the values by their names; then the option's name, what stands for its value in the help,
+-- its help, and further properties.
 choosing ::
   String -> [(String, a)] -> String -> String -> String -> Mod OptionFields a -> Parser a
 choosing what choices name meta text more =

@@ -164,8 +164,9 @@ data Response = Response
     responseReport :: AnswerReport
   }
 
--- | From what is written to the response. 'Left' where the decoder that is asked for is impossible
--- for the array on this surface. What is computed once for the array is computed when first used.
+-- | How patches, as they are written, are answered; the answering function refuses in words what is
+-- no patch. It is itself refused, before any patch is read, where the array has no locator on this
+-- surface. Tables of the array are computed once, when the first patch needs them.
 responder ::
   KnownField k =>
   Options ->

@@ -5,6 +5,7 @@ module Command.Merge
 where
 
 import CensusChoice
+import Control.Exception (IOException, try)
 import Control.Monad (filterM)
 import qualified Data.ByteString.Char8 as Bytes
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
@@ -19,7 +20,7 @@ import PraTactile.Format.Census
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
-import SameFile
+import System.Posix.Files (deviceID, fileID, getFileStatus)
 
 command :: Mod CommandFields (IO ExitStatus)
 command =
@@ -83,3 +84,13 @@ shard damage file = do
                 unchecked ++ [keptMessage file (Map.size kept) lost]
               )
     Left fault -> unusable (censusFileMessage file fault)
+
+-- | Whether both paths lead to the same file, however they are spelt and over whatever links, hard
+-- ones among them. What does not exist is the same as nothing.
+sameFile :: FilePath -> FilePath -> IO Bool
+sameFile a b = (\x y -> Just True == ((==) <$> x <*> y)) <$> identity a <*> identity b
+  where
+    identity path =
+      either none (\status -> Just (deviceID status, fileID status)) <$> try (getFileStatus path)
+    none :: IOException -> Maybe a
+    none _ = Nothing

@@ -6,21 +6,27 @@ import Control.Monad (filterM, forM_)
 import Data.Bifunctor (first)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
+import Data.Either (isRight)
 import Data.List (isPrefixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile
+import PraTactile.Decode (sourceComposite)
 import PraTactile.Files
 import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, generate)
 import PraTactile.Image.Error (ImageError (..))
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity)
-import PraTactile.Object.Placement (Face (..), spotMillimetres)
-import PraTactile.Object.WingedEdge (faceText, vertexText)
+import PraTactile.Object.Placement (Face (..), Placement (..), spotMillimetres)
+import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
+import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
+import PraTactile.Registration (compositePosition)
+import PraTactile.Sensor (Sensor (..), sensorLayout, standardSensor, withTaxel)
 import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
 import PraTactile.Sensor.Frame (Layout (..), standardLayout, taxelPitch)
 import PraTactile.Sensor.Manifest
 import PraTactile.Source
+import PraTactile.Truth (Claim (..), compared)
 import System.Directory (createDirectory)
 import System.FilePath ((</>))
 import System.IO (IOMode (..), hSetFileSize, withBinaryFile)
@@ -263,6 +269,27 @@ decodeSpec = do
           ]
     map (fmap place) decodings
       `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
+  it "a face felt by a sensor of half the pitch, or of twice, is found where it was pressed" $
+    forM_ [(32, 0.79375), (8, 3.175)] $ \(side, taxel) ->
+      inFolder $ \folder -> do
+        layout <- right canonicalPlacement
+        alphabet <- right paperAlphabet
+        let sensor =
+              (withTaxel taxel standardSensor)
+                { sensorColumns = side,
+                  sensorRows = side,
+                  sensorNoise = 0.02
+                }
+            cube array = pressed (pressingWith sensor 7) alphabet array layout (ObjectName "cube")
+        (frames, truth) <- right (withProfile canonicalProfile (const . cube)) >>= right
+        files <- right (folderFiles (sensorLayout sensor) 8 frames)
+        forM_ files $ \(name, bytes) -> Bytes.writeFile (folder </> name) bytes
+        source <- FrameFolder <$> (readFolder folder >>= right)
+        composite <- right (sourceComposite asStated standardStitching source)
+        recognition <-
+          right (canonicalDecoder >>= \known -> decodeSources standardDecoding known [source])
+        map (compared (placementPitch layout) truth) (claims composite recognition)
+          `shouldSatisfy` \found -> not (null found) && all isRight found
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalDecoder >>= (`decodeImage` flat))
       `shouldBe` Right ["refused: no-symbols"]
@@ -274,6 +301,17 @@ decodeSpec = do
     errorOf (canonicalDecoder >>= (`decodeFrames` []))
       `shouldSatisfy` maybe False (isPrefixOf "FramesRefused" . show)
   where
+    claims composite recognition =
+      [ Claim
+          { claimFace = placeFace on,
+            claimSymmetry = foundOrientation found,
+            claimPlace = spotMillimetres (placeCentre on),
+            claimSeenAt = compositePosition composite (windowSeenAt (foundWindow found)),
+            claimAngle = Nothing
+          }
+        | Right (Found found) <- [recognisedAnswer recognition],
+          OnFace on <- [windowWhereabouts (foundWindow found)]
+      ]
     place recognition = case recognisedAnswer recognition of
       Right (Found found)
         | OnFace on <- windowWhereabouts (foundWindow found) ->

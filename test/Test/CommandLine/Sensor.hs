@@ -41,19 +41,6 @@ spec = do
       (0, again, "") <- pra ["sensor", "--preset", folder </> "real.json", "--json"]
       (key ["constants"] again, key ["preset"] again)
         `shouldBe` (key ["constants"] constants, Just Null)
-  it "a face is read by a sensor of half the pitch, and by one of twice" $
-    for_ ["--frame 32x32 --taxel 0.79375", "--frame 8x8 --taxel 3.175"] $ \options ->
-      inFolder $ \folder -> do
-        (status, out, err) <-
-          scripted folder $
-            "pra probe --object cube --seed 7 --noise 0.02 " ++ options
-              ++ " --output f --truth t.json > log && pra decode --json f > a.json"
-              ++ " && pra compare a.json t.json"
-        (options, status, err) `shouldBe` (options, 0, "")
-        out `shouldSatisfy` ("they agree" `isInfixOf`)
-        files <- listDirectory (folder </> "f")
-        (options, "manifest.json" `elem` files, "manifest.csv" `elem` files)
-          `shouldBe` (options, True, False)
   it "a face at a few degrees more than a quarter turn is where the truth says" $
     inFolder $ \folder -> do
       (status, out, err) <-
@@ -64,22 +51,6 @@ spec = do
       (status, "they agree" `isInfixOf` out) `shouldBe` (0, True)
       (key ["orientation_deg"] err, key ["angle_deg"] err)
         `shouldBe` (Just (Number 90), Just (Number 93))
-  it "the axes that a manifest states are followed: y up, and exchanged" $
-    inFolder $ \folder -> do
-      (status, out, err) <-
-        scripted folder $
-          "pra probe --object cube --seed 7 --frame 8x8 --taxel 3.175 --output f > log; "
-            ++ "pra stitch f --output a.pgm > log; "
-            ++ "cat > flip.py <<'END'\n"
-            ++ unlines
-              [ "import json",
-                "m = json.load(open('f/manifest.json'))",
-                "m['axes'] = '-y,x'",
-                "for e in m['frames']: e['x_mm'], e['y_mm'] = -e['y_mm'], e['x_mm']",
-                "json.dump(m, open('f/manifest.json', 'w'))"
-              ]
-            ++ "END\npython3 flip.py && pra stitch f --output b.pgm > log && cmp a.pgm b.pgm"
-      (status, out, err) `shouldBe` (0, "", "")
   it "--axes replaces what a manifest states, of either form" $
     inFolder $ \folder -> do
       (status, out, err) <-
