@@ -54,15 +54,15 @@ spec = do
     (subjectUnknown subject, length (subjectChecks subject)) `shouldBe` ([], 0)
     let sum' = subjectAsk subject [SomeQuestion (Add 1 1), SomeQuestion (Add 1 0)]
         -- Not by replicate: of such a text, given once, GHC 9.0.2 makes another.
-        none = map (Right . CameErrored) ["no profile is in force", "no profile is in force"]
-        sums = map (Right . CameResult . toJSON) [0, 1 :: Int]
+        none = map (Right . ResponseErrored) ["no profile is in force", "no profile is in force"]
+        sums = map (Right . ResponseResult . toJSON) [0, 1 :: Int]
         blank = replicate 4 (replicate 4 0)
     sum' `shouldReturn` none
     subjectAsk subject [SomeQuestion (Segment blank)]
-      `shouldReturn` [Right (CameResult (answerValue (Segment blank) []))]
-    subjectProfile subject possible `shouldReturn` Right (CameResult (Bool True))
+      `shouldReturn` [Right (ResponseResult (answerValue (Segment blank) []))]
+    subjectProfile subject possible `shouldReturn` Right (ResponseResult (Bool True))
     sum' `shouldReturn` sums
-    subjectProfile subject impossible `shouldReturn` Right (CameRefused "impossible-profile")
+    subjectProfile subject impossible `shouldReturn` Right (ResponseRefused "impossible-profile")
     sum' `shouldReturn` none
     reverse <$> readIORef opened `shouldReturn` [possible, impossible]
   it "in this process an answer is computed to its end, a reason too; what throws ends a batch" $ do
@@ -78,13 +78,13 @@ spec = do
         crash fault =
           (faultKind fault, filter (`isInfixOf` faultDetail fault) said)
         said = ["no such term", "no such reason"]
-        three = Right (CameResult (toJSON [3 :: Int]))
+        three = Right (ResponseResult (toJSON [3 :: Int]))
     came [SomeQuestion (Terms 0 3), SomeQuestion (Terms 0 2), SomeQuestion (Terms 0 3)]
       `shouldReturn` [three, Left (Crashed, ["no such term"])]
     came [SomeQuestion (Term 1), SomeQuestion (Term 2), SomeQuestion (Terms 0 3)]
-      `shouldReturn` [Right (CameRefused "because"), Left (Crashed, ["no such reason"])]
+      `shouldReturn` [Right (ResponseRefused "because"), Left (Crashed, ["no such reason"])]
     came [SomeQuestion (Terms 0 3), SomeQuestion (Term 1)]
-      `shouldReturn` [three, Right (CameRefused "because")]
+      `shouldReturn` [three, Right (ResponseRefused "because")]
   it "laws of profiles hold if possible ones are opened and others refused, for that reason" $ do
     verdicts <- forM openingLaws $ \one -> case lawCases one (map snd defaultProfiles) of
       Cases form (Every cases) trial ->

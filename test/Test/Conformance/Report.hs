@@ -216,9 +216,9 @@ failed name profile =
                   ["operation" .= add, "input" .= object ["a" .= one', "b" .= (one' + one')]],
                 object ["end" .= True]
               ]
-              (Just (CameResult (toJSON (one' + one' + one'))))
+              (Just (ResponseResult (toJSON (one' + one' + one'))))
               "the definition"
-              (Right (CameResult (toJSON (one' - one'))))
+              (Right (ResponseResult (toJSON (one' - one'))))
               "reason"
           )
             { counterShrinks = 1,
@@ -237,7 +237,7 @@ errored name =
         Just
           ( counterexample
               []
-              (Just (CameRefused "why"))
+              (Just (ResponseRefused "why"))
               "a theorem"
               (Left (Fault Crashed "detail"))
               "reason"

@@ -2,9 +2,9 @@
 
 -- | An implementation in this process, asked without the forms of the protocol.
 module PraTactile.Conformance.Direct
-  ( Answers,
-    sessionAnswers,
-    openingAnswers,
+  ( Respondent,
+    sessionRespondent,
+    openingRespondent,
     verdictBy,
     firstViolated,
   )
@@ -18,24 +18,24 @@ import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
 
 -- | Who puts profiles in force, and who answers questions.
-data Answers
-  = Answers (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
+data Respondent
+  = Respondent (Profile -> IO (Either Refusal ())) (forall b. Question b -> IO (Either Refusal b))
 
 -- | A session answers questions, under its profile alone, or about touch.
-sessionAnswers :: Session -> Answers
-sessionAnswers asked = Answers (const (runExceptT notOffered)) (runExceptT . answerTo asked)
+sessionRespondent :: Session -> Respondent
+sessionRespondent asked = Respondent (const (runExceptT notOffered)) (runExceptT . answerTo asked)
 
 -- | An implementation is asked for nothing but to put profiles in force.
-openingAnswers :: Implementation -> Answers
-openingAnswers implementation =
-  Answers (\p -> (() <$) <$> runExceptT (open implementation p)) (const (runExceptT notOffered))
+openingRespondent :: Implementation -> Respondent
+openingRespondent implementation =
+  Respondent (\p -> (() <$) <$> runExceptT (open implementation p)) (const (runExceptT notOffered))
 
 -- | What comes of a trial.
-verdictBy :: Answers -> Ask a -> IO a
-verdictBy (Answers opens answers) = answerAll opens answers
+verdictBy :: Respondent -> Ask a -> IO a
+verdictBy (Respondent opens answers) = answerAll opens answers
 
 -- | The first of these trials that is violated, by its number from 1; so many are judged at most.
-firstViolated :: Answers -> Int -> [Ask Verdict] -> IO (Maybe (Int, Violation))
+firstViolated :: Respondent -> Int -> [Ask Verdict] -> IO (Maybe (Int, Violation))
 firstViolated answers = go 1
   where
     go n left trials = case trials of
@@ -44,5 +44,5 @@ firstViolated answers = go 1
         case came of
           Violated violation -> pure (Just (n :: Int, violation))
           Holds -> go (n + 1) (left - 1) rest
-          NotMeant -> go (n + 1) left rest
+          Inapplicable -> go (n + 1) left rest
       _ -> pure Nothing

@@ -44,30 +44,30 @@ inProcess implementation = do
       }
 
 -- | Put a profile in force; after a refusal none is.
-putInForce :: Implementation -> Force -> Profile -> IO Came
+putInForce :: Implementation -> Force -> Profile -> IO Response
 putInForce implementation force profile' = do
   writeIORef force Nothing
   opened <- runExceptT (open implementation profile')
   case opened of
-    Left why -> pure (CameRefused (refusalReason why))
-    Right made -> CameResult (Bool True) <$ writeIORef force (Just made)
+    Left why -> pure (ResponseRefused (refusalReason why))
+    Right made -> ResponseResult (Bool True) <$ writeIORef force (Just made)
 
 -- | The answer of the session in force, or, to a question about touch, which needs none, that of
 -- the implementation, computed to its end.
-answerIn :: Implementation -> Force -> Question a -> IO Came
+answerIn :: Implementation -> Force -> Question a -> IO Response
 answerIn implementation force question
   | operationOf question `elem` touchOperations = answered (touch implementation)
   | otherwise = readIORef force >>= maybe none answered
   where
-    none = pure (CameErrored "no profile is in force")
+    none = pure (ResponseErrored "no profile is in force")
     answered session = do
       came <- runExceptT (answerTo session question)
       case came of
-        Left why -> CameRefused <$> evaluated why
+        Left why -> ResponseRefused <$> evaluated why
         Right a -> do
           let value = answerValue question a
           _ <- evaluate (Lazy.length (encode value))
-          pure (CameResult value)
+          pure (ResponseResult value)
     evaluated why = let reason = refusalReason why in evaluate (length reason) >> pure reason
 
 guarded :: IO a -> IO (Either Fault a)

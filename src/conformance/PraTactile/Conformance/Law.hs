@@ -112,7 +112,7 @@ data Domain a
 data Verdict
   = Holds
   | -- | The law says nothing of it.
-    NotMeant
+    Inapplicable
   | Violated Violation
   deriving stock (Eq, Show)
 

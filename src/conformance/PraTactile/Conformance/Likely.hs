@@ -38,15 +38,15 @@ errsAlike :: Maybe Profile -> [Exchange] -> Impostor -> IO Bool
 errsAlike p exchanges impostor = case p of
   Nothing
     | impostorTouches impostor `elem` map pure touchStages ->
-      allAlike (sessionAnswers (touch made)) exchanges
+      allAlike (sessionRespondent (touch made)) exchanges
     | otherwise -> pure False
   Just under ->
     runExceptT (open made under)
-      >>= either (const (pure False)) ((`allAlike` exchanges) . sessionAnswers)
+      >>= either (const (pure False)) ((`allAlike` exchanges) . sessionRespondent)
   where
     made = impostorMade impostor
 
-allAlike :: Answers -> [Exchange] -> IO Bool
+allAlike :: Respondent -> [Exchange] -> IO Bool
 allAlike answers exchanges = case exchanges of
   [] -> pure True
   Exchange (Just operation) input wanted : rest -> do

@@ -22,9 +22,9 @@ import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Question
 import PraTactile.Conformance.Report (certified)
-import PraTactile.Conformance.Report.Words (cameText, reportText, valueText)
+import PraTactile.Conformance.Report.Words (reportText, responseText, valueText)
 import PraTactile.Conformance.Run (Settings (..), runSuite, standardSettings)
-import PraTactile.Conformance.Subject (cameOf)
+import PraTactile.Conformance.Subject (responseOf)
 import PraTactile.Conformance.Suite (standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile)
@@ -92,14 +92,14 @@ touchProperties implementation =
 
 -- | A law as a property of a session: about the session's profile, or, of touch, about nothing.
 lawProperty :: Law about -> about -> Session -> Property
-lawProperty law about opened = casesProperty (sessionAnswers opened) (lawCases law about)
+lawProperty law about opened = casesProperty (sessionRespondent opened) (lawCases law about)
 
 -- | A law of opening as a property of an implementation, about these profiles.
 openingProperty :: [Profile] -> Law [Profile] -> Implementation -> Property
 openingProperty profiles law implementation =
-  casesProperty (openingAnswers implementation) (lawCases law profiles)
+  casesProperty (openingRespondent implementation) (lawCases law profiles)
 
-casesProperty :: Answers -> Cases -> Property
+casesProperty :: Respondent -> Cases -> Property
 casesProperty answers (Cases form domain trial) = case domain of
   Every cases ->
     once . idempotentIOProperty $
@@ -116,7 +116,7 @@ casesProperty answers (Cases form domain trial) = case domain of
 judged :: Verdict -> Property
 judged came = case came of
   Holds -> property True
-  NotMeant -> property True
+  Inapplicable -> property True
   Violated violation -> counterexample (inWords violation) False
 
 -- | What was asked and answered, and what should have been.
@@ -133,4 +133,4 @@ inWords violation =
   where
     asked (Exchange operation input _) =
       "asked           " ++ maybe "profile" operationName operation ++ " " ++ valueText input
-    replied = cameText . cameOf
+    replied = responseText . responseOf

@@ -143,10 +143,10 @@ data Counterexample = Counterexample
   { -- | In the form of the protocol.
     counterRequests :: [Value],
     -- | 'Nothing' where any answer would do.
-    counterExpected :: Maybe Came,
+    counterExpected :: Maybe Response,
     -- | By which road that is known.
     counterRoad :: String,
-    counterGot :: Either Fault Came,
+    counterGot :: Either Fault Response,
     counterReason :: String,
     counterShrinks :: Int,
     -- | 'Nothing' where there is nothing to replay: a check of the protocol.
@@ -156,7 +156,8 @@ data Counterexample = Counterexample
 
 -- | One that nothing was made smaller for, and that cannot be replayed: what was asked, what should
 -- have come, by which road that is known, what came, and why another answer is expected.
-counterexample :: [Value] -> Maybe Came -> String -> Either Fault Came -> String -> Counterexample
+counterexample ::
+  [Value] -> Maybe Response -> String -> Either Fault Response -> String -> Counterexample
 counterexample requests wanted road got reason =
   Counterexample
     { counterRequests = requests,

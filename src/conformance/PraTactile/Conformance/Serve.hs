@@ -22,7 +22,7 @@ import GHC.Clock (getMonotonicTime)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.InProcess
 import PraTactile.Conformance.Question
-import PraTactile.Conformance.Subject (Came (..), cameItem)
+import PraTactile.Conformance.Subject (Response (..), responseItem)
 import PraTactile.Conformance.Wire.Line (longestLine, readLine)
 import PraTactile.Format.Json.Codec (readValue)
 import PraTactile.Format.Profile (profileCodec)
@@ -89,7 +89,7 @@ replyTo implementation force bytes = case requestIn bytes of
   Left problem -> pure (Just (errored problem))
   Right keys -> case KeyMap.lookup "command" keys of
     Just "start" -> pure (Just (started implementation keys))
-    Just "profile" -> Just . cameKeys <$> profiled implementation force keys
+    Just "profile" -> Just . responseKeys <$> profiled implementation force keys
     Just "run" -> Just . (repeated keys <>) <$> ran implementation force keys
     Just "stop" -> pure Nothing
     _ -> pure (Just (repeated keys <> errored "a command is start, profile, run or stop"))
@@ -111,19 +111,20 @@ started implementation keys
   | otherwise = errored "only protocol 1 is spoken here"
 
 -- | Put the profile of a request in force. What is no profile is refused as an input would be.
-profiled :: Implementation -> Force -> Object -> IO Came
+profiled :: Implementation -> Force -> Object -> IO Response
 profiled implementation force keys = case readValue profileCodec <$> KeyMap.lookup "profile" keys of
   Just (Right asked) -> putInForce implementation force asked
-  _ -> CameRefused "invalid" <$ writeIORef force Nothing
+  _ -> ResponseRefused "invalid" <$ writeIORef force Nothing
 
 -- | The answer to a run, under the profile in force.
 ran :: Implementation -> Force -> Object -> IO Series
 ran implementation force keys = case KeyMap.lookup "operation" keys of
   Just (String name)
     | Just operation <- find ((== Text.unpack name) . operationName) (offered implementation) ->
-      cameKeys <$> answerIn implementation force (Raw operation input)
+      responseKeys <$> answerIn implementation force (Raw operation input)
     | otherwise ->
-      pure (cameKeys (CameSkipped (Text.unpack name ++ " is not offered")) <> "link" .= page)
+      let skipped = ResponseSkipped (Text.unpack name ++ " is not offered")
+       in pure (responseKeys skipped <> "link" .= page)
   _ -> pure (errored "a run has an operation")
   where
     input = fromMaybe Null (KeyMap.lookup "input" keys)
@@ -143,8 +144,8 @@ serveOnce implementation input output = do
       force <- noForce
       opened <- profiled implementation force keys
       (repeated keys <>) <$> case opened of
-        CameResult _ | KeyMap.member "operation" keys -> ran implementation force keys
-        _ -> pure (cameKeys opened)
+        ResponseResult _ | KeyMap.member "operation" keys -> ran implementation force keys
+        _ -> pure (responseKeys opened)
     firstLine pieces size = do
       more <- Bytes.hGetSome input 65536
       let whole = Bytes.concat (reverse (more : pieces))
@@ -159,8 +160,8 @@ serveOnce implementation input output = do
 repeated :: Object -> Series
 repeated keys = maybe mempty ("sequence" .=) (KeyMap.lookup "sequence" keys)
 
-cameKeys :: Came -> Series
-cameKeys = uncurry (.=) . cameItem
+responseKeys :: Response -> Series
+responseKeys = uncurry (.=) . responseItem
 
 errored :: String -> Series
 errored = ("errored" .=)

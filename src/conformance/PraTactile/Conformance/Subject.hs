@@ -2,9 +2,9 @@
 -- operations and answers questions in the form of the protocol, or fails to.
 module PraTactile.Conformance.Subject
   ( Subject (..),
-    Came (..),
-    cameItem,
-    cameOf,
+    Response (..),
+    responseItem,
+    responseOf,
     Check (..),
     Checked (..),
     Fault (..),
@@ -25,10 +25,10 @@ data Subject = Subject
   { subjectName :: String,
     subjectOffers :: [Operation],
     -- | Put a profile in force; what came, or what went wrong.
-    subjectProfile :: Profile -> IO (Either Fault Came),
+    subjectProfile :: Profile -> IO (Either Fault Response),
     -- | Ask these questions, in this order; the replies in the same order, up to the first fault.
     -- After a fault the subject is started again, with the same profile, before it is asked on.
-    subjectAsk :: [SomeQuestion] -> IO [Either Fault Came],
+    subjectAsk :: [SomeQuestion] -> IO [Either Fault Response],
     -- | How many questions are best asked at once.
     subjectBatch :: Int,
     -- | What it says that it offers and nobody here knows.
@@ -50,32 +50,32 @@ data Check = Check
 data Checked
   = CheckHeld
   | -- | After these requests this should have come, and that came.
-    CheckFailed [Value] Came Came
+    CheckFailed [Value] Response Response
   | -- | After these requests something went wrong.
     CheckErred [Value] Fault
   deriving stock (Eq, Show)
 
 -- | What came in reply, as the protocol has it.
-data Came
-  = CameResult Value
-  | CameRefused String
-  | CameSkipped String
-  | CameErrored String
+data Response
+  = ResponseResult Value
+  | ResponseRefused String
+  | ResponseSkipped String
+  | ResponseErrored String
   deriving stock (Eq, Show)
 
 -- | As it stands in a reply: the one key that says what came, and its value.
-cameItem :: Came -> (Key, Value)
-cameItem came = case came of
-  CameResult value -> (Key.fromString "result", value)
-  CameRefused why -> (Key.fromString "refused", toJSON why)
-  CameSkipped why -> (Key.fromString "skipped", toJSON why)
-  CameErrored why -> (Key.fromString "errored", toJSON why)
+responseItem :: Response -> (Key, Value)
+responseItem came = case came of
+  ResponseResult value -> (Key.fromString "result", value)
+  ResponseRefused why -> (Key.fromString "refused", toJSON why)
+  ResponseSkipped why -> (Key.fromString "skipped", toJSON why)
+  ResponseErrored why -> (Key.fromString "errored", toJSON why)
 
 -- | A reply to a law's question, as what came.
-cameOf :: Reply -> Came
-cameOf reply = case reply of
-  Result value -> CameResult value
-  RefusedFor why -> CameRefused why
+responseOf :: Reply -> Response
+responseOf reply = case reply of
+  Result value -> ResponseResult value
+  RefusedFor why -> ResponseRefused why
 
 -- | What a subject did instead of replying, and the particulars.
 data Fault = Fault

@@ -36,11 +36,11 @@ spec = do
         told 100 (replicate first Holds ++ [wrong] ++ replicate more wrong)
           `shouldReturn` Just (first + 1)
     it "draws of which a law says nothing have numbers, and others are judged for them" $ do
-      told 3 [NotMeant, Holds, NotMeant, Holds, wrong] `shouldReturn` Just 5
-      told 2 [NotMeant, Holds, NotMeant, Holds, wrong] `shouldReturn` Nothing
-      told 1 [NotMeant, NotMeant, wrong] `shouldReturn` Just 3
+      told 3 [Inapplicable, Holds, Inapplicable, Holds, wrong] `shouldReturn` Just 5
+      told 2 [Inapplicable, Holds, Inapplicable, Holds, wrong] `shouldReturn` Nothing
+      told 1 [Inapplicable, Inapplicable, wrong] `shouldReturn` Just 3
       told 0 [wrong] `shouldReturn` Nothing
-      told 5 [NotMeant, Holds] `shouldReturn` Nothing
+      told 5 [Inapplicable, Holds] `shouldReturn` Nothing
   it "a law that exhausts its domain finds one wrong answer, at the case that asks for it" $
     for_ [about | (name, _, about) <- comparedProfiles, name == "gf2-3x5"] $ \about ->
       for_ [law | law <- laws, "-as-defined" `isSuffixOf` lawId law] $ \law -> do
@@ -119,7 +119,7 @@ spec = do
               Pack _ -> Right tooLarge
               Unpack _ -> Left (Refusal reason)
               _ -> expected about other
-        fst (answeredBy (answers "out-of-range") asking) `shouldBe` NotMeant
+        fst (answeredBy (answers "out-of-range") asking) `shouldBe` Inapplicable
         let (verdict, asked) = answeredBy (answers "invalid") asking
         Violated violation <- pure verdict
         (violationAsked violation, violationExpected violation)
@@ -199,7 +199,7 @@ spec = do
     wrong = Violated (Violation [] (RefusedFor "") "" "")
     -- Nothing is asked.
     told most verdicts =
-      fmap fst <$> firstViolated (openingAnswers library) most (map pure verdicts)
+      fmap fst <$> firstViolated (openingRespondent library) most (map pure verdicts)
 
 -- | The trials of a law, and how many are judged.
 trialsUnder :: Known -> Law Known -> ([Ask Verdict], Int)

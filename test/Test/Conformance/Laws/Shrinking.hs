@@ -37,7 +37,7 @@ spec = do
             (lawId law, writeValue form <$> readValue form part)
               `shouldBe` (lawId law, Right part)
             (lawId law, part, fst (askedBy (expected about) (trial less)))
-              `shouldSatisfy` \(_, _, verdict) -> verdict `elem` [Holds, NotMeant]
+              `shouldSatisfy` \(_, _, verdict) -> verdict `elem` [Holds, Inapplicable]
         Cases _ (Every _) _ -> pure ()
   it "of touch, whatever is tried next, it comes to an end" $
     for_ touchLaws $ \law -> case lawCases law () of

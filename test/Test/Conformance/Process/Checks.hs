@@ -52,7 +52,7 @@ spec = do
         operands = SomeQuestion (Add 1 0)
         requests =
           [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 operands]
-        noProfile = CameErrored "no profile is in force"
+        noProfile = ResponseErrored "no profile is in force"
         answers possible' refusal run =
           unlines
             [ "while read -r line; do case $line in",
@@ -67,15 +67,15 @@ spec = do
         three = "echo '{\"sequence\":1,\"result\":3}'"
         ends = "exit 3"
         gone = Fault Crashed "it ended, with status 3"
-        kept = CameResult (toJSON (3 :: Int))
+        kept = ResponseResult (toJSON (3 :: Int))
     forM_
       [ (answers yes no "echo '{\"sequence\":1,\"errored\":\"none\"}'", CheckHeld),
         (answers no no "echo '{\"sequence\":1,\"errored\":\"none\"}'", CheckHeld),
         (answers yes no three, CheckFailed requests noProfile kept),
         ( answers yes no "echo '{\"skipped\":\"s\"}'",
-          CheckFailed requests noProfile (CameSkipped "s")
+          CheckFailed requests noProfile (ResponseSkipped "s")
         ),
-        (answers yes yes three, CheckFailed requests noProfile (CameResult (Bool True))),
+        (answers yes yes three, CheckFailed requests noProfile (ResponseResult (Bool True))),
         (answers ends no three, CheckErred requests gone),
         (answers yes ends three, CheckErred requests gone),
         (answers yes no ends, CheckErred requests gone)
@@ -95,10 +95,10 @@ spec = do
         zero = "echo '{\"sequence\":1,\"result\":0}'"
         answering reply =
           "read -r line; case $line in *no-such*) " ++ reply ++ " ;; *) " ++ zero ++ " ;; esac"
-        notKnown = CameSkipped "not known"
+        notKnown = ResponseSkipped "not known"
     forM_
       [ ("echo '{\"sequence\":1,\"skipped\":\"s\"}'", CheckHeld),
-        (zero, CheckFailed [request] notKnown (CameResult (toJSON (0 :: Int)))),
+        (zero, CheckFailed [request] notKnown (ResponseResult (toJSON (0 :: Int)))),
         ("exit 3", CheckErred [request] (Fault Crashed "it ended, with status 3"))
       ]
       $ \(reply, wanted) -> do

@@ -67,9 +67,11 @@ sessionSpec = do
           _ <- subjectAsk subject [adds 3]
           then' <- subjectAsk subject [adds 1]
           pure (put, first, then')
-        let sum' = [if inForce then sumOf 1 else Right (CameErrored "no profile")]
+        let sum' = [if inForce then sumOf 1 else Right (ResponseErrored "no profile")]
             put =
-              [Right (if i == 1 then CameResult (Bool True) else CameRefused "no") | i <- profiles]
+              [ Right (if i == 1 then ResponseResult (Bool True) else ResponseRefused "no")
+                | i <- profiles
+              ]
         (profiles, came) `shouldBe` (profiles, Right (put, sum', sum'))
   it "a thousand lines and two where one is to come are output without end, fewer are not" $
     forM_
@@ -118,10 +120,10 @@ sessionSpec = do
       came <- session (adding 1 (onceAsked 1 other)) (`asked` map adds [0, 1])
       fmap (map (either (Left . faultKind) Right)) came
         `shouldBe` Right
-          [ Right (CameResult (toJSON (0 :: Int))),
+          [ Right (ResponseResult (toJSON (0 :: Int))),
             case number of
               "1" -> Left AnsweredTwice
-              "2" -> Right (CameResult (toJSON (3 :: Int)))
+              "2" -> Right (ResponseResult (toJSON (3 :: Int)))
               "none" -> Left NotAReply
               _ -> Left OutOfOrder
           ]
@@ -165,7 +167,7 @@ oneShotSpec = do
     came <- withProcess OneShot (Limits 20) (script "") $ \subject -> do
       put <- subjectProfile subject canonicalProfile
       (,,) (subjectName subject) put <$> subjectAsk subject (map adds [5, 6, 7])
-    came `shouldBe` Right ("sh", Right (CameResult (Bool True)), map sumOf [1, 2, 3])
+    came `shouldBe` Right ("sh", Right (ResponseResult (Bool True)), map sumOf [1, 2, 3])
     forM_
       [ ("; " ++ reply "$n", AnsweredTwice),
         ("; echo x", NotAReply),
@@ -321,7 +323,7 @@ shell :: String -> Command
 shell script = Command "sh" ["-c", script]
 
 -- | Under a profile.
-asked :: Subject -> [SomeQuestion] -> IO [Either Fault Came]
+asked :: Subject -> [SomeQuestion] -> IO [Either Fault Response]
 asked subject questions = subjectProfile subject (profileOf 1) >> subjectAsk subject questions
 
 -- | One that is put in force, and one, of 0, that is refused.
@@ -364,5 +366,5 @@ onceAsked a action = "if [ $a = " ++ show a ++ " ]; then " ++ action ++ "; fi"
 adds :: Int -> SomeQuestion
 adds a = SomeQuestion (Add (fromIntegral a) 1)
 
-sumOf :: Int -> Either Fault Came
-sumOf = Right . CameResult . toJSON
+sumOf :: Int -> Either Fault Response
+sumOf = Right . ResponseResult . toJSON

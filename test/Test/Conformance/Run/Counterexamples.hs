@@ -26,7 +26,7 @@ spec = do
       Just shown <- pure (lawReportCounterexample law)
       (counterGot shown, counterReason shown) `shouldBe` (got, why)
       counterRoad shown `shouldBe` "the definition"
-      counterExpected shown `shouldBe` Just (CameResult (toJSON (0 :: Int)))
+      counterExpected shown `shouldBe` Just (ResponseResult (toJSON (0 :: Int)))
       -- 1 + 2 is the second question of the second case.
       counterRequests shown
         `shouldBe` [ runRequest 1 (SomeQuestion (Add 0 2)),
@@ -43,11 +43,11 @@ spec = do
     counterRequests shown
       `shouldBe` [runRequest 1 (SomeQuestion (Add 0 2)), runRequest 2 (SomeQuestion (Add 1 2))]
     (counterGot shown, counterExpected shown)
-      `shouldBe` (result 7, Just (CameResult (toJSON (0 :: Int))))
+      `shouldBe` (result 7, Just (ResponseResult (toJSON (0 :: Int))))
     (counterRoad shown, counterReason shown) `shouldBe` ("a road", "a reason")
     lawReportLikely law `shouldBe` Just "likely under q = 4, 1 wrong"
   it "of a profile that is not put in force: the law erred; it is asked once for all its laws" $
-    forM_ [Right (CameRefused "no"), Right (CameResult (Bool False)), Left gone] $ \came -> do
+    forM_ (Left gone : map Right [ResponseRefused "no", ResponseResult (Bool False)]) $ \came -> do
       asked <- newIORef []
       let base = answering allZero
       report <-
@@ -70,7 +70,7 @@ spec = do
         `shouldBe` [("field/sums", Errored), ("sequence/terms", Errored)]
       map counterRequests shown `shouldBe` replicate 2 [profileRequest two]
       map counterGot shown `shouldBe` replicate 2 came
-      map counterExpected shown `shouldBe` replicate 2 (Just (CameResult (Bool True)))
+      map counterExpected shown `shouldBe` replicate 2 (Just (ResponseResult (Bool True)))
       map counterToken shown `shouldBe` replicate 2 Nothing
   it "of a law of profiles: the profile that was asked for, and nothing expected of a fault" $ do
     let base = answering allZero
@@ -93,7 +93,7 @@ spec = do
         [subject]
     answeringAt came = answering (\asked -> if asked `is` Add 1 2 then came else allZero asked)
     gone = Fault Crashed "gone"
-    yes = Right (CameResult (Bool True))
+    yes = Right (ResponseResult (Bool True))
     noAnswers =
       [ ( Left fault,
           if wrong then Failed else Errored,
@@ -104,17 +104,17 @@ spec = do
           let fault = Fault kind "detail",
           let wrong = kind == WrongType
       ]
-        ++ [ ( Right (CameSkipped "s"),
+        ++ [ ( Right (ResponseSkipped "s"),
                Failed,
-               Right (CameSkipped "s"),
+               Right (ResponseSkipped "s"),
                "what is offered is answered or refused, not skipped"
              ),
-             ( Right (CameErrored "e"),
+             ( Right (ResponseErrored "e"),
                Errored,
-               Right (CameErrored "e"),
+               Right (ResponseErrored "e"),
                "an error of the subject is no answer"
              ),
-             ( Right (CameResult (String "x")),
+             ( Right (ResponseResult (String "x")),
                Failed,
                Left (Fault WrongType "a result of another type: \"x\""),
                otherType

@@ -37,7 +37,7 @@ spec = do
     map (fmap failureCase . triedFailure) found
       `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural]))
   it "cases of which the law says nothing do not count" $ do
-    found <- tried 7 (everyPairOf (const (pure NotMeant)))
+    found <- tried 7 (everyPairOf (const (pure Inapplicable)))
     summary found `shouldBe` (Nothing, 0)
   it "drawn ones of which the law says nothing are made good by others" $ do
     found <- tried 7 (Cases pair (Some draws (const [])) halfMeant)
@@ -134,7 +134,7 @@ judged (a, b) = do
       else Holds
 
 halfMeant :: (Natural, Natural) -> Ask Verdict
-halfMeant (a, b) = pure (if even (a + b) then Holds else NotMeant)
+halfMeant (a, b) = pure (if even (a + b) then Holds else Inapplicable)
 
 everyPairOf :: ((Natural, Natural) -> Ask Verdict) -> Cases
 everyPairOf = Cases pair (Every [(a, b) | a <- [0 .. 9], b <- [0 .. 9]])

@@ -44,7 +44,7 @@ suite =
         [ made ("field/sums", OnField, [OfAdd]) (Cases natural (Every [0, 2]) sums),
           made
             ("sequence/terms", OnSequence, [OfTerm, OfTerms])
-            (Cases natural (Every [7]) (const (pure NotMeant)))
+            (Cases natural (Every [7]) (const (pure Inapplicable)))
         ],
       suiteOpenings =
         [made ("profile/opens", OnProfile, []) (Cases profileCodec (Every [two]) opens)],
@@ -60,7 +60,7 @@ suite =
             ++ [show (length failures), "wrong"]
     }
   where
-    opens p = either (const NotMeant) (const Holds) <$> opening p
+    opens p = either (const Inapplicable) (const Holds) <$> opening p
 
 made :: (String, Stage, [Operation]) -> Cases -> Law about
 made (name, stage, needs) cases = Law name stage needs "sentence" "source" (const cases)
@@ -101,12 +101,12 @@ everything :: Settings
 everything = standardSettings {settingStages = codeStages ++ touchStages, settingCases = 20}
 
 -- | A subject that answers so.
-answering :: (SomeQuestion -> Either Fault Came) -> Subject
+answering :: (SomeQuestion -> Either Fault Response) -> Subject
 answering reply =
   Subject
     { subjectName = "made",
       subjectOffers = codeAndTouch,
-      subjectProfile = \_ -> pure (Right (CameResult (Bool True))),
+      subjectProfile = \_ -> pure (Right (ResponseResult (Bool True))),
       subjectAsk = upToFault . map (pure . reply),
       subjectBatch = 4,
       subjectUnknown = ["unknown"],
@@ -114,11 +114,11 @@ answering reply =
     }
 
 -- | What the laws want to hear.
-allZero :: SomeQuestion -> Either Fault Came
+allZero :: SomeQuestion -> Either Fault Response
 allZero _ = result 0
 
-result :: Int -> Either Fault Came
-result = Right . CameResult . toJSON
+result :: Int -> Either Fault Response
+result = Right . ResponseResult . toJSON
 
 is :: SomeQuestion -> Question a -> Bool
 is (SomeQuestion asked) question =

@@ -159,7 +159,8 @@ runSpec = do
           (answering allZero)
             { subjectChecks =
                 [ checked "protocol/a" CheckHeld,
-                  checked "protocol/b" (CheckFailed requests (CameErrored "e") (CameSkipped "s")),
+                  checked "protocol/b" $
+                    CheckFailed requests (ResponseErrored "e") (ResponseSkipped "s"),
                   checked "protocol/c" (CheckErred requests (Fault DoesNotStop "d"))
                 ]
             }
@@ -182,9 +183,9 @@ runSpec = do
       (\c -> (counterRequests c, counterExpected c, counterRoad c, counterGot c, counterReason c))
       (mapMaybe lawReportCounterexample laws)
       `shouldBe` [ ( requests,
-                     Just (CameErrored "e"),
+                     Just (ResponseErrored "e"),
                      "the protocol",
-                     Right (CameSkipped "s"),
+                     Right (ResponseSkipped "s"),
                      "sentence of protocol/b"
                    ),
                    ( requests,
@@ -259,7 +260,7 @@ caseSpec = do
       (reverse <$> readIORef numbers) `shouldReturn` concat [[n, 10 + n] | n <- [1 .. bad]]
   it "are as many as are wanted, though the law says nothing of all that are drawn first" $ do
     -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
-    let says n = if n `mod` 10 == 0 then NotMeant else Holds
+    let says n = if n `mod` 10 == 0 then Inapplicable else Holds
         cases gen = Cases natural (Some gen (const [])) (pure . says)
     later <- tryLaw (Plan 1 10 4) (answering allZero) "law" (cases (sized (pure . fromIntegral)))
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)

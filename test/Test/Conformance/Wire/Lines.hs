@@ -74,11 +74,11 @@ spec = do
     for_ [("", Nothing), (",\"sequence\":7", Just 7), (",\"sequence\":-1", Just (-1))] $
       \(more, number) ->
         for_
-          [ ("result\":null", CameResult Null),
-            ("result\":\"x\"", CameResult "x"),
-            ("refused\":\"why\"", CameRefused "why"),
-            ("skipped\":\"why\"", CameSkipped "why"),
-            ("errored\":\"why\"", CameErrored "why")
+          [ ("result\":null", ResponseResult Null),
+            ("result\":\"x\"", ResponseResult "x"),
+            ("refused\":\"why\"", ResponseRefused "why"),
+            ("skipped\":\"why\"", ResponseSkipped "why"),
+            ("errored\":\"why\"", ResponseErrored "why")
           ]
           $ \(one, came) ->
             replyTo ("{\"" <> one <> more <> ",\"other\":0}") `shouldBe` Right (number, came)

@@ -62,7 +62,7 @@ findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
     findsOpening seed [p | (_, p, _) <- profiles] law impostor
   | law : _ <- [law | law <- touchLaws, lawId law == killLaw kill] =
-    finds touchCases seed law () (sessionAnswers (touch (impostorMade impostor)))
+    finds touchCases seed law () (sessionRespondent (touch (impostorMade impostor)))
   | law : _ <- [law | law <- laws, lawId law == killLaw kill],
     (p, about) : _ <- [(p, about) | (name, p, about) <- profiles, name == killProfile kill] =
     findsUnder seed p about law impostor
@@ -70,15 +70,15 @@ findsAt seed profiles impostor kill
 
 findsOpening :: Int -> [Profile] -> Law [Profile] -> Impostor -> IO (Maybe Int)
 findsOpening seed profiles law impostor =
-  finds usualCases seed law profiles (openingAnswers (impostorMade impostor))
+  finds usualCases seed law profiles (openingRespondent (impostorMade impostor))
 
 findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =
   runExceptT (open (impostorMade impostor) p)
-    >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionAnswers)
+    >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionRespondent)
 
 -- | In how many cases, of so many drawn at most, a law finds who answers so.
-finds :: Int -> Int -> Law about -> about -> Answers -> IO (Maybe Int)
+finds :: Int -> Int -> Law about -> about -> Respondent -> IO (Maybe Int)
 finds most' seed law about answers = fmap fst <$> firstViolated answers most trials
   where
     (trials, most) = trialsOf plan (lawId law) (lawCases law about)

@@ -110,7 +110,7 @@ wrongCells seen =
 
 corrected :: Known -> Maybe Natural -> Seen -> Trial ()
 corrected known radius seen
-  | profileSurface p `notElem` [Sheet, naturalSurface (profileFolding p)] = notMeant
+  | profileSurface p `notElem` [Sheet, naturalSurface (profileFolding p)] = inapplicable
   | 2 * wrongCells seen < observedDistance known (seenPatch seen) = do
     got <- answer known question
     demand
@@ -118,7 +118,7 @@ corrected known radius seen
       question
       (At (seenPlace seen))
       (got == At (seenPlace seen))
-  | otherwise = notMeant
+  | otherwise = inapplicable
   where
     p = knownProfile known
     question = Nearest radius (seenPatch seen)

@@ -156,7 +156,7 @@ associates name operation ask sentence =
       left <- ask known b c >>= ask known a
       right <- ask known a b >>= \ab -> ask known ab c
       same sentence left right
-    _ -> notMeant
+    _ -> inapplicable
 
 -- | That it is commutative.
 commutes :: String -> Operation -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
@@ -166,7 +166,7 @@ commutes name operation ask sentence =
       left <- ask known a b
       right <- ask known b a
       same sentence left right
-    _ -> notMeant
+    _ -> inapplicable
 
 additionAxioms :: [Law Known]
 additionAxioms =
@@ -174,11 +174,11 @@ additionAxioms =
     commutes "addition" OfAdd add "a + b = b + a",
     equation "zero-is-neutral" [OfAdd] 1 "a + 0 = a" $ \known codes -> case codes of
       [a] -> add known a 0 >>= same "a + 0 = a" a
-      _ -> notMeant,
+      _ -> inapplicable,
     equation "negation-inverts-addition" [OfAdd, OfNegate] 1 "a + (-a) = 0" $ \known codes ->
       case codes of
         [a] -> answer known (Negate a) >>= add known a >>= same "a + (-a) = 0" 0
-        _ -> notMeant
+        _ -> inapplicable
   ]
 
 multiplicationAxioms :: [Law Known]
@@ -187,7 +187,7 @@ multiplicationAxioms =
     commutes "multiplication" OfMultiply multiply "a b = b a",
     equation "one-is-neutral" [OfMultiply] 1 "1 a = a" $ \known codes -> case codes of
       [a] -> multiply known 1 a >>= same "1 a = a" a
-      _ -> notMeant,
+      _ -> inapplicable,
     equation
       "inverse-inverts-multiplication"
       [OfMultiply, OfInverse]
@@ -195,7 +195,7 @@ multiplicationAxioms =
       "a (1/a) = 1 for a other than 0"
       $ \known codes -> case codes of
         [a] | a > 0 -> answer known (Inverse a) >>= multiply known a >>= same "a (1/a) = 1" 1
-        _ -> notMeant,
+        _ -> inapplicable,
     equation "multiplication-distributes" [OfAdd, OfMultiply] 3 "a (b + c) = a b + a c" $
       \known
        codes ->
@@ -206,7 +206,7 @@ multiplicationAxioms =
               ac <- multiply known a c
               right <- add known ab ac
               same "a (b + c) = a b + a c" left right
-            _ -> notMeant
+            _ -> inapplicable
   ]
 
 -- | What characteristic, powers, logarithms and traces have to do with sums and products.
@@ -218,7 +218,7 @@ otherLaws =
           let p = fromIntegral (characteristicOf (knownProfile known)) :: Int
           total <- foldM (add known) 0 (replicate p a)
           same "p times a is 0, p the characteristic" 0 total
-        _ -> notMeant,
+        _ -> inapplicable,
     equation "power-is-repeated-multiplication" [OfPower, OfMultiply] 2 "a^(i+1) = a a^i" $
       \known codes ->
         case codes of
@@ -227,7 +227,7 @@ otherLaws =
             product' <- multiply known a before
             after <- answer known (Power a (toInteger i + 1))
             same "a^(i+1) = a a^i" product' after
-          _ -> notMeant,
+          _ -> inapplicable,
     equation
       "logarithm-of-a-product"
       [OfLogarithm, OfMultiply]
@@ -239,7 +239,7 @@ otherLaws =
           lb <- answer known (Logarithm b)
           lab <- multiply known a b >>= answer known . Logarithm
           same "log (a b) = log a + log b" (modulo known (la + lb)) lab
-        _ -> notMeant,
+        _ -> inapplicable,
     equation "trace-is-additive" [OfTrace, OfAdd] 2 "Tr (a + b) = Tr a + Tr b" $ \known codes ->
       case codes of
         [a, b] -> do
@@ -248,7 +248,7 @@ otherLaws =
           tb <- answer known (Trace b)
           left <- add known ta tb
           same "Tr (a + b) = Tr a + Tr b" right left
-        _ -> notMeant,
+        _ -> inapplicable,
     equation "trace-of-a-pth-power" [OfTrace, OfPower] 1 "Tr (a^p) = Tr a" $
       \known
        codes -> case codes of
@@ -256,7 +256,7 @@ otherLaws =
             ta <- answer known (Trace a)
             raised <- answer known (Power a (toInteger (characteristicOf (knownProfile known))))
             answer known (Trace raised) >>= same "Tr (a^p) = Tr a" ta
-          _ -> notMeant
+          _ -> inapplicable
   ]
   where
     modulo known n = n `mod` max 1 (profileOrder (knownProfile known) - 1)

@@ -16,7 +16,7 @@ module PraTactile.Conformance.Laws.Judge
     trial,
     answer,
     demand,
-    notMeant,
+    inapplicable,
     law,
     Because (..),
 
@@ -159,7 +159,7 @@ answer known question = do
   case came of
     Right a -> pure a
     Left refusal -> case wanted of
-      Left refusal' | refusal == refusal' -> throwE NotMeant
+      Left refusal' | refusal == refusal' -> throwE Inapplicable
       _ ->
         throwE
           ( Violated
@@ -180,5 +180,5 @@ demand (Because road reason) question wanted held
   | otherwise = throwE (Violated (Violation [] (reply question (Right wanted)) road reason))
 
 -- | The law says nothing of such a case.
-notMeant :: Trial a
-notMeant = throwE NotMeant
+inapplicable :: Trial a
+inapplicable = throwE Inapplicable

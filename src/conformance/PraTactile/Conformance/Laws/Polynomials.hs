@@ -127,8 +127,8 @@ alike known codes = case inverted of
           (Primitive backwards)
           one'
           (one' == other)
-      Left _ -> notMeant
-  Left _ -> trial notMeant
+      Left _ -> inapplicable
+  Left _ -> trial inapplicable
   where
     inverted = expected known (Inverse (head' codes))
     head' xs = case xs of

@@ -113,7 +113,7 @@ relationLaws =
       )
   ]
   where
-    onMask question held = maybe notMeant held (reProve question)
+    onMask question held = maybe inapplicable held (reProve question)
 
 -- | The mask of a question about one.
 reProve :: SomeQuestion -> Maybe MaskRows
@@ -123,7 +123,7 @@ reProve question = case question of
 
 counted :: Known -> MaskRows -> Trial ()
 counted known mask
-  | profileSurface p /= naturalSurface (profileFolding p) = notMeant
+  | profileSurface p /= naturalSurface (profileFolding p) = inapplicable
   | otherwise = do
     proof <- answer known (Prove mask)
     case proofRank proof of
@@ -155,7 +155,7 @@ apart known mask = do
         (Distance mask)
         (if r < degreeOf (knownProfile known) then 0 else max 1 d)
         ((d == 0) == (r < degreeOf (knownProfile known)))
-    Nothing -> notMeant
+    Nothing -> inapplicable
 
 invalidLaws :: [Law Known]
 invalidLaws =

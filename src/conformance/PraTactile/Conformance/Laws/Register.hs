@@ -118,7 +118,7 @@ placed what sentence reason change =
       let (shift@(x, y), pair) = change (pressChange press) (pressed press)
           wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
           fits came = registeredReason came == Nothing && near 0.5 shift (registeredBest came)
-       in if telling pair shift then asking pair wanted fits reason else pure NotMeant
+       in if telling pair shift then asking pair wanted fits reason else pure Inapplicable
 
 -- | Where all of this is from.
 theCut :: String
@@ -138,7 +138,7 @@ refusal what sentence reason scene =
   law OnRegister what [OfRegister] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
       case scene press of
-        Nothing -> pure NotMeant
+        Nothing -> pure Inapplicable
         Just (pair, wanted, fits) ->
           asking pair wanted (\c -> registeredReason c == registeredReason wanted && fits c) reason
 

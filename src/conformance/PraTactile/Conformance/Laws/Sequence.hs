@@ -149,7 +149,7 @@ ofPeriod what sentence distances held =
             question
             (either (const []) id (expected known question))
             (length got == fromIntegral (periodOf p) && held known d got)
-        else notMeant
+        else inapplicable
 
 index :: Codec Natural
 index = natural

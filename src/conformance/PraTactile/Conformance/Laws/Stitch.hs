@@ -152,7 +152,7 @@ found what sentence reason most before change =
           fits came = length came == length errors && alike most errors came
        in if allTelling truth
             then judge question (Right errors) fits "the scene" reason <$> ask question
-            else pure NotMeant
+            else pure Inapplicable
   where
     real (x, y) = (fromInteger x, fromInteger y)
 

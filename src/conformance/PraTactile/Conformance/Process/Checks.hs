@@ -89,7 +89,7 @@ noneInForce limits session = case startedQuestions session of
       first <- reply child
       second <- reply child
       case (first, second) of
-        (Right _, Right (CameRefused _)) -> do
+        (Right _, Right (ResponseRefused _)) -> do
           send child (requestLine (runRequest 1 question))
           reply child
         (Right _, Right other) -> pure (Right other)
@@ -97,8 +97,8 @@ noneInForce limits session = case startedQuestions session of
         (_, Left why) -> pure (Left why)
     pure $ case came of
       Left why -> CheckErred requests why
-      Right (CameErrored _) -> CheckHeld
-      Right other -> CheckFailed requests (CameErrored "no profile is in force") other
+      Right (ResponseErrored _) -> CheckHeld
+      Right other -> CheckFailed requests (ResponseErrored "no profile is in force") other
   where
     impossible = canonicalProfile {profileOrder = 6}
     reply child = do
@@ -122,8 +122,8 @@ oneShotChecks limits command =
     request = unknownRequest canonicalProfile
     judged came = case replyCame <$> came of
       Left why -> CheckErred [request] why
-      Right (CameSkipped _) -> CheckHeld
-      Right other -> CheckFailed [request] (CameSkipped "not known") other
+      Right (ResponseSkipped _) -> CheckHeld
+      Right other -> CheckFailed [request] (ResponseSkipped "not known") other
 
 -- | A one-shot request for what is no operation.
 unknownRequest :: Profile -> Value

@@ -23,7 +23,7 @@ import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
 
 -- | Ask one question, or whether the profile is possible.
-oneShot :: Limits -> Command -> Profile -> Maybe (Int, SomeQuestion) -> IO (Either Fault Came)
+oneShot :: Limits -> Command -> Profile -> Maybe (Int, SomeQuestion) -> IO (Either Fault Response)
 oneShot limits command profile asked = do
   answered <- runOnce limits command (oneShotRequest profile asked)
   pure (answered >>= named)
@@ -92,5 +92,5 @@ offeredOneShot limits command profile = do
           Left why | faultKind why == CannotStart -> pure []
           _ -> sampled others
     skips reply = case reply of
-      Right (CameSkipped _) -> True
+      Right (ResponseSkipped _) -> True
       _ -> False

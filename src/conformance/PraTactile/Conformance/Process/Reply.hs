@@ -84,7 +84,7 @@ requestLine request = encode request <> "\n"
 -- | A reply, with the number that it repeats, if it has one.
 data Reply = Reply
   { replySequence :: Maybe Integer,
-    replyCame :: Came
+    replyCame :: Response
   }
 
 -- | A line as a reply: an object with exactly one of the four keys. Refuses what is no JSON, and
@@ -102,10 +102,10 @@ readReply line = readObject line >>= reply
     kinds = ["result", "refused", "skipped", "errored"]
     names = "result, refused, skipped, errored"
     kind key value = case (key, value) of
-      ("result", _) -> Right (CameResult value)
-      ("refused", String why) -> Right (CameRefused (Text.unpack why))
-      ("skipped", String why) -> Right (CameSkipped (Text.unpack why))
-      (_, String why) | key /= "result" -> Right (CameErrored (Text.unpack why))
+      ("result", _) -> Right (ResponseResult value)
+      ("refused", String why) -> Right (ResponseRefused (Text.unpack why))
+      ("skipped", String why) -> Right (ResponseSkipped (Text.unpack why))
+      (_, String why) | key /= "result" -> Right (ResponseErrored (Text.unpack why))
       _ -> notReply line ("has a " ++ Key.toString key ++ " that is no text")
 
 -- | What a subject says of itself.

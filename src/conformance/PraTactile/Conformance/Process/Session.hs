@@ -99,7 +99,7 @@ current session = do
       profile <- readIORef (sessionProfile session)
       case (started, child) of
         (Right _, Just one) -> do
-          again <- maybe (pure (Right (CameErrored ""))) (profileOn session one) profile
+          again <- maybe (pure (Right (ResponseErrored ""))) (profileOn session one) profile
           either (failed session) (const (pure (Right one))) again
         (Left fault, _) -> failed session fault
         _ -> failed session (Fault CannotStart "it has ended")
@@ -108,7 +108,7 @@ failed :: Session -> Fault -> IO (Either Fault a)
 failed session fault = Left fault <$ letGo (sessionChild session)
 
 -- | Put a profile in force; what came.
-putProfile :: Session -> Profile -> IO (Either Fault Came)
+putProfile :: Session -> Profile -> IO (Either Fault Response)
 putProfile session profile = do
   child <- current session
   came <- either (pure . Left) (\one -> profileOn session one profile) child
@@ -116,17 +116,17 @@ putProfile session profile = do
   either (failed session) (pure . Right) came
   where
     inForce came = case came of
-      Right (CameResult _) -> True
+      Right (ResponseResult _) -> True
       _ -> False
 
-profileOn :: Session -> Child -> Profile -> IO (Either Fault Came)
+profileOn :: Session -> Child -> Profile -> IO (Either Fault Response)
 profileOn session child profile = do
   send child (requestLine (profileRequest profile))
   line <- awaitLine child (limitReply (sessionLimits session))
   either (fmap Left . flooded child 1) (pure . Right) (line >>= fmap replyCame . readReply)
 
 -- | Ask questions; their replies in order, up to the first fault.
-askAll :: Session -> [SomeQuestion] -> IO [Either Fault Came]
+askAll :: Session -> [SomeQuestion] -> IO [Either Fault Response]
 askAll session questions = do
   (came, fault) <- exchangeAgain (startedInFlight (sessionStarted session)) questions
   case fault of
@@ -149,7 +149,7 @@ askAll session questions = do
       pure (came, fault)
 
 -- | Ask, with so many requests at most that wait for their replies.
-exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Came], Maybe Fault)
+exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Response], Maybe Fault)
 exchange session child window questions = do
   first <- readIORef (sessionNext session)
   let count = length questions
@@ -173,7 +173,7 @@ exchange session child window questions = do
             pure (reverse came, Just why)
 
 -- | A line as the reply to the request of this number.
-answerTo :: Int -> ByteString -> Either Fault Came
+answerTo :: Int -> ByteString -> Either Fault Response
 answerTo number line = do
   reply <- readReply line
   case replySequence reply of

@@ -67,8 +67,8 @@ counterexampleValue counter =
     ]
 
 -- | A reply as it stands in the protocol.
-cameValue :: Came -> Value
-cameValue came = let (name, value) = cameItem came in object [name .= value]
+cameValue :: Response -> Value
+cameValue came = let (name, value) = responseItem came in object [name .= value]
 
 faultValue :: Fault -> Value
 faultValue fault =

@@ -5,7 +5,7 @@ module PraTactile.Conformance.Report.Words
     failureText,
     summaryLine,
     valueText,
-    cameText,
+    responseText,
   )
 where
 
@@ -111,8 +111,8 @@ counterItems :: (String -> String) -> Maybe String -> Counterexample -> [(String
 counterItems again likely counter =
   concat
     [ zip ("asked" : repeat "then") (map requestText (counterRequests counter)),
-      [("yours", either faultText cameText (counterGot counter))],
-      [(side, cameText came) | Just came <- [counterExpected counter]],
+      [("yours", either faultText responseText (counterGot counter))],
+      [(side, responseText came) | Just came <- [counterExpected counter]],
       [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
       [("why", counterReason counter)],
       [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
@@ -136,12 +136,12 @@ requestText request = case request of
     longer = cut 600 . whole
 
 -- | What came, in words.
-cameText :: Came -> String
-cameText came = case came of
-  CameResult value -> valueText value
-  CameRefused why -> "refused: " ++ why
-  CameSkipped why -> "skipped: " ++ why
-  CameErrored why -> "errored: " ++ why
+responseText :: Response -> String
+responseText came = case came of
+  ResponseResult value -> valueText value
+  ResponseRefused why -> "refused: " ++ why
+  ResponseSkipped why -> "skipped: " ++ why
+  ResponseErrored why -> "errored: " ++ why
 
 faultText :: Fault -> String
 faultText fault = faultName (faultKind fault) ++ ": " ++ faultDetail fault

@@ -79,14 +79,14 @@ inForce (Worker subject held) work act = case workProfile work of
         pure (blank work) {lawReportOutcome = Errored, lawReportCounterexample = Just shown}
 
 -- | What came, unless the profile is in force.
-notInForce :: Profile -> Either Fault Came -> Maybe Counterexample
+notInForce :: Profile -> Either Fault Response -> Maybe Counterexample
 notInForce profile came = case came of
-  Right (CameResult (Bool True)) -> Nothing
+  Right (ResponseResult (Bool True)) -> Nothing
   _ ->
     Just
       ( counterexample
           [profileRequest profile]
-          (Just (CameResult (Bool True)))
+          (Just (ResponseResult (Bool True)))
           "the definition"
           came
           "the profile names an array, so that it can be put in force"
@@ -125,7 +125,7 @@ reportOf suite work tried = case triedFailure tried of
 outcomeOf :: Trouble -> Outcome
 outcomeOf trouble = case trouble of
   Wrong _ -> Failed
-  Broke _ _ (Right (CameSkipped _)) -> Failed
+  Broke _ _ (Right (ResponseSkipped _)) -> Failed
   Broke _ _ (Left fault) | faultKind fault == WrongType -> Failed
   Broke {} -> Errored
 
@@ -141,11 +141,11 @@ counterexampleOf work failure =
       Wrong violation ->
         counterexample
           (requestsOf (violationAsked violation))
-          (Just (cameOf (violationExpected violation)))
+          (Just (responseOf (violationExpected violation)))
           (violationRoad violation)
           ( case reverse (violationAsked violation) of
-              Exchange _ _ reply : _ -> Right (cameOf reply)
-              [] -> Right (CameErrored "nothing was asked")
+              Exchange _ _ reply : _ -> Right (responseOf reply)
+              [] -> Right (ResponseErrored "nothing was asked")
           )
           (violationReason violation)
       Broke before what came ->
@@ -156,16 +156,16 @@ counterexampleOf work failure =
           came
           (reasonFor came)
     answerTo what = case what of
-      AskedQuestion question -> cameOf <$> workAnswer work question
+      AskedQuestion question -> responseOf <$> workAnswer work question
       AskedProfile _ -> Nothing
     requestOf i what = case what of
       AskedQuestion question -> runRequest i question
       AskedProfile profile -> profileRequest profile
 
 -- | Why what came is no answer.
-reasonFor :: Either Fault Came -> String
+reasonFor :: Either Fault Response -> String
 reasonFor came = case came of
-  Right (CameSkipped _) -> "what is offered is answered or refused, not skipped"
+  Right (ResponseSkipped _) -> "what is offered is answered or refused, not skipped"
   Right _ -> "an error of the subject is no answer"
   Left fault | faultKind fault == WrongType -> "the result has another type"
   Left _ -> "a request has one reply, within the time limit"

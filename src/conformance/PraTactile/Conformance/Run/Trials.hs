@@ -30,7 +30,7 @@ import PraTactile.Profile (Profile)
 data Trouble
   = Wrong Violation
   | -- | After these exchanges this was asked, and that came, which is no answer.
-    Broke [Exchange] Asked (Either Fault Came)
+    Broke [Exchange] Asked (Either Fault Response)
   deriving stock (Show)
 
 -- | What was asked.
@@ -121,7 +121,7 @@ settle :: Either (Int, Trouble) Active -> State -> State
 settle fate state = case fate of
   Left (i, why) -> blamed i why
   Right (Active i _ (Done verdict)) -> case verdict of
-    NotMeant -> state
+    Inapplicable -> state
     Holds -> counted i state
     Violated violation ->
       (counted i (blamed i (Wrong violation)))
@@ -135,7 +135,7 @@ settle fate state = case fate of
       | otherwise = state
 
 -- | What the first trials ask next, asked; the replies up to the first fault.
-asked :: Subject -> [Active] -> IO [Either Fault Came]
+asked :: Subject -> [Active] -> IO [Either Fault Response]
 asked subject trials = case trials of
   Active _ _ (Opening profile _) : _ -> (: []) <$> subjectProfile subject profile
   _ -> subjectAsk subject (questions trials)
@@ -145,21 +145,21 @@ asked subject trials = case trials of
       _ -> []
 
 -- | A trial with the reply to what it asked.
-fed :: Active -> Either Fault Came -> Either (Int, Trouble) Active
+fed :: Active -> Either Fault Response -> Either (Int, Trouble) Active
 fed (Active i before trial) reply = case trial of
   Done _ -> Right (Active i before trial)
   Opening profile continue -> case reply of
-    Right (CameResult (Bool True)) ->
+    Right (ResponseResult (Bool True)) ->
       on Nothing (profileValue profile) (Result (Bool True)) (continue (Right ()))
-    Right (CameRefused why) ->
+    Right (ResponseRefused why) ->
       on Nothing (profileValue profile) (RefusedFor why) (continue (Left (Refusal why)))
-    Right (CameResult value) -> broken (AskedProfile profile) (Left (wrongType value))
+    Right (ResponseResult value) -> broken (AskedProfile profile) (Left (wrongType value))
     _ -> broken (AskedProfile profile) reply
   Asking question continue -> case reply of
-    Right (CameResult value) -> case readAnswer question value of
+    Right (ResponseResult value) -> case readAnswer question value of
       Just answer -> onward question (Result value) (continue (Right answer))
       Nothing -> broken (AskedQuestion (SomeQuestion question)) (Left (wrongType value))
-    Right (CameRefused why) -> onward question (RefusedFor why) (continue (Left (Refusal why)))
+    Right (ResponseRefused why) -> onward question (RefusedFor why) (continue (Left (Refusal why)))
     _ -> broken (AskedQuestion (SomeQuestion question)) reply
   where
     broken what came = Left (i, Broke (reverse before) what came)
