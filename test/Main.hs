@@ -2,6 +2,8 @@
 module Main (main) where
 
 import System.IO (BufferMode (LineBuffering), hSetBuffering, stdout)
+import qualified Test.App.AssembliesDrawn
+import qualified Test.App.RecognitionsDrawn
 import qualified Test.Code.Array.AdviceByVisiting
 import qualified Test.Code.Array.CellsOfTheFold
 import qualified Test.Code.Array.FoldingsByWalking
@@ -81,7 +83,6 @@ import qualified Test.Conformance.Wire.Forms
 import qualified Test.Conformance.Wire.Lines
 import qualified Test.Documents
 import qualified Test.Examples
-import qualified Test.Explorations
 import qualified Test.Formats
 import qualified Test.Formats.CensusFile
 import qualified Test.Formats.Json
@@ -94,10 +95,6 @@ import qualified Test.House
 import Test.Hspec (Spec, describe)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
 import qualified Test.Limits
-import qualified Test.Object.Placement
-import qualified Test.Object.WingedEdge
-import qualified Test.Picture
-import qualified Test.PictureAssembly
 import qualified Test.Readme
 import qualified Test.Recognise
 import qualified Test.RecogniseAngle
@@ -108,10 +105,14 @@ import qualified Test.RecogniseGrid
 import qualified Test.RecognisePosterior
 import qualified Test.RecogniseReading
 import qualified Test.RecogniseSteps
+import qualified Test.Recognition.AnswersBesideTruth
+import qualified Test.Recognition.ExplorationsAndTrials
+import qualified Test.Recognition.FromBytesToAnswers
+import qualified Test.Recognition.Object.FacesOnTheArray
+import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.WhereItIsPressed
 import qualified Test.Schemas
 import qualified Test.Simulation.RatesBesideExact
-import qualified Test.Source
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
@@ -154,7 +155,6 @@ import qualified Test.Touch.StitchParts
 import qualified Test.Touch.StitchRegister
 import qualified Test.Touch.StitchSearch
 import qualified Test.Touch.StitchWays
-import qualified Test.Truth
 
 main :: IO ()
 main = do
@@ -246,8 +246,8 @@ specs = do
     describe "Training step by step" Test.Touch.Classification.DescentByRule.spec
     describe "Training images and parts" Test.Touch.Classification.SpecimensOfEachKind.spec
   describe "Objects" $ do
-    describe "Winged edges" Test.Object.WingedEdge.spec
-    describe "Placement" Test.Object.Placement.spec
+    describe "Winged edges" Test.Recognition.Object.SolidsAreClosed.spec
+    describe "Placement" Test.Recognition.Object.FacesOnTheArray.spec
   describe "Store" Test.Store.RowsAndGuards.spec
   describe "Store" Test.Store.Target.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
@@ -261,9 +261,9 @@ specs = do
   describe "Recognition: what is found" Test.RecogniseFinding.spec
   describe "Recognition by Bayes' theorem" Test.RecognisePosterior.spec
   describe "Recognition of grids built by hand" Test.RecogniseEvidence.spec
-  describe "Explorations and trials" Test.Explorations.spec
+  describe "Explorations and trials" Test.Recognition.ExplorationsAndTrials.spec
   describe "Where it is pressed" Test.Recognition.WhereItIsPressed.spec
-  describe "Truths" Test.Truth.spec
+  describe "Truths" Test.Recognition.AnswersBesideTruth.spec
   describe "Formats" Test.Formats.spec
   describe "Formats: keys given twice" Test.Formats.Json.spec
   describe "Formats: rates" Test.Formats.Rates.spec
@@ -271,9 +271,9 @@ specs = do
   describe "Formats: reports of answers" Test.Formats.Reports.spec
   describe "Formats: values" Test.Formats.Values.spec
   describe "Formats: census files" Test.Formats.CensusFile.spec
-  describe "Pictures" Test.Picture.spec
-  describe "Pictures of assemblies" Test.PictureAssembly.spec
-  describe "Sources" Test.Source.spec
+  describe "Pictures" Test.App.RecognitionsDrawn.spec
+  describe "Pictures of assemblies" Test.App.AssembliesDrawn.spec
+  describe "Sources" Test.Recognition.FromBytesToAnswers.spec
   describe "Limits" Test.Limits.spec
   describe "README" Test.Readme.spec
   describe "Conformance laws on this library" Test.Conformance.Laws.spec

@@ -10,7 +10,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Relation
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
-import Test.Object.Support
+import Test.Recognition.Object.Support
 
 -- What may not be written into a store, and the answer.
 contradictions :: [(String, Text, StoreError)]

@@ -51,8 +51,8 @@ import System.IO.Error
     userErrorType,
   )
 import Test.Hspec
-import Test.Object.Support
 import Test.QuickCheck
+import Test.Recognition.Object.Support
 import Test.Store.Damage
 import Test.Store.Digest
 

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
-module Test.Object.WingedEdge (spec) where
+module Test.Recognition.Object.SolidsAreClosed (spec) where
 
 import Data.Foldable (for_)
 import Data.List (nub, sort)
@@ -8,9 +8,9 @@ import PraTactile.Object.Description (cyclicPairs, rotations)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
-import Test.Object.Mutations
-import Test.Object.Support
 import Test.QuickCheck
+import Test.Recognition.Object.MistakenSolids
+import Test.Recognition.Object.Support
 
 spec :: Spec
 spec = describe "winged-edge models" $ do

@@ -1,6 +1,6 @@
 -- | Explorations and what comes of them: regions, presses, trials and their counts, each against
 -- its definition.
-module Test.Explorations (spec) where
+module Test.Recognition.ExplorationsAndTrials (spec) where
 
 import Data.Foldable (for_)
 import Data.List (genericLength, nub, unfoldr)

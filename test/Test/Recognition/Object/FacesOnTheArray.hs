@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
-module Test.Object.Placement (spec) where
+module Test.Recognition.Object.FacesOnTheArray (spec) where
 
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
@@ -10,8 +10,8 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
-import Test.Object.Support
 import Test.QuickCheck
+import Test.Recognition.Object.Support
 
 spec :: Spec
 spec = describe "placement" $ do

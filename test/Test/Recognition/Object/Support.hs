@@ -1,6 +1,6 @@
 -- | What the tests of objects share: the canonical layout, written down a second time from its
 -- definition, in whole micrometres and by cells, and nothing of the code under test but the names.
-module Test.Object.Support
+module Test.Recognition.Object.Support
   ( -- * Expectations
     module Test.Support,
     theCube,

@@ -2,7 +2,7 @@
 
 -- | Pictures of recognitions: where things are drawn, from the geometry of faces, regions and
 -- composites.
-module Test.Picture (spec) where
+module Test.App.RecognitionsDrawn (spec) where
 
 import qualified Data.ByteString.Lazy.Char8 as Lazy8
 import Data.Foldable (for_)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Descriptions of solids, and mistakes in them.
-module Test.Object.Mutations
+module Test.Recognition.Object.MistakenSolids
   ( mutations,
     cubeDescription,
     tetrahedron,

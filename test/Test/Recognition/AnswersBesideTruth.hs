@@ -1,5 +1,5 @@
 -- | Where a point that the robot touched truly is, and answers compared with that.
-module Test.Truth (spec) where
+module Test.Recognition.AnswersBesideTruth (spec) where
 
 import PraTactile.Explore
 import PraTactile.Object.Canonical (canonicalPitch)

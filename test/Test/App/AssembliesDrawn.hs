@@ -2,7 +2,7 @@
 
 -- | Pictures of how frames were put together: every frame where it was said to be, and where it was
 -- found.
-module Test.PictureAssembly (spec) where
+module Test.App.AssembliesDrawn (spec) where
 
 import Data.List (isInfixOf)
 import Data.Text (Text)

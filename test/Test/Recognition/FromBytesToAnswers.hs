@@ -1,5 +1,5 @@
 -- | From bytes to frames and recognition, and the reading of folders.
-module Test.Source (spec) where
+module Test.Recognition.FromBytesToAnswers (spec) where
 
 import Control.Exception (IOException, try)
 import Control.Monad (filterM, forM_)
