@@ -56,7 +56,7 @@ library =
 -- | A session with one array. Patches are looked up in the memory table, or, where windows have so
 -- many possible contents that there is none, compared with every position; that refuses arrays of
 -- very many cells.
-session :: forall k. KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
+session :: KnownField k => Profile -> PseudorandomArray k -> Mask -> Wire Session
 session p array mask
   | possible TableDecoder = pure (sessionBy TableDecoder)
   | area (arrayShape array) <= largestSearchedArray = pure (sessionBy SearchDecoder)

@@ -152,8 +152,8 @@ drawings =
       ]
     found = Label 5 "one position" (\_ one came -> positionsOf one came == 1)
     several = Label 3 "several positions" (\_ one came -> positionsOf one came > 1)
-    felt = [Label 100 "every cell felt" (\_ one _ -> notElem Nothing (concat (patchOf one)))]
-    unfelt = Label 20 "a cell not felt" (\_ one _ -> elem Nothing (concat (patchOf one)))
+    felt = [Label 100 "every cell felt" (\_ one _ -> Nothing `notElem` concat (patchOf one))]
+    unfelt = Label 20 "a cell not felt" (\_ one _ -> Nothing `elem` concat (patchOf one))
     refused percent name = Label percent name (\_ _ came -> reasonIs name came)
     reasonIs :: String -> Either Refusal a -> Bool
     reasonIs name = either ((== name) . refusalReason) (const False)

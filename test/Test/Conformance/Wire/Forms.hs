@@ -121,7 +121,7 @@ spec = do
 -- | One of each operation at least, with numbers that no double has.
 questions :: [SomeQuestion]
 questions =
-  (map exampleOf [minBound ..])
+  map exampleOf [minBound ..]
     ++ [ SomeQuestion (Add large 0),
          SomeQuestion (Power 2 (-large')),
          SomeQuestion (Primitive []),
