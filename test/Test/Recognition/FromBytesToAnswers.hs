@@ -10,7 +10,8 @@ import Data.Either (isRight)
 import Data.List (isPrefixOf)
 import qualified Data.Map.Strict as Map
 import PraTactile
-import PraTactile.Decode (sourceComposite)
+import PraTactile.Composite.Noise (frameNoise)
+import PraTactile.Decode (nominalStitching, sourceComposite)
 import PraTactile.Files
 import PraTactile.Format (FormatError (..), JsonError (..), folderFiles)
 import PraTactile.Image (constant, generate)
@@ -20,7 +21,8 @@ import PraTactile.Object.Placement (Face (..), Placement (..), spotMillimetres)
 import PraTactile.Object.WingedEdge (ObjectName (..), faceText, vertexText)
 import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
-import PraTactile.Registration (compositePosition)
+import PraTactile.Registration (Registration (..), compositePosition)
+import PraTactile.Registration.Stitching (registrationFor)
 import PraTactile.Sensor (Sensor (..), sensorLayout, standardSensor, withTaxel)
 import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
 import PraTactile.Sensor.Frame (Layout (..), standardLayout, taxelPitch)
@@ -134,6 +136,21 @@ preparedSpec = do
     folder <- right (folderOf (map stuck [0 .. 5]))
     fmap (map frameDead) (preparedFrames asStated folder) `shouldBe` Right (replicate 6 [(2, 5)])
     fmap (map frameDead) (folderFrames folder) `shouldBe` Right (replicate 6 [])
+  it "registration supposes the errors stated, a hundredth of a taxel at least" $
+    forAll ((,) <$> few genFrame <*> choose (0.02, 3)) $ \(frames, sigma) -> do
+      let told error' noise =
+            registrationFor
+              standardStitching {stitchingPositionError = error', stitchingNoise = Just noise}
+              frames
+          with error' noise =
+            standardRegistration {registrationSigma = error', registrationNoise = noise}
+      conjoin
+        [ told sigma 0.3 === with sigma 0.3,
+          told 0 0 === with 0.01 0,
+          told (-1) 0 === with (-1) 0,
+          registrationFor standardStitching frames === with 1 (frameNoise (map frameImage frames)),
+          registrationFor nominalStitching frames === standardRegistration
+        ]
   where
     -- Too few for elements to be known as stuck.
     few gen = choose (1, 5) >>= (`vectorOf` gen)
