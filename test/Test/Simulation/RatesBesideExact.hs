@@ -39,7 +39,8 @@ spec = do
     let judged name array size damage = do
           setup <- right (trialSetup array size)
           let drawn = take 150 (trialsOf setup damage 5)
-              located = decodeByLocate (locator Nothing MostSignificantFirst array window)
+              by decoder = locator (Just decoder) MostSignificantFirst array window
+              located = decodeByLocate by
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
               let TrialResult a b doubt = decodeTrial radius setup trial

@@ -39,25 +39,27 @@ data TrialResult = TrialResult
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | By 'locate', asked about the likeliest symbols and about the probabilities. 'Nothing' where a
--- question is refused.
+-- | By 'locate', asked about the likeliest symbols of a locator that looks for the nearest position,
+-- and about the probabilities of one that has the posterior, both given by the decoder's name.
+-- 'Nothing' where a question is refused.
 decodeByLocate ::
   forall k.
   KnownField k =>
-  Locator k ->
+  (DecoderName -> Locator k) ->
   Radius ->
   TrialSetup k ->
   Trial ->
   Maybe TrialResult
-decodeByLocate theLocator radius setup trial = do
+decodeByLocate by radius setup trial = do
   beliefs <-
     traverse
       (traverse reading)
       (chunked (fromIntegral (columns (setupShape setup))) [0 .. setupCells setup - 1])
       >>= rightOnly . patch
-  hard <- rightOnly (locate theLocator (query (Symbol . likeliest <$> beliefs)))
+  hard <- rightOnly (locate (by NearestDecoder) (query (Symbol . likeliest <$> beliefs)))
   soft <-
-    rightOnly (locate theLocator (query (Probabilities <$> beliefs))) >>= answerPosterior
+    rightOnly (locate (by PosteriorDecoder) (query (Probabilities <$> beliefs)))
+      >>= answerPosterior
   pure
     TrialResult
       { resultHard = case answerOutcome hard of
