@@ -4,8 +4,10 @@
 module Test.Touch.StitchJoint (spec) where
 
 import Control.Monad (forM)
+import Data.List (maximumBy)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
@@ -116,7 +118,15 @@ optionSpec =
         ]
 
 consensusSpec :: Spec
-consensusSpec =
+consensusSpec = do
+  it "two frames that go on changing their minds together are stopped after five sweeps" $ do
+    -- Each begins at one of two displacements of which the other frame's suits the other one.
+    let either' first second =
+          [ Displacement (0, 0) first [(1, Unboxed.fromList [10, 0, 0])],
+            Displacement (4, 0) second [(1, Unboxed.fromList [0, 10, 0])]
+          ]
+        likeliest = map (displacementShift . fst . maximumBy (comparing snd))
+    likeliest (meanField [either' 1 0, either' 0 1]) `shouldBe` [(4, 0), (0, 0)]
   it "frames weigh their displacements by what all others say, until none changes its mind" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
       let found = meanField (map (map option) frames)
