@@ -14,7 +14,7 @@ where
 import Data.Aeson (Value)
 import Data.Bits (xor)
 import Data.Char (ord)
-import Data.List (foldl', nub)
+import Data.List (foldl', nub, (\\))
 import PraTactile.Conformance.Ask
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Run.Trials
@@ -86,7 +86,9 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
       | otherwise = do
         came <- search' (map trial (take left later))
         case searchTrouble came of
-          Just (i, Wrong _) -> goOn (left - i - 1) (wrong ++ searchWrong came) (drop (i + 1) later)
+          Just (i, Wrong _) ->
+            let others = nub (searchWrong came) \\ wrong
+             in goOn (left - i - 1) (take mostWrong (others ++ wrong)) (drop (i + 1) later)
           _ -> pure wrong
     -- Draws of which the law says nothing are made good by others, up to ten for each case.
     drawing count draws
@@ -107,7 +109,7 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
         came <- search' (map trial candidates)
         case searchTrouble came of
           Just (i, why') ->
-            let wrong' = take 256 (wrong ++ searchWrong came)
+            let wrong' = take mostWrong (wrong ++ searchWrong came)
              in shrunk smaller (steps + 1) (candidates !! i) (why', wrong')
           Nothing -> pure (failed a)
       where

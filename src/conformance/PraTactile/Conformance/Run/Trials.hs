@@ -6,6 +6,7 @@
 module PraTactile.Conformance.Run.Trials
   ( search,
     Search (..),
+    mostWrong,
     Trouble (..),
     Asked (..),
   )
@@ -49,6 +50,10 @@ data Search = Search
     -- | What was asked in those that violate the law, as far as they were tried.
     searchWrong :: [[Exchange]]
   }
+
+-- | Of how many trials that violate a law what was asked is kept at most.
+mostWrong :: Int
+mostWrong = 256
 
 -- | A trial that goes on: what was asked in it, the last first, and what it asks next.
 data Active = Active Int [Exchange] (Ask Verdict)
@@ -125,7 +130,7 @@ settle fate state = case fate of
     Holds -> counted i state
     Violated violation ->
       (counted i (blamed i (Wrong violation)))
-        { violations = take 256 ((i, violationAsked violation) : violations state)
+        { violations = take mostWrong ((i, violationAsked violation) : violations state)
         }
   Right going -> state {active = going : active state}
   where
