@@ -39,9 +39,9 @@ data TrialResult = TrialResult
 data HardAnswer = Correct | Mistaken | NoAnswer
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | By 'locate', asked about the likeliest symbols of a locator that looks for the nearest position,
--- and about the probabilities of one that has the posterior, both given by the decoder's name.
--- 'Nothing' where a question is refused.
+-- | By 'locate', asked about the likeliest symbols of a locator that looks for the nearest
+-- position, and about the probabilities of one that has the posterior, both given by the decoder's
+-- name. 'Nothing' where a question is refused.
 decodeByLocate ::
   forall k.
   KnownField k =>
