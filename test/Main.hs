@@ -19,19 +19,18 @@ import qualified Test.Code.Field.ExtensionModuloH
 import qualified Test.Code.Field.FactsFromElsewhere
 import qualified Test.Code.Field.StructureByDefinition
 import qualified Test.Code.LinearCode.AllCodewords
-import qualified Test.Code.Locate
-import qualified Test.Code.LocateBounded
-import qualified Test.Code.LocateBulk
-import qualified Test.Code.LocateChance
-import qualified Test.Code.LocateChoice
-import qualified Test.Code.LocateContents
-import qualified Test.Code.LocateDefinition
-import qualified Test.Code.LocateForeign
-import qualified Test.Code.LocateJoint
-import qualified Test.Code.LocateNearest
-import qualified Test.Code.LocateOrientation
-import qualified Test.Code.LocateProbabilities
-import qualified Test.Code.LocateRates
+import qualified Test.Code.Locate.ByInformationSets
+import qualified Test.Code.Locate.ByMemoryTable
+import qualified Test.Code.Locate.ChanceByEnumeration
+import qualified Test.Code.Locate.EveryContent
+import qualified Test.Code.Locate.EveryDecoderAsDefined
+import qualified Test.Code.Locate.EveryPatternOfErrors
+import qualified Test.Code.Locate.ForeignPatches
+import qualified Test.Code.Locate.InBulkAsOneByOne
+import qualified Test.Code.Locate.ProbabilitiesByBayes
+import qualified Test.Code.Locate.SeveralPatches
+import qualified Test.Code.Locate.UnknownOrientation
+import qualified Test.Code.Locate.WhichDecoder
 import qualified Test.Code.Polynomial.OrderAndCount
 import qualified Test.Code.Polynomial.RingAndOrders
 import qualified Test.Code.Profile.DoorToArrays
@@ -96,43 +95,53 @@ import Test.Hspec (Spec, describe)
 import Test.Hspec.Runner (Config (..), defaultConfig, hspecWith)
 import qualified Test.Limits
 import qualified Test.Readme
-import qualified Test.Recognise
-import qualified Test.RecogniseAngle
-import qualified Test.RecogniseDamage
-import qualified Test.RecogniseEvidence
-import qualified Test.RecogniseFinding
-import qualified Test.RecogniseGrid
-import qualified Test.RecognisePosterior
-import qualified Test.RecogniseReading
-import qualified Test.RecogniseSteps
 import qualified Test.Recognition.AnswersBesideTruth
+import qualified Test.Recognition.AnyAngle
+import qualified Test.Recognition.DamagedOnPurpose
+import qualified Test.Recognition.EvidenceByConstruction
 import qualified Test.Recognition.ExplorationsAndTrials
 import qualified Test.Recognition.FromBytesToAnswers
+import qualified Test.Recognition.FromImageToFace
+import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.SolidsAreClosed
+import qualified Test.Recognition.PosteriorByBruteForce
+import qualified Test.Recognition.SymbolsRead
+import qualified Test.Recognition.TiltAndWords
 import qualified Test.Recognition.WhereItIsPressed
+import qualified Test.Recognition.WindowsByDefinition
 import qualified Test.Schemas
 import qualified Test.Simulation.RatesBesideExact
+import qualified Test.Simulation.RatesOfAnswers
 import qualified Test.Store.RowsAndGuards
 import qualified Test.Store.Target
 import qualified Test.Tools
-import qualified Test.Touch.Blend
 import qualified Test.Touch.Classification.DescentByRule
 import qualified Test.Touch.Classification.EstimatesByPosterior
 import qualified Test.Touch.Classification.GradientByDifferences
 import qualified Test.Touch.Classification.NetworkByDefinition
 import qualified Test.Touch.Classification.SpecimensOfEachKind
+import qualified Test.Touch.Composite.BlendByDefinition
 import qualified Test.Touch.Composite.TiltByDefinition
-import qualified Test.Touch.Cosine
 import qualified Test.Touch.Image.PgmAgainstGrammar
 import qualified Test.Touch.Image.PgmBuiltAndMistaken
 import qualified Test.Touch.Image.PgmByTheManual
 import qualified Test.Touch.Image.RastersAndCorrelation
-import qualified Test.Touch.LatticeAngle
-import qualified Test.Touch.Pair
-import qualified Test.Touch.PairMatch
-import qualified Test.Touch.PairParts
-import qualified Test.Touch.RegistrationByDefinition
+import qualified Test.Touch.Registration.AngleByDefinition
+import qualified Test.Touch.Registration.ByDefinition
+import qualified Test.Touch.Registration.Contradictions
+import qualified Test.Touch.Registration.CosinesByDefinition
+import qualified Test.Touch.Registration.FrameByFrame
+import qualified Test.Touch.Registration.HypothesesAndNoise
+import qualified Test.Touch.Registration.JointByFormulas
+import qualified Test.Touch.Registration.LatticeAtAnyAngle
+import qualified Test.Touch.Registration.PairsAnswered
+import qualified Test.Touch.Registration.PairsInParts
+import qualified Test.Touch.Registration.PairsRefused
+import qualified Test.Touch.Registration.ResidualAndGroups
+import qualified Test.Touch.Registration.ScenesOfKnownTruth
+import qualified Test.Touch.Registration.SearchByDefinition
+import qualified Test.Touch.Registration.WhichWay
 import qualified Test.Touch.Segmentation.BoxesAndAxes
 import qualified Test.Touch.Segmentation.ClustersOfNeighbours
 import qualified Test.Touch.Segmentation.ForeignThingsFound
@@ -146,15 +155,6 @@ import qualified Test.Touch.Sensor.MeanHeights
 import qualified Test.Touch.Sensor.MotionsAndPlans
 import qualified Test.Touch.Sensor.PressesByClosedForm
 import qualified Test.Touch.Shape.DesignAndDistance
-import qualified Test.Touch.Stitch
-import qualified Test.Touch.StitchAgreement
-import qualified Test.Touch.StitchArrange
-import qualified Test.Touch.StitchJoint
-import qualified Test.Touch.StitchLattice
-import qualified Test.Touch.StitchParts
-import qualified Test.Touch.StitchRegister
-import qualified Test.Touch.StitchSearch
-import qualified Test.Touch.StitchWays
 
 main :: IO ()
 main = do
@@ -192,19 +192,21 @@ specs = do
     describe "Forged certificates" Test.Code.Certificate.ForgeriesRefused.spec
     describe "Census" Test.Code.Census.AllArraysOfASize.spec
     describe "Exhaustive proofs" Test.Code.Window.ProvedExhaustively.spec
-    describe "Locating" Test.Code.Locate.spec
-    describe "Locating in bulk" Test.Code.LocateBulk.spec
-    describe "The decoders on every content" Test.Code.LocateContents.spec
-    describe "Locating with damage" Test.Code.LocateNearest.spec
-    describe "Locating with errors and erasures on large arrays" Test.Code.LocateBounded.spec
-    describe "Chance" Test.Code.LocateChance.spec
-    describe "Locating: which decoder" Test.Code.LocateChoice.spec
-    describe "Locating from probabilities" Test.Code.LocateProbabilities.spec
-    describe "Unknown orientation" Test.Code.LocateOrientation.spec
-    describe "Every decoder is the definition" Test.Code.LocateDefinition.spec
-    describe "Several patches" Test.Code.LocateJoint.spec
-    describe "Foreign patches" Test.Code.LocateForeign.spec
-    describe "Rates of answers" Test.Code.LocateRates.spec
+    describe "Locating" Test.Code.Locate.ByMemoryTable.spec
+    describe "Locating in bulk" Test.Code.Locate.InBulkAsOneByOne.spec
+    describe "The decoders on every content" Test.Code.Locate.EveryContent.spec
+    describe "Locating with damage" Test.Code.Locate.EveryPatternOfErrors.spec
+    describe
+      "Locating with errors and erasures on large arrays"
+      Test.Code.Locate.ByInformationSets.spec
+    describe "Chance" Test.Code.Locate.ChanceByEnumeration.spec
+    describe "Locating: which decoder" Test.Code.Locate.WhichDecoder.spec
+    describe "Locating from probabilities" Test.Code.Locate.ProbabilitiesByBayes.spec
+    describe "Unknown orientation" Test.Code.Locate.UnknownOrientation.spec
+    describe "Every decoder is the definition" Test.Code.Locate.EveryDecoderAsDefined.spec
+    describe "Several patches" Test.Code.Locate.SeveralPatches.spec
+    describe "Foreign patches" Test.Code.Locate.ForeignPatches.spec
+    describe "Rates of answers" Test.Simulation.RatesOfAnswers.spec
     describe "Profiles" Test.Code.Profile.DoorToArrays.spec
   describe "Touch" $ do
     describe "Images" Test.Touch.Image.RastersAndCorrelation.spec
@@ -217,21 +219,25 @@ specs = do
     describe "The sensor's constants" Test.Touch.Sensor.ConstantsByClosedForm.spec
     describe "The sensor as a whole" Test.Touch.Sensor.PressesByClosedForm.spec
     describe "Calibration and other sensors" Test.Touch.Sensor.CalibrationUndoesGains.spec
-    describe "Stitching" $ Test.Touch.Stitch.spec >> Test.Touch.StitchLattice.spec
-    describe "Cosine transforms" Test.Touch.Cosine.spec
-    describe "What stitching is made of" Test.Touch.StitchParts.spec
-    describe "The search for a frame" Test.Touch.StitchSearch.spec
-    describe "What registration of pairs is made of" Test.Touch.PairParts.spec
-    describe "What is told of frames put together" Test.Touch.StitchArrange.spec
-    describe "Registration by its formulas" Test.Touch.RegistrationByDefinition.spec
-    describe "The angle of a lattice, by what frames tell" Test.Touch.LatticeAngle.spec
-    describe "Registration one frame after the other" Test.Touch.StitchRegister.spec
-    describe "What joint registration is made of" Test.Touch.StitchJoint.spec
-    describe "The ways to register frames" Test.Touch.StitchWays.spec
-    describe "Whether frames contradict each other" Test.Touch.StitchAgreement.spec
-    describe "Registration of pairs" Test.Touch.Pair.spec
-    describe "Registration of pairs as a whole" Test.Touch.PairMatch.spec
-    describe "Blending and growing" Test.Touch.Blend.spec
+    describe "Stitching" $ do
+      Test.Touch.Registration.ScenesOfKnownTruth.spec
+      Test.Touch.Registration.LatticeAtAnyAngle.spec
+    describe "Cosine transforms" Test.Touch.Registration.CosinesByDefinition.spec
+    describe "What stitching is made of" Test.Touch.Registration.HypothesesAndNoise.spec
+    describe "The search for a frame" Test.Touch.Registration.SearchByDefinition.spec
+    describe "What registration of pairs is made of" Test.Touch.Registration.PairsInParts.spec
+    describe "What is told of frames put together" Test.Touch.Registration.ResidualAndGroups.spec
+    describe "Registration by its formulas" Test.Touch.Registration.ByDefinition.spec
+    describe
+      "The angle of a lattice, by what frames tell"
+      Test.Touch.Registration.AngleByDefinition.spec
+    describe "Registration one frame after the other" Test.Touch.Registration.FrameByFrame.spec
+    describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
+    describe "The ways to register frames" Test.Touch.Registration.WhichWay.spec
+    describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
+    describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
+    describe "Registration of pairs as a whole" Test.Touch.Registration.PairsAnswered.spec
+    describe "Blending and growing" Test.Touch.Composite.BlendByDefinition.spec
     describe "Segmentation" Test.Touch.Segmentation.SymbolsWhereDrawn.spec
     describe "Symbols in clusters" Test.Touch.Segmentation.ClustersOfNeighbours.spec
     describe "Segmentation: foreign regions" Test.Touch.Segmentation.ForeignThingsFound.spec
@@ -252,15 +258,15 @@ specs = do
   describe "Store" Test.Store.Target.spec
   describe "Symmetry" Test.Common.SymmetryGroup.spec
   describe "Rates" Test.Simulation.RatesBesideExact.spec
-  describe "Recognition" Test.Recognise.spec
-  describe "Recognition at any angle" Test.RecogniseAngle.spec
-  describe "Recognition with damage" Test.RecogniseDamage.spec
-  describe "Recognition: grids, room and words" Test.RecogniseGrid.spec
-  describe "Recognition: what is read" Test.RecogniseReading.spec
-  describe "Recognition step by step" Test.RecogniseSteps.spec
-  describe "Recognition: what is found" Test.RecogniseFinding.spec
-  describe "Recognition by Bayes' theorem" Test.RecognisePosterior.spec
-  describe "Recognition of grids built by hand" Test.RecogniseEvidence.spec
+  describe "Recognition" Test.Recognition.FromImageToFace.spec
+  describe "Recognition at any angle" Test.Recognition.AnyAngle.spec
+  describe "Recognition with damage" Test.Recognition.DamagedOnPurpose.spec
+  describe "Recognition: grids, room and words" Test.Recognition.GridsAndRefusals.spec
+  describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec
+  describe "Recognition step by step" Test.Recognition.TiltAndWords.spec
+  describe "Recognition: what is found" Test.Recognition.WindowsByDefinition.spec
+  describe "Recognition by Bayes' theorem" Test.Recognition.PosteriorByBruteForce.spec
+  describe "Recognition of grids built by hand" Test.Recognition.EvidenceByConstruction.spec
   describe "Explorations and trials" Test.Recognition.ExplorationsAndTrials.spec
   describe "Where it is pressed" Test.Recognition.WhereItIsPressed.spec
   describe "Truths" Test.Recognition.AnswersBesideTruth.spec

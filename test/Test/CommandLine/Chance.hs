@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | What @locate@ and @decode@ say of their answers' worth, as scripts see it. That it is so is
--- tested in "Test.Code.LocateChance".
+-- tested in "Test.Code.Locate.ChanceByEnumeration".
 module Test.CommandLine.Chance (spec) where
 
 import Control.Monad (forM_)

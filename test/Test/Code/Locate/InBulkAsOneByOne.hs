@@ -1,0 +1,205 @@
+-- | The memory table in bulk says what the table and the search say.
+module Test.Code.Locate.InBulkAsOneByOne (spec) where
+
+import Control.Monad (forM_)
+import Data.Int (Int32)
+import Data.List (nub)
+import qualified Data.Map.Strict as Map
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import Data.Word (Word32)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Bulk
+import PraTactile.Locate.Definition
+import PraTactile.Window
+import Test.Code.Generators
+import Test.Code.Locate.EveryContent (smallArrays, toPatch)
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck (forAll, forAllShrink, ioProperty, (===))
+import qualified Test.QuickCheck as QuickCheck
+
+spec :: Spec
+spec = do
+  it "every packed window of every small array, surface and packing is as in the table" $
+    forM_ smallArrays $ \(q, n, shape, window) ->
+      overField q $ \(k :: Proxy k) -> do
+        h <- firstOver k n
+        m <- right (rectangle window)
+        forM_
+          [ (folding, surface, packing)
+            | folding <- [Diagonal, RowMajor],
+              surface <- [minBound .. maxBound],
+              packing <- [minBound .. maxBound]
+          ]
+          $ \(folding, surface, packing) ->
+            forM_ (either (const []) pure (folded folding shape h)) $ \array -> do
+              table <- right (buildTable packing (ArrayOn surface array) m)
+              let all' = everyWindow (tableSize table)
+                  found = locateWindows (memoryOf table) all'
+                  expected packed = case tableLookup table (fromIntegral packed) of
+                    [] -> notOccurring
+                    [place] -> linear shape place
+                    _ -> notUnique
+              memorySize (memoryOf table) `shouldBe` fromIntegral q ^ maskSize m
+              Primitive.length found `shouldBe` Primitive.length all'
+              let failing =
+                    [ packed
+                      | (packed, place) <- zip (Primitive.toList all') (Primitive.toList found),
+                        place /= expected packed
+                    ]
+              failing `shouldBe` []
+  it "and as the search finds it, comparing with the array at every position" $
+    forM_ [a | a@(_, _, _, window) <- smallArrays, area window <= 4] $ \(q, n, shape, window) ->
+      overField q $ \k -> do
+        h <- firstOver k n
+        m <- right (rectangle window)
+        forM_ (either (const []) pure (folded Diagonal shape h)) $ \array ->
+          forM_ [Torus, Sheet] $ \surface -> do
+            memory <- memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
+            forM_ [0 .. fromIntegral q ^ maskSize m - 1] $ \packed -> do
+              codes <- right (unpack MostSignificantFirst q (maskSize m) (fromIntegral packed))
+              patches <- mapM (right . patch) (toPatch window codes)
+              outcomes <- mapM (right . searchPatch (ArrayOn surface array) m) patches
+              (packed, locateOne memory packed)
+                `shouldBe` (packed, head' (map (asBulk shape) outcomes))
+  it "every window of 63 x 65 cells, over GF(4) and over GF(2), is found where it stands" $ do
+    foundWhereItStands gf4 6 (Shape 63 65) (Shape 3 2)
+    foundWhereItStands gf2 12 (Shape 63 65) (Shape 6 2)
+  it "every window of 3 x 5461 cells, for any mask and surface, is where its cells are" $ do
+    h <- firstOver gf4 7
+    holds 20 $
+      forAllShrink genMask (filter (not . null) . QuickCheck.shrinkList (const [])) $ \offsets ->
+        forAll
+          (QuickCheck.elements [(Diagonal, Torus), (RowMajor, TwistedTorus), (Diagonal, Sheet)])
+          $ \(folding, surface) ->
+            ioProperty $ do
+              m <- right (mask offsets)
+              array <- right (folded folding (Shape 3 5461) h)
+              table <- right (buildTable LeastSignificantFirst (ArrayOn surface array) m)
+              let standing =
+                    [ (pack LeastSignificantFirst 4 (map toCode content), p)
+                      | p <- places (Shape 3 5461),
+                        Just content <- [windowAt (ArrayOn surface array) m p]
+                    ]
+              pure
+                ( Map.fromListWith (flip (++)) [(w, [p]) | (w, p) <- standing]
+                    === Map.fromList (tableEntries table)
+                )
+  it "numbers that are no packed window occur nowhere: from q^cells up to the largest" $ do
+    memory <- paperMemory Torus
+    let beyond =
+          [ 256,
+            257,
+            511,
+            512,
+            65535,
+            65536,
+            2 ^ (26 :: Int),
+            2 ^ (31 :: Int) - 1,
+            2 ^ (31 :: Int),
+            2 ^ (31 :: Int) + 78,
+            maxBound - 1,
+            maxBound
+          ]
+    Primitive.toList (locateWindows memory (Primitive.fromList beyond))
+      `shouldBe` map (const notOccurring) beyond
+  it "whatever the numbers and how many: one answer each, in their order" $ do
+    memory <- paperMemory Sheet
+    table <-
+      paperArray
+        >>= \array ->
+          right (rectangle (Shape 2 2))
+            >>= right . buildTable MostSignificantFirst (ArrayOn Sheet array)
+    holds 300 $
+      forAll
+        (QuickCheck.listOf (QuickCheck.oneof [QuickCheck.choose (0, 300), QuickCheck.arbitrary]))
+        $ \numbers ->
+          Primitive.toList (locateWindows memory (Primitive.fromList numbers))
+            === [ case tableLookup table (fromIntegral w) of
+                    [place] ->
+                      linear (Shape 15 17) place
+                    _ -> notOccurring
+                  | w <- numbers
+                ]
+  it "the worked example: 3 2 / 3 1 is 237, and its position (6, 5) is 107" $ do
+    memory <- paperMemory Torus
+    a <- right (traverse fromCode [3, 2, 3, 1])
+    packWindow memory a `shouldBe` Just 237
+    locateOne memory 237 `shouldBe` 107
+    unpackPosition memory 107 `shouldBe` Just (Position 6 5)
+    packPosition memory (Position 6 5) `shouldBe` Just 107
+    locateOne memory 0 `shouldBe` notOccurring
+  it "what is no position and no window is not packed or unpacked" $ do
+    memory <- paperMemory Torus
+    map (unpackPosition memory) [notOccurring, notUnique, minBound, -3, 255, maxBound]
+      `shouldBe` replicate 6 Nothing
+    [unpackPosition memory p | p <- [0 .. 254]]
+      `shouldBe` [Just (Position r c) | r <- [0 .. 14], c <- [0 .. 16]]
+    map (packPosition memory) [Position 15 0, Position 0 17, Position (2 ^ (32 :: Int)) 0]
+      `shouldBe` [Nothing, Nothing, Nothing]
+    map (packWindow memory . map (const 1)) [[], [1, 2, 3 :: Int], [1, 2, 3, 4], [1 .. 5], [1 ..]]
+      `shouldBe` [Nothing, Nothing, Just 85, Nothing, Nothing]
+
+paperMemory :: Surface -> IO (Memory GF4)
+paperMemory surface = do
+  array <- paperArray
+  m <- right (rectangle (Shape 2 2))
+  memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn surface array) m)
+
+-- | One to ten offsets, some beyond the edges, some such that windows cross the edge near column
+-- 4096.
+genMask :: QuickCheck.Gen [(Natural, Natural)]
+genMask =
+  nub
+    <$> QuickCheck.resize
+      10
+      ( QuickCheck.listOf1
+          ((,) <$> upTo 9 <*> QuickCheck.oneof [upTo 4, upTo 5000, (1363 +) <$> upTo 4])
+      )
+  where
+    upTo n = fromInteger <$> QuickCheck.choose (0, n - 1)
+
+everyWindow :: Natural -> Primitive.Vector Word32
+everyWindow size = Primitive.enumFromN 0 (fromIntegral size)
+
+locateOne :: Memory k -> Word32 -> Int32
+locateOne memory = Primitive.head . locateWindows memory . Primitive.singleton
+
+linear :: Shape -> Position -> Int32
+linear shape (Position r c) = fromIntegral (r * columns shape + c)
+
+asBulk :: Shape -> Outcome Position -> Int32
+asBulk shape outcome = case outcome of
+  Unique place _ -> linear shape place
+  Ambiguous _ _ -> notUnique
+  AmbiguousMany _ _ -> notUnique
+  Refused _ -> notOccurring
+
+-- | The only one; where there is none, a number that nothing answers.
+head' :: [Int32] -> Int32
+head' outcomes = case outcomes of
+  [outcome] -> outcome
+  _ -> minBound
+
+foundWhereItStands :: forall k. KnownField k => Proxy k -> Natural -> Shape -> Shape -> Expectation
+foundWhereItStands k n shape window = do
+  h <- firstOver k n
+  array <- right (folded Diagonal shape h)
+  m <- right (rectangle window)
+  memory <- memoryOf <$> right (buildTable MostSignificantFirst (ArrayOn Torus array) m)
+  let packed =
+        [ w
+          | p <- places shape,
+            Just content <- [windowAt (ArrayOn Torus array) m p],
+            Just w <- [packWindow memory content]
+        ]
+  map (unpackPosition memory) (Primitive.toList (locateWindows memory (Primitive.fromList packed)))
+    `shouldBe` map Just (places shape)
+
+places :: Shape -> [Position]
+places shape = [Position r c | r <- [0 .. rows shape - 1], c <- [0 .. columns shape - 1]]

@@ -1,0 +1,266 @@
+-- | Several patches at known displacements.
+module Test.Code.Locate.SeveralPatches (spec) where
+
+import Control.Monad (forM_)
+import Data.List (nub, sort)
+import Data.Maybe (fromMaybe)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named
+import PraTactile.Locate
+import PraTactile.Locate.Definition (looksByDefinition)
+import PraTactile.Locate.Joint
+import PraTactile.Locate.Patch
+import PraTactile.Symmetry
+import Test.Code.Generators
+import Test.Code.Locate.Asking
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck hiding (elements)
+import qualified Test.QuickCheck as QuickCheck
+
+spec :: Spec
+spec = do
+  it "two 2x2 windows correct what neither can alone: an error in one of them" $
+    forM_ someplaces $ \p -> do
+      found <- nearestOf Guaranteed p (inPlace [(0, 0), (3, 2), (0, 5)] [0, 0, 1])
+      (place found, wrongOf found, inconsistent found) `shouldBe` ([p], [0, 0, 1], [2])
+      map patchOffset (answerPatches found) `shouldBe` [Position 0 0, Position 3 2, Position 0 5]
+  it "displacements count from anywhere; the position is the upper left of all patches" $
+    forM_ [((0, 7), (2, 10)), ((-7, -4), (-5, -1))] $ \(a, b) -> do
+      found <- nearestOf Guaranteed (Position 6 5) [(b, (2, 3), 0), (a, (0, 0), 0)]
+      place found `shouldBe` [Position 6 5]
+  it "a patch that is not where its displacement says is named by its wrong cells" $ do
+    found <-
+      nearestOf
+        (UpTo 4)
+        (Position 3 3)
+        (((3, 3), (6, 6), 0) : inPlace [(0, 0), (0, 3), (3, 0)] zeros)
+    place found `shouldBe` [Position 3 3]
+    drop 1 (wrongOf found) `shouldBe` [0, 0, 0]
+    take 1 (wrongOf found) `shouldSatisfy` all (>= 2)
+  it "cells that two patches saw differently count as not observed" $ do
+    found <- nearestOf Guaranteed (Position 6 5) disputed
+    (place found, answerDisputed found) `shouldBe` ([Position 6 5], [Position 1 1])
+  describe "joining" joiningSpec
+  describe "patches displaced by one cell" displacedSpec
+  describe "probabilities" beliefSpec
+  it "no patches are no patch, and patches too far apart are refused before memory is taken" $ do
+    patches <- scene (Position 6 5) [((0, 0), (0, 0), 0), ((far, far), (0, 0), 0)]
+    answered <- paperAsk NearestDecoder
+    answered [identity] Guaranteed 0 (symbolsOf patches)
+      `shouldBe` Left
+        (LocatorPatch (PatchTooLarge (fromInteger (far + 2) ^ (2 :: Int)) (2 ^ (20 :: Int))))
+    answered [identity] Guaranteed 0 [] `shouldBe` Left (LocatorPatch PatchEmpty)
+  where
+    far = 10 ^ (9 :: Int)
+
+joiningSpec :: Spec
+joiningSpec = do
+  it "puts every look at a cell where it belongs, from the upper left of all, as the definition" $
+    forAllShrink genDisplaced (filter (not . null) . shrinkList (const [])) $ \given ->
+      let lowest side = minimum (map (side . fst) given)
+          (shape, looks) = looksByDefinition given
+       in case joint agreedSymbol given of
+            Left refusal -> counterexample (show refusal) False
+            Right joined ->
+              conjoin
+                [ jointOffsets joined
+                    === [ Position (fromInteger (r - lowest fst)) (fromInteger (c - lowest snd))
+                          | ((r, c), _) <- given
+                        ],
+                  patchShape (jointPatch joined) === shape,
+                  observedCells (jointPatch joined)
+                    === [(cell, a) | (cell, as) <- looks, [a] <- [nub as]],
+                  jointDisputed joined === [cell | (cell, as) <- looks, length (nub as) > 1],
+                  -- Each look is a cell of one of the patches, at its displacement from the first.
+                  [(cell, a) | (cell, as) <- looks, a <- sort as]
+                    === sort
+                      [ (Position (i `plus` (r - lowest fst)) (j `plus` (c - lowest snd)), a)
+                        | ((r, c), p) <- given,
+                          (Position i j, a) <- observedCells p
+                      ]
+                ]
+  it "takes 100 patches, and no more" $ do
+    let many n = replicate n ((3, 4), patchOf (Shape 1 1) [(Position 0 0, 'a')])
+    fmap (length . jointOffsets) (joint agreedSymbol (many 100)) `shouldSatisfy` (== Right 100)
+    either Just (const Nothing) (joint agreedSymbol (many 101))
+      `shouldBe` Just (PatchesTooMany 101 100)
+  where
+    plus i d = fromInteger (toInteger i + d)
+    genDisplaced = do
+      count <- choose (1, 4)
+      vectorOf count $ do
+        h <- fromInteger <$> chooseInteger (1, 3)
+        w <- fromInteger <$> chooseInteger (1, 3)
+        cells <- sublistOf [Position i j | i <- [0 .. h - 1], j <- [0 .. w - 1]]
+        seen <- traverse (\cell -> (,) cell <$> QuickCheck.elements "ab") cells
+        by <- (,) <$> choose (-3, 3) <*> choose (-3, 3)
+        pure (by, patchOf (Shape h w) seen)
+
+displacedSpec :: Spec
+displacedSpec = do
+  it "are named, whichever it is, and however it is displaced; the others are located" $
+    forM_ someplaces $ \p -> forM_ [0 .. 4] $ \astray -> forM_ aside $ \by -> do
+      found <- nearestOf (UpTo 4) p (displaced astray by fivePlaces)
+      (place found, inconsistent found) `shouldBe` ([p], [astray])
+  it "are named also where nothing is corrected, so that all together are located nowhere" $
+    forM_ aside $ \by -> forM_ [0 .. 3] $ \astray -> do
+      found <- nearestOf (UpTo 0) (Position 6 5) (displaced astray by (take 4 fivePlaces))
+      (place found, inconsistent found) `shouldBe` ([], [astray])
+  it "of two patches alone both are named: neither is more credible than the other" $ do
+    found <- nearestOf Guaranteed (Position 6 5) (zip3 [(0, 0), (3, 0)] [(0, 0), (4, 0)] [0, 0])
+    (place found, inconsistent found) `shouldBe` ([], [0, 1])
+  it "of five two are named where three agree, of four all where they agree two by two" $ do
+    found <-
+      nearestOf (UpTo 0) (Position 6 5) $
+        zip3 fivePlaces [(0, 0), (0, 5), (4, 0), (4, 4), (7, 2)] zeros
+    (place found, inconsistent found) `shouldBe` ([], [1, 4])
+    torn <-
+      nearestOf Guaranteed (Position 6 5) $
+        zip3 fivePlaces [(0, 0), (0, 4), (5, 0), (5, 4)] zeros
+    (place torn, inconsistent torn) `shouldBe` ([], [0, 1, 2, 3])
+  it "while none is named where all belong, with as many errors as each can bear alone" $ do
+    array <- paperArray
+    answered <- paperAsk NearestDecoder
+    -- 4 x 4 patches, one cell of each wrong.
+    patches <-
+      sequence
+        [ (,) (r, c)
+            <$> right (patch (changed (2, 2) 1 (look array (Shape 4 4) (at (Position 6 5) (r, c)))))
+          | (r, c) <- [(0, 0), (4, 3), (2, 7)]
+        ]
+    found <- right (answered [identity] Guaranteed 0 (symbolsOf patches))
+    (place found, inconsistent found, wrongOf found) `shouldBe` ([Position 6 5], [], [1, 1, 1])
+  it "are named in whatever orientation all are seen" $ do
+    array <- paperArray
+    answered <- paperAsk NearestDecoder
+    exactly <- paperAsk AlgebraDecoder
+    forM_ rotations $ \o -> do
+      -- The scene upright: 2 x 2 patches on a 9 x 9 board, the last of them from one row further
+      -- down.
+      let board = Shape 9 9
+          corners = [((0, 0), 0), ((0, 5), 0), ((5, 0), 0), ((6, 6), 0), ((3, 3), 1)]
+          -- A patch is seen where its cells are; its upper left is their least row and column.
+          corner (i, j) =
+            let cells =
+                  [onPosition o board (at (Position 0 0) (i + a, j + b)) | a <- [0, 1], b <- [0, 1]]
+             in (toInteger (minimum (map row cells)), toInteger (minimum (map column cells)))
+      patches <-
+        mapM
+          ( \((i, j), down) ->
+              (,) (corner (i, j))
+                <$> right
+                  (patch (onRows o (look array (Shape 2 2) (at (Position 6 5) (i + down, j)))))
+          )
+          corners
+      found <- right (answered rotations (UpTo 4) 0 (symbolsOf patches))
+      ([candidateSymmetry c | Unique c _ <- [answerOutcome found]], inconsistent found)
+        `shouldBe` ([o], [4])
+      -- Where nothing may be corrected, the algebra names the same one.
+      exact <- right (exactly rotations Guaranteed 0 (symbolsOf patches))
+      (answerOutcome exact, inconsistent exact) `shouldBe` (Refused Contradiction, [4])
+
+beliefSpec :: Spec
+beliefSpec = do
+  it "that contradict each other make a disputed cell, which counts as not observed" $ do
+    found <- believed certainly [identity] 0.001 disputed
+    ( candidatePosition <$> (answerPosterior found >>= posteriorBest),
+      answerDisputed found,
+      wrongOf found,
+      inconsistent found
+      )
+      `shouldBe` (Just (Position 6 5), [Position 1 1], [0, 0, 0], [1])
+  it "name a patch displaced by one cell, in any orientation" $
+    forM_ aside $ \by -> forM_ [0 .. 4] $ \astray -> forM_ [[identity], rotations] $ \possible -> do
+      found <- believed likely possible 0.02 (displaced astray by fivePlaces)
+      (answerOutcome found, inconsistent found)
+        `shouldBe` (Unique (Candidate identity (Position 6 5)) [], [astray])
+  it "of no patches are no patch" $ do
+    answered <- paperAsk PosteriorDecoder
+    answered [identity] Guaranteed 0.01 [] `shouldBe` Left (LocatorPatch PatchEmpty)
+  where
+    believed belief' possible tolerated patches = do
+      answered <- paperAsk PosteriorDecoder
+      given <- scene (Position 6 5) patches
+      right . answered possible Guaranteed tolerated $
+        map (fmap (fmap (Probabilities . belief'))) given
+    -- What was seen is 0.997 probable.
+    likely a =
+      either (error . show) id $
+        belief [if code == toCode a then 0.997 else 0.001 | code <- [0 .. 3]]
+
+-- | Where a 2 x 2 patch is said to be, whence it was taken, and what was added to its first cell.
+type Taken = ((Integer, Integer), (Integer, Integer), GF GF4)
+
+-- | Five patches of which one was taken from aside.
+displaced :: Int -> (Integer, Integer) -> [(Integer, Integer)] -> [Taken]
+displaced astray (r, c) places =
+  [ ((a, b), if i == astray then (a + r, b + c) else (a, b), 0)
+    | (i, (a, b)) <- zip [0 ..] places
+  ]
+
+fivePlaces, aside :: [(Integer, Integer)]
+fivePlaces = [(0, 0), (0, 4), (4, 0), (4, 4), (8, 2)]
+aside = [(0, 1), (1, 0), (0, -1), (-1, 0)]
+
+-- | Taken from where they are said to be.
+inPlace :: [(Integer, Integer)] -> [GF GF4] -> [Taken]
+inPlace places = zip3 places places
+
+disputed :: [Taken]
+disputed = inPlace [(0, 0), (1, 1), (0, 4)] [0, 1, 0]
+
+zeros :: [GF GF4]
+zeros = repeat 0
+
+someplaces :: [Position]
+someplaces = [Position 0 0, Position 6 5, Position 14 16]
+
+-- | Patches of the paper's torus.
+scene :: Position -> [Taken] -> IO (Patches (GF GF4))
+scene from taken = do
+  array <- paperArray
+  sequence
+    [ (,) said <$> right (patch (changed (0, 0) e (look array (Shape 2 2) (at from whence))))
+      | (said, whence, e) <- taken
+    ]
+
+at :: Position -> (Integer, Integer) -> Position
+at (Position r c) (i, j) = Position (wrapped 15 (toInteger r + i)) (wrapped 17 (toInteger c + j))
+  where
+    wrapped n k = fromInteger (k `mod` n)
+
+-- | With this added to the symbol there.
+changed :: (Int, Int) -> GF GF4 -> Cells -> Cells
+changed there e cells =
+  [ [if (i, j) == there then (+ e) <$> a else a | (j, a) <- zip [0 ..] line]
+    | (i, line) <- zip [0 ..] cells
+  ]
+
+nearestOf :: Radius -> Position -> [Taken] -> IO Answer
+nearestOf radius from taken = do
+  answered <- paperAsk NearestDecoder
+  scene from taken >>= right . answered [identity] radius 0 . symbolsOf
+
+paperAsk ::
+  DecoderName ->
+  IO
+    ( [Symmetry] ->
+      Radius ->
+      Double ->
+      Patches (Cell GF4) ->
+      Either LocatorError Answer
+    )
+paperAsk decoder = (\array m -> ask (Just decoder) (Torus, array, m)) <$> paperArray <*> paperWindow
+
+place :: Answer -> [Position]
+place found = [candidatePosition candidate | Unique candidate _ <- [answerOutcome found]]
+
+-- | How many cells of each patch are wrong.
+wrongOf :: Answer -> [Int]
+wrongOf = map (fromMaybe 0 . patchWrong) . answerPatches
+
+-- | The indices, from 0, of the patches that do not belong.
+inconsistent :: Answer -> [Int]
+inconsistent = map fst . filter (patchInconsistent . snd) . zip [0 ..] . answerPatches

@@ -1,0 +1,218 @@
+-- | What the code says of turned and mirrored patches.
+module Test.Code.Locate.UnknownOrientation (spec) where
+
+import Control.Monad (forM_)
+import Data.List (nub, tails, transpose)
+import Data.Proxy (Proxy (..))
+import qualified Data.Vector.Primitive as Primitive
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Field
+import PraTactile.Field.Named (GF4)
+import PraTactile.Locate
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Definition
+import PraTactile.Locate.Patch (patchOf)
+import PraTactile.Locate.Separation
+import PraTactile.Polynomial
+import PraTactile.Symmetry
+import PraTactile.Window (Packing (..))
+import Test.Code.Generators
+import Test.Code.Locate.Asking
+import Test.Hspec
+import Test.Paper
+import Test.QuickCheck hiding (elements, total)
+import qualified Test.QuickCheck as QuickCheck
+
+spec :: Spec
+spec = do
+  describe "the distance between candidates" distanceSpec
+  describe "the nearest candidate" nearestSpec
+  describe "cells that show how they lie" shownSpec
+  describe "arrays whose windows have two columns" mirrorSpec
+
+distanceSpec :: Spec
+distanceSpec = do
+  it "with unknown rotation is 0 at 2x2 and 3x3, 4 at 4x4, 8 at 5x5, on the paper's array" $ do
+    codebook <- paperCodebook Torus
+    let distances possible = [orientedDistance codebook possible side | side <- [2 .. 5]]
+    map distances [rotations, [identity, turned 2], symmetries, [identity]]
+      `shouldBe` [[0, 0, 4, 8], [0, 0, 5, 10], [0, 0, 0, 0], [1, 4, 9, 16]]
+  it "is the same by comparing all candidates, for 3x3 and 4x4 of the paper's array" $ do
+    codebook <- paperCodebook Torus
+    forM_ [(rotations, 3), (rotations, 4), ([identity, turned 2], 4)] $ \(possible, side) -> do
+      let size = Shape side side
+      byDefinition (codebookArray codebook) possible size (cellsOf size)
+        `shouldBe` orientedDistance codebook possible side
+  it "is, for cells of any shape, the least number in which two of all candidates differ" $
+    forM_ small $ \(q, n, shape) ->
+      overField q $ \k -> do
+        array <- arrayOver k n Diagonal shape
+        holds 60 $
+          forAll (genObserved 4) $ \(size, offsets) -> forAll genOrientations $ \possible ->
+            candidateDistance (ArrayOn Torus array) possible size offsets
+              === byDefinition array possible size offsets
+  it "is promised on no surface but the array's own and the sheet" $ do
+    array <- paperArray
+    let size = Shape 4 4
+        least on = candidateDistance (ArrayOn on array) rotations size (cellsOf size)
+    map least [Torus, Sheet, TwistedTorus] `shouldBe` [4, 4, 0]
+
+shownSpec :: Spec
+shownSpec = do
+  it "tell of every 2 x 2 window in which rotation it is seen" $ do
+    (array, located) <- shownOn
+    forM_ (zip (cycle rotations) everywhere) $ \(o, p) -> do
+      answer <- located [((0, 0), lying o (onRows o (look array (Shape 2 2) p)))]
+      answerOutcome answer `shouldBe` Unique (Candidate o p) []
+  it "are wrong where they show another way than the patch is seen" $ do
+    (array, located) <- shownOn
+    let block at shape = look array shape at
+    answer <-
+      located
+        [ ((0, 0), lying identity (block (Position 6 5) (Shape 3 3))),
+          ((0, 3), lying (turned 1) (block (Position 6 8) (Shape 1 2))),
+          ((1, 3), lying identity (block (Position 7 8) (Shape 1 2)))
+        ]
+    answerOutcome answer `shouldBe` Unique (Candidate identity (Position 6 5)) []
+    map patchWrong (answerPatches answer) `shouldBe` [Just 0, Just 2, Just 0]
+  it "have as many probabilities of each symmetry as there are symbols, which add up to 1" $ do
+    let joint = oriented :: [(Symmetry, [Double])] -> Either BeliefError (Belief GF4)
+        quarter = replicate 4 0.125
+    [() <$ joint both | both <- [[(identity, quarter), (turned 2, quarter)], [(mirror, quarter)]]]
+      `shouldBe` [Right (), Left (BeliefSum 0.5)]
+    (() <$ joint [(identity, [0.5, 0.5]), (turned 2, [0, 0, 0, 0, 0, 0])])
+      `shouldBe` Left (BeliefLength 2 4)
+    (() <$ joint [(identity, quarter), (turned 2, [0.5, 0, -0.125, 0.125])])
+      `shouldBe` Left (BeliefNegative 6 (-0.125))
+    Right known <- pure (joint [(identity, [0.5, 0, 0.25, 0]), (turned 2, [0, 0.125, 0.125, 0])])
+    Primitive.toList (probabilities known) `shouldBe` [0.5, 0.125, 0.375, 0]
+    map (`symmetryChance` known) [identity, turned 2, turned 1] `shouldBe` [0.75, 0.25, 0]
+    Primitive.toList (probabilitiesIn (turned 1) known) `shouldBe` [0, 0, 0, 0]
+  where
+    -- Of each symbol a hundredth is in doubt, shared by all else that it could be.
+    shownOn = do
+      array <- paperArray
+      window <- paperWindow
+      let asked patches =
+            right . locate (locator Nothing MostSignificantFirst (naturally array) window) $
+              Query patches rotations Guaranteed 0.01 Nothing
+      pure (array, \patches -> mapM (traverse (right . patch)) patches >>= asked)
+    lying o = map (map (>>= either (const Nothing) (Just . Probabilities) . oriented . sure o))
+    sure o a =
+      [ (o', [if (o', c) == (o, toCode a) then 0.9999 else 0.0001 / 15 | c <- [0 .. 3]])
+        | o' <- rotations
+      ]
+
+nearestSpec :: Spec
+nearestSpec = do
+  it "every rotation of a 2 x 2 window is again a window, so that they are ambiguous" $ do
+    (array, located) <- paper
+    forM_ everywhere $ \p -> do
+      found <- fst <$> located rotations Guaranteed (look array (Shape 2 2) p)
+      case found of
+        Ambiguous several _ -> do
+          map candidateSymmetry several `shouldBe` rotations
+          take 1 several `shouldBe` [Candidate identity p]
+        other -> expectationFailure (show other)
+  it "a 4 x 4 patch with one error is located in whatever rotation it is seen, everywhere" $ do
+    (array, located) <- paper
+    forM_ (zip [0 ..] everywhere) $ \(k, p) -> forM_ rotations $ \o -> do
+      let place = Position (k `mod` 4) (k `div` 4 `mod` 4)
+          shape = Shape 4 4
+          damaged =
+            [ (at, if at == place then a + 1 else a)
+              | (at, Just a) <- zip (cellsOf shape) (concat (look array shape p))
+            ]
+      (found, wrong) <-
+        located rotations (UpTo 1) (onRows o (patchRows (patchOf shape damaged)))
+      ([candidate | Unique candidate _ <- [found]], wrong)
+        `shouldBe` ([Candidate o p], [onPosition o shape place])
+  it "windows that say so are named by where their upper left cells are seen" $ do
+    (array, located) <- paper
+    let seen = onRows (turned 1) (look array (Shape 2 5) (Position 6 5))
+    found <- located [turned 1] Guaranteed seen
+    fst found
+      `shouldBe` Unique (Candidate (turned 1) (Position 6 5)) [Position j 1 | j <- [0 .. 3]]
+  it "neither an image nor its mirror image is preferred, however large the patch is" $ do
+    (array, located) <- paper
+    found <- located [identity, mirror] Guaranteed (look array (Shape 6 6) (Position 6 5))
+    case fst found of
+      Ambiguous [a, b] _ ->
+        (a, candidateSymmetry b) `shouldBe` (Candidate identity (Position 6 5), mirror)
+      other -> expectationFailure (show other)
+  where
+    paper = do
+      array <- paperArray
+      m <- paperWindow
+      let asked = ask (Just NearestDecoder) (Torus, array, m)
+          located possible radius cells = do
+            p <- right (patch cells)
+            answer <- right (asked possible radius 0 (alone (Symbol <$> p)))
+            pure (answerOutcome answer, maybe [] corrected (answerDistances answer))
+      pure (array, located)
+
+mirrorSpec :: Spec
+mirrorSpec = do
+  it "are their own mirror image but for a shift; the axis is the column of zeros" $
+    forM_ [(2, k1) | k1 <- [1 .. 6]] mirrorImages
+  it "over GF(4), GF(8), GF(16), GF(32) and GF(64) as well" $
+    forM_ [(4, 1), (4, 2), (4, 3), (8, 1), (8, 2), (16, 1), (32, 1), (64, 1)] mirrorImages
+  it "while one of windows with three columns is not" $ do
+    cells <- arrayOver gf2 9 Diagonal (Shape 7 73) >>= right . toRows
+    [(r, c) | r <- [0 .. 6], c <- [0 .. 72], shiftedBy r c cells == map reverse cells]
+      `shouldBe` []
+  where
+    -- Every primitive polynomial.
+    mirrorImages (order, k1) = overField order $ \(_ :: Proxy k) -> do
+      let q = fromIntegral order ^ (k1 :: Natural)
+      polynomials <- right (primitivePolynomials (2 * k1)) :: IO [Primitive k]
+      polynomials `shouldNotBe` []
+      forM_ polynomials $ \h -> do
+        cells <- right (folded Diagonal (Shape (q - 1) (q + 1)) h) >>= right . toRows
+        let zeros = [j | (j, line) <- zip [0 ..] (transpose cells), all (== zero) line]
+        -- Where the columns begin from in the mirror image, if they begin from anywhere.
+        [c | c <- [0 .. fromIntegral q], shiftedBy 0 c cells == map reverse cells]
+          `shouldBe` [(2 * j + 1) `mod` (fromIntegral q + 1) | j <- zeros]
+        length zeros `shouldBe` 1
+
+-- | The rows from that row and that column on, cyclically.
+shiftedBy :: Int -> Int -> [[a]] -> [[a]]
+shiftedBy r c cells = turn r (map (turn c) cells)
+  where
+    turn k xs = drop k xs ++ take k xs
+
+-- | The field's order, the degree and the shape of arrays small enough to compare all candidates
+-- with all.
+small :: [(Int, Natural, Shape)]
+small =
+  [(2, 4, Shape 3 5), (2, 6, Shape 7 9), (3, 3, Shape 2 13), (4, 2, Shape 3 5), (9, 2, Shape 5 16)]
+
+byDefinition :: KnownField k => PseudorandomArray k -> [Symmetry] -> Shape -> [Position] -> Natural
+byDefinition array possible size offsets =
+  minimum
+    [ fromIntegral (length (filter id (zipWith (/=) a b)))
+      | (_, a) : others <- tails (everyCandidate (ArrayOn Torus array) (nub possible) size offsets),
+        (_, b) <- others
+    ]
+
+-- | One or more orientations.
+genOrientations :: Gen [Symmetry]
+genOrientations =
+  QuickCheck.elements
+    [ rotations,
+      symmetries,
+      [identity],
+      [turned 1, turned 2],
+      [mirror, turned 3 <> mirror, identity]
+    ]
+
+-- | The shape of a patch of at most this many rows and columns, and the cells of it that are
+-- observed.
+genObserved :: Integer -> Gen (Shape, [Position])
+genObserved most = do
+  size <- Shape <$> side <*> side
+  offsets <- sublistOf (cellsOf size) `suchThat` (not . null)
+  pure (size, offsets)
+  where
+    side = fromInteger <$> choose (1, most)

@@ -1,0 +1,316 @@
+-- | Faces that lie at any angle, and arrangements of symbols that are none of the array's.
+module Test.Recognition.AnyAngle (spec) where
+
+import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe, mapMaybe)
+import PraTactile.Array
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Composite.Tilt
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Geometry (symbolThickness)
+import PraTactile.Image
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Recognition (preferred)
+import PraTactile.Registration (Composite (..), Contradiction (..), compositeOf, compositePosition)
+import PraTactile.Relief
+import PraTactile.Segmentation (SymbolImage (..), onComposite)
+import PraTactile.Sensor (HeightMap (..))
+import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
+import PraTactile.Shape
+import PraTactile.Symmetry
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (classes, generate, tolerance)
+import Test.QuickCheck.Gen (unGen)
+import Test.QuickCheck.Random (mkQCGen)
+import Test.Recognition.Symbols
+
+spec :: Spec
+spec = do
+  describe "the tilt of a composite" tiltSpec
+  describe "a composite set upright" uprightSpec
+  describe "the tilt of symbols on a grid" gridSpec
+  describe "symbols read as they are, or set upright" preferredSpec
+  either (it "the shipped parts fit together" . expectationFailure) id $ do
+    layout <- shown canonicalPlacement
+    net <- shown shippedNetwork
+    alphabetOfAll <- shown paperAlphabet
+    shown $
+      withProfile canonicalProfile $ \array mask ->
+        case recogniser (ArrayOn Torus array) mask layout alphabetOfAll net of
+          Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+          Right reader -> do
+            describe "a face at any angle" (angleSpec array reader alphabetOfAll)
+            describe "what is none of the array's" (foreignSpec array reader alphabetOfAll)
+  where
+    shown :: Show e => Either e a -> Either String a
+    shown = either (Left . show) Right
+
+gridSpec :: Spec
+gridSpec = do
+  prop "without an image's angle it is theirs, wherever they lie and whatever way up they are" $
+    forAll (choose (-44, 44)) $ \angle ->
+      forAll (elements rotations) $ \way ->
+        near 1e-6 angle (gridTilt Nothing (gridOf way angle (3, 4)))
+  prop "where the image says the same, it is that" $
+    forAll (choose (-44, 44)) $ \angle ->
+      near 1e-6 angle (gridTilt (Just angle) (gridOf identity angle (2, 2)))
+  prop "of a single symbol, which has none, it is the image's" $
+    forAll (choose (-44, 44)) $ \angle ->
+      near 1e-3 angle (gridTilt (Just angle) (gridOf identity 0 (1, 1)))
+        .&&. gridTilt Nothing (gridOf identity angle (1, 1)) === 0
+  it "many symbols are believed before an image, and an image before two of which one is off" $ do
+    gridTilt (Just 0) (gridOf identity 6 (4, 5)) `shouldSatisfy` (\a -> a > 5 && a <= 6)
+    gridTilt (Just 0) (gridOf identity 3.6 (1, 2)) `shouldSatisfy` (\a -> a >= 0 && a < 1.8)
+  where
+    near most wanted found = counterexample (show found) (abs (found - wanted) < most)
+
+-- | So many rows and columns of symbols on their grid, seen in a rotation, turned clockwise by that
+-- angle about a place.
+gridOf :: Symmetry -> Double -> (Int, Int) -> FaceGrid
+gridOf way angle (rowCount, columnCount) =
+  FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] []
+  where
+    cells = [(i, j) | i <- [0 .. rowCount - 1], j <- [0 .. columnCount - 1]]
+    symbol n (i, j) =
+      ((i, j), [readSymbol way n (turnedBy (along (fromIntegral j) (fromIntegral i)))])
+    -- Cells are counted along the symbols' axes.
+    along j i = onOffset (if exchangesAxes way then turned 1 else identity) (16 * j, 20 * i)
+    turnedBy (x, y) =
+      let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+       in (31 + c * x - s * y, 17 + s * x + c * y)
+
+-- | A symbol of class 0, seen in that rotation at a place, without a doubt.
+readSymbol :: Symmetry -> Int -> (Double, Double) -> ReadSymbol
+readSymbol way n at = symbolOf n at (way, 0)
+
+preferredSpec :: Spec
+preferredSpec =
+  prop "the reading with less doubt holds, or up to 7 degrees the one that is an answer" $
+    forAll (oneof [choose (-12, 12), elements [7, -7, 7.001, -7.001, 0]]) $ \angle ->
+      forAll ((,) <$> genReading <*> genReading) $ \(asGiven, setRight) ->
+        let answers = map (either (const False) (const True) . snd) [asGiven, setRight]
+            surer = product (fst setRight) < product (fst asGiven)
+            oneAlone = abs angle <= 7 && or answers && not (and answers)
+            second = if oneAlone then answers == [False, True] else surer
+         in preferred angle (reading asGiven) (reading setRight)
+              === reading (if second then setRight else asGiven)
+  where
+    genReading = do
+      doubts <- choose (0, 4) >>= (`vectorOf` elements [1e-7, 1e-3, 0.1, 0.5])
+      answer <- elements [Left NoSymbols, Right (Several identity [])]
+      pure (doubts :: [Double], answer)
+    reading (doubts, answer) = Recognition (zipWith doubtful [0 ..] doubts) [] Nothing 0 answer
+    doubtful n doubt =
+      (readSymbol identity n (0, 0))
+        { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]
+        }
+
+tiltSpec :: Spec
+tiltSpec = do
+  it "of a straight edge is the edge's angle, to half a degree; nearly upright, nearly that" $
+    for_ [-42, -38 .. 42] $ \angle ->
+      for_ [-3.3, 0, 2.7] $ \away ->
+        tilt [compositeOf (edge angle away)]
+          -- Rows and columns of pixels draw what lies nearly along them.
+          `shouldSatisfy` maybe False ((< if abs angle < 4 then 3 else 0.5) . abs . subtract angle)
+  it "is none where nothing changes, or there is no place to tell" $
+    for_ [constant 30 30 0, constant 30 30 0.7, constant 2 9 0, constant 0 0 0] $ \image ->
+      tilt [compositeOf image] `shouldBe` Nothing
+  prop "is the same to a quarter turn however the image lies" $
+    forAll (choose (-40, 40)) $ \angle ->
+      forAll (elements rotations) $ \symmetry ->
+        let seen = tilt . pure . compositeOf
+            image = edge angle 1.3
+         in counterexample (show (seen image, seen (onRaster symmetry image))) $
+              maybe False (< 0.3) (apart <$> seen image <*> seen (onRaster symmetry image))
+  where
+    -- A ramp a taxel wide, across a line that lies at an angle so far from the image's middle.
+    edge angle away =
+      generate 36 30 $ \x y ->
+        let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
+            across = c * (fromIntegral y - 14.5) - s * (fromIntegral x - 17.5) - away
+         in max 0 (min 1 (across + 0.5))
+    apart a b = let d = abs (a - b) in min d (abs (90 - d)) :: Double
+
+uprightSpec :: Spec
+uprightSpec = do
+  it "by quarter turns has the same pixels, turned" $
+    for_ [(90, 1), (180, 2), (270, 3)] $ \(angle, quarters) -> do
+      let (upright, _) = setUpright angle composite
+      rasterDistance
+        (compositeImage upright)
+        (compositeImage (onComposite (turned (4 - quarters)) composite))
+        `shouldSatisfy` (< 1e-9)
+  prop "shows at each place what the given one shows where that place is, in the robot's sense" $
+    forAll (choose (-180, 180)) $ \angle ->
+      forAll ((,) <$> choose (0, 11) <*> choose (0, 8)) $ \(x, y) ->
+        let (upright, back) = setUpright angle composite
+            robot = compositePosition composite (x, y)
+            there = movePoint (Motion (negate angle) 0 0) robot
+            (ox, oy) = compositeOrigin upright
+            pixel = ((fst there - ox) / taxelPitch, (snd there - oy) / taxelPitch)
+            (x', y') = back pixel
+         in counterexample (show (pixel, (x', y'))) $
+              abs (x' - x) < 1e-9 && abs (y' - y) < 1e-9
+                && inside (compositeImage upright) pixel
+  where
+    composite =
+      (compositeOf (generate 12 9 (\x y -> fromIntegral ((7 * x + 5 * y * y) `mod` 11) / 11)))
+        { compositeOrigin = (31.5, -12.25)
+        }
+    inside image (u, v) =
+      u > -0.5 && v > -0.5
+        && u < fromIntegral (rasterWidth image) - 0.4
+        && v < fromIntegral (rasterHeight image) - 0.4
+    rasterDistance a b = either (const (1 / 0)) biggest (zipRaster (\u v -> abs (u - v)) a b)
+    biggest image = fromMaybe 0 (maximumValue image)
+
+angleSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Alphabet -> Spec
+angleSpec array reader alphabetOfAll =
+  modifyMaxSuccess (const 30) $
+    prop "is read: object, face, place, and the angle to two degrees" $
+      forAll (elements faces) $ \(face, heights) ->
+        forAll (choose (0, 360)) $ \angle ->
+          forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \shares ->
+            let motion = motionOf face angle shares
+                recognition = recognise reader (compositeOf (felt heights motion))
+             in counterexample (either show (show . recognisedAnswer) recognition) $
+                  either (const False) (isTrue face motion angle) recognition
+  where
+    layout = recogniserPlacement reader
+    faces =
+      [ (face, heights)
+        | face <- laidFaces layout,
+          Right heights <- [relief array layout alphabetOfAll face]
+      ]
+    (wide, high) = (40, 52) :: (Int, Int)
+    -- From the pixels' coordinates, in millimetres, to the face's: the middle of the image lies on
+    -- the face where the shares say, far enough from its sides that a window is seen whole.
+    motionOf face angle (u, v) = Motion (negate angle) (atX - midX) (atY - midY)
+      where
+        (fw, fh) = both fromRational (spotRight (laidExtent face), spotDown (laidExtent face))
+        room side = max 0 (side - 62 * taxelPitch)
+        atX = fw / 2 + (u - 0.5) * room fw
+        atY = fh / 2 + (v - 0.5) * room fh
+        (midX, midY) = movePoint (Motion (negate angle) 0 0) (middle wide, middle high)
+    middle side = taxelPitch * (fromIntegral side - 1) / 2
+    both f (a, b) = (f a, f b)
+    -- The mean height under each pixel, from 4 x 4 points.
+    felt (HeightMap pitch values) motion =
+      generate wide high $ \i j ->
+        sum
+          [ maybe 0 (/ symbolThickness) (index values (floor (x / pitch)) (floor (y / pitch)))
+            | b <- quarters,
+              a <- quarters,
+              let (x, y) =
+                    movePoint
+                      motion
+                      (taxelPitch * (fromIntegral i + a), taxelPitch * (fromIntegral j + b))
+          ]
+          / 16
+    quarters = [-0.375, -0.125, 0.125, 0.375] :: [Double]
+    isTrue face motion angle recognition = case recognisedAnswer recognition of
+      Right (Found found)
+        | OnFace place <- windowWhereabouts window ->
+          let (x, y) = spotMillimetres (placeCentre place)
+              (u, v) = windowSeenAt window
+              (x', y') = movePoint motion (taxelPitch * u, taxelPitch * v)
+              turnedTo = recognisedAngle recognition (foundOrientation found)
+           in placeFace place == laidFace face
+                && abs (x - x') < 3
+                && abs (y - y') < 3
+                && abs (remainder (turnedTo - angle)) < 2
+                && all (axisFits angle) (recognisedSymbols recognition)
+        where
+          window = foundWindow found
+      _ -> False
+    axisFits angle s =
+      let off = symbolAxis (readImage s) - angle
+       in abs (off - 90 * fromIntegral (round (off / 90) :: Int)) < 3.5
+    remainder d = d - 360 * fromIntegral (round (d / 360) :: Int)
+
+foreignSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Alphabet -> Spec
+foreignSpec array reader alphabetOfAll = do
+  it "is as likely, of four clear symbols, as Bayes' theorem has it for each share" $
+    for_ [0.001, 0.005, 0.3] $ \share ->
+      for_ [Position 0 0, Position 6 5, Position 14 16] $ \place -> do
+        let told = doubtsOf share (ours 2 2 place)
+            -- All 256 contents are equally likely of what is foreign; 255 of ours, each symbol
+            -- of which is what it seems in 99 % and any one in the rest.
+            likelihood = (0.99 + 0.01 / 4) ^ (4 :: Int) / 255
+            expected = (share / 256) / (share / 256 + (1 - share) * likelihood)
+        fmap doubtOfOrigin told `shouldSatisfy` maybe False (near (1e-3 * expected) expected)
+  it "is beyond thought where the share is nothing" $
+    fmap doubtOfOrigin (doubtsOf 0 (ours 2 2 (Position 3 3))) `shouldBe` Just 0
+  it "four clear symbols alone are an answer by default, and not where a half is foreign" $ do
+    answered standardTolerance (ours 2 2 (Position 6 5)) `shouldBe` True
+    answered standardTolerance {foreignPrior = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
+    answered standardTolerance {foreignPrior = 0.5} (ours 3 4 (Position 6 5)) `shouldBe` True
+  it
+    "frames that may lie otherwise weigh as much as that is probable where they then differ"
+    $ do
+      let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
+          there = compositeOf (drawing (ours 3 4 (Position 2 9)))
+          among others =
+            either (const Nothing) Just $
+              recogniseWith standardTolerance reader [here {compositeOthers = others}]
+          told others =
+            fmap doubtOfStitching (among others >>= fmap evidenceDoubts . recognisedEvidence)
+          blank = compositeOf (constant 60 60 0)
+      told [] `shouldBe` Just 0
+      told [(0.004, there)] `shouldBe` Just 0.004
+      told [(0.004, here), (0.3, blank)] `shouldBe` Just 0
+      map (fmap isFound . among) [[], [(0.004, there)], [(0.2, there)]]
+        `shouldBe` [Just True, Just True, Just False]
+  it "frames that contradict each other are refused, whatever they show" $ do
+    let here = compositeOf (drawing (ours 3 4 (Position 6 5)))
+        told =
+          recogniseWith
+            standardTolerance
+            reader
+            [here {compositeContradiction = Just AgreeingNowhere}]
+    fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
+  it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $ do
+    let drawn = unGen (vectorOf 200 (vectorOf 2 (vectorOf 3 (choose (0, 3))))) (mkQCGen 5) 30
+        tolerant = standardTolerance {foreignPrior = 0.5, toleratedDoubt = 0.999}
+        located = mapMaybe (doubtIn tolerant) drawn
+        true = mapMaybe (doubtIn tolerant . ours 2 3) (take 200 everywhere)
+        wrong = fromIntegral (length located)
+        expected = sum (located ++ true)
+    length true `shouldBe` 200
+    abs (wrong - expected) `shouldSatisfy` (<= 3 * sqrt expected)
+  where
+    ours h w (Position r c) =
+      [ [toCode (cellAt array (Position (r + i) (c + j))) | j <- naturalsBelow w]
+        | i <- naturalsBelow h
+      ]
+    everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]
+    near tolerance expected told = abs (told - expected) < tolerance
+    seen tolerance classes =
+      either (const Nothing) Just (recogniseWith tolerance reader [compositeOf (drawing classes)])
+    doubtsOf share classes =
+      evidenceDoubts
+        <$> (seen standardTolerance {foreignPrior = share} classes >>= recognisedEvidence)
+    answered tolerance = maybe False isFound . seen tolerance
+    isFound recognition = case recognisedAnswer recognition of
+      Right (Found _) -> True
+      _ -> False
+    doubtIn tolerance classes = do
+      recognition <- seen tolerance classes
+      evidence <- recognisedEvidence recognition
+      if isFound recognition then Just (evidenceDoubt evidence) else Nothing
+    -- The symbols as they are on a face, each in the middle of its cell.
+    drawing classes =
+      generate (16 * maximum (map length classes)) (20 * length classes) $ \x y ->
+        let (j, u) = x `divMod` 16
+            (i, v) = y `divMod` 20
+         in case concatMap (take 1 . drop j) (take 1 (drop i classes)) of
+              c : _
+                | Right shape <- shapeOf alphabetOfAll c, embossedAt shape (u - 4) (v - 4) -> 1
+              _ -> 0

@@ -1,0 +1,323 @@
+-- | What an answer rests on, and why there is none, of grids built by hand: what must be told is
+-- known from how they were built.
+module Test.Recognition.EvidenceByConstruction (spec) where
+
+import Data.Foldable (for_)
+import Data.List (sort)
+import qualified Data.Map.Strict as Map
+import qualified Data.Set as Set
+import PraTactile.Array
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Locate (Chance (..), Radius (..), Reason (..))
+import PraTactile.Object.Canonical (canonicalPlacement)
+import PraTactile.Recognise
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.GridLocation
+import PraTactile.Shape (paperAlphabet)
+import PraTactile.Symmetry
+import PraTactile.Window (Mask, rectangle)
+import Test.Code.Generators (right)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (tolerance)
+import Test.Recognition.Scenes
+import Test.Recognition.Symbols
+
+spec :: Spec
+spec = onRecognisers $ \array readers -> do
+  for_ (take 1 readers) $ \(_, reader) -> do
+    describe "The evidence" (evidenceSpec array reader)
+    describe "Why there is no answer" (refusalSpec array reader)
+  for_ (lookup Sheet readers) $ \reader ->
+    it "where no position is possible, the way up is what the symbols show" $
+      for_ rotations $ \orientation -> do
+        -- One symbol more in a row than the sheet has columns.
+        let row' = zipWith (\n (at, what) -> (at, clear n what)) [0 ..] (blockOf array 1 18 (3, 4))
+            found = locateGrid reader standardTolerance [] (gridOf (seenAs orientation row') [])
+        locationEvidence found `shouldBe` Nothing
+        locationOrientation found `shouldBe` orientation
+        locationOutcome found `shouldSatisfy` (`notElem` [WrongWayUp, OffTheGrid, GroupsApart])
+
+-- | What stands in the cells of a face, rows and columns from 0.
+type Block = [((Int, Int), (Symmetry, Int))]
+
+-- | A symbol with its cell.
+type InCell = ((Int, Int), ReadSymbol)
+
+-- | What the array has in so many rows and columns from a position on, seen upright.
+blockOf :: KnownField k => PseudorandomArray k -> Int -> Int -> (Int, Int) -> Block
+blockOf array high wide (r, c) =
+  [ ((i, j), (identity, classAt array (r + i, c + j)))
+    | i <- [0 .. high - 1],
+      j <- [0 .. wide - 1]
+  ]
+
+classAt :: KnownField k => PseudorandomArray k -> (Int, Int) -> Int
+classAt array (r, c) =
+  toCode (cellAt array (Position (fromIntegral (r `mod` 15)) (fromIntegral (c `mod` 17))))
+
+-- | A symbol that is that with a doubt of one in a million, and known to the network.
+clear :: Int -> (Symmetry, Int) -> ReadSymbol
+clear n what = unsure 1e-6 (symbolOf n (0, 0) what)
+
+-- | The same with that doubt, shared by all else that it could be.
+unsure :: Double -> ReadSymbol -> ReadSymbol
+unsure p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- axis, other /= what]}
+  where
+    what = readLikeliest s
+    axis = [(o, c) | o <- [fst what, fst what <> turned 2], c <- [0 .. 3]]
+
+-- | A grid with these symbols in cells, all of one group.
+gridOf :: [InCell] -> [ReadSymbol] -> FaceGrid
+gridOf placed =
+  FaceGrid
+    (Map.fromListWith (flip (++)) [(at, [s]) | (at, s) <- placed])
+    [Set.fromList (map (readNumber . snd) placed)]
+
+-- | A block seen in an orientation, as recognition finds it: cells along the symbols' axes.
+seenAs :: Symmetry -> [InCell] -> [InCell]
+seenAs orientation placed =
+  [(if quarterTurns orientation >= 2 then about at else at, looked s) | (at, s) <- placed]
+  where
+    about (i, j) = (furthest fst - i, furthest snd - j)
+    furthest part = maximum (map (part . fst) placed)
+    seen (o, c) = (orientation <> o, c)
+    looked s =
+      s
+        { readClass = seen <$> readClass s,
+          readLikeliest = seen (readLikeliest s),
+          readChances = [(seen what, p) | (what, p) <- readChances s]
+        }
+
+-- | What is drawn beside the symbols of a block, which are all clear and of the first composite.
+data Beside
+  = -- | another look at a cell, the same
+    Again
+  | -- | another look that says another class
+    Otherwise
+  | -- | another look that says the same class the other way up
+    TurnedOver
+  | -- | another look, too unsure to count, which says another class
+    Blurred
+  | -- | a symbol off the grid
+    Stray
+  | -- | a symbol of the other axis
+    Sideways
+  deriving stock (Eq, Show, Enum, Bounded)
+
+-- | A block somewhere, seen in an orientation, with what is drawn beside its symbols: of which
+-- composite and, where it is another look, at which cell.
+data Drawn = Drawn
+  { drawnSize :: (Int, Int),
+    drawnAt :: (Int, Int),
+    drawnOrientation :: Symmetry,
+    drawnBeside :: [(Beside, Int, (Int, Int))]
+  }
+  deriving stock (Show)
+
+genDrawn :: (Int, Int) -> Gen Drawn
+genDrawn size@(high, wide) =
+  Drawn size
+    <$> ((,) <$> choose (0, 14) <*> choose (0, 16))
+    <*> elements rotations
+    <*> (choose (0, 6) >>= (`vectorOf` genBeside))
+  where
+    genBeside =
+      (,,)
+        <$> elements [minBound ..]
+        <*> choose (0, 2)
+        <*> ((,) <$> choose (0, high - 1) <*> choose (0, wide - 1))
+
+-- | The symbols of a block, numbered from 0, and all others, numbered on.
+symbolsOf :: KnownField k => PseudorandomArray k -> Drawn -> ([InCell], [(Beside, InCell)])
+symbolsOf array (Drawn (high, wide) at@(r, c) _ beside) =
+  ( block,
+    [ (which, (cell, (lookAt n (classAt array (r + i, c + j)) which) {readSource = source}))
+      | (n, (which, source, cell@(i, j))) <- zip [length block ..] beside
+    ]
+  )
+  where
+    block = [(cell, clear n what) | (n, (cell, what)) <- zip [0 ..] (blockOf array high wide at)]
+    lookAt n class' which = case which of
+      Again -> clear n (identity, class')
+      Otherwise -> clear n (identity, (class' + 1) `mod` 4)
+      TurnedOver -> clear n (turned 2, class')
+      Blurred -> unsure 0.6 (symbolOf n (0, 0) (identity, (class' + 2) `mod` 4))
+      Stray -> clear n (identity, class')
+      Sideways -> clear n (turned 1, class')
+
+evidenceSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
+evidenceSpec array reader =
+  modifyMaxSuccess (const 300) $
+    it "is which symbols agree and which are wrong, by composites, of cells of a known distance" $
+      forAll (elements [((3, 3), 4), ((3, 4), 6), ((4, 4), 9), ((5, 5), 16)]) $ \(size, distance) ->
+        forAll (elements [Guaranteed, Guaranteed, UpTo 0, UpTo 1, UpTo 3]) $ \stated ->
+          forAll (genDrawn size) $ \drawn ->
+            let (block, beside) = symbolsOf array drawn
+                limits = standardTolerance {toleratedErrors = stated}
+                found = locatedAs reader limits drawn block beside
+                isWrong which = which `notElem` [Again, Blurred]
+                wrong = [readNumber s | (which, (_, s)) <- beside, isWrong which]
+                agreeing = map snd block ++ [s | (Again, (_, s)) <- beside]
+                inSource source = length . filter ((== source) . readSource)
+                radius = case stated of
+                  Guaranteed -> (distance - 1) `div` 2
+                  UpTo n -> n
+                few = fromIntegral (length wrong) <= radius
+             in classify few "few wrong" $
+                  case locationEvidence found of
+                    Nothing -> counterexample "no evidence" False
+                    Just e ->
+                      conjoin
+                        [ locationOrientation found === drawnOrientation drawn,
+                          evidenceAgreeing e === length agreeing,
+                          sort (evidenceWrong e) === wrong,
+                          evidenceInconsistent e
+                            === [ source
+                                  | source <- [0 .. 2],
+                                    inSource source [s | (which, (_, s)) <- beside, isWrong which]
+                                      > inSource source agreeing
+                                ],
+                          evidenceDistance e === distance,
+                          evidenceRadius e === radius,
+                          fmap chanceExact (evidenceChance e) === Just False,
+                          near (maybe 0 chanceShare (evidenceChance e)) (among size radius),
+                          (locationOutcome found == Placed (position (drawnAt drawn))) === few
+                        ]
+  where
+    position (r, c) = Position (fromIntegral r) (fromIntegral c)
+    -- 255 spheres among all contents, as docs/locating.md has it.
+    among (high, wide) radius =
+      min 1 (255 * sum [over m i * 3 ^ i | i <- [0 .. min m (toInteger radius)]] `ratio` (4 ^ m))
+      where
+        m = toInteger (high * wide)
+    over m i = product [m - i + 1 .. m] `div` product [1 .. i]
+    ratio a b = fromInteger a / fromInteger b :: Double
+
+-- | Where the symbols of a block with others beside it are, seen as they were drawn.
+locatedAs ::
+  KnownField k =>
+  Recogniser k ->
+  Tolerance ->
+  Drawn ->
+  [InCell] ->
+  [(Beside, InCell)] ->
+  GridLocation
+locatedAs reader tolerance drawn block beside =
+  locateGrid reader tolerance (only Sideways) (gridOf (seen (block ++ looks)) (only Stray))
+  where
+    seen = seenAs (drawnOrientation drawn)
+    looks = [placed | (which, placed) <- beside, which `notElem` [Stray, Sideways]]
+    only kind = map snd (seen [((0, 0), s) | (which, (_, s)) <- beside, which == kind])
+
+near :: Double -> Double -> Property
+near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
+
+refusalSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
+refusalSpec array reader = do
+  it "symbols that lie another way up, too many to be wrong: WrongWayUp" $ do
+    -- Two of a place that is certain, one of either axis; as many as lie the first way.
+    told (block 3 3) {sceneBeside = [((0, 0), turnedOver 0), ((1, 1), turnedOver 1)]}
+      `shouldBe` WrongWayUp
+    told (block 3 3) {sceneAside = [sideways 0, sideways 1]} `shouldBe` WrongWayUp
+    told (block 2 2) {sceneBeside = [((0, 2), turnedOver 1), ((1, 2), turnedOver 3)]}
+      `shouldBe` WrongWayUp
+    told (block 3 3) {sceneBeside = [((0, 0), turnedOver 0)]} `shouldBe` placed
+  it "symbols off the grid, too many to be wrong: OffTheGrid" $ do
+    told (block 3 3) {sceneStrays = [stray 1, stray 3]} `shouldBe` OffTheGrid
+    told (block 2 2) {sceneStrays = [stray 1]} `shouldBe` OffTheGrid
+    told (block 3 3) {sceneStrays = [stray 1]} `shouldBe` placed
+  it "if both would account for it, the way up is what is told" $ do
+    told (block 3 3) {sceneStrays = [stray 1], sceneAside = [sideways 0]} `shouldBe` WrongWayUp
+    told (block 3 3) {sceneStrays = [stray 1, stray 2], sceneAside = [sideways 0]}
+      `shouldBe` OffTheGrid
+  it "groups that are at different places by themselves: GroupsApart" $ do
+    -- Beside a larger one, and as large.
+    told (block 3 3) {sceneGroup = moved (0, 3) (blockOf array 2 2 (1, 1))} `shouldBe` GroupsApart
+    told (block 2 2) {sceneGroup = moved (0, 3) (blockOf array 2 2 (1, 1))} `shouldBe` GroupsApart
+    told (block 2 2) {sceneGroup = moved (0, 3) (blockOf array 2 2 (6, 8))} `shouldBe` placed
+  it "more wrong symbols than the distance lets be corrected: beyond-radius" $
+    for_ [((0, 0), (2, 2)), ((0, 1), (1, 1)), ((1, 0), (2, 1))] $ \(a, b) ->
+      told (block 3 3) {sceneChanged = [a, b]} `shouldBe` Unplaced BeyondRadius
+  it "too many wrong looks at cells that others place: contradiction" $
+    told (block 3 3) {sceneBeside = [((0, 0), otherwise' 0), ((2, 2), otherwise' 2)]}
+      `shouldBe` Unplaced Contradiction
+  it "a place that the symbols have, but not likely enough: below-threshold" $
+    locationOutcome (asked standardTolerance {foreignPrior = 0.5} (block 2 2))
+      `shouldBe` Unplaced BelowThreshold
+  it "zeros alone: zero-window" $
+    told (block 2 2) {sceneBlock = [(at, (identity, 0)) | (at, _) <- blockOf array 2 2 (6, 5)]}
+      `shouldBe` Unplaced ZeroWindow
+  it "symbols that are fewer than a window: no-complete-window" $
+    for_ [1, 2, 3] $ \n ->
+      told (block 2 2) {sceneBlock = take n (blockOf array 2 2 (6, 5))}
+        `shouldBe` Unplaced NoCompleteWindow
+  it "symbols that the network does not know, without a likely place: no-complete-window" $
+    locationOutcome (locateGrid reader standardTolerance [] (gridOf unknown []))
+      `shouldBe` Unplaced NoCompleteWindow
+  it "several places that have all complete windows, where windows are too small: Undecided" $ do
+    window <- right (rectangle (Shape 1 2))
+    reader' <- recogniserWith array window
+    let pair = blockOf array 1 2 (6, 5)
+        same =
+          [ Position (fromIntegral r) (fromIntegral c)
+            | r <- [0 .. 14],
+              c <- [0 .. 16],
+              blockOf array 1 2 (r, c) == pair
+          ]
+    length same `shouldBe` 16
+    locationOutcome (locateGrid reader' standardTolerance [] (gridOf (numbered 0 pair) []))
+      `shouldBe` Undecided same
+  where
+    told = locationOutcome . asked standardTolerance
+    placed = Placed (Position 6 5)
+    block high wide = Built (blockOf array high wide (6, 5)) [] [] [] [] []
+    turnedOver n = (turned 2, n)
+    otherwise' i = (identity, (classAt array (6 + i, 5 + i) + 1) `mod` 4)
+    sideways n = (turned 1, n)
+    stray n = (identity, n)
+    moved (di, dj) those = [((i + di, j + dj), what) | ((i, j), what) <- those]
+    asked tolerance built =
+      locateGrid
+        reader
+        tolerance
+        (zipWith clear [400 ..] (sceneAside built))
+        (gridOf (own ++ group ++ beside) strays)
+          { gridGroups = [Set.fromList (map (readNumber . snd) those) | those <- [own, group]]
+          }
+      where
+        own = numbered 0 (map changed (sceneBlock built))
+        group = numbered 100 (sceneGroup built)
+        beside = numbered 200 (sceneBeside built)
+        strays = zipWith clear [300 ..] (sceneStrays built)
+        changed (at, (o, c)) =
+          (at, (o, if at `elem` sceneChanged built then (c + 1) `mod` 4 else c))
+    unknown =
+      [ (at, (unsure 0.5 (clear 0 what)) {readClass = Nothing})
+        | (at, what) <- blockOf array 2 2 (6, 5)
+      ]
+    numbered from those = [(at, clear n what) | (n, (at, what)) <- zip [from ..] those]
+
+-- | A block, and what stands beside it.
+data Built = Built
+  { sceneBlock :: Block,
+    -- | cells of the block that hold another class
+    sceneChanged :: [(Int, Int)],
+    -- | a second group
+    sceneGroup :: Block,
+    -- | further symbols, of no group
+    sceneBeside :: Block,
+    -- | off the grid
+    sceneStrays :: [(Symmetry, Int)],
+    -- | along the other axis
+    sceneAside :: [(Symmetry, Int)]
+  }
+
+-- | The shipped recogniser, but for its window.
+recogniserWith :: KnownField k => PseudorandomArray k -> Mask -> IO (Recogniser k)
+recogniserWith array window = do
+  layout <- right canonicalPlacement
+  net <- right shippedNetwork
+  known <- right paperAlphabet
+  right (recogniser (ArrayOn Torus array) window layout known net)

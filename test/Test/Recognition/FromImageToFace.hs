@@ -1,0 +1,329 @@
+-- | The hall: reliefs, explorations, and the whole way from an image to the face.
+module Test.Recognition.FromImageToFace (spec) where
+
+import Data.Foldable (for_)
+import Data.List (nub, sort)
+import qualified Data.Map.Strict as Map
+import Numeric.LinearAlgebra (konst)
+import PraTactile.Array
+  ( ArrayOn (..),
+    Position (..),
+    PseudorandomArray,
+    Shape (..),
+    Surface (..),
+    cellAt,
+  )
+import PraTactile.Classification.Network (Network, network)
+import PraTactile.Classification.Network.File (shippedNetwork)
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Geometry (symbolThickness)
+import PraTactile.Image
+import PraTactile.Locate (Reason (..))
+import PraTactile.Object.Canonical (canonicalLayings, canonicalPlacement)
+import PraTactile.Object.Placement
+import PraTactile.Profile
+import PraTactile.Recognise
+import PraTactile.Recognise.Reading (Group (..), groups)
+import PraTactile.Registration (compositeOf, standardRegistration)
+import PraTactile.Relief
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor (HeightMap (..), standardSensor)
+import PraTactile.Sensor.Frame (movePoint, taxelPitch)
+import PraTactile.Shape
+import PraTactile.Symmetry
+import PraTactile.Window (Mask)
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
+import Test.QuickCheck hiding (generate)
+
+spec :: Spec
+spec = case shippedParts of
+  Left problem -> it "the shipped parts fit together" (expectationFailure problem)
+  Right parts ->
+    either (\e -> it "the canonical profile has an array" (expectationFailure (show e))) id $
+      withProfile canonicalProfile $ \array mask ->
+        let on = ArrayOn Torus array
+         in case recogniser on mask (placementOf parts) (alphabetOf parts) (networkOf parts) of
+              Left e -> it "the canonical array has a recogniser" (expectationFailure (show e))
+              Right reader -> do
+                recogniserSpec parts array mask
+                groupSpec
+                reliefSpec parts array
+                exploreSpec parts
+                recogniseSpec parts array reader
+
+data Parts = Parts {placementOf :: Placement, networkOf :: Network, alphabetOf :: Alphabet}
+
+shippedParts :: Either String Parts
+shippedParts = Parts <$> shown canonicalPlacement <*> shown shippedNetwork <*> shown paperAlphabet
+  where
+    shown :: Show e => Either e a -> Either String a
+    shown = either (Left . show) Right
+
+reliefs :: KnownField k => Parts -> PseudorandomArray k -> [(LaidFace, HeightMap)]
+reliefs parts array =
+  [ (face, heights)
+    | face <- laidFaces (placementOf parts),
+      Right heights <- [relief array (placementOf parts) (alphabetOf parts) face]
+  ]
+
+recogniserSpec :: KnownField k => Parts -> PseudorandomArray k -> Mask -> Spec
+recogniserSpec parts array mask = describe "a recogniser" $ do
+  it "refuses a placement whose symbols are at another pitch than they are read at" $
+    for_ [Pitch 25 31.75, Pitch 25.4 31, Pitch 12.7 15.875] $ \pitch ->
+      refusal (Shape 15 17) pitch `shouldBe` Just (PitchesDiffer pitch (Pitch 25.4 31.75))
+  it "refuses a placement on an array of another shape" $
+    for_ [Shape 17 17, Shape 15 18, Shape 63 65] $ \shape ->
+      refusal shape (Pitch 25.4 31.75) `shouldBe` Just (ArraysDiffer shape (Shape 15 17))
+  it "refuses where the network's outputs, the shapes and the elements are not as many" $ do
+    let all' = alphabetOf parts
+    Right two <- pure (alphabet (take 2 (zip (shapeNames all') (shapes all'))))
+    Right three <- pure (network (konst 0 (5, 97)) (konst 0 (3, 6)))
+    let refused names with =
+          either
+            Just
+            (const Nothing)
+            (recogniser (ArrayOn Torus array) mask (placementOf parts) names with)
+    refused two (networkOf parts) `shouldBe` Just (ClassesDiffer 4 2 4)
+    refused (alphabetOf parts) three `shouldBe` Just (ClassesDiffer 3 4 4)
+    refused two three `shouldBe` Just (ClassesDiffer 3 2 4)
+    refused (alphabetOf parts) (networkOf parts) `shouldBe` Nothing
+  it "takes the canonical placement, laid again" $
+    refusal (Shape 15 17) (Pitch 25.4 31.75) `shouldBe` Nothing
+  where
+    refusal shape pitch = case placement
+      shape
+      pitch
+      (placementSolids (placementOf parts))
+      canonicalLayings of
+      Left e -> error ("no placement: " ++ show e)
+      Right laid ->
+        either
+          Just
+          (const Nothing)
+          (recogniser (ArrayOn Torus array) mask laid (alphabetOf parts) (networkOf parts))
+
+groupSpec :: Spec
+groupSpec = describe "groups of symbols" $ do
+  it "have each symbol by its number, though several lie at the same place" $
+    let found =
+          groups
+            [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
+     in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
+  it "have each symbol once, in its cell, wherever and in whatever order they come" $
+    property $
+      forAll (shuffle (zip [0 ..] [(i, j) | i <- [0 .. 2], j <- [0 .. 3]])) $ \placed ->
+        forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
+          map
+            (fmap (fmap readNumber) . groupCells)
+            ( groups
+                [ symbolAt n 0 (x + 16 * fromIntegral j, y + 20 * fromIntegral i)
+                  | (n, (i, j)) <- placed
+                ]
+            )
+            === [Just (Map.fromList [(cell, n) | (n, cell) <- placed])]
+  where
+    symbolAt number source centre =
+      ReadSymbol
+        { readNumber = number,
+          readSource = source,
+          readImage = SymbolImage centre (constant 8 12 0) 0 (8, 12),
+          readAt = centre,
+          readClass = Nothing,
+          readSeen = 1,
+          readLikeliest = (identity, 0),
+          readChances = [((identity, 0), 1)]
+        }
+
+-- | A rectangle of a face as an image of full contrast: x, y, width, height in taxels.
+region :: HeightMap -> (Int, Int, Int, Int) -> Raster
+region heights (x, y, w, h) =
+  generate w h (\i j -> maybe 0 (/ symbolThickness) (index (heightValues heights) (x + i) (y + j)))
+
+reliefSpec :: KnownField k => Parts -> PseudorandomArray k -> Spec
+reliefSpec parts array = describe "reliefs" $ do
+  it "every face has one, as large as the face in taxels" $ do
+    length (reliefs parts array) `shouldBe` 12
+    for_ (reliefs parts array) $ \(face, heights) ->
+      map
+        ((* (127 / 80)) . fromIntegral)
+        [rasterWidth (heightValues heights), rasterHeight (heightValues heights)]
+        `shouldBe` [spotRight (laidExtent face), spotDown (laidExtent face)]
+  it "a face's classes are the array's codes where it is laid" $
+    for_ (laidFaces (placementOf parts)) $ \face ->
+      concat (faceClasses array face)
+        `shouldBe` [ toCode (cellAt array (Position r c))
+                     | let Position r0 c0 = laidAt face,
+                       let Shape h w = laidGrid face,
+                       r <- [r0 .. r0 + h - 1],
+                       c <- [c0 .. c0 + w - 1]
+                   ]
+  it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, nothing else" $
+    for_ (reliefs parts array) $ \(face, heights) -> do
+      let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+      for_ (zip [0 ..] (faceClasses array face)) $ \(i, line) ->
+        for_ (zip [0 ..] line) $ \(j, c) -> do
+          let cell = region heights (margin spotRight + 16 * j, margin spotDown + 20 * i, 16, 20)
+              expected shape x y = if embossedAt shape (x - 4) (y - 4) then 1 else 0
+          Right (toRows cell)
+            `shouldBe` fmap
+              (\shape -> toRows (generate 16 20 (expected shape)))
+              (shapeOf (alphabetOf parts) c)
+
+exploreSpec :: Parts -> Spec
+exploreSpec parts = describe "explorations" $ do
+  prop "a random region lies on its face, in the robot's frame as in the face's" $ \seed ->
+    forAll (elements (laidFaces (placementOf parts))) $ \face ->
+      case randomRegion rotations standardRegionSize face (mkStdGen seed) of
+        Nothing -> counterexample "no room" False
+        Just (r, _) ->
+          let extent side = fromRational (side (laidExtent face)) + 1e-9
+           in property
+                ( and
+                    [ x >= -1e-9 && x <= extent spotRight && y >= -1e-9 && y <= extent spotDown
+                      | (x, y) <- cornersOf r
+                    ]
+                )
+  prop "askew, by any whole angle, its corners are on the face or equally far off it" $ \seed ->
+    forAll ((,) <$> elements (laidFaces (placementOf parts)) <*> anyAngle) $
+      \(face, degrees) -> conjoin . flip map [seed .. seed + 9] $ \seed' ->
+        case drawnRegion
+          (TurnedBy (fromIntegral (degrees :: Int)))
+          standardRegionSize
+          face
+          (mkStdGen seed') of
+          Nothing -> counterexample "no room" False
+          Just (r, _) ->
+            let corners = cornersOf r
+                fits side coordinates =
+                  let (low, high) = (minimum coordinates, maximum coordinates)
+                   in counterexample (show (low, high, side)) $
+                        if high - low <= side
+                          then low >= -1e-6 && high <= side + 1e-6
+                          else abs (low + high - side) < 1e-6
+             in fits (fromRational (spotRight (laidExtent face))) (map fst corners)
+                  .&&. fits (fromRational (spotDown (laidExtent face))) (map snd corners)
+  it "the standard region is 40 taxels wide and 52 tall" $ standardRegionSize `shouldBe` (40, 52)
+  it "a region larger than the face has no place on it" $
+    for_ (laidFaces (placementOf parts)) $ \face ->
+      fmap fst (randomRegion halfTurns (200, 52) face (mkStdGen 1)) `shouldBe` Nothing
+  where
+    -- Often a degree off a quarter turn, where only few places are too near the edge.
+    anyAngle = oneof [choose (-360, 360), (+) . (90 *) <$> choose (-3, 3) <*> elements [-1, 1]]
+    -- Millimetres to the right of and below the face's upper left vertex.
+    cornersOf r =
+      [ movePoint (regionMotion r) (taxelPitch * fromIntegral x, taxelPitch * fromIntegral y)
+        | let (w, h) = standardRegionSize,
+          x <- [0, w],
+          y <- [0, h]
+      ]
+
+recogniseSpec :: KnownField k => Parts -> PseudorandomArray k -> Recogniser k -> Spec
+recogniseSpec parts array reader = describe "recognition" $ do
+  it "each of the 132 windows that lie on a face is found there, whichever way up" $ do
+    let cases =
+          [ (face, heights, i, j)
+            | (face, heights) <- reliefs parts array,
+              let Shape h w = laidGrid face,
+              i <- [0 .. h - 2],
+              j <- [0 .. w - 2]
+          ]
+    length cases `shouldBe` 132
+    for_ cases $ \(face, heights, i, j) ->
+      for_
+        [ (identity, id),
+          (turned 1, onRaster (turned 1)),
+          (turned 2, onRaster (turned 2)),
+          (turned 3, onRaster (turned 3))
+        ]
+        $ \(orientation, turn) -> do
+          let margin side = round (side (laidMargin face) / taxelPitch) :: Int
+              image =
+                region
+                  heights
+                  ( margin spotRight + 16 * fromIntegral j,
+                    margin spotDown + 20 * fromIntegral i,
+                    32,
+                    40
+                  )
+              Position r c = laidAt face
+          found (turn image)
+            `shouldBe` Right
+              (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
+  it "nothing at all is refused: no-symbols" $ refusal (constant 40 52 0) `shouldBe` Just NoSymbols
+  it "uniform contact is refused: no-symbols" $ refusal (constant 40 52 1) `shouldBe` Just NoSymbols
+  it "an image of no size is refused: no-symbols" $
+    refusal (constant 0 0 0) `shouldBe` Just NoSymbols
+  it "three symbols are too few" $
+    refusal (pasted [(4, 4, 0, id), (20, 4, 1, id), (4, 24, 2, id)])
+      `shouldBe` Just (NotLocated NoCompleteWindow)
+  it "one symbol half-turned among upright ones is a contradiction of orientation" $
+    refusal
+      (pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
+      `shouldBe` Just OrientationContradicts
+  it "a mirror image is refused as one, whichever way up" $
+    for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
+      let window = pasted [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
+      refusal (onRaster symmetry window) `shouldBe` Just Mirrored
+  it "every refusal has a name of its own" $
+    length (nub (map refusalName refusals)) `shouldBe` length refusals
+  it "the names of refusals are those that are promised" $
+    map refusalName refusals
+      `shouldMatchList` [ "no-symbols",
+                          "symbols-unclear",
+                          "mirrored",
+                          "orientation-contradiction",
+                          "grid-contradiction",
+                          "windows-contradiction",
+                          "frames-contradiction",
+                          "zero-window",
+                          "too-few-cells",
+                          "no-complete-window",
+                          "not-in-array",
+                          "contradiction",
+                          "off-sheet",
+                          "beyond-radius",
+                          "below-threshold"
+                        ]
+  modifyMaxSuccess (const 40) $
+    prop "a random exploration with noise is right or refused, never wrong" $ \seed ->
+      forAll (elements (reliefs parts array)) $ \face ->
+        case trial usual face (mkStdGen seed) of
+          Nothing -> counterexample "the region does not lie on the face" False
+          Just t ->
+            case withStitching (runTrial standardTolerance reader standardRegistration t) of
+              Mistaken doubt -> counterexample ("wrong, with a doubt of " ++ show doubt) False
+              _ -> property True
+  where
+    usual = exploration standardSensor (AmongTurns rotations) standardRegionSize
+    found image = case recognise reader (compositeOf image) of
+      Left e -> Left (show e)
+      Right recognition -> case recognisedAnswer recognition of
+        Left e -> Left (refusalName e)
+        Right (Several _ _) -> Left "several"
+        Right (Found answer) ->
+          let window =
+                foundWindow answer
+           in Right
+                (foundOrientation answer, windowPosition window, onFace (windowWhereabouts window))
+    onFace place = case place of
+      OnFace p -> Just (placeFace p, placeCell p)
+      _ -> Nothing
+    refusal image =
+      either
+        (const Nothing)
+        (either Just (const Nothing) . recognisedAnswer)
+        (recognise reader (compositeOf image))
+    pasted placed = generate 32 40 $ \x y ->
+      maximum
+        ( 0 :
+            [ v
+              | (x0, y0, c, change) <-
+                  placed,
+                Right shape <- [shapeOf (alphabetOf parts) c],
+                Just v <- [index (change (toRaster shape)) (x - x0) (y - y0)]
+            ]
+        )

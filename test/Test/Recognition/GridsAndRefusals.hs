@@ -1,0 +1,269 @@
+-- | What recognition rests on, case by case: the common grid of all symbols, room on a face, cells
+-- too small for symbols, and which refusal is said of what.
+module Test.Recognition.GridsAndRefusals (spec) where
+
+import Control.Monad (join)
+import Data.Foldable (for_)
+import Data.List (partition, sort)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust)
+import qualified Data.Set as Set
+import PraTactile
+import PraTactile.Evaluate
+import PraTactile.Explore
+import PraTactile.Field (KnownField, toCode)
+import PraTactile.Files (readFolder)
+import PraTactile.Image
+import PraTactile.Object.Canonical (canonicalLayings)
+import PraTactile.Object.Placement
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.GridLocation
+import PraTactile.Recognise.Reading
+import PraTactile.Recognise.SymbolBelief (certain)
+import PraTactile.Relief
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Sensor (HeightMap (..), idealSensor)
+import PraTactile.Sensor.Frame (taxelPitch)
+import PraTactile.Symmetry
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.QuickCheck hiding (generate)
+import Test.Recognition.Symbols
+import Test.Support
+
+spec :: Spec
+spec = do
+  describe "the grid of a face" gridSpec
+  describe "what is certain" certainSpec
+  describe "room on a face" roomSpec
+  describe "cells" $
+    it "that are smaller than a symbol in either direction are refused, and no others" $
+      either (expectationFailure . show) id $
+        withProfile canonicalProfile (\array _ -> cellsTooSmall array)
+  describe "what is said" saidSpec
+
+gridSpec :: Spec
+gridSpec = do
+  it "has each symbol in its cell, counted from the uppermost row and the leftmost column" $
+    forAllShrink (sublistOf everywhere) (filter (not . null) . shrinkList (const [])) $ \some ->
+      forAll (shuffle (if null some then [(0, 0)] else some)) $ \cells ->
+        let symbols = zipWith symbolIn [0 ..] cells
+            top = minimum (map fst cells)
+            left = minimum (map snd cells)
+         in fmap (Map.map (map readNumber) . gridCells) (faceGrid (groups symbols))
+              === Just (Map.fromList [((i - top, j - left), [n]) | (n, (i, j)) <- zip [0 ..] cells])
+              .&&. fmap (Set.unions . gridGroups) (faceGrid (groups symbols))
+                === Just (Set.fromList [0 .. length cells - 1])
+              .&&. fmap (map readNumber . gridStrays) (faceGrid (groups symbols)) === Just []
+  it "has the groups that lie whole cells, to four taxels, from the one that is known best" $
+    forAll (elements [identity, turned 1]) $ \axis ->
+      forAll genGroups $ \drawn ->
+        forAllBlind (shuffle (concat (zipWith (members axis) [0 ..] drawn))) $ \seen ->
+          let (joined, strays) = partition (onGrid . snd . snd) (zip [0 :: Int ..] drawn)
+              placed =
+                [ ((i + di, j + dj), [10 * n + m])
+                  | (n, ((i, j), _)) <- joined,
+                    (m, (di, dj)) <- take (sizeOf n) (zip [0 ..] block)
+                ]
+              found = faceGrid (groups seen)
+           in conjoin
+                [ fmap (Map.map (map readNumber) . gridCells) found === Just (Map.fromList placed),
+                  fmap (sort . gridGroups) found
+                    === Just (sort [Set.fromList (numbersOf n) | (n, _) <- joined]),
+                  fmap (sort . map readNumber . gridStrays) found
+                    === Just (concat [numbersOf n | (n, _) <- strays])
+                ]
+  it "is none where the distances within a group contradict each other" $ do
+    let sound = Group (Just (Map.singleton (0, 0) one)) (0, 0) [one]
+        unsound = Group Nothing (0, 0) [one]
+        one = symbolAt 0 (0, 0) (identity, 0)
+    map (isJust . faceGrid) [[sound], [sound, unsound], [unsound, sound], []]
+      `shouldBe` [True, False, False, True]
+  where
+    -- A group of four symbols that the network knows, and up to three of two that it does not, each
+    -- so many taxels off its grid.
+    genGroups = do
+      others <- sublistOf [(0, 6), (6, 0), (6, 6)]
+      offs <- traverse (const ((,) <$> genOff <*> genOff)) others
+      pure (((0, 0), (0, 0)) : zip others offs)
+    genOff = elements [0, 4, -4, 4.001, -4.001, 2, -7] :: Gen Double
+    onGrid (dx, dy) = abs dx <= 4 && abs dy <= 4
+    block = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    sizeOf n = if n == 0 then 4 else 2 :: Int
+    numbersOf n = [10 * n + m | m <- [0 .. sizeOf n - 1]]
+    members axis n ((i, j), (dx, dy)) =
+      [ (symbolOf (10 * n + m) (onOffset axis (x + dx + e, y + dy - e)) (axis, 0))
+          { readSource = n `mod` 2,
+            readImage = SymbolImage (0, 0) (constant 8 12 0) (degreesClockwise axis) (8, 12),
+            readClass = if n == 0 then Just (axis, 0) else Nothing
+          }
+        | (m, (di, dj), e) <- take (sizeOf n) (zip3 [0 ..] block (taxelOff n)),
+          let (x, y) = (16 * fromIntegral (j + dj), 20 * fromIntegral (i + di))
+      ]
+    -- Two are off by a taxel more and less: their mean is on the grid, or is not.
+    taxelOff n = if n == 0 then [0, 0, 0, 0] else [1, -1]
+    everywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
+    -- Every third one is known to the network.
+    symbolIn n cell = (symbolAt n cell (identity, 0)) {readClass = known n}
+    known n = if n `mod` 3 == 0 then Just (identity, 0) else Nothing
+
+-- | A symbol of that number that is that for certain, and known to the network, in a cell.
+symbolAt :: Int -> (Int, Int) -> (Symmetry, Int) -> ReadSymbol
+symbolAt n (i, j) = symbolOf n centre
+  where
+    centre = (16 * fromIntegral j, 20 * fromIntegral i)
+
+-- | The symbol with that much doubt, shared by all else that it could be.
+doubtful :: Double -> ReadSymbol -> ReadSymbol
+doubtful p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- others]}
+  where
+    what = readLikeliest s
+    others = filter (/= what) ((,) <$> [identity, turned 2] <*> [0 .. 3])
+
+certainSpec :: Spec
+certainSpec = do
+  it "is what the network knows with a tenth of doubt at most, and of parts what a third tells" $
+    for_ ((,) <$> [0, 0.0009, 0.0011, 0.09, 0.11, 0.7] <*> knowing) $ \(p, known) -> do
+      let symbol = (doubtful p (symbolAt 0 (0, 0) (turned 2, 3))) {readClass = known}
+      certain symbol `shouldBe` (if p < 0.1 then known else Nothing)
+      for_ [86, 32, 31 :: Int] $ \taxels ->
+        certain symbol {readSeen = fromIntegral taxels / 96, readClass = Nothing}
+          `shouldBe` (if p < 0.001 && taxels >= 32 then Just (turned 2, 3) else Nothing)
+  it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
+    layout <- right canonicalPlacement
+    alphabetOfAll <- right paperAlphabet
+    net <- right shippedNetwork
+    join . right $
+      withProfile canonicalProfile $ \array mask -> do
+        reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
+        let classOf r c = toCode (cellAt array (Position (6 + r) (5 + c)))
+            block =
+              [ symbolAt (3 * i + j) (i, j) (identity, classOf r c)
+                | (i, r) <- [(0, 0), (1, 1)],
+                  (j, c) <- [(0, 0), (1, 1), (2, 2)]
+              ]
+            located among strays along =
+              locationOutcome
+                (locateGrid reader standardTolerance along (gridOf (block ++ among) strays))
+            gridOf symbols strays =
+              FaceGrid
+                { gridCells = Map.fromList [(readNumber s `divMod` 3, [s]) | s <- symbols],
+                  gridGroups = [Set.fromList (map readNumber symbols)],
+                  gridStrays = strays
+                }
+            turnedOver = symbolAt 8 (2, 2) (turned 2, 1)
+            sideways = symbolAt 9 (5, 5) (turned 1, 1)
+            placed = Placed (Position 6 5)
+        [located [] [] [], located [doubtful 0.6 turnedOver] [] [], located [turnedOver] [] []]
+          `shouldBe` [placed, placed, WrongWayUp]
+        [located [] [doubtful p turnedOver] [] | p <- [0.3, 0]] `shouldBe` [placed, OffTheGrid]
+        [located [] [] [doubtful p sideways] | p <- [0.3, 0]] `shouldBe` [placed, WrongWayUp]
+  where
+    knowing = [Nothing, Just (turned 2, 3)]
+
+roomSpec :: Spec
+roomSpec = do
+  it "a region as large as the face lies at its corner, and one a taxel larger has no place" $ do
+    layout <- right canonicalPlacement
+    let wrong =
+          [ (laidFace face, symmetry, width, height)
+            | face <- laidFaces layout,
+              symmetry <- rotations,
+              let across = taxelsOf (spotRight (laidExtent face)),
+              let down = taxelsOf (spotDown (laidExtent face)),
+              let (w, h) = if exchangesAxes symmetry then (down, across) else (across, down),
+              (width, height, fits) <- [(w, h, True), (w + 1, h, False), (w, h + 1, False)],
+              let found = fst <$> randomRegion [symmetry] (width, height) face (mkStdGen 1),
+              maybe fits (\r -> not (fits && atCorner r && regionSymmetry r == symmetry)) found
+          ]
+    wrong `shouldBe` []
+  it "fitting is whether the trials all have a place" $
+    whenRight canonicalPlacement $ \layout ->
+      forAll (choose (1, 5) >>= (`vectorOf` elements (laidFaces layout))) $ \faces ->
+        forAll ((,) <$> elements [30, 64, 65, 80, 81] <*> elements [30, 60, 64, 80]) $ \size ->
+          forAll ((,) <$> choose (0, 8) <*> choose (1, 999)) $ \(count, seed) ->
+            fitting (AmongTurns rotations) size faces seed count
+              === all
+                isJust
+                (take count (trials (exploring size) [(f, flat) | f <- faces] seed))
+  where
+    exploring = exploration idealSensor (AmongTurns rotations)
+    flat = HeightMap taxelPitch (constant 0 0 0)
+    taxelsOf millimetres = round (millimetres / (127 / 80)) :: Int
+    atCorner r = abs (regionRight r) < 1e-9 && abs (regionDown r) < 1e-9
+
+cellsTooSmall :: KnownField k => PseudorandomArray k -> Expectation
+cellsTooSmall array = do
+  layout <- right canonicalPlacement
+  alphabetOfAll <- right paperAlphabet
+  sequence_
+    [ do
+        laid <-
+          right
+            ( placement
+                (Shape 15 17)
+                (Pitch (taxels across) (taxels down))
+                (placementSolids layout)
+                canonicalLayings
+            )
+        let wrong =
+              [ laidFace face
+                | face <- laidFaces laid,
+                  let found = relief array laid alphabetOfAll face,
+                  either
+                    (\e -> not (tooSmall && e == CellTooSmall across down))
+                    (const tooSmall)
+                    found
+              ]
+        wrong `shouldBe` []
+      | across <- [4, 6, 8, 10],
+        down <- [8, 10, 12, 14],
+        let tooSmall = across < 8 || down < 12
+    ]
+  where
+    taxels n = fromIntegral n * 127 / 80
+
+saidSpec :: Spec
+saidSpec = do
+  it "symbols of the right size that are none of the alphabet's are unclear" $ do
+    said <- saying (compositeOf (boxes [(0, 0), (0, 1), (1, 0), (1, 1)]))
+    said `shouldBe` Left SymbolsUnclear
+    alone <- saying (compositeOf (boxes [(1, 0)]))
+    alone `shouldBe` Left SymbolsUnclear
+  it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
+    let said answer evidence = summary (Recognition [] [] evidence 0 answer)
+        several = Right (Several identity [Position 1 2, Position 3 4])
+        unsure = Just (Evidence (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
+    said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
+    map (take 3 . words) (said several Nothing)
+      `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]
+    map (drop 1) [said (Left NoSymbols) unsure, drop 1 (said several unsure)]
+      `shouldBe` replicate 2 ["doubt 2.5e-1"]
+  it "the lines of README.md are what is said of the worked example" $ do
+    text <- lines <$> readFile "README.md"
+    let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))
+    frames <- readFolder "data/worked-example/frames" >>= right
+    decoder' <- right canonicalDecoder
+    recognition <- right (decodeFolder decoder' frames)
+    map ("    " ++) (summary recognition) `shouldBe` printed
+  where
+    saying composite = do
+      layout <- right canonicalPlacement
+      alphabetOfAll <- right paperAlphabet
+      net <- right shippedNetwork
+      answered <-
+        right $
+          withProfile canonicalProfile $ \array mask -> do
+            reader <- right (recogniser (ArrayOn Torus array) mask layout alphabetOfAll net)
+            recognition <- right (recognise reader composite)
+            pure (either Left (const (Right ())) (recognisedAnswer recognition))
+      answered
+    -- Boxes of 8 x 12 in cells of 16 x 20.
+    boxes cells = generate 40 48 $ \x y ->
+      if (y `div` 20, x `div` 16) `elem` cells
+        && x `mod` 16 >= 4
+        && x `mod` 16 < 12
+        && y `mod` 20 >= 4
+        && y `mod` 20 < 16
+        then 1
+        else 0

@@ -1,0 +1,225 @@
+-- | What is done with symbols on a grid, each step against its definition: the tilt of the grid,
+-- what is done to recognitions, and the words for them.
+module Test.Recognition.TiltAndWords (spec) where
+
+import Data.Foldable (for_)
+import qualified Data.Map.Strict as Map
+import PraTactile.Array (Position (..))
+import PraTactile.Image (constant)
+import PraTactile.Locate (Reason (..))
+import PraTactile.Object.Placement
+import PraTactile.Recognise
+import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.Recognition
+import PraTactile.Recognise.Summary
+import PraTactile.Segmentation (SymbolImage (..))
+import PraTactile.Symmetry
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck hiding (certainty, elements, generate)
+import qualified Test.QuickCheck as QuickCheck
+import Test.Recognition.Symbols
+
+spec :: Spec
+spec = do
+  describe "The tilt of a grid" tiltSpec
+  describe "Recognitions" recognitionSpec
+  describe "In words" wordSpec
+
+elements :: [a] -> Gen a
+elements = QuickCheck.elements
+
+near :: Double -> Double -> Property
+near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
+
+tiltSpec :: Spec
+tiltSpec =
+  it "is the mean over both errors that an image may have, weighed by what the symbols say" $
+    forAll (elements [Nothing, Just (), Just ()]) $ \given ->
+      forAll ((,) <$> choose (-20, 20) <*> elements [0, 2, -5]) $ \(angle, off) ->
+        forAll (choose (1, 8) >>= (`vectorOf` genSymbol)) $ \drawn ->
+          let grid = FaceGrid (Map.fromListWith (flip (++)) placed) [] []
+              placed =
+                [ (cell, [symbolOf n (spot cell jitter) (identity, 0)])
+                  | (n, (cell, jitter)) <- zip [0 ..] drawn
+                ]
+              spot (i, j) (dx, dy) =
+                let (x, y) = (16 * fromIntegral j, 20 * fromIntegral i)
+                    (c, s) = (cos (radians angle), sin (radians angle))
+                 in (c * x - s * y + dx + 40, s * x + c * y + dy - 7)
+              shown = (angle + off) <$ given
+              told =
+                [ ((16 * fromIntegral j, 20 * fromIntegral i), readAt s)
+                  | ((i, j), here) <- Map.toList (gridCells grid),
+                    s <- here
+                ]
+           in near (gridTilt shown grid) (defined shown told)
+  where
+    genSymbol =
+      (,)
+        <$> ((,) <$> choose (0, 2 :: Int) <*> choose (0, 3 :: Int))
+        <*> ((,) <$> choose (-1, 1) <*> choose (-1, 1))
+    radians t = t * pi / 180 :: Double
+    centred places =
+      let mean part = sum (map part places) / fromIntegral (length places)
+       in [(x - mean fst, y - mean snd) | (x, y) <- places]
+    defined shown told = case shown of
+      Nothing -> if length told < 2 then 0 else turn
+      Just angle ->
+        let weighed =
+              [ (share * density (turn - angle) (sd * sd + variance), mode angle sd)
+                | (share, sd) <- [(0.99, 1.5), (0.01, 4)]
+              ]
+         in sum (map (uncurry (*)) weighed) / sum (map fst weighed)
+      where
+        (from, to) = (centred (map fst told), centred (map snd told))
+        along = sum [x * x' + y * y' | ((x, y), (x', y')) <- zip from to]
+        across = sum [x * y' - y * x' | ((x, y), (x', y')) <- zip from to]
+        -- The rotation that brings the ones nearest to the others, in degrees, and its variance
+        -- where each is half a taxel off along each axis.
+        turn = if null told then 0 else atan2 across along * 180 / pi
+        variance = (180 / pi * 0.5) ** 2 / max 1e-9 along
+        density d v = exp (negate d * d / (2 * v)) / sqrt v
+        mode angle sd = (angle * variance + turn * sd * sd) / (sd * sd + variance)
+
+recognitionSpec :: Spec
+recognitionSpec = do
+  prop "set upright by an angle are as the composites were given, each by its own places" $
+    forAll ((,) <$> choose (-45, 45) <*> choose (-3, 3)) $ \(angle, tilt') ->
+      forAll (vectorOf 4 ((,) <$> choose (0, 30) <*> choose (0, 30))) $ \places ->
+        let back k (x, y) = (2 * y + k, x - 3 * k) :: (Double, Double)
+            symbols =
+              [ (symbolOf n place (identity, n))
+                  { readSource = n,
+                    readImage = SymbolImage (fst place + 1, snd place) (constant 8 12 0) 7 (8, 12)
+                  }
+                | (n, place) <- zip [0 ..] places
+              ]
+            (whole, parts) = splitAt 2 symbols
+            windows = [windowAt (Position 0 n) place | (n, place) <- zip [0 ..] places]
+            found = Finding (turned 2) (windowAt (Position 9 9) (4, 5)) windows Map.empty
+            given = Recognition whole parts Nothing tilt' (Right (Found found))
+            -- Of the third composite on nothing is known.
+            moved = relocated angle [back 0, back 1, back 2] given
+            placed n = if n < 3 then back (fromIntegral n) else id
+            wanted s =
+              s
+                { readAt = back 0 (readAt s),
+                  readImage =
+                    (readImage s)
+                      { symbolCentre = placed (readSource s) (symbolCentre (readImage s)),
+                        symbolAxis = 7 + angle
+                      }
+                }
+            there w = w {windowSeenAt = back 0 (windowSeenAt w)}
+         in recognisedSymbols moved === map wanted whole
+              .&&. recognisedParts moved
+              === map wanted parts
+              .&&. recognisedTilt moved
+              === angle + tilt'
+              .&&. recognisedAnswer moved
+              === Right
+                ( Found
+                    found
+                      { foundWindow = there (foundWindow found),
+                        foundWindows = map there windows
+                      }
+                )
+              .&&. recognisedAnswer (relocated angle [back 0] given {recognisedAnswer = several})
+              === several
+  it "have the tilt in their symbols' axes where that is wanted" $ do
+    let axis n s = s {readImage = (readImage s) {symbolAxis = n}}
+        one = symbolOf 0 (0, 0) (identity, 0)
+        given = Recognition [axis 90 one, axis 1 one] [axis (-3) one] Nothing 2.5 (Left NoSymbols)
+    axesTilted given
+      `shouldBe` given
+        { recognisedSymbols = [axis 92.5 one, axis 3.5 one],
+          recognisedParts = [axis (-0.5) one]
+        }
+  it "turn the face by the orientation and the tilt, from 0 up to 360 degrees" $
+    for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \tilt' -> for_ [0 .. 3] $ \quarters -> do
+      let whole = 90 * fromIntegral quarters + tilt'
+          recognition = Recognition [] [] Nothing tilt' (Left NoSymbols)
+      recognisedAngle recognition (turned quarters)
+        `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
+  prop "show something else just where no window of theirs is one of what was found" $
+    forAll ((,) <$> genFinding <*> genFinding) $ \(found, other) ->
+      let at f = map windowPosition (foundWindow f : foundWindows f)
+          differs =
+            foundOrientation found /= foundOrientation other
+              || not (any (`elem` at found) (at other))
+       in elsewhere found (Recognition [] [] Nothing 0 (Right (Found other))) === differs
+            .&&. [elsewhere found (Recognition [] [] Nothing 0 answer) | answer <- [several, none]]
+            === [False, False]
+  prop "are refused where another stitching leaves more doubt than is tolerated, and not if less" $
+    forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
+      forAll (elements [0, 0.05, 0.3]) $ \stitching ->
+        let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
+            evidence = Evidence (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing
+            weighed =
+              evidence
+                { evidenceDoubts =
+                    Doubts (position * (1 - stitching)) stitching (origin * (1 - stitching))
+                }
+            given = Recognition [] [] (Just evidence) 0 several
+            asked tolerated = doubting (standardTolerance {toleratedDoubt = tolerated}) stitching
+            refused = Left (NotLocated BelowThreshold)
+            doubt = evidenceDoubt weighed
+         in if stitching == 0
+              then asked 0 given === given
+              else
+                [asked (doubt * share) given | share <- [1, 0.999]]
+                  === [ given {recognisedEvidence = Just weighed, recognisedAnswer = answer}
+                        | answer <- [several, refused]
+                      ]
+                  .&&. recognisedAnswer (asked 1 given {recognisedEvidence = Nothing})
+                  === refused
+  it "leave as much certainty as their symbols' doubts, which are 1e-300 at least" $ do
+    let doubtful p =
+          (symbolOf 0 (0, 0) (identity, 0))
+            { readChances = [((identity, 0), 1 - p), ((identity, 1), p / 2), ((turned 2, 0), p / 2)]
+            }
+        of' doubts = certainty (Recognition (map doubtful doubts) [doubtful 0.5] Nothing 0 none)
+    abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
+    abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
+    of' [] `shouldBe` 0
+  it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
+    let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
+    unanswered symbols Mirrored `shouldBe` Recognition symbols [] Nothing 0 (Left Mirrored)
+  it "have each refusal in the list of them once" $
+    for_ ([NoSymbols, SymbolsUnclear, Mirrored, OrientationContradicts] ++ later) $ \refusal ->
+      length (filter ((== refusalName refusal) . refusalName) refusals) `shouldBe` 1
+  where
+    head' = foldr const (-1)
+    several = Right (Several identity [Position 0 1])
+    none = Left NoSymbols
+    later = [GridContradicts, WindowsContradict]
+    windowAt position place = ReadWindow position [] place OnNoObject
+    genFinding = do
+      orientation <- elements [identity, turned 2]
+      first <- Position 0 <$> elements [0 .. 5]
+      others <- choose (0, 2) >>= (`vectorOf` (Position 0 <$> elements [0 .. 5]))
+      pure (Finding orientation (windowAt first (0, 0)) (map (`windowAt` (0, 0)) others) Map.empty)
+
+wordSpec :: Spec
+wordSpec = do
+  it "a tilt is said where it is more than three degrees" $
+    for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \tilt' -> do
+      let recognition = Recognition [] [] Nothing tilt' (Left NoSymbols)
+          said = abs tilt' > 3
+      leastTilt `shouldBe` 3
+      shownTilt recognition `shouldBe` (if said then tilt' else 0)
+      (lieText recognition (turned 1) == "turned by 90 degrees") `shouldBe` not said
+  it "orientations, positions and doubts" $ do
+    map orientationText (concat [[turned k, turned k <> mirror] | k <- [0 .. 3]])
+      `shouldMatchList` [ "upright",
+                          "turned by 90 degrees",
+                          "turned by 180 degrees",
+                          "turned by 270 degrees",
+                          "mirrored",
+                          "mirrored and turned by 90 degrees",
+                          "mirrored and turned by 180 degrees",
+                          "mirrored and turned by 270 degrees"
+                        ]
+    positionsText [Position 6 5, Position 7 0] `shouldBe` "6,5 7,0"
+    map doubtText [0, 1e-310, 0.0123, 1] `shouldBe` ["below 1e-300", "1.0e-310", "1.2e-2", "1.0e0"]

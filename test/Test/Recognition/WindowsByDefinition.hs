@@ -1,0 +1,121 @@
+-- | What is found where a grid of symbols is located, from the definition of windows, at grids with
+-- symbols that are wrong, unsure, upside down, missing, or in doubt.
+module Test.Recognition.WindowsByDefinition (spec) where
+
+import Data.List (nub)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (isJust, listToMaybe, mapMaybe)
+import PraTactile.Array
+import PraTactile.Field (KnownField)
+import PraTactile.Object.Placement
+import PraTactile.Recognise
+import PraTactile.Recognise.Finding
+import PraTactile.Recognise.GridLocation
+import PraTactile.Symmetry
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (classes)
+import Test.Recognition.Scenes
+
+spec :: Spec
+spec = onRecognisers $ \array readers -> modifyMaxSuccess (const 200) (foundSpec array readers)
+
+foundSpec :: KnownField k => PseudorandomArray k -> [(Surface, Recogniser k)] -> Spec
+foundSpec array readers =
+  it "what is found are the windows whose symbols are the array's, or where most of them are" $
+    forAllBlind (elements readers) $ \(surface, reader) ->
+      forAllBlind (genScene (cellOf surface array) [0]) $ \scene ->
+        let found =
+              findingAt
+                reader
+                (GridLocation (sceneOrientation scene) (sceneCells scene) Nothing GroupsApart)
+                (scenePosition scene)
+         in foundAsDefined (recogniserPlacement reader) (cellOf surface array) scene found
+
+-- | Whether what is found at a scene's position is what the definition says.
+foundAsDefined :: Placement -> OnArray -> Scene -> Maybe Finding -> Property
+foundAsDefined layout onArray (Scene orientation position cells) answered =
+  label (if null complete then "incomplete" else "complete") $ case (answered, wanted) of
+    (Just found, Just window) ->
+      conjoin
+        [ foundOrientation found === orientation,
+          foundPlaces found
+            === Map.fromList
+              [ (readNumber s, SymbolPlace p c)
+                | (cell, here) <- Map.toList cells,
+                  Just (p, c) <- [at cell],
+                  s <- here
+              ],
+          sameWindow (foundWindow found) window,
+          length (foundWindows found) === length complete,
+          conjoin (zipWith sameWindow (foundWindows found) complete)
+        ]
+    (Nothing, Nothing) -> property True
+    (found, _) -> counterexample (show (isJust found, fmap third wanted)) False
+  where
+    at = onArray position
+    third (_, _, w) = w
+    end part = maximum (0 : map part (Map.keys cells))
+    -- Cells with a symbol that is the array's there.
+    agreeing said =
+      [ cell
+        | (cell, here) <- Map.toList cells,
+          Just (_, c) <- [at cell],
+          any ((== Just (orientation, c)) . said) here
+      ]
+    right' = agreeing readClass
+    known = if null right' then agreeing (Just . readLikeliest) else right'
+    windowsFrom first =
+      [ (cell, block, ReadWindow p classes (seenAt cell block) (whereabouts layout (Shape 2 2) p))
+        | i <- [first .. end fst],
+          j <- [first .. end snd],
+          let cell = (i, j),
+          Just (p, _) <- [at cell],
+          let block = [(i, j), (i, j + 1), (i + 1, j), (i + 1, j + 1)],
+          let class' b = if b `elem` right' then snd <$> at b else Nothing,
+          let classes = [map class' (take 2 block), map class' (drop 2 block)]
+      ]
+    complete = filter (\(_, block, _) -> all (`elem` right') block) (windowsFrom 0)
+    -- Where its symbols have the centre, which is half a pitch from each.
+    seenAt (i, j) block =
+      mean
+        [ (x - dx, y - dy)
+          | b@(i', j') <- block,
+            s <- Map.findWithDefault [] b cells,
+            let (x, y) = readAt s,
+            let (dx, dy) =
+                  onOffset
+                    orientation
+                    (16 * (fromIntegral (j' - j) - 0.5), 20 * (fromIntegral (i' - i) - 0.5))
+        ]
+    mean places =
+      let n = fromIntegral (max 1 (length places))
+       in (sum (map fst places) / n, sum (map snd places) / n)
+    felt (_, block, w) = (length (filter (`elem` known) block), isJust (faceOf w))
+    faceOf w = case windowWhereabouts w of
+      OnFace place -> Just (placeFace place)
+      _ -> Nothing
+    faces =
+      nub
+        [ placeFace place
+          | Just (p, _) <- map at known,
+            OnFace place <- [whereabouts layout (Shape 1 1) p]
+        ]
+    onTheFace =
+      [ w
+        | [face] <- [faces],
+          w@(_, _, window) <- windowsFrom (-1),
+          fst (felt w) > 0,
+          faceOf window == Just face
+      ]
+    wanted = listToMaybe (mapMaybe best [take 1 complete, onTheFace, windowsFrom 0])
+    -- The first of those with the most.
+    best ws = listToMaybe [w | w <- ws, felt w == maximum (map felt ws)]
+    sameWindow a (_, _, b) =
+      (windowPosition a, windowClasses a, windowWhereabouts a)
+        === (windowPosition b, windowClasses b, windowWhereabouts b)
+        .&&. near (fst (windowSeenAt a)) (fst (windowSeenAt b))
+        .&&. near (snd (windowSeenAt a)) (snd (windowSeenAt b))
+
+near :: Double -> Double -> Property
+near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 + 1e-6 * abs b)

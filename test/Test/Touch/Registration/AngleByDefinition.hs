@@ -1,0 +1,128 @@
+-- | The angle of a lattice under frames, found by what each frame tells at any angle: against its
+-- definition, for frames that tell anything.
+module Test.Touch.Registration.AngleByDefinition (spec) where
+
+import Data.List (find, maximumBy, sortOn)
+import Data.Ord (Down (..), comparing)
+import PraTactile.Image
+import PraTactile.Registration.Lattice.Angle
+import PraTactile.Registration.Lattice.Fit (Fit (..), Fits (..))
+import PraTactile.Registration.Spectrum
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+
+spec :: Spec
+spec =
+  modifyMaxSuccess (const 200) $
+    it "the angle is found as defined, whatever frames tell, to where there is none" $
+      forAllBlind genTold $ \(images, roughly, finely) ->
+        forAll (oneof [pure Nothing, Just <$> choose (-45, 45)]) $ \hint ->
+          let wanted level = defined (spectra 5 5) hint images roughly (map (above level) finely)
+              found level =
+                fitsAngle
+                  <$> latticeAngle
+                    (toldAt roughly (map (above level) finely))
+                    (spectra 5 5)
+                    hint
+                    images
+              above level told a = level + told a
+              levels = closer (40 :: Int) wanted (-200, 200)
+              alike (Just a) (Just b) = abs (a - b) < 1e-9
+              alike a b = a == b
+           in label (maybe "none" (\a -> if a == 0 then "upright" else "an angle") (wanted 200)) $
+                conjoin
+                  [ counterexample (show (found level, wanted level)) $
+                      alike (found level) (wanted level)
+                    | level <- [fst levels, snd levels, 200]
+                  ]
+  where
+    -- Two levels next to each other between which the answer changes.
+    closer n answer (a, b)
+      | n <= 0 = (a, b)
+      | answer middle == answer a = closer (n - 1) answer (middle, b)
+      | otherwise = closer (n - 1) answer (a, middle)
+      where
+        middle = (a + b) / 2 :: Double
+    toldAt roughly finely angle =
+      Fits
+        { fitsAngle = angle,
+          fitsTables = error "no table is needed",
+          fitsFrames =
+            [ Fit (r angle) (f angle) (error "nor all that is told")
+              | (r, f) <- zip roughly finely
+            ]
+        }
+
+-- | Frames, of which some are of another size, and what each tells of any angle: at whole taxels,
+-- and at all places.
+genTold :: Gen ([Raster], [Double -> Double], [Double -> Double])
+genTold = do
+  count <- choose (1, 16)
+  images <- (:) <$> genRasterOf 5 5 <*> vectorOf (count - 1) frame
+  centre <- oneof [choose (-90, 90), choose (-5, 5)]
+  tells <- vectorOf count $ do
+    own <- (centre +) <$> choose (-6, 6)
+    share <- choose (0.1, 1)
+    wave <- choose (0, 6)
+    depth <- elements [0, 3, 30]
+    pure
+      ( \a -> share * 10 * cos ((a - own) * pi / 90) + depth * sin (a + wave),
+        \a -> depth / 9 * sin (a + wave) - share * (min 12 (turns (a - own)) ^ (2 :: Int)) / 8
+      )
+  pure (images, map fst tells, map snd tells)
+  where
+    frame = frequency [(8, fainter <$> choose (0, 1) <*> genRasterOf 5 5), (1, genRasterOf 4 6)]
+    fainter k = mapRaster (* k)
+    -- What is left of an angle up to half turns.
+    turns a = let b = a / 180 in 180 * abs (b - fromIntegral (round b :: Int))
+
+-- | Upright, if that is likelier than other relief and than three degrees to either side; else near
+-- the hint or upright, or at nine degrees' distances wherever it is likeliest, if that is likelier
+-- than other relief.
+defined ::
+  Spectra ->
+  Maybe Double ->
+  [Raster] ->
+  [Double -> Double] ->
+  [Double -> Double] ->
+  Maybe Double
+defined processes hint images roughly finely
+  | shown 0 && fine 0 > fine 3 && fine 0 > fine (-3) = Just 0
+  | otherwise = find shown (map best [0 : nearHint, [-90, -81 .. 81]])
+  where
+    nearHint = concat [[a, a + 90] | Just a <- [hint]]
+    best = nearly0 . folded . settled . likeliest
+    nearly0 a = if abs a <= 1 then 0 else a
+    folded a
+      | a < -90 = folded (a + 180)
+      | a >= 90 = folded (a - 180)
+      | otherwise = a
+    ofSize = [k | (k, image) <- zip [0 ..] images, rasterSize image == rasterSize (head images)]
+    -- Twelve of them evenly; those that show most first.
+    few = [k | (i, k) <- zip [0 ..] ofSize, n <= 12 || (i * 12) `div` n /= ((i - 1) * 12) `div` n]
+    n = length ofSize
+    telling = sortOn (Down . standardDeviation . (images !!)) ofSize
+    summed told ks a = sum [(told !! k) a | k <- ks]
+    coarse count = summed roughly (take count telling)
+    fine = summed finely (take 8 telling)
+    shown a = summed finely few a > others
+    -- Any other relief, of which a tenth at least is noise.
+    others = sum (concatMap (processLogs . processOf processes 0.1 . pure . coefficients) few)
+    coefficients k = coefficientsOf processes (images !! k)
+    likeliest angles = maximumBy (comparing (\a -> (coarse 5 a, a))) angles
+    -- From there by two degrees, at most three of them, at whole taxels; then uphill at all places,
+    -- three times at most; then to the vertex of a parabola.
+    settled a = a + 2 * uphill (3 :: Int) (foldl looked 0 [2, 1])
+      where
+        score told k = told (a + 2 * fromIntegral (k :: Int))
+        looked k by = maximumBy (comparing (\j -> (score (coarse 8) j, j))) [k - by, k, k + by]
+        uphill left k
+          | left > 0 && below > here = uphill (left - 1) (k - 1)
+          | left > 0 && above > here = uphill (left - 1) (k + 1)
+          | curve < 0 = fromIntegral k + max (-0.5) (min 0.5 ((below - above) / (2 * curve)))
+          | otherwise = fromIntegral k
+          where
+            (below, here, above) = (score fine (k - 1), score fine k, score fine (k + 1))
+            curve = below + above - 2 * here

@@ -1,0 +1,286 @@
+-- | Registration by the lattice as a whole, held to its formulas: what one frame tells, where many
+-- frames lie, and where one lies in another.
+module Test.Touch.Registration.ByDefinition (spec) where
+
+import Control.Monad (forM)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+import PraTactile.Registration.Joint
+import PraTactile.Registration.Lattice.Fit
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places
+import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Model
+import PraTactile.Registration.Pair.Lattice
+import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (classes, generate, sample, tables, total)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Registration.Definition
+import Test.Touch.Sensor.MeanHeights (embossing)
+
+spec :: Spec
+spec = do
+  cellSpec
+  modifyMaxSuccess (const 10) frameSpec
+  modifyMaxSuccess (const 12) ascentSpec
+  modifyMaxSuccess (const 6) jointSpec
+  modifyMaxSuccess (const 6) pairSpec
+
+cellSpec :: Spec
+cellSpec =
+  it "a cell is likely as the mean over its classes, and 0.01 for nothing in it" $
+    forAll (elements [0.5, 5, 50, 900]) $ \wide ->
+      forAll (choose (1, 9) >>= (`vectorOf` choose (negate wide, wide))) $ \told ->
+        let found = cellLog (length told) (told !!)
+            wanted = cellLogOf told
+         in counterexample (show (found, wanted)) $
+              -- What is less likely by e^30 does not count.
+              abs (found - wanted) < 1e-9 * max 1 (abs found)
+
+tablesOf :: PaperTables
+tablesOf = fromMaybe (error "the alphabet has tables") paperTemplates
+
+-- | What tables at any angle have of a frame, which drawn symbols are compared with elsewhere.
+tabled :: Templates -> Raster -> Felt
+tabled tables image =
+  Map.fromList
+    [ ((o, firstY * q + y, firstX * q + x), [(at products, at sums, at squares) | at <- classes])
+      | o <- [0, 1],
+        y <- [0 .. rows - 1],
+        x <- [0 .. columns - 1],
+        let start = cellIndex places o y x * count,
+        let classes = [(V.! (start + k)) | k <- [0 .. count - 1]]
+    ]
+  where
+    places = templatePlaces tables
+    q = placesFineness places
+    (firstX, firstY) = placesFirst places
+    (columns, rows) = placesGrid places
+    count = symbolsClasses (templateSymbols tables)
+    (products, sums, squares) =
+      (correlations tables image, templateSums tables, templateSquares tables)
+
+-- | The number that tables give a phase which begins there, in places from the frame's upper left
+-- taxel.
+phaseNumber :: Templates -> (Int, Int, Int) -> Int
+phaseNumber tables (o, y, x) =
+  (o * down + (y - q * firstY) `mod` down) * across + (x - q * firstX) `mod` across
+  where
+    q = placesFineness (templatePlaces tables)
+    (firstX, firstY) = placesFirst (templatePlaces tables)
+    (across, down) = (16 * q, 20 * q)
+
+-- | What a frame tells at whole and at half taxels: drawn along its axes, by the tables at angles.
+felt :: Double -> Raster -> (Felt, Felt)
+felt angle image
+  | angle == 0 = (drawn 1 image, drawn 2 image)
+  | otherwise = (tabled (coarser tables) image, tabled tables image)
+  where
+    tables = tablesOf angle (rasterSize image)
+
+-- | By definition, theta and what it makes of the classes: all phases are looked at in each step.
+fitted :: Double -> Raster -> (Theta, Map.Map (Int, Int, Int) [Double])
+fitted angle image = (theta, classLogsOf theta fine)
+  where
+    (coarse, fine) = felt angle standard
+    standard = standardised image
+    n = taxels image
+    rough = iterate (mStep 1 n (const True) coarse) (firstTheta standard) !! 4
+    theta = mStep 2 n (const True) fine rough
+
+taxels :: Raster -> Double
+taxels image = let (w, h) = rasterSize image in fromIntegral (w * h)
+
+near :: Double -> String -> [Double] -> [Double] -> Property
+near to what found wanted =
+  counterexample (what ++ show (take 5 [p | p@(a, b) <- zip found wanted, abs (a - b) >= to])) $
+    length found == length wanted && and (zipWith (\a b -> abs (a - b) < to) found wanted)
+
+frameSpec :: Spec
+frameSpec =
+  it "what a frame tells is what all phases and classes say, at four coarse steps and a fine one" $
+    forAllBlind genFrame $ \image -> forAll (elements [0, 0, 30]) $ \angle ->
+      let tables = tablesOf angle (rasterSize image)
+          n = taxels image
+          standard = standardised image
+          (coarse, _) = felt angle standard
+          (theta@(Theta a b v), classes) = fitted angle image
+          phases = phaseLogsOf 2 classes
+          -- The hint is by the phases alone that are not less likely at first by e^30.
+          start = firstTheta standard
+          few = likelyOf (phaseLogsOf 1 (classLogsOf start coarse))
+          hint =
+            iterate (mStep 1 n few coarse) (mStep 1 n (const True) coarse start) !! 3
+          hinted = Map.filterWithKey (\k _ -> few k) (phaseLogsOf 1 (classLogsOf hint coarse))
+          told = fitOf tables image
+          Likelihood _ (Theta a' b' v') classes' cells' phases' logs = fitLikelihood told
+          -- The tables' blur is so to 1e-7, and logarithms are large.
+          close what one other = near (1e-4 * (1 + maximum (map abs other))) what one other
+       in conjoin
+            [ near 1e-4 "theta" [a', b', v'] [a, b, v],
+              close "classes" (V.toList classes') (concat (Map.elems classes)),
+              close "cells" (V.toList cells') (map cellLogOf (Map.elems classes)),
+              close
+                "phases"
+                [phases' V.! phaseNumber tables k | k <- Map.keys phases]
+                (Map.elems phases),
+              close "log" [logs] [density n theta (Map.size phases) (Map.elems phases)],
+              close "roughly" [fitCoarse told] [density n hint 640 (Map.elems hinted)]
+            ]
+  where
+    -- Of more than a quarter of them all are looked at.
+    likelyOf phases =
+      let these = Map.filter (> maximum phases - 30) phases
+       in if 4 * Map.size these > Map.size phases then const True else (`Map.member` these)
+
+genFrame :: Gen Raster
+genFrame = do
+  (w, h) <- elements [(11, 12), (9, 13)]
+  rough <- genRasterOf w h
+  noise <- genRasterOf w h
+  block <- elements [1, 3, 5]
+  (dx, dy) <- (,) <$> choose (-6, 8) <*> choose (-8, 8)
+  shape <- elements embossing
+  let at image x y = fromMaybe 0 (index image x y)
+      blocks x y = if at rough (x `quot` block) (y `quot` block) > 0.6 then 1 else 0
+      ramp x y = 0.3 * fromIntegral x - 0.2 * fromIntegral y
+  -- Blocks, a symbol, or a slope; with noise or without.
+  relief <- elements [blocks, blocks, \x y -> at shape (x - dx) (y - dy), ramp]
+  share <- elements [0, 0.1, 1]
+  pure (generate w h (\x y -> relief x y + share * at noise x y))
+
+ascentSpec :: Spec
+ascentSpec =
+  it "no step of expectation and maximisation makes a frame less likely, nor do those of a frame" $
+    forAllBlind genFrame $ \image -> forAll (elements [0, 37, -61]) $ \angle ->
+      let tables = tablesOf angle (rasterSize image)
+          standard = standardised image
+          coarse = tabled (coarser tables) standard
+          fine = tabled tables standard
+          n = taxels image
+          logOf q theta places =
+            let phases = phaseLogsOf q (classLogsOf theta places)
+             in density n theta (Map.size phases) (Map.elems phases)
+          thetas = take 5 (iterate (mStep 1 n (const True) coarse) (firstTheta standard))
+          logs = [logOf 1 theta coarse | theta <- thetas]
+          told = fitLikelihood (fitOf tables image)
+       in counterexample (show logs) (and (zipWith (\a b -> b >= a - 1e-3) logs (drop 1 logs)))
+            .&&. counterexample
+              (show (logDensity told))
+              (logDensity told >= logOf 2 (last thetas) fine - 1e-2)
+
+-- | Frames of a face of symbols, so many taxels apart from it.
+facing :: [(Double, Double)] -> [Raster]
+facing places = [generate 12 13 (seen place) | place <- places]
+  where
+    seen (x, y) i j = sample face (x + fromIntegral i) (y + fromIntegral j)
+    face = generate 96 80 $ \x y ->
+      let (c, u) = x `divMod` 16
+          (r, v) = y `divMod` 20
+          kind = (3 * r + 2 * c + r * c) `mod` 4
+       in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
+
+jointSpec :: Spec
+jointSpec =
+  it "frames lie together where their common phase, displacements and mean field have them" $
+    forAll (elements [0, 0, 20]) $ \angle ->
+      forAllBlind genFrames $ \frames ->
+        let settings = standardRegistration {registrationSigma = 0.7, registrationReach = 2}
+            found = registerJointly settings (fitsAt tablesOf (map snd frames) angle) frames
+         in conjoin (zipWith alike found (together 0.7 3 angle frames))
+              .&&. length found === length frames
+  where
+    genFrames = do
+      count <- choose (1, 3)
+      forM [1 .. count :: Int] $ \k -> do
+        jitter <- (,) <$> choose (-1, 1) <*> choose (-1, 1)
+        noise <- genRasterOf 12 13
+        let place = (7 * fromIntegral (k `div` 2) + 6, 8 * fromIntegral (k `mod` 2) + 9)
+            image = foldr const (constant 12 13 0) (facing [place])
+            rough x y = 0.4 * fromMaybe 0 (index noise x y) + fromMaybe 0 (index image x y)
+        pure ((fst place + fst jitter, snd place + snd jitter), generate 12 13 rough)
+    alike a b =
+      counterexample (show (a, b)) $
+        nearPlace 1e-9 (estimateShift a) (estimateShift b)
+          && nearPlace 1e-3 (estimateDeviation a) (estimateDeviation b)
+          && abs (estimateProbability a - estimateProbability b) < 1e-3
+          && length (estimateOthers a) == length (estimateOthers b)
+          && and (zipWith other (estimateOthers a) (estimateOthers b))
+    other (Hypothesis s p) (Hypothesis s' p') = nearPlace 1e-9 s s' && abs (p - p') < 1e-3
+    nearPlace to (x, y) (x', y') = abs (x - x') < to && abs (y - y') < to
+
+-- | By definition, where frames lie that are displaced by errors of that standard deviation, in
+-- taxels, up to so many half taxels, on a lattice at an angle.
+together :: Double -> Int -> Double -> [((Double, Double), Raster)] -> [Estimate]
+together sigma reach angle frames = map centred located
+  where
+    seen =
+      [ Seen (about (negate angle) place) (phaseLogsOf 2 classes) classes
+        | (place, image) <- frames,
+          let (_, classes) = fitted angle image
+      ]
+    phase = commonPhase sigma reach seen
+    options = map (likely sigma reach phase) seen
+    located =
+      [ turn (estimate (seenPlace one) (zip [d | (d, _, _) <- told] ps))
+        | (one, told, ps) <- zip3 seen options (meanField options)
+      ]
+    about degrees (x, y) =
+      let (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180))
+       in (c * x - s * y, s * x + c * y)
+    -- Variances along the frames' axes are those along the lattice's by the squares of the cosines.
+    turn l =
+      let (c, s) = about angle (1, 0)
+          (sx, sy) = estimateDeviation l
+       in l
+            { estimateShift = about angle (estimateShift l),
+              estimateDeviation =
+                (sqrt ((c * sx) ** 2 + (s * sy) ** 2), sqrt ((s * sx) ** 2 + (c * sy) ** 2)),
+              estimateOthers = map (onShift (about angle)) (estimateOthers l)
+            }
+    onShift f h = h {hypothesisShift = f (hypothesisShift h)}
+    -- To the nearest eighth of a taxel.
+    middle part =
+      let m = sum (map (part . estimateShift) located) / fromIntegral (length located)
+       in fromIntegral (round (8 * m) :: Int) / 8
+    less (x, y) = (x - middle fst, y - middle snd)
+    centred l =
+      l
+        { estimateShift = less (estimateShift l),
+          estimateOthers = map (onShift less) (estimateOthers l)
+        }
+
+pairSpec :: Spec
+pairSpec =
+  it "two frames lie as probably at each place as all phases and symbols together say" $
+    forAllBlind genPair $ \(step, a, b) ->
+      let told = likelihood (tablesOf 0 (12, 13))
+          Posterior origin spacing size masses = latticePosterior step 1 (told a) (told b)
+          displacements =
+            [ ((round (2 * fst step) + i, round (2 * snd step) + j), prior)
+              | j <- [-2 .. 2],
+                i <- [-2 .. 2],
+                -- The search is two standard deviations, and these are half taxels.
+                let prior = negate (fromIntegral (i * i + j * j) / 4) / (2 * 0.25)
+            ]
+          wanted = pairPosterior displacements (snd (fitted 0 a)) (snd (fitted 0 b))
+       in (origin, spacing, size) === ((fst step - 1, snd step - 1), 0.5, (5, 5))
+            .&&. near 1e-3 "masses" (V.toList masses) wanted
+  where
+    genPair = do
+      start <- (,) <$> choose (8, 20) <*> choose (8, 20)
+      (dx, dy) <- elements [(6, 0), (0, 7), (-5, 4)]
+      share <- elements [0.05, 0.2, 0.4]
+      (noiseA, noiseB) <- (,) <$> genRasterOf 12 13 <*> genRasterOf 12 13
+      let with noise image =
+            generate 12 13 (\x y -> at image x y + share * at noise x y)
+          at image x y = fromMaybe 0 (index image x y)
+      pure $ case facing [start, (fst start + dx, snd start + dy)] of
+        [a, b] -> ((dx, dy), with noiseA a, with noiseB b)
+        _ -> ((dx, dy), noiseA, noiseB)

@@ -1,0 +1,75 @@
+-- | The cosine transform of images and of their patches, held against its definition.
+module Test.Touch.Registration.CosinesByDefinition (spec) where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Image hiding (mean)
+import PraTactile.Registration.Cosine
+import Test.Hspec
+import Test.Hspec.QuickCheck (prop)
+import Test.QuickCheck hiding (generate)
+
+spec :: Spec
+spec = do
+  prop "of an image it is the sum over its pixels with a cosine along each axis" $
+    forAll (images 1 9) $ \image ->
+      near (cosineTransform (cosinesFor image) image) (defined image)
+  prop "of a patch it is that of the patch cut out" $
+    forAll (images 2 12) $ \image ->
+      forAll (stretch (rasterWidth image)) $ \(x, w) ->
+        forAll (stretch (rasterHeight image)) $ \(y, h) ->
+          let known = cosinesFor image
+              cut = generate w h (\i j -> pixel image (x + i) (y + j))
+           in near (patchTransform known (strip known image x w) y h) (cosineTransform known cut)
+  prop "it keeps what an image has beside its mean: the sum of squares" $
+    forAll (images 1 32) $ \image ->
+      let values = rasterValues image
+          middle = V.sum values / fromIntegral (V.length values)
+          squares v = V.sum (V.map (\t -> t * t) v)
+       in near
+            (V.singleton (squares (cosineTransform (cosinesFor image) image)))
+            (V.singleton (squares (V.map (subtract middle) values)))
+  it "has at most 32 frequencies a side" $ do
+    let image = generate 40 3 (\i j -> fromIntegral (i * j))
+    V.length (cosineTransform (cosinesFor image) image) `shouldBe` 32 * 3 - 1
+    highest `shouldBe` 32
+
+cosinesFor :: Raster -> Cosines
+cosinesFor image = cosinesUpTo (max (rasterWidth image) (rasterHeight image))
+
+-- | Images with sides from the one to the other, and values within 0..1.
+images :: Int -> Int -> Gen Raster
+images least most = do
+  w <- chooseInt (least, most)
+  h <- chooseInt (least, most)
+  values <- V.fromList <$> vectorOf (w * h) (choose (0, 1))
+  pure (generate w h (\i j -> values V.! (j * w + i)))
+
+-- | A part of a side: from where on, and how much.
+stretch :: Int -> Gen (Int, Int)
+stretch side = do
+  from <- chooseInt (0, side - 1)
+  (,) from <$> chooseInt (1, side - from)
+
+pixel :: Raster -> Int -> Int -> Double
+pixel image i j = rasterValues image V.! (j * rasterWidth image + i)
+
+-- | By the definition of the DCT-II with orthonormal scales, without the mean.
+defined :: Raster -> V.Vector Double
+defined image =
+  V.fromList
+    (drop 1 [coefficient u v | v <- [0 .. min 32 h - 1], u <- [0 .. min 32 w - 1]])
+  where
+    (w, h) = rasterSize image
+    coefficient u v =
+      sum
+        [wave w u i * wave h v j * pixel image i j | j <- [0 .. h - 1], i <- [0 .. w - 1]]
+    wave :: Int -> Int -> Int -> Double
+    wave n u i =
+      sqrt ((if u == 0 then 1 else 2) / fromIntegral n)
+        * cos (pi * fromIntegral (u * (2 * i + 1)) / fromIntegral (2 * n))
+
+near :: V.Vector Double -> V.Vector Double -> Property
+near found wanted =
+  counterexample (show (found, wanted)) $
+    V.length found === V.length wanted
+      .&&. V.and (V.zipWith (\a b -> abs (a - b) < 1e-9) found wanted)

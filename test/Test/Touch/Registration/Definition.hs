@@ -1,0 +1,346 @@
+-- | Registration by the formulas of "PraTactile.Registration.Model" alone: every symbol drawn at
+-- every place, every phase, class and displacement summed, on lists and maps.
+module Test.Touch.Registration.Definition
+  ( -- * One frame
+    Felt,
+    Moments,
+    drawn,
+    standardised,
+    firstTheta,
+    mStep,
+    classLogsOf,
+    cellLogOf,
+    phaseLogsOf,
+    density,
+
+    -- * Many frames
+    Seen (..),
+    commonPhase,
+    likely,
+    meanField,
+    estimate,
+
+    -- * Two frames
+    pairPosterior,
+
+    -- * Numbers
+    logMean,
+    shares,
+  )
+where
+
+import Data.List (maximumBy, sortOn)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..), comparing)
+import qualified Data.Vector as Boxed
+import qualified Data.Vector.Storable as V
+import PraTactile.Image hiding (mean)
+import PraTactile.Registration.Joint.Estimate (Estimate (..))
+import PraTactile.Registration.Model (Theta (..))
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Shape (embossedAt, halfTurned, paperAlphabet, shapes)
+
+-- | Of a frame and a symbol at a place: the sum of their products, that of what the symbol brings
+-- to the frame's taxels, and that of its squares.
+type Moments = (Double, Double, Double)
+
+-- | By orientation, row and column of places from the centre of the frame's upper left taxel, the
+-- moments of each class there.
+type Felt = Map.Map (Int, Int, Int) [Moments]
+
+-- | Every symbol drawn at every place from which it is felt, so many places to the taxel (one or
+-- two), on a frame along whose axes they lie.
+drawn :: Int -> Raster -> Felt
+drawn q image =
+  Map.fromList
+    [ ((o, y, x), [momentsAt shape y x | shape <- shapes'])
+      | (o, shapes') <- zip [0 ..] drawings,
+        -- A symbol's 8 x 12 taxels count up to two taxels around them.
+        y <- [-14 * q .. (h + 2) * q - 1],
+        x <- [-10 * q .. (w + 2) * q - 1]
+    ]
+  where
+    (w, h) = rasterSize image
+    momentsAt shape y x =
+      let readings =
+            [ (t, near, fromMaybe 0 (index image u v))
+              | v <- [0 .. h - 1],
+                u <- [0 .. w - 1],
+                let (t, near) = shape (2 * u - halves x) (2 * v - halves y),
+                t > 0
+            ]
+          halves k = 2 * k `div` q
+       in ( sum [t * z | (t, _, z) <- readings],
+            sum [t | (t, _, _) <- readings],
+            -- Less than a hundredth counts for nothing.
+            sum [t * t | (_, t, _) <- readings, t > 0.01]
+          )
+
+-- | What a symbol brings to a taxel that lies so many half taxels right and down of its upper left
+-- one, for both orientations and all classes: from all of it, and from three taxels around.
+drawings :: [[Int -> Int -> (Double, Double)]]
+drawings = [map drawing upright, map (drawing . halfTurned) upright]
+  where
+    upright = either (error . show) shapes paperAlphabet
+    drawing shape = \x y ->
+      if inside x 8 && inside y 12 then table Boxed.! ((y + 8) * across + x + 8) else (0, 0)
+      where
+        inside t side = t >= -8 && t < 2 * side + 8
+        across = 2 * 8 + 16
+        table =
+          Boxed.fromList
+            [ (brought (const True) x y, brought (\n -> n >= -7 && n <= 6) x y)
+              | y <- [-8 .. 2 * 12 + 7],
+                x <- [-8 .. 2 * 8 + 7]
+            ]
+        brought counts x y =
+          sum
+            [ blurred (x - 2 * i) * blurred (y - 2 * j)
+              | j <- [0 .. 11],
+                counts (y - 2 * j),
+                i <- [0 .. 7],
+                counts (x - 2 * i),
+                embossedAt shape i j
+            ]
+
+-- | The share of a unit taxel, blurred by a normal distribution of deviation 0.75, so many half
+-- taxels from its centre: Simpson's rule on the density.
+blurred :: Int -> Double
+blurred n
+  | abs n > 40 = 0
+  | otherwise = known Boxed.! (n + 40)
+  where
+    known = Boxed.fromList [share (fromIntegral k / 2) | k <- [-40 .. 40 :: Int]]
+    share t = sum [c * normal (t - 0.5 + s / 40) | (c, s) <- zip simpson [0 .. 40]] / 120
+    simpson = 1 : concat (replicate 19 [4, 2]) ++ [4, 1]
+    normal d = exp (-(d * d) / (2 * 0.75 * 0.75)) / sqrt (2 * pi * 0.75 * 0.75)
+
+-- | A frame's readings, to mean 0 and variance 1.
+standardised :: Raster -> Raster
+standardised image = mapRaster (\v -> (v - average) / sqrt (sum (map squared values) / n)) image
+  where
+    values = V.toList (rasterValues image)
+    n = fromIntegral (length values)
+    average = sum values / n
+    squared v = (v - average) * (v - average)
+
+-- | Where the steps begin: the noise from the second differences, of which that of white noise has
+-- four times the variance, and the gain and the offset as they are usual of symbols.
+firstTheta :: Raster -> Theta
+firstTheta image = Theta gain (-0.15 * gain) noise
+  where
+    (w, h) = rasterSize image
+    at x y = fromMaybe 0 (index image x y)
+    differences =
+      [ at x y - at (x + 1) y - at x (y + 1) + at (x + 1) (y + 1)
+        | y <- [0 .. h - 2],
+          x <- [0 .. w - 2]
+      ]
+    squares = sum (map (^ (2 :: Int)) differences)
+    noise = max 0.001 (min 0.95 (squares / (4 * fromIntegral (length differences))))
+    gain = sqrt (max 0.02 (1 - noise)) / 0.36
+
+-- | l_k at each place.
+classLogsOf :: Theta -> Felt -> Map.Map (Int, Int, Int) [Double]
+classLogsOf (Theta a b v) = fmap (map (\(y, s, q) -> (a * y - a * b * s - a * a * q / 2) / v))
+
+-- | l from l_k.
+cellLogOf :: [Double] -> Double
+cellLogOf ls = logSum ((log 0.01, 0) : [(log (0.99 / fromIntegral (length ls)), l) | l <- ls])
+  where
+    logSum terms = let top = maximum (map snd terms) in top + log (sum (map (from top) terms))
+    from top (p, l) = exp (p + l - top)
+
+-- | L of each phase: a phase is its cells, which lie a pitch of 16 x 20 taxels apart.
+phaseLogsOf :: Int -> Map.Map (Int, Int, Int) [Double] -> Map.Map (Int, Int, Int) Double
+phaseLogsOf q = Map.mapKeysWith (+) (phaseOf q) . fmap cellLogOf
+
+phaseOf :: Int -> (Int, Int, Int) -> (Int, Int, Int)
+phaseOf q (o, y, x) = (o, y `mod` (20 * q), x `mod` (16 * q))
+
+-- | log p(z) of a frame of so many taxels, from its phases, given how many there are of these.
+density :: Double -> Theta -> Int -> [Double] -> Double
+density n (Theta _ b v) count phases =
+  logMean phases + log (fromIntegral (length phases) / fromIntegral count)
+    - n * (1 + b * b) / (2 * v)
+    - n / 2 * log (2 * pi * v)
+
+-- | One step of expectation and maximisation on a frame of so many taxels, over phases that count.
+mStep :: Int -> Double -> ((Int, Int, Int) -> Bool) -> Felt -> Theta -> Theta
+mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
+  where
+    classes = classLogsOf theta felt
+    phases = Map.filterWithKey (\k _ -> counts k) (phaseLogsOf q classes)
+    weights =
+      Map.filter (>= 1e-6) (Map.fromList (zip (Map.keys phases) (shares (Map.elems phases))))
+    expected =
+      [ (w * p, m)
+        | (place, moments) <- Map.toList felt,
+          Just w <- [Map.lookup (phaseOf q place) weights],
+          Just ls <- [Map.lookup place classes],
+          let l = cellLogOf ls,
+          (m, lk) <- zip moments ls,
+          let p = 0.99 / fromIntegral (length ls) * exp (lk - l)
+      ]
+    ofClasses part = sum [p * part m | (p, m) <- expected]
+    y' = ofClasses (\(y, _, _) -> y)
+    s' = ofClasses (\(_, s, _) -> s)
+    q' = ofClasses (\(_, _, t) -> t)
+    varying = q' - s' * s' / n
+    a' = if varying > 1e-6 then max 0.3 (y' / varying) else a
+    b' = if varying > 1e-6 then -a' * s' / n else b
+    v' = max 0.002 ((n * (1 + b' * b') - 2 * a' * (y' - b' * s') + a' * a' * q') / n)
+
+-- | A frame's nominal place, in taxels, and what it tells at half taxels: L and l_k.
+data Seen = Seen
+  { seenPlace :: !(Double, Double),
+    seenPhases :: !(Map.Map (Int, Int, Int) Double),
+    seenClasses :: !(Map.Map (Int, Int, Int) [Double])
+  }
+
+-- | The grid point nearest to a place, in half taxels, and how far the place lies beyond it.
+nearest :: Double -> (Int, Double)
+nearest x = let n = round (2 * x) in (n, 2 * x - fromIntegral n)
+
+-- | log pi of a displacement by half taxels from the grid point nearest to a place, given sigma in
+-- taxels.
+priorOf :: Double -> (Double, Double) -> (Int, Int) -> Double
+priorOf sigma (px, py) (dx, dy) = along px dx + along py dy
+  where
+    along p d = -(((fromIntegral d - snd (nearest p)) / 2) ^ (2 :: Int)) / (2 * sigma * sigma)
+
+-- | The displacements by half taxels up to so many.
+upTo :: Int -> [(Int, Int)]
+upTo reach = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]
+
+-- | The phase under all frames that they make likeliest, by half taxels from the origin of their
+-- places; none is less likely by one frame than 10^-300.
+commonPhase :: Double -> Int -> [Seen] -> (Int, Int, Int)
+commonPhase sigma reach frames = maximumBy (comparing (\phase -> sum (map ($ phase) told))) all'
+  where
+    all' = [(o, y, x) | o <- [0, 1], y <- [0 .. 39], x <- [0 .. 31]]
+    told = map ofFrame frames
+    ofFrame (Seen place phases _) = \phase ->
+      log . (1e-300 +) . sum $
+        [exp (prior + onFrame phases place d phase - top) | (d, prior) <- displacements]
+      where
+        top = maximum phases
+        displacements = [(d, priorOf sigma place d) | d <- upTo reach]
+
+onFrame ::
+  Map.Map (Int, Int, Int) Double -> (Double, Double) -> (Int, Int) -> (Int, Int, Int) -> Double
+onFrame phases (px, py) (dx, dy) (o, y, x) =
+  Map.findWithDefault 0 (phaseOf 2 (o, y - fst (nearest py) - dy, x - fst (nearest px) - dx)) phases
+
+-- | The displacements that are at most e^12 less likely than a frame's best by itself: each with
+-- log pi and, by row and column from the phase's first, the l_k of the cells that the frame sees.
+likely ::
+  Double -> Int -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
+likely sigma reach phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
+  [(d, priorOf sigma place d, cells d) | d <- upTo reach, score d >= best - 12]
+  where
+    score d = priorOf sigma place d + onFrame phases place d phase
+    best = maximum (map score (upTo reach))
+    cells (dx, dy) =
+      Map.fromList
+        [ ((i `div` 40, j `div` 32), ls)
+          | ((o', y, x), ls) <- Map.toList classes,
+            o' == o,
+            let (i, j) = (y + fst (nearest py) + dy - y0, x + fst (nearest px) + dx - x0),
+            i `mod` 40 == 0 && j `mod` 32 == 0
+        ]
+
+-- | q_f of each frame, over its displacements.
+meanField :: Ord cell => [[(d, Double, Map.Map cell [Double])]] -> [[Double]]
+meanField frames =
+  head
+    [ next
+      | (k, now, next) <- zip3 [1 :: Int ..] rounds (drop 1 rounds),
+        k == 5 || map leader now == map leader next
+    ]
+  where
+    rounds = iterate sweep [shares (map (given (const Nothing)) told) | told <- frames]
+    leader ps = snd (maximumBy (comparing fst) (zip ps (map Down [0 :: Int ..])))
+    given expected (_, prior, cells) =
+      prior + sum [cellGiven (expected c) ls | (c, ls) <- Map.toList cells]
+    sweep qs =
+      [shares (map (given (`Map.lookup` others k qs)) told) | (k, told) <- zip [0 :: Int ..] frames]
+    others k qs =
+      Map.unionsWith
+        (zipWith (+))
+        [ fmap (map (p *)) cells
+          | (k', (told, ps)) <- zip [0 ..] (zip frames qs),
+            k' /= k,
+            ((_, _, cells), p) <- zip told ps,
+            p > 0.02
+        ]
+
+-- | The logarithm of how much likelier a cell is than nothing there, from l_k of one frame and what
+-- the others expect of it.
+cellGiven :: Maybe [Double] -> [Double] -> Double
+cellGiven others mine = top + log (sum (zipWith (\m l -> m * exp (l - top)) mixed (0 : mine)))
+  where
+    prior = 0.01 : map (const (0.99 / fromIntegral (length mine))) mine
+    known = shares (zipWith (+) (map log prior) (0 : fromMaybe (map (const 0) mine) others))
+    mixed = zipWith (\p m -> 1e-12 * p + (1 - 1e-12) * m) prior known
+    top = maximum (0 : mine)
+
+-- | Where a frame is, from its nominal place and its displacements in half taxels from the grid
+-- point nearest to that: the mean of the 3 x 3 that hold most, the first of equals, to an eighth of
+-- a taxel; the deviations, with that of a grid's cell; what they hold; and others.
+estimate :: (Double, Double) -> [((Int, Int), Double)] -> Estimate
+estimate (px, py) options =
+  Estimate
+    (eighths (meanX, meanY))
+    (deviation (fromIntegral . fst) meanX, deviation (fromIntegral . snd) meanY)
+    (min 1 (mass best))
+    [Hypothesis (eighths (exact d)) (mass d) | d <- take 2 others]
+  where
+    masses = Map.fromListWith (+) options
+    beside (x, y) =
+      [((i, j), p) | ((i, j), p) <- Map.toList masses, abs (i - x) <= 1, abs (j - y) <= 1]
+    mass = sum . map snd . beside
+    most = maximum (map mass (Map.keys masses))
+    best = head [d | d <- Map.keys masses, mass d >= most - 1e-9]
+    mean part = sum [p * part d | (d, p) <- beside best] / mass best
+    (meanX, meanY) = (mean (fromIntegral . fst), mean (fromIntegral . snd))
+    eighths (x, y) = (eighth ((x - snd (nearest px)) / 2), eighth ((y - snd (nearest py)) / 2))
+    eighth t = fromIntegral (round (8 * t) :: Int) / 8
+    deviation part middle =
+      let squares = sum [p * (part d - middle) ^ (2 :: Int) | (d, p) <- Map.toList masses]
+       in sqrt (squares + 1 / 12) / 2
+    exact (x, y) = (fromIntegral x, fromIntegral y)
+    far (x, y) (i, j) = max (abs (x - i)) (abs (y - j)) >= 4
+    others = apart [(meanX, meanY)] (sortOn (Down . mass) (Map.keys masses))
+    apart taken ds =
+      case [d | d <- ds, all (`far` exact d) taken, mass d >= 0.001] of
+        d : rest -> d : apart (exact d : taken) rest
+        [] -> []
+
+-- | The probabilities of displacements of one frame against another, in half taxels, given the
+-- logarithm of the prior of each and l_k of both frames: over all phases, the classes of each cell.
+pairPosterior ::
+  [((Int, Int), Double)] ->
+  Map.Map (Int, Int, Int) [Double] ->
+  Map.Map (Int, Int, Int) [Double] ->
+  [Double]
+pairPosterior displacements a b = map (/ sum weights) weights
+  where
+    logs =
+      [ map (prior +) (Map.elems (phaseLogsOf 2 (Map.unionWith (zipWith (+)) a (moved d))))
+        | (d, prior) <- displacements
+      ]
+    moved (dx, dy) = Map.mapKeysMonotonic (\(o, y, x) -> (o, y + dy, x + dx)) b
+    top = maximum (map maximum logs)
+    weights = [sum [exp (l - top) | l <- some] | some <- logs]
+
+-- | The logarithm of the mean of numbers, from their logarithms.
+logMean :: [Double] -> Double
+logMean logs = top + log (sum [exp (l - top) | l <- logs] / fromIntegral (length logs))
+  where
+    top = maximum logs
+
+-- | Probabilities, from logarithms of what they are proportional to.
+shares :: [Double] -> [Double]
+shares logs = let weights = map (exp . subtract (maximum logs)) logs in map (/ sum weights) weights

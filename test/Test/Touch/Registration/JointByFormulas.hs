@@ -1,0 +1,181 @@
+-- | The steps of the joint registration of frames to a lattice, each against its formula, for any
+-- likelihoods: the phase of the lattice, the displacements of a frame, what frames make of each
+-- other, and where each is in the end.
+module Test.Touch.Registration.JointByFormulas (spec) where
+
+import Control.Monad (forM)
+import Data.List (maximumBy)
+import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
+import Data.Ord (comparing)
+import qualified Data.Vector.Storable as V
+import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Image (constant)
+import PraTactile.Registration.Joint.Displacement
+import PraTactile.Registration.Joint.Estimate
+import PraTactile.Registration.Joint.Grid
+import PraTactile.Registration.Joint.MeanField
+import PraTactile.Registration.Joint.Phase
+import PraTactile.Registration.Lattice.Fit (likelihood)
+import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
+import PraTactile.Registration.Lattice.Places (placesGrid)
+import PraTactile.Registration.Lattice.Template
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (classes, scale, tables, total)
+import Test.Touch.Registration.Definition (Seen (..), estimate, likely)
+import qualified Test.Touch.Registration.Definition as Definition
+
+spec :: Spec
+spec = do
+  gridSpec
+  modifyMaxSuccess (const 24) phaseSpec
+  modifyMaxSuccess (const 40) optionSpec
+  modifyMaxSuccess (const 400) consensusSpec
+  modifyMaxSuccess (const 300) locatedSpec
+
+-- | What a frame of nothing tells, to be told otherwise.
+blank :: Likelihood
+blank = likelihood (tablesOf 0 (16, 16)) (constant 16 16 0)
+  where
+    tablesOf = fromMaybe (error "the alphabet has tables") paperTemplates
+
+-- | What a frame of nothing tells, by the phases and the classes that its tables have.
+seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> Seen
+seenAt place phases classes =
+  Seen
+    place
+    (Map.fromList (zip (indices 40 32) (V.toList phases)))
+    (Map.fromList (zip (indices rows columns) (inFours (V.toList classes))))
+  where
+    indices m n = [(o, y, x) | o <- [0, 1], y <- [0 .. m - 1], x <- [0 .. n - 1]]
+    (columns, rows) = placesGrid (templatePlaces (likelihoodTables blank))
+    inFours values = case splitAt 4 values of
+      ([], _) -> []
+      (some, rest) -> some : inFours rest
+
+genPlace :: Gen (Double, Double)
+genPlace = (,) <$> choose (-40, 40) <*> choose (-40, 40)
+
+gridSpec :: Spec
+gridSpec =
+  it "the displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
+    [ gridReach (gridOf standardRegistration {registrationSigma = s, registrationReach = r})
+      | (s, r) <- [(1, 4.5), (0.1, 1), (0.5, 2.2), (2, 4.5), (7, 4.5), (7.2, 4.5), (1, 0)]
+    ]
+      `shouldBe` [9, 2, 3, 18, 63, 64, 2]
+
+phaseSpec :: Spec
+phaseSpec =
+  it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
+    forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
+      forAll (choose (0.2, 0.5)) $ \sigma ->
+        let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
+            reach = gridReach (gridOf settings)
+            (o, y, x) = Definition.commonPhase sigma reach [seenAt p v V.empty | (p, v) <- frames]
+         in commonPhase (gridOf settings) [(p, blank {phaseLogs = v}) | (p, v) <- frames]
+              === (o, (y, x))
+  where
+    genPhases = do
+      wide <- elements [6, 5000, 20000, 20000]
+      V.fromList <$> vectorOf (2 * 40 * 32) (choose (negate wide, 0))
+
+optionSpec :: Spec
+optionSpec =
+  it "a frame may lie where that is not less likely than its best by e^12, and sees cells there" $
+    forAllBlind genSeen $ \(phases, classes, place, sigma) ->
+      forAll (elements [0, 1]) $ \o ->
+        forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
+          let settings = standardRegistration {registrationSigma = sigma, registrationReach = 3}
+              reach = gridReach (gridOf settings)
+              told = blank {phaseLogs = phases, classLogs = classes}
+              wanted = likely sigma reach (o, y, x) (seenAt place phases classes)
+              found = displacementsOf (gridOf settings) o (y, x) (place, told)
+           in (map displacementShift found === [d | (d, _, _) <- wanted])
+                .&&. conjoin
+                  [ property (abs (displacementPrior option - prior) < 1e-9)
+                      .&&. [(cell c, Unboxed.toList ls) | (c, ls) <- displacementCells option]
+                      === Map.toList cells
+                    | (option, (_, prior, cells)) <- zip found wanted
+                  ]
+  where
+    -- A cell's row and column from its one number.
+    cell k = let (i, j) = (k + 524288) `divMod` 1048576 in (i, j - 524288)
+    -- Numbers of which some are exactly 12 below the best, or any.
+    genSeen = do
+      classes <- V.fromList <$> vectorOf (V.length (classLogs blank)) (choose (-9, 9))
+      let phases = fmap V.fromList . vectorOf (2 * 40 * 32)
+          halves k = fromIntegral <$> choose (negate k, k :: Int)
+      wide <- elements [10, 60]
+      oneof
+        [ (,,,) <$> phases ((/ 2) <$> halves 30) <*> pure classes
+            <*> ((,) <$> ((/ 2) <$> halves 80) <*> ((/ 2) <$> halves 80))
+            <*> pure 0.5,
+          (,,,) <$> phases (choose (negate wide, 0)) <*> pure classes <*> genPlace
+            <*> choose (0.2, 1.5)
+        ]
+
+consensusSpec :: Spec
+consensusSpec = do
+  it "two frames that go on changing their minds together are stopped after five sweeps" $ do
+    -- Each begins at one of two displacements of which the other frame's suits the other one.
+    let either' first second =
+          [ Displacement (0, 0) first [(1, Unboxed.fromList [10, 0, 0])],
+            Displacement (4, 0) second [(1, Unboxed.fromList [0, 10, 0])]
+          ]
+        likeliest = map (displacementShift . fst . maximumBy (comparing snd))
+    likeliest (meanField [either' 1 0, either' 0 1]) `shouldBe` [(4, 0), (0, 0)]
+  it "frames weigh their displacements by what all others say, until none changes its mind" $
+    forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
+      let found = meanField (map (map option) frames)
+          wanted = Definition.meanField frames
+          close a b = abs (a - b) < 1e-9
+       in counterexample (show (map (map snd) found, wanted)) $
+            map (map (displacementShift . fst)) found === map (map (\(d, _, _) -> d)) frames
+              .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
+  where
+    option (d, prior, cells) =
+      Displacement d prior [(c, Unboxed.fromList l) | (c, l) <- Map.toList cells]
+    genTold :: Gen [((Int, Int), Double, Map.Map Int [Double])]
+    genTold = do
+      count <- choose (1, 4)
+      strength <- elements [1, 5, 60, 900]
+      places <- take count <$> shuffle [(x, y) | x <- [-5 .. 5], y <- [-5, 0, 5]]
+      forM places $ \place ->
+        (,,) place <$> choose (-6, 0)
+          <*> (sublistOf [1, 2, 3] >>= fmap Map.fromList . mapM (toldOf strength))
+    toldOf strength c = (,) c <$> vectorOf 3 (symmetric strength)
+    symmetric strength = choose (negate strength, strength)
+
+locatedSpec :: Spec
+locatedSpec = do
+  it "a frame is nowhere more probably than 1, for all rounding" $
+    forAll (vectorOf 9 (choose (0.1, 1))) $ \weights ->
+      let places = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
+          found = estimateAt (0, 0) (zip places (map (/ sum weights) weights))
+       in estimateProbability found <= 1 && estimateProbability found > 0.999
+  it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
+    forAll genPlace $ \place -> forAll genMasses $ \options ->
+      let Estimate shift (alongX, alongY) probability others = estimateAt place options
+          Estimate shift' (alongX', alongY') probability' others' = estimate place options
+          probabilities = map hypothesisProbability
+          close a b = counterexample (show (a, b)) (abs (a - b) < 1e-9)
+       in conjoin
+            [ shift === shift',
+              close alongX alongX',
+              close alongY alongY',
+              close probability probability',
+              map hypothesisShift others === map hypothesisShift others',
+              conjoin (zipWith close (probabilities others) (probabilities others'))
+            ]
+  where
+    -- Some that count and some that hardly do, in parts of 2^14, so that sums are exact.
+    genMasses = do
+      reach <- elements [1, 2, 6, 12]
+      count <- choose (1, 30)
+      small <- elements [512, 64, 20, 12]
+      weights <- vectorOf count (elements [512, small])
+      places <- vectorOf count ((,) <$> choose (-reach, reach) <*> choose (-reach, reach))
+      pure (zip places (map (/ 16384) weights))

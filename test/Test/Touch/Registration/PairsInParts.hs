@@ -1,0 +1,283 @@
+-- | What the registration of pairs is made of, and frames turned back, each part against its
+-- definition on lists.
+module Test.Touch.Registration.PairsInParts (spec) where
+
+import Data.List (sort)
+import Data.Maybe (fromMaybe)
+import qualified Data.Vector.Storable as V
+import PraTactile.Composite.Noise (frameNoise)
+import PraTactile.Image
+import PraTactile.Registration.Pair.Alike
+import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Pair.Overlap
+import PraTactile.Registration.Pair.Straight
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Spectrum
+import PraTactile.Sensor.Resample
+import PraTactile.Symmetry
+import System.Random (mkStdGen, randomRs)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate, sample)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
+
+spec :: Spec
+spec = modifyMaxSuccess (const 100) $ do
+  overlapSpec
+  correlationSpec
+  blindSpec
+  straightSpec
+  turnSpec
+
+-- | What two images show at the same places, row by row, where the second's upper left pixel lies
+-- there in the first.
+both :: Raster -> Raster -> (Int, Int) -> [(Double, Double)]
+both a b (dx, dy) =
+  [ (v, w)
+    | y <- [0 .. rasterHeight a - 1],
+      x <- [0 .. rasterWidth a - 1],
+      Just v <- [index a x y],
+      Just w <- [index b (x - dx) (y - dy)]
+  ]
+
+overlapSpec :: Spec
+overlapSpec = do
+  it "displacements are the whole ones within the search, and at least one" $
+    forAll ((,) <$> choose (-9, 9) <*> choose (-9, 9)) $ \step ->
+      forAll (elements [0, 0.2, 0.5, 1, 2.5, 3]) $ \search ->
+        let ((ox, oy), (columns, rows)) = displacementGrid step search
+            reached t = [k | k <- [-20 .. 20], abs (fromIntegral k - t) <= search] :: [Int]
+            alongX = [round ox .. round ox + columns - 1]
+            alongY = [round oy .. round oy + rows - 1]
+            right found wanted = if null wanted then length found == 1 else found == wanted
+         in counterexample (show (alongX, alongY)) $
+              right alongX (reached (fst step)) && right alongY (reached (snd step))
+  it "an overlap is what both images show at the same places" $
+    forAll ((,) <$> genRasterWithin (2, 7) <*> genRasterWithin (2, 7)) $ \(a, b) ->
+      forAll ((,) <$> choose (-8, 8) <*> choose (-8, 8)) $ \(dx, dy) ->
+        let pairs = both a b (dx, dy)
+         in case overlapOf a b dx dy of
+              Nothing -> pairs === []
+              Just (w, h, pa, pb) ->
+                (w * h, zip (V.toList pa) (V.toList pb)) === (length pairs, pairs)
+  it "images agree where what they share is the same but for gain and offset, and not too little" $
+    forAll (genRasterOf 9 8) $ \scene ->
+      forAll (elements [1, 0.3, -1]) $ \gain ->
+        forAll ((,) <$> choose (0, 4) <*> choose (0, 3)) $ \(dx, dy) ->
+          forAll ((,) <$> choose (3, 6) <*> choose (3, 6)) $ \(w, h) ->
+            let a = part 5 5 0 0 id
+                b = part w h dx dy (\v -> gain * v + 0.2)
+                part m n x y with =
+                  generate m n (\i j -> with (fromMaybe 0 (index scene (x + i) (y + j))))
+                found = agreements (fromIntegral dx, fromIntegral dy) 1 a b
+                wanted =
+                  [ (fromIntegral i, fromIntegral j)
+                    | j <- [dy - 1 .. dy + 1],
+                      i <- [dx - 1 .. dx + 1],
+                      let wide = min 5 (i + w) - max 0 i,
+                      let high = min 5 (j + h) - max 0 j,
+                      min wide high >= 3,
+                      correlated a b (i, j)
+                  ]
+             in found === wanted
+  it "places are apart along an axis if they differ by more than a taxel there" $
+    [ apart places
+      | places <-
+          [ [],
+            [(3, 4)],
+            [(0, 0), (1, 1)],
+            [(0, 0), (1.1, 1)],
+            [(5, 2), (5, 7), (5, 3)],
+            [(-2, 1), (0, -1)]
+          ]
+    ]
+      `shouldBe` [ (False, False),
+                   (False, False),
+                   (False, False),
+                   (True, False),
+                   (False, True),
+                   (True, True)
+                 ]
+  where
+    -- Correlation as good as 1, of what varies by a hundredth of the images or more.
+    correlated a b d =
+      let pairs = both a b d
+          n = fromIntegral (length pairs)
+          centred vs = map (subtract (sum vs / fromIntegral (length vs))) vs
+          (da, db) = (centred (map fst pairs), centred (map snd pairs))
+          power vs = sum (map (^ (2 :: Int)) (centred vs)) / fromIntegral (length vs)
+          whole image = power (V.toList (rasterValues image))
+          cov = sum (zipWith (*) da db) / n
+          (va, vb) = (power (map fst pairs), power (map snd pairs))
+       in va > 0.01 * whole a && vb > 0.01 * whole b && cov / sqrt (va * vb) >= 0.9999
+
+correlationSpec :: Spec
+correlationSpec =
+  it "correlation: as prior times (1 - rho^2)^(-n/5), with n no more than at the step" $
+    forAll ((,) <$> genRasterOf 7 6 <*> genRasterOf 7 6) $ \(a, b) ->
+      forAll ((,) <$> choose (-5, 5) <*> choose (-4, 4)) $ \(dx, dy) ->
+        forAll (elements [1, 2, 3]) $ \search ->
+          let step = (fromIntegral dx, fromIntegral dy)
+              Posterior origin spacing size masses =
+                correlationPosterior step (fromIntegral search) a b
+              most = fromIntegral (length (both a b (dx, dy))) :: Double
+              scores =
+                [ exp (-2 * fromIntegral (i * i + j * j) / fromIntegral (search * search))
+                    * likelihood (both a b (dx + i, dy + j))
+                  | j <- [-search .. search],
+                    i <- [-search .. search :: Int]
+                ]
+              likelihood pairs
+                | length pairs < 2 || cov <= 0 = 1
+                | otherwise = (1 - min 0.9999 (cov * cov / (va * vb))) ** (-min most n / 5)
+                where
+                  n = fromIntegral (length pairs)
+                  centred vs = map (subtract (sum vs / n)) vs
+                  (da, db) = (centred (map fst pairs), centred (map snd pairs))
+                  (va, vb, cov) = (dot da da, dot db db, dot da db)
+              dot u v = sum (zipWith (*) u v)
+              wanted = map (/ sum scores) scores
+           in (origin, spacing, size)
+                === ( (fromIntegral (dx - search), fromIntegral (dy - search)),
+                      1,
+                      (2 * search + 1, 2 * search + 1)
+                    )
+                .&&. counterexample
+                  (show (V.toList masses, wanted))
+                  (and (zipWith (\m w -> abs (m - w) < 1e-9) (V.toList masses) wanted))
+
+blindSpec :: Spec
+blindSpec =
+  it "blind: relief alike along an axis leaves the place along it to the prior, in the median" $
+    sort (map offStep [1 .. 21]) !! 10 `shouldSatisfy` ((< 1) . abs)
+  where
+    -- How far along the axis, in the mean, from the step the posterior lies; of frames with rows
+    -- that are drawn by chance and noise of a hundredth.
+    offStep seed =
+      let (a, b) = (seen (100 * seed + 1), seen (100 * seed + 2))
+          known = spectra 16 16
+          process = processOf known 0 (map (coefficientsOf known) [a, b])
+          Posterior _ _ (columns, _) masses = blindPosterior known process step 3 a b
+          step = if upright then (0, 8) else (8, 0)
+          upright = even seed
+          seen k =
+            onRaster (if upright then turned 1 else identity) . generate 16 16 $ \x y ->
+              drawn seed y + 0.04 * drawn k (16 * y + x)
+       in sum
+            [ m * fromIntegral ((if upright then row else column) - 3)
+              | (i, m) <- zip [0 ..] (V.toList masses),
+                let (row, column) = i `quotRem` columns
+            ]
+    drawn seed k = randomRs (0, 1) (mkStdGen seed) !! k :: Double
+
+straightSpec :: Spec
+straightSpec = do
+  it "a direction is told where slopes vary across it beyond noise, and along it do not" $
+    forAll (genRasterOf 8 9) $ \rough ->
+      forAll ((,) <$> genRasterOf 8 9 <*> choose (0, pi)) $ \(other, angle) ->
+        forAll (elements [0, 0.02, 0.1, 0.3, 1]) $ \noise ->
+          let (c, s) = (cos angle, sin angle)
+              -- A step along a line at that angle, and noise.
+              line u v = 1 / (1 + exp (-2 * ((u - 4) * c + (v - 4.5) * s))) :: Double
+              seen dice =
+                generate 8 9 $ \x y ->
+                  line (fromIntegral x) (fromIntegral y) + noise * fromMaybe 0 (index dice x y)
+              (a, b) = (seen rough, seen other)
+              (xx, xy, yy) = products a b
+              along t = let (i, j) = (cos t, sin t) in xx * i * i + 2 * xy * i * j + yy * j * j
+              -- To a twentieth of a degree.
+              turns = [pi * k / 3600 | k <- [0 .. 3599]]
+              least = minimum (map along turns)
+              most = maximum (map along turns)
+              noiseOf image =
+                let values = V.toList (rasterValues image)
+                 in max (frameNoise [image]) (0.001 * (maximum values - minimum values))
+              limit = 4.5 * slopeNoise * noiseOf a * noiseOf b * sqrt (42 * alikeness)
+              -- What lies this near a limit may be told either way.
+              near t = abs t < 1e-3 * (most - least)
+           in classify (noise >= 0.3) "noisy" $
+                case straightness (0, 0) a b of
+                  Nothing ->
+                    counterexample "nothing" $
+                      least >= limit || most < 4 * limit || near (most - 4 * limit)
+                  Just (i, j) ->
+                    counterexample (show (i, j, least, most, limit)) $
+                      abs (i * i + j * j - 1) < 1e-9
+                        && (least < limit || near (least - limit))
+                        && (most >= 4 * limit || near (most - 4 * limit))
+                        && near (xx * i * i + 2 * xy * i * j + yy * j * j - least)
+  it "in what overlaps alone: the same images as if cut to it" $
+    forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(dx, dy) ->
+      let edge x = if x < (5 :: Int) then 0 else 1
+          a = generate 9 9 (\x _ -> edge x)
+          b = generate 9 9 (\x _ -> edge (x + dx))
+       in fmap (\(i, j) -> abs i < 1e-9 && abs (abs j - 1) < 1e-9) (straightness (dx, dy) a b)
+            === Just True
+  where
+    -- Sums over the inner pixels of the products of both images' slopes, by Sobel's weights, a
+    -- eighth each.
+    products a b =
+      let inner = [(x, y) | y <- [1 .. rasterHeight a - 2], x <- [1 .. rasterWidth a - 2]]
+          slope weight image (x, y) =
+            sum
+              [ weight i j / 8 * fromMaybe 0 (index image (x + i) (y + j))
+                | (i, j) <- nearest
+              ]
+          at weightA weightB = sum [slope weightA a p * slope weightB b p | p <- inner]
+       in (at across across, (at across down + at down across) / 2, at down down)
+    nearest = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
+    across i j = fromIntegral (i * (2 - abs j)) :: Double
+    down i j = across j i
+    -- The variance of a slope by white noise, and the squares of its correlations with all others.
+    autocorrelation (i, j) =
+      sum
+        [ across u v * across (u + i) (v + j) / 64
+          | (u, v) <- nearest,
+            (u + i, v + j) `elem` nearest
+        ]
+    slopeNoise = autocorrelation (0, 0)
+    alikeness =
+      sum
+        [ (autocorrelation (i, j) / slopeNoise) ^ (2 :: Int)
+          | i <- [-2 .. 2],
+            j <- [-2 .. 2]
+        ]
+
+turnSpec :: Spec
+turnSpec =
+  it "a turned frame is the largest upright part of its proportions, between its pixels" $
+    forAll ((,) <$> choose (3, 12) <*> choose (3, 12)) $ \(w, h) ->
+      forAll (genRasterOf w h) $ \image ->
+        forAll (oneof [choose (-180, 180), elements [0, 45, 90, -90, 180, 30]]) $ \degrees ->
+          let turn = degrees * pi / 180
+              (c, s) = (cos turn, sin turn)
+              (wide, high) = (fromIntegral (w - 1), fromIntegral (h - 1)) :: (Double, Double)
+              -- Where what lies so far right and down of the centre, upright, is on the frame.
+              onFrame (x, y) = (c * x + s * y, c * y - s * x)
+              holds part =
+                and
+                  [ abs u <= wide / 2 + 1e-9 && abs v <= high / 2 + 1e-9
+                    | (i, j) <- [(-1, -1), (1, -1), (-1, 1), (1, 1)],
+                      let (u, v) = onFrame (part * i * wide / 2, part * j * high / 2)
+                  ]
+              share = last (filter holds (map (/ 2000) [0 .. 2000]))
+              -- Whole pixels that the part has, for sure and at most.
+              pixels sides extra = 1 + floor (sides * (share + extra) + 1e-6) :: Int
+              sizes = [(pixels wide e, pixels high e) | e <- [0, 1 / 2000]]
+              close v t = abs (v - t) < 1e-9
+           in counterexample (show sizes) $ case turnedBack degrees image of
+                Nothing -> any (\(m, n) -> min m n < 4) sizes
+                Just found ->
+                  let (m, n) = rasterSize found
+                      middle k = fromIntegral (k - 1) / 2 :: Double
+                      wanted =
+                        [ sample image (wide / 2 + u) (high / 2 + v)
+                          | y <- [0 .. n - 1],
+                            x <- [0 .. m - 1],
+                            let fromMiddle = (fromIntegral x - middle m, fromIntegral y - middle n),
+                            let (u, v) = onFrame fromMiddle
+                        ]
+                   in min m n >= 4
+                        && m `elem` map fst sizes
+                        && n `elem` map snd sizes
+                        && and (zipWith close (V.toList (rasterValues found)) wanted)

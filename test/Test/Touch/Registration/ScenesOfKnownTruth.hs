@@ -1,0 +1,461 @@
+-- | Stitching, on scenes whose truth is known.
+module Test.Touch.Registration.ScenesOfKnownTruth (spec) where
+
+import Control.Monad (forM_)
+import qualified Data.ByteString as B
+import Data.Either (isLeft)
+import Data.List (genericLength)
+import Data.Maybe (fromMaybe)
+import PraTactile.Image
+import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
+import PraTactile.Random (normalPair)
+import PraTactile.Registration hiding (assemble)
+import qualified PraTactile.Registration as Stitch (assemble)
+import PraTactile.Sensor
+import PraTactile.Sensor.Frame
+import PraTactile.Symmetry
+import System.Random (mkStdGen)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate, sample)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+import Test.Touch.Sensor.MeanHeights (faceOf, texture)
+
+spec :: Spec
+spec = do
+  describe "A single frame" single
+  describe "Known truth" (few truth)
+  describe "Symmetries" (few seenOtherwise)
+  describe "What cannot be seen" unseen
+  describe "Noise and position errors" noisy
+  describe "Refusals" refusals
+  describe "Real frames" real
+
+-- | Properties that stitch a whole scan a case.
+few :: Spec -> Spec
+few = modifyMaxSuccess (const 25)
+
+type Place = (Double, Double)
+
+-- | Frames pressed at the nominal poses displaced by the given errors, in taxels, without other
+-- noise.
+pressed :: Sensor -> HeightMap -> [(Pose, Place)] -> [Frame]
+pressed sensor relief placed =
+  [ Frame
+      pose
+      10
+      ( fst
+          ( press
+              sensor
+              relief
+              pose {poseX = poseX pose + taxelPitch * ex, poseY = poseY pose + taxelPitch * ey}
+              (mkStdGen seed)
+          )
+      )
+      taxelPitch
+      []
+    | (seed, (pose, (ex, ey))) <- zip [1 ..] placed
+  ]
+
+-- | The poses of a region of that width and height, taxels, from 10 taxels right and down of the
+-- face's corner.
+region :: Int -> Int -> [Pose]
+region w h = either (const []) id (planScan 8 (10 * taxelPitch, 10 * taxelPitch) (w, h))
+
+-- | The places less their mean.
+centred :: [Place] -> [Place]
+centred ps = [(x - sum (map fst ps) / n, y - sum (map snd ps) / n) | (x, y) <- ps]
+  where
+    n = genericLength ps
+
+-- | The root mean square distance of two lists of places, along one axis, after a common shift.
+residual :: [Place] -> [Place] -> Double
+residual ps qs =
+  sqrt
+    ( sum [x * x + y * y | (x, y) <- centred (zipWith (\(a, b) (c, d) -> (a - c, b - d)) ps qs)]
+        / (2 * genericLength ps)
+    )
+
+single :: Spec
+single =
+  it "is returned as it is, touched once everywhere, where it was pressed" $
+    forAll
+      ((,,) <$> genRasterOf 16 16 <*> choose (-99, 99) <*> choose (-99, 99))
+      $ \(image, x, y) ->
+        let edge = 7.5 * taxelPitch
+         in conjoin
+              [ either
+                  (\e -> counterexample (show e) False)
+                  (check image (x - edge, y - edge))
+                  (assemble [Frame (Pose x y 0) 1 image taxelPitch []])
+                | assemble <- [placeOnly, stitch standardRegistration]
+              ]
+  where
+    check image (left, top) c =
+      conjoin
+        [ compositeImage c === image,
+          compositeCoverage c === constant 16 16 1,
+          compositeOrigin c === (left, top),
+          compositePosition c (2, 3) === (left + 2 * taxelPitch, top + 3 * taxelPitch),
+          compositeDisplacements c === [(0, 0)]
+        ]
+
+truth :: Spec
+truth = do
+  it "without noise, whole displacements are recovered exactly, up to a common shift" $
+    forAll ((,) <$> choose (1, 1000000) <*> vectorOf 12 wholeError) $ \(seed, errors) ->
+      let frames = pressed idealSensor (texture seed 60 60) (zip (region 32 40) errors)
+       in exactly errors (compositeDisplacements <$> stitch standardRegistration frames)
+  it "without noise, fractional displacements are recovered to a third of a taxel" $
+    -- On a relief of cells three taxels wide: one as fine as the sensor itself cannot be
+    -- interpolated.
+    forAll
+      ( (,)
+          <$> choose (1, 1000000)
+          <*> vectorOf
+            12
+            (((,) <$> choose (-2, 2) <*> choose (-2, 2)) `suchThat` (\(x, y) -> x * x + y * y <= 4))
+      )
+      $ \(seed, errors) ->
+        let frames =
+              pressed
+                idealSensor
+                (texture seed 20 20) {heightPitch = 3 * taxelPitch}
+                (zip (region 32 40) errors)
+         in either
+              (const False)
+              ((< 1 / 3) . residual errors . compositeDisplacements)
+              (stitch standardRegistration frames)
+  it "frames without errors give back the relief they touched" $
+    forAll (choose (1, 1000000)) $ \seed ->
+      let relief = texture seed 60 60
+          expected =
+            mapRaster (/ sensorFullScale idealSensor)
+              <$> crop (10, 10) (32, 40) (heightValues relief)
+          frames = pressed idealSensor relief [(pose, (0, 0)) | pose <- region 32 40]
+       in conjoin
+            [ closeTo expected (compositeImage <$> assemble frames)
+              | assemble <- [placeOnly, stitch standardRegistration]
+            ]
+  it "placeOnly covers each pixel as often as frames lie on it, and moves none" $ do
+    let c =
+          placeOnly (pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- region 32 16])
+    fmap
+      (take 1 . toRows . mapRaster (fromIntegral . (round :: Double -> Int)) . compositeCoverage)
+      c
+      `shouldBe` Right [replicate 8 1 ++ replicate 16 2 ++ replicate 8 1]
+    fmap compositeDisplacements c `shouldBe` Right (replicate 3 (0, 0))
+  it "frames count as compared where some overlap and their places are not taken as they are" $ do
+    let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
+        three = region 32 16
+        compared assemble = fmap compositeCompared . assemble . frames
+        by way = fmap assemblyComposite . Stitch.assemble way standardRegistration
+        apart = [pose | (i, pose) <- zip [0 :: Int ..] three, even i]
+    -- Without an error all stay where they are, and have been compared all the same.
+    fmap compositeDisplacements (stitch standardRegistration (frames three))
+      `shouldBe` Right (replicate 3 (0, 0))
+    map (compared placeOnly) [three, take 1 three] `shouldBe` [Right False, Right True]
+    forM_ [Automatic, Incremental, Jointly, ByLattice] $ \way ->
+      map (compared (by way)) [three, take 1 three, apart]
+        `shouldBe` [Right True, Right True, Right False]
+  where
+    -- Up to two standard deviations, so that any two frames are within the search's reach of each
+    -- other.
+    wholeError =
+      elements
+        [ (fromIntegral x, fromIntegral y)
+          | x <- [-2 .. 2 :: Int],
+            y <- [-2 .. 2 :: Int],
+            x * x + y * y <= 4
+        ]
+    exactly errors found = case found of
+      Left e -> counterexample (show e) False
+      Right ds ->
+        counterexample (show (zip (centred errors) ds)) $
+          and
+            [ abs (x - x') < 1e-9 && abs (y - y') < 1e-9
+              | ((x, y), (x', y')) <- zip (centred errors) (centred ds)
+            ]
+    closeTo (Right a) (Right b) =
+      counterexample
+        (show (a, b))
+        ( either
+            (const False)
+            (maybe True (< 1e-9) . maximumValue)
+            (zipRaster (\p q -> abs (p - q)) a b)
+        )
+    closeTo _ _ = property False
+
+-- | Noisy frames of a face of symbols, with position errors of one taxel.
+symbolFrames :: Int -> [Frame]
+symbolFrames seed = fst (scan standardSensor face stay (region 32 40) (mkStdGen seed))
+
+face :: HeightMap
+face = faceOf [[0, 1, 2, 3], [3, 2, 0, 1], [1, 0, 3, 2]]
+
+seenOtherwise :: Spec
+seenOtherwise = do
+  it "a shift of all poses shifts the composite and changes nothing else" $
+    forAll
+      ((,,) <$> choose (1, 1000) <*> choose (-500, 500) <*> choose (-500, 500))
+      $ \(seed, a, b) ->
+        let frames = symbolFrames seed
+            shifted =
+              [ f
+                  { framePose =
+                      (framePose f)
+                        { poseX = poseX (framePose f) + a,
+                          poseY = poseY (framePose f) + b
+                        }
+                  }
+                | f <- frames
+              ]
+         in both (stitch standardRegistration frames) (stitch standardRegistration shifted) $
+              \c
+               d ->
+                  closeImages (compositeImage c) (compositeImage d)
+                    .&&. near (fst (compositeOrigin c) + a) (fst (compositeOrigin d))
+                    .&&. near (snd (compositeOrigin c) + b) (snd (compositeOrigin d))
+  it "the order of the frames does not matter" $
+    forAll (choose (1, 1000)) $ \seed ->
+      let frames = symbolFrames seed
+       in forAll (shuffle (zip [0 :: Int ..] frames)) $ \shuffled ->
+            both
+              (stitch standardRegistration frames)
+              (stitch standardRegistration (map snd shuffled))
+              $ \c
+                 d ->
+                  closeImages (compositeImage c) (compositeImage d)
+                    .&&. compositeOrigin c === compositeOrigin d
+                    .&&. conjoin
+                      [ Just displacement === lookup key (zip [0 ..] (compositeDisplacements c))
+                        | ((key, _), displacement) <- zip shuffled (compositeDisplacements d)
+                      ]
+  it "a sensor turned in the robot's hand gives the same composite" $
+    forAll ((,) <$> choose (1, 1000) <*> vectorOf 12 (elements [0 :: Int .. 3])) $ \(seed, turns) ->
+      let frames = symbolFrames seed
+          -- A sensor turned clockwise by so many quarters sees the image turned back by as many.
+          fitsAt k f =
+            f
+              { framePose = (framePose f) {poseRotation = 90 * fromIntegral k},
+                frameImage = onRaster (turned (negate k)) (frameImage f)
+              }
+       in both
+            (stitch standardRegistration frames)
+            (stitch standardRegistration (zipWith fitsAt turns frames))
+            $ \c
+               d ->
+                closeImages (compositeImage c) (compositeImage d)
+  it "a face seen from a robot that is turned by 180 degrees gives the half-turned composite" $
+    forAll (choose (1, 1000000)) $ \seed ->
+      let relief = texture seed 52 60
+          motion = Motion 180 (52 * taxelPitch) (60 * taxelPitch)
+          frames m = fst (scan idealSensor relief m (region 32 40) (mkStdGen 1))
+       in both
+            (stitch standardRegistration (frames stay))
+            (stitch standardRegistration (frames motion))
+            $ \c
+               d ->
+                closeImages (compositeImage c) (onRaster (turned 2) (compositeImage d))
+  where
+    near a b = counterexample (show (a, b)) (abs (a - b) < 1e-6)
+    both (Right c) (Right d) f = f c d
+    both a b _ =
+      counterexample (show (either Just (const Nothing) a, either Just (const Nothing) b)) False
+    closeImages a b =
+      counterexample (show (rasterWidth a, rasterHeight a, rasterWidth b, rasterHeight b)) $
+        either
+          (const False)
+          (maybe True (< 1e-6) . maximumValue)
+          (zipRaster (\p q -> abs (p - q)) a b)
+
+unseen :: Spec
+unseen = do
+  it "blank frames stay where they are" $
+    fmap
+      compositeDisplacements
+      ( stitch
+          standardRegistration
+          [Frame pose 10 (constant 16 16 0) taxelPitch [] | pose <- region 32 40]
+      )
+      `shouldBe` Right (replicate 12 (0, 0))
+  it "frames of noise alone are moved by less than the position errors are large" $
+    conjoin
+      [ case compositeDisplacements
+          <$> stitch
+            standardRegistration
+            (pressed standardSensor blank [(pose, (0, 0)) | pose <- region 32 40]) of
+          Right ds -> counterexample (show ds) (residual ds (repeat (0, 0)) < 0.5)
+          Left e -> counterexample (show e) False
+        | blank <- [HeightMap 1 (constant 0 0 0), HeightMap taxelPitch (constant 60 60 0.8)]
+      ]
+  it "frames that do not overlap stay where they are" $
+    fmap
+      compositeDisplacements
+      ( stitch
+          standardRegistration
+          (pressed idealSensor (texture 1 99 99) [(Pose 20 20 0, (0, 0)), (Pose 120 20 0, (1, 1))])
+      )
+      `shouldBe` Right [(0, 0), (0, 0)]
+
+noisy :: Spec
+noisy =
+  it "with noise and errors, frames are registered to half a taxel, twice better" $
+    conjoin
+      [ let errors = take 12 (draw (mkStdGen seed))
+            frames = pressed standardSensor face (zip (region 32 40) errors)
+         in case (stitch standardRegistration frames, placeOnly frames) of
+              (Right c, Right d) ->
+                let afterwards = residual errors (compositeDisplacements c)
+                    beforehand = residual errors (compositeDisplacements d)
+                 in counterexample
+                      (show (beforehand, afterwards))
+                      (afterwards < 0.5 && afterwards < beforehand / 2)
+              _ -> property False
+        | seed <- [1 .. 20]
+      ]
+  where
+    draw g = let (e, g') = normalPair g in e : draw g'
+
+-- | How far the composite of one frame of a smooth scene, by a sensor so turned, is from the scene.
+turnedOff :: Double -> Double
+turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch []] of
+  Left _ -> 1
+  Right composite ->
+    let seen = compositeImage composite
+        (ox, oy) = compositeOrigin composite
+     in maximum
+          [ abs (v - scene (ox / taxelPitch + fromIntegral x) (oy / taxelPitch + fromIntegral y))
+            | (y, row) <- zip [0 :: Int ..] (toRows seen),
+              (x, v) <- zip [0 :: Int ..] row,
+              maybe False (> 0.99) (index (compositeCoverage composite) x y)
+          ]
+  where
+    scene x y = 0.5 + 0.2 * sin (x / 4) + 0.2 * cos (y / 5)
+    radians = degrees * pi / 180
+    image = generate 16 16 $ \i j ->
+      let (u, v) = (fromIntegral i - 7.5, fromIntegral j - 7.5)
+       in scene (cos radians * u - sin radians * v) (sin radians * u + cos radians * v)
+
+refusals :: Spec
+refusals = do
+  it "no frame" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
+  it "a frame that is not of the size of the first, naming it" $
+    stitched [good, good {frameImage = constant 16 15 0}] `shouldBe` Left (FrameSize 1 16 15)
+  it "a frame of any rotation is taken, and turned back" $
+    [ (degrees, off)
+      | degrees <- [0.5, 30, 45, 100, 200, 359],
+        let off = turnedOff degrees,
+        off > 0.01
+    ]
+      `shouldBe` []
+  it "what is not finite, naming the frame" $ do
+    let found =
+          [ stitched [good, f]
+            | f <-
+                [ at (0 / 0) 0 0,
+                  at 0 (1 / 0) 0,
+                  at 0 0 (0 / 0),
+                  good {frameImage = generate 16 16 (\x y -> if x + y == 0 then 0 / 0 else 0)}
+                ]
+          ]
+    found `shouldBe` replicate 4 (Left (FrameNotFinite 1))
+  it "an area too large to hold" $ do
+    stitched [good, at 1e9 1e9 0] `shouldSatisfy` tooLarge
+    stitched [at 1e308 0 0, at (-1e308) 0 0] `shouldSatisfy` tooLarge
+  it "too many frames" $
+    forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
+      (count, either Just (const Nothing) (placeOnly (replicate count good)))
+        `shouldBe` (count, refused)
+  it "settings that make no sense" $
+    [ settings
+      | settings <-
+          [ standardRegistration {registrationSigma = 0},
+            standardRegistration {registrationSigma = 0 / 0},
+            standardRegistration {registrationNoise = -1},
+            standardRegistration {registrationReach = 1e9},
+            standardRegistration {registrationReach = 0 / 0}
+          ],
+        not (isLeft (stitch settings [good]))
+    ]
+      `shouldBe` []
+  where
+    stitched = stitch standardRegistration
+    good = at 0 0 0
+    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch []
+    tooLarge (Left (AreaTooLarge _ _)) = True
+    tooLarge _ = False
+
+-- | Two crops, 16 x 16, of real pressure frames, at a known displacement from where their poses
+-- say.
+real :: Spec
+real = do
+  it "crops of one F-Scan frame are registered to a quarter of a taxel" $
+    withFrames
+      [ "fscan_004",
+        "fscan_008",
+        "fscan_040",
+        "fscan_044",
+        "fscan_077",
+        "fscan_111",
+        "fscan_147",
+        "fscan_184"
+      ]
+      $ \image ->
+        [ (displacement, registered image image offset nominal)
+          | offset@(x, y) <- [(0, 20), (3, 24)],
+            displacement@(dx, dy) <- [(0, 0), (1, -1), (-2, 2), (2, 1)],
+            let nominal = (x + 2 - dx, y + 8 - dy)
+        ]
+  it "crops of one I-Scan frame, enlarged threefold, are registered to a quarter of a taxel" $
+    withFrames ["iscan_033", "iscan_036", "iscan_039", "iscan_042"] $ \small ->
+      let image =
+            generate
+              33
+              33
+              (\x y -> sample small ((fromIntegral x - 1) / 3) ((fromIntegral y - 1) / 3))
+       in [ (displacement, registered image image offset nominal)
+            | offset@(x, y) <- [(4, 6), (8, 8)],
+              displacement@(dx, dy) <- [(0, 0), (1, -1), (-2, 2), (2, 1)],
+              let nominal = (x + 6 - dx, y + 5 - dy)
+          ]
+  where
+    -- The second crop lies two right and eight down (six and five) of the first, which is not what
+    -- its pose says.
+    registered first second (x, y) (nx, ny) = do
+      a <- either (Left . show) Right (crop (x, y) (16, 16) first)
+      b <-
+        either (Left . show) Right (crop (x + trueStepX first, y + trueStepY first) (16, 16) second)
+      c <-
+        either
+          (Left . show)
+          Right
+          ( stitch
+              standardRegistration {registrationNoise = 0.01}
+              [frameAt (x, y) a, frameAt (nx, ny) b]
+          )
+      case compositeDisplacements c of
+        [(ax, ay), (bx, by)] -> Right (bx - ax, by - ay)
+        other -> Left (show other)
+    trueStepX image = if rasterWidth image == 33 then 6 else 2
+    trueStepY image = if rasterWidth image == 33 then 5 else 8
+    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch []
+    along k = taxelPitch * fromIntegral (k :: Int)
+    withFrames names cases = do
+      images <- traverse load names
+      let results =
+            [ (name, wanted, found)
+              | (name, image) <- zip names images,
+                (wanted, found) <- cases image
+            ]
+          off (_, (dx, dy), Right (x, y)) =
+            abs (x - fromIntegral dx) > 0.25 || abs (y - fromIntegral dy) > 0.25
+          off _ = True
+      filter off results `shouldBe` ([] :: [(String, (Int, Int), Either String Place)])
+    load name = do
+      image <-
+        B.readFile (folder ++ name ++ ".pgm")
+          >>= either (fail . show) (pure . pgmIntensity) . decodePgm
+      -- Brought to full scale: a step of a walk uses a part of the sensor's range.
+      pure (mapRaster (/ max 1e-9 (fromMaybe 1 (maximumValue image))) image)
+    folder = "test/data/real-frames/"

@@ -1,0 +1,179 @@
+-- | The search for a frame's displacement, and what it supposes, against their definitions.
+module Test.Touch.Registration.SearchByDefinition (spec) where
+
+import Data.List (foldl', sortOn)
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import PraTactile.Image
+import PraTactile.Image.Correlate
+import PraTactile.Registration (Assembly (..), Composite (..), assemble)
+import PraTactile.Registration.Arrangement (Registered (..), Way (..))
+import PraTactile.Registration.Pair.Alike (agreements)
+import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Search
+import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate, sample)
+import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
+
+spec :: Spec
+spec = modifyMaxSuccess (const 100) $ do
+  describe "What registration supposes" settingsSpec
+  describe "The most probable displacement" searchSpec
+  describe "Other places" otherSpec
+
+settingsSpec :: Spec
+settingsSpec = do
+  it "is an error of one taxel, noise of 0.1, 4.5 standard deviations, five sweeps" $
+    standardRegistration `shouldBe` Registration 1 0.1 4.5 5
+  it "makes sense where the deviation is positive, nothing negative, and the search within 64" $
+    [ (sigma, noise, reach)
+      | sigma <- [-1, 0, 1e-300, 1, 16, 1 / 0, 0 / 0],
+        noise <- [-0.1, 0, 0.1, 7, 1 / 0, 0 / 0],
+        reach <- [-0.5, -1e-9, 0, 4, 4.01, 64, 64.01, 0 / 0],
+        usable (Registration sigma noise reach 5)
+    ]
+      `shouldBe` [ (sigma, noise, reach)
+                   | sigma <- [1e-300, 1, 16],
+                     noise <- [0, 0.1, 7],
+                     reach <- [0, 4, 4.01, 64, 64.01],
+                     sigma * reach <= 64
+                 ]
+
+-- | A reference and an image that is a part of it with some noise, where that part lies, how sure
+-- the robot is of a place near it, and a start near that place.
+data Sought = Sought
+  { soughtReference :: Reference,
+    soughtImage :: Raster,
+    soughtPrior :: Prior,
+    soughtWindow :: Window,
+    soughtStart :: (Double, Double)
+  }
+
+genSought :: Gen Sought
+genSought = do
+  scene <- genRasterOf 12 11
+  rough <- genRasterOf 6 5
+  noise <- elements [0, 0.2, 1]
+  (x, y) <- (,) <$> choose (2, 4) <*> choose (2, 4)
+  near <- (,) <$> choose (-1, 1) <*> choose (-1, 1)
+  start <- (,) <$> elements [0, 0.125, -0.25] <*> elements [0, 0.5]
+  let there = referenceOf scene
+      pixel u v =
+        maybe 0 fst (referenceAt there (x + fromIntegral u) (y + fromIntegral v))
+          + noise * fromMaybe 0 (index rough u v)
+  radius <- elements [1, 1.5, 2.5]
+  variance <- elements [0.25, 1, 4]
+  let image = generate 6 5 pixel
+      centre = (fromIntegral (round x :: Int) + fst near, fromIntegral (round y :: Int) + snd near)
+  pure
+    ( Sought
+        there
+        image
+        (Prior centre variance)
+        (Window centre radius)
+        (fst centre + fst start, snd centre + snd start)
+    )
+
+-- | What an overlap at a displacement tells, the overlap counting no more than at the start, and
+-- the prior: the two terms.
+terms :: Registration -> Sought -> (Double, Double) -> (Double, Double)
+terms settings sought d =
+  ( logLikelihood settings (at d) {overlapWeight = min (weight start) (weight d)},
+    logPrior (soughtPrior sought) d
+  )
+  where
+    start = soughtStart sought
+    weight = overlapWeight . at
+    at = uncurry (overlapAt (soughtReference sought) (soughtImage sought))
+
+searchSpec :: Spec
+searchSpec = do
+  it
+    "is the best at whole taxels from the start in the window, then the best a half, a quarter\
+    \ and an eighth of a taxel from there, along x and then along y"
+    $ forAllBlind genSought $ \sought ->
+      let settings = standardRegistration
+          score d = uncurry (+) (terms settings sought d)
+          Window (cx, cy) radius = soughtWindow sought
+          start@(x0, y0) = soughtStart sought
+          whole =
+            start :
+              [ d
+                | j <- [-5 .. 5],
+                  i <- [-5 .. 5],
+                  let d@(x, y) = (x0 + i, y0 + j),
+                  (x - cx) ^ (2 :: Int) + (y - cy) ^ (2 :: Int) <= radius * radius
+              ]
+          refined d step = foldl' (beside step) d [(1, 0), (0, 1)]
+          beside step (x, y) (i, j) =
+            best [(x, y), (x - i * step, y - j * step), (x + i * step, y + j * step)]
+          best = snd . maximumOfFirst score
+          wanted = foldl' refined (best whole) [0.5, 0.25, 0.125]
+       in mostProbable
+            settings
+            (soughtReference sought)
+            (soughtImage sought)
+            id
+            (soughtPrior sought)
+            (soughtWindow sought)
+            start
+            === wanted
+  it
+    "of those at whole taxels from the start each is as probable as the posterior has it, of\
+    \ whose likelihood each pixel counts four tenths"
+    $ forAllBlind genSought $ \sought -> forAll (elements [1, 2]) $ \reach ->
+      let settings = standardRegistration {registrationNoise = 0.3}
+          (x0, y0) = soughtStart sought
+          line = map fromIntegral [negate reach .. reach :: Int]
+          places = [(x0 + i, y0 + j) | j <- line, i <- line]
+          weight d = let (told, prior) = terms settings sought d in exp (0.4 * told + prior)
+          found =
+            probabilities
+              settings
+              (soughtReference sought)
+              (soughtImage sought)
+              id
+              (soughtPrior sought)
+              reach
+              (soughtStart sought)
+          wanted = [(d, weight d / sum (map weight places)) | d <- places]
+       in counterexample (show (found, wanted)) $
+            map fst found == places
+              && and (zipWith (\(_, p) (_, w) -> abs (p - w) < 1e-9) found wanted)
+  where
+    -- The first of the greatest.
+    maximumOfFirst score ds =
+      foldl' (\a b -> if fst b > fst a then b else a) (-1 / 0, (0, 0)) [(score d, d) | d <- ds]
+
+otherSpec :: Spec
+otherSpec = do
+  it "of a plane, which is the same everywhere but for its level, are all within the search" $
+    forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(dx, dy) ->
+      forAll (elements [0, 1, 2]) $ \search ->
+        let plane = generate 9 9 (\x y -> 0.1 * fromIntegral x + 0.07 * fromIntegral y)
+            line t = map fromIntegral [t - search .. t + search :: Int]
+         in agreements (fromIntegral dx, fromIntegral dy) (fromIntegral search) plane plane
+              === [(x, y) | y <- line dy, x <- line dx]
+  modifyMaxSuccess (const 10) . it "of frames put together the four most probable are weighed" $
+    forAll (genRasterOf 40 4) $ \stripes ->
+      let -- Any relief across, and every four taxels the same down; five pairs of frames of it.
+          relief x y = fromMaybe 0 (index stripes x (y `mod` 4))
+          frame (k, j) =
+            Frame
+              (Pose (taxelPitch * 40 * fromIntegral k) (taxelPitch * 8 * fromIntegral j) 0)
+              1
+              (generate 16 16 (\x y -> relief (4 * k + x) (8 * j + y)))
+              taxelPitch
+              []
+          settings = standardRegistration {registrationSigma = 2, registrationNoise = 0.05}
+          frames = [frame (k, j) | k <- [0 .. 4 :: Int], j <- [0, 1]]
+       in case assemble Incremental settings frames of
+            Left e -> counterexample (show e) False
+            Right made ->
+              let others = concatMap registeredOthers (assemblyFrames made)
+                  probable = sortOn Down (map hypothesisProbability others)
+                  told = map fst (compositeOthers (assemblyComposite made))
+               in counterexample (show probable) $
+                    length probable > 4 .&&. told === take 4 probable

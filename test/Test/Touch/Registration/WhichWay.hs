@@ -1,0 +1,96 @@
+-- | Which way frames are registered, and what is told of them then.
+module Test.Touch.Registration.WhichWay (spec) where
+
+import Data.Foldable (for_)
+import Data.Maybe (fromMaybe)
+import PraTactile.Composite.Noise
+import PraTactile.Image
+import PraTactile.Registration.AllPairs (registerPairwise)
+import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Incremental (register)
+import PraTactile.Registration.Search (Registration (..), standardRegistration)
+import PraTactile.Registration.Spectrum (spectra)
+import Test.Hspec
+import Test.QuickCheck hiding (generate, sample, tables)
+import Test.Touch.Sensor.MeanHeights (embossing)
+
+spec :: Spec
+spec = do
+  spacedSpec
+  waySpec
+
+spacedSpec :: Spec
+spacedSpec =
+  it "some of a list are all where these are no more, else so many, evenly, the first among them" $
+    forAll ((,) <$> choose (0, 12) <*> choose (0, 40)) $ \(most, n) ->
+      let found = spacedOut most [0 .. n - 1] :: [Int]
+          gaps = zipWith (-) (drop 1 found) found
+       in if n <= most
+            then found === [0 .. n - 1]
+            else
+              length found === most
+                .&&. take 1 found === [0 | most > 0]
+                .&&. counterexample
+                  (show found)
+                  (null gaps || (minimum gaps >= n `div` most && maximum gaps <= n `div` most + 1))
+
+-- | Frames of a face of symbols, so many taxels apart from it.
+facing :: [(Double, Double)] -> [((Double, Double), Raster)]
+facing places = [(place, generate 16 16 (seen place)) | place <- places]
+  where
+    seen (x, y) i j = sample face (x + fromIntegral i) (y + fromIntegral j)
+    face = generate 96 80 $ \x y ->
+      let (c, u) = x `divMod` 16
+          (r, v) = y `divMod` 20
+          kind = (3 * r + 2 * c + r * c) `mod` 4
+       in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
+
+waySpec :: Spec
+waySpec = do
+  it "what is not registered stays, and so do frames that show nothing" $ do
+    let blanks = [((0, 0), constant 8 8 0.25), ((4, 1), constant 8 8 0.25)]
+        told arranged' = (arrangementWay arranged', map shown (arrangementFrames arranged'))
+        shown (Registered shift deviation probability others _) =
+          (shift, deviation, probability, others)
+        unmoved = ((0, 0), Nothing, Nothing, [])
+    told (arrange Nominal standardRegistration (facing places))
+      `shouldBe` (Nominal, map (const unmoved) places)
+    for_ [Automatic, ByLattice, Jointly, Incremental] $ \way ->
+      told (arrange way standardRegistration blanks) `shouldBe` (Incremental, [unmoved, unmoved])
+  it "one after the other and jointly, frames have what these registrations tell" $ do
+    let frames = facing places
+        one = arrange Incremental standardRegistration frames
+        all' = arrange Jointly standardRegistration frames
+        bySpectra (w, h) = spectra w h
+    [(registeredShift a, registeredOthers a) | a <- arrangementFrames one]
+      `shouldBe` register standardRegistration frames
+    map registeredDeviation (arrangementFrames one) `shouldBe` map (const Nothing) places
+    [(registeredShift a, registeredDeviation a) | a <- arrangementFrames all']
+      `shouldBe` [ (shift, Just (sd, sd))
+                   | (shift, sd) <- registerPairwise standardRegistration bySpectra frames
+                 ]
+    (arrangementWay one, arrangementWay all') `shouldBe` (Incremental, Jointly)
+    for_ [one, all'] $ \found -> do
+      let moved =
+            [ ((x + dx, y + dy), image)
+              | (((x, y), image), a) <- zip frames (arrangementFrames found),
+                let (dx, dy) = registeredShift a
+            ]
+      map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
+      arrangementResidual found `shouldBe` residual moved
+  it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
+    let way settings = arrangementWay (arrange Automatic settings (facing places))
+        with sigma noise =
+          standardRegistration {registrationSigma = sigma, registrationNoise = noise}
+    [way (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
+      `shouldBe` [Incremental, ByLattice, ByLattice]
+    -- A single frame is not.
+    arrangementWay (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
+    -- Nor are frames that show something else, unless that is asked for.
+    let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
+        rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
+        wave by t = sin (by * fromIntegral t)
+    map (\w -> arrangementWay (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
+      `shouldBe` [Incremental, ByLattice]
+  where
+    places = [(10, 12), (18, 12), (10, 20), (18, 20)]
