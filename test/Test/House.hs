@@ -101,6 +101,14 @@ spec = describe "the house" $
             ]
       length definition `shouldSatisfy` (> 1)
       others `shouldBe` []
+    it "locating has one door: no other wing reaches for what is behind it" $ \(house, _) ->
+      [ (sourceName one, name)
+        | one <- house,
+          sourceWing one /= Code,
+          name <- sourceImports one,
+          name `elem` ["PraTactile.Locate.Decoder.Codebook", "PraTactile.Locate.Foreign"]
+      ]
+        `shouldBe` []
     it "of the code, the objects see positions and shapes only" $ \(house, _) ->
       [ (sourceName one, name)
         | one <- house,
