@@ -22,7 +22,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Evaluate
-import PraTactile.Explore (halfTurns, standardRegionSize)
+import PraTactile.Explore (Turns (..), halfTurns, standardRegionSize)
 import PraTactile.Field
 import PraTactile.Field.Named
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
@@ -193,28 +193,10 @@ evaluate100 = pure $
           sure
             (traverse (\face -> (,) face <$> relief array layout alphabet face) (laidFaces layout))
         results seed =
-          let counts =
-                tally
-                  ( map
-                      withStitching
-                      ( run
-                          ( catMaybes
-                              ( take
-                                  100
-                                  ( trials
-                                      ( exploration
-                                          standardSensor
-                                          (AmongTurns halfTurns)
-                                          standardRegionSize
-                                      )
-                                      faces
-                                      seed
-                                  )
-                              )
-                          )
-                      )
-                  )
+          let presses = catMaybes (take 100 (trials explored faces seed))
+              counts = tally (map withStitching (run presses))
            in tallyWrong counts `seq` counts
+        explored = exploration standardSensor (AmongTurns halfTurns) standardRegionSize
         run =
           withStrategy (parBuffer 64 rseq)
             . map (forced . runTrial standardTolerance reader standardRegistration)
