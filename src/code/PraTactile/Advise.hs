@@ -220,7 +220,7 @@ assess :: KnownField k => Degree k -> Layout -> Shape -> Either Obstacle Option
 assess degree@(Degree request n polynomials _) layout shape = case requestWindow request of
   Nothing -> Right (Option n layout shape (fitting degree layout shape))
   Just w
-    | not (w `within` shape) -> Left (WindowBeyondArray n layout shape)
+    | not (w `fitsIn` shape) -> Left (WindowBeyondArray n layout shape)
     | otherwise -> case fits n polynomials layout shape w of
       Right fit -> Right (Option n layout shape [fit])
       Left tried -> Left (WindowFails n layout shape tried)
@@ -243,7 +243,7 @@ repairs degree shape =
     wanted layout other =
       [ fit
         | Just w <- [requestWindow (degreeRequest degree)],
-          w `within` other,
+          w `fitsIn` other,
           Right fit <- [fits (degreeNumber degree) (degreePolynomials degree) layout other w]
       ]
 
@@ -281,7 +281,7 @@ parts (Degree request n _ ds) shape@(Shape n1 n2) =
 -- first.
 fitting :: KnownField k => Degree k -> Layout -> Shape -> [Fit]
 fitting (Degree _ n polynomials _) layout shape =
-  [fit | w <- windowsOf n, w `within` shape, Right fit <- [fits n polynomials layout shape w]]
+  [fit | w <- windowsOf n, w `fitsIn` shape, Right fit <- [fits n polynomials layout shape w]]
 
 -- | All rectangles of n cells, the most nearly square ones first.
 windowsOf :: Natural -> [Shape]

@@ -127,10 +127,10 @@ displaced surface shape (Position r c) (Position i j) =
 -- Shape {rows = 14, columns = 16}
 admissible :: Surface -> Shape -> Shape -> Shape
 admissible surface shape extent = case surface of
-  Sheet -> Shape (within (rows shape) (rows extent)) (within (columns shape) (columns extent))
+  Sheet -> Shape (begins (rows shape) (rows extent)) (begins (columns shape) (columns extent))
   _ -> shape
   where
-    within side size = if size > side then 0 else side + 1 - size
+    begins side size = if size > side then 0 else side + 1 - size
 
 -- | Why a matrix is not accepted.
 data GridError

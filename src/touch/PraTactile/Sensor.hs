@@ -118,10 +118,10 @@ meanHeights sensor (HeightMap cell heights) (Pose x y r)
           [ (x + c * u - s * v, y + s * u + c * v)
             | b <- [0 .. supersampling - 1],
               a <- [0 .. supersampling - 1],
-              let u = taxel * (fromIntegral (i :: Int) - half columns + within a),
-              let v = taxel * (fromIntegral (j :: Int) - half rows + within b)
+              let u = taxel * (fromIntegral (i :: Int) - half columns + subsample a),
+              let v = taxel * (fromIntegral (j :: Int) - half rows + subsample b)
           ]
-    within a = (fromIntegral a + 0.5) / fromIntegral supersampling
+    subsample a = (fromIntegral a + 0.5) / fromIntegral supersampling
     heightAt i j = fromMaybe 0 (index heights i j)
 
 supersampling :: Int

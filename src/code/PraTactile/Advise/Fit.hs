@@ -4,7 +4,7 @@ module PraTactile.Advise.Fit
   ( Fit (..),
     candidates,
     fits,
-    within,
+    fitsIn,
   )
 where
 
@@ -50,7 +50,7 @@ fits n polynomials layout shape window = case find works tried of
     tried = if sure then take 1 polynomials else polynomials
     sure =
       or
-        [ w `within` window
+        [ w `fitsIn` window
           | h <- take 1 polynomials,
             w <- sureWindows (fromIntegral (fieldOrder h)) n layout shape
         ]
@@ -61,5 +61,5 @@ fits n polynomials layout shape window = case find works tried of
       Joint _ -> either (const 0) (`codeRank` mask) (foldCode shape h (canonicalState h))
 
 -- | Whether a window is no larger than another, or than an array.
-within :: Shape -> Shape -> Bool
-within window shape = rows window <= rows shape && columns window <= columns shape
+fitsIn :: Shape -> Shape -> Bool
+fitsIn window shape = rows window <= rows shape && columns window <= columns shape

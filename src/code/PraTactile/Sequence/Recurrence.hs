@@ -81,7 +81,7 @@ continue r from to v
 
 -- | As 'continue', term by term: the definition.
 stepwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
-stepwise r@(Recurrence taps) from to v = when (within r from to v) (go from)
+stepwise r@(Recurrence taps) from to v = when (reaches r from to v) (go from)
   where
     count = length taps
     !lags = Primitive.fromListN count (map fst taps) :: Vector Int
@@ -94,14 +94,14 @@ stepwise r@(Recurrence taps) from to v = when (within r from to v) (go from)
         total i (j + 1) (acc + Primitive.unsafeIndex factors j * s)
 
 -- | Whether v(from), ..., v(to - 1) can be computed within the vector.
-within :: Recurrence k -> Int -> Int -> MVector s (GF k) -> Bool
-within r from to v = longestLag r <= from && to <= Mutable.length v
+reaches :: Recurrence k -> Int -> Int -> MVector s (GF k) -> Bool
+reaches r from to v = longestLag r <= from && to <= Mutable.length v
 
 -- | As 'continue', in blocks no longer than the shortest lag, so that within a block no term asks
 -- for another; in characteristic 2 eight terms at a time where the lags allow.
 blockwise :: forall k s. KnownField k => Recurrence k -> Int -> Int -> MVector s (GF k) -> ST s ()
 blockwise r@(Recurrence taps) from to v@(MVector offset size bytes) =
-  when (within r from to v) $
+  when (reaches r from to v) $
     if inWords
       then do
         let whole = min to (from + (-from) `mod` 8)

@@ -70,9 +70,9 @@ whereabouts place window at
     _ -> OnNoObject
   where
     shape = placementShape place
-    whole = [(laid, cell) | laid <- laidFaces place, Just cell <- [within laid]]
+    whole = [(laid, cell) | laid <- laidFaces place, Just cell <- [cellIn laid]]
     touched = filter touches (laidFaces place)
-    within laid = Position <$> inside row rows laid <*> inside column columns laid
+    cellIn laid = Position <$> inside row rows laid <*> inside column columns laid
     inside from size laid =
       let offset = ahead (size shape) (from (laidAt laid)) (from at)
        in if offset + size window <= size (laidGrid laid) then Just offset else Nothing

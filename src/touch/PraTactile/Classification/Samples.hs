@@ -163,12 +163,12 @@ withUnseen unseen image = generate w h value
     h = rasterHeight image
     value x y = case unseen of
       CornerUnseen right bottom n m
-        | within right w n x && within bottom h m y -> 0
+        | inStrip right w n x && inStrip bottom h m y -> 0
         | otherwise -> at x y
       ColumnsUnseen right n -> at (nearestSeen right w n x) y
       RowsUnseen bottom n -> at x (nearestSeen bottom h n y)
     at x y = fromMaybe 0 (index image x y)
-    within far size n t = if far then t >= size - n else t < n
+    inStrip far size n t = if far then t >= size - n else t < n
     nearestSeen far size n t = if far then min (size - 1 - n) t else max n t
 
 -- | The image with white noise of that standard deviation, clipped to 0..1 and rounded to the 256

@@ -238,12 +238,12 @@ eastSide = blocksWhere (\x _ -> x == gridWidth - 1)
 
 -- | The blocks of the first set that are reached from the second through sides of blocks.
 flooded :: Int -> Int -> Int
-flooded within reached
+flooded allowed reached
   | next == reached = reached
-  | otherwise = flooded within next
+  | otherwise = flooded allowed next
   where
     next =
-      within
+      allowed
         .&. ( reached
                 .|. shiftL (reached .&. notAt eastSide) 1
                 .|. shiftR (reached .&. notAt westSide) 1

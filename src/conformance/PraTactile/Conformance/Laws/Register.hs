@@ -175,7 +175,7 @@ refusalLaws =
             (w, h) = pressSize press
             cut = frameOf (w + 8, h + 8) (periodic periods phases)
             step = pressStep press
-            pair = Pair (cut (0, 0)) (cut (within step (pressError press))) step 6
+            pair = Pair (cut (0, 0)) (cut (moved step (pressError press))) step 6
          in Just (pair, unknown "ambiguous" step (False, False), const True),
     refusal
       "no-overlap"
@@ -194,7 +194,7 @@ refusalLaws =
   ]
   where
     unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
-    within (x, y) (i, j) = (x + i, y + j)
+    moved (x, y) (i, j) = (x + i, y + j)
 
 -- | Up to three edges that both frames show wherever within the search they lie.
 oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)

@@ -158,9 +158,9 @@ found what sentence reason most before change =
 
 -- | Whether displacements are the same to so many taxels, up to a shift of all.
 alike :: Double -> [Taxels] -> [Taxels] -> Bool
-alike most wanted came = within fst && within snd
+alike most wanted came = near fst && near snd
   where
-    within axis =
+    near axis =
       let differences = zipWith (\a b -> axis b - axis a) wanted came
           mean = sum differences / fromIntegral (max 1 (length differences))
        in all ((<= most) . abs . subtract mean) differences

@@ -198,18 +198,18 @@ receive child deadline = do
   now <- getMonotonicTime
   let slice = min 0.05 (deadline - now)
   if slice <= 0
-    then maybe Late got <$> within 0.0005
+    then maybe Late got <$> readWithin 0.0005
     else do
-      more <- within slice
+      more <- readWithin slice
       case more of
         Just bytes -> pure (got bytes)
         Nothing -> do
           ended <- exitCode child
-          maybe (receive child deadline) (const (maybe OutputEnds got <$> within 0.02)) ended
+          maybe (receive child deadline) (const (maybe OutputEnds got <$> readWithin 0.02)) ended
   where
     -- Only the waiting is given up, never a read that has begun: nothing that came is lost.
-    within :: Double -> IO (Maybe ByteString)
-    within seconds = do
+    readWithin :: Double -> IO (Maybe ByteString)
+    readWithin seconds = do
       ready <- timeout (max 1 (ceiling (seconds * 1e6))) (threadWaitRead (childOutput child))
       traverse (const (readSome (childOutput child))) ready
     got bytes = if Bytes.null bytes then OutputEnds else Received bytes

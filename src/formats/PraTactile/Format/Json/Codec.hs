@@ -83,8 +83,8 @@ refuse :: Misfit -> Either FormatError a
 refuse = Left . Misfit []
 
 -- | Where a value is refused, its place begins with this step.
-within :: JSONPathElement -> Either FormatError a -> Either FormatError a
-within step = first $ \why -> case why of
+atElement :: JSONPathElement -> Either FormatError a -> Either FormatError a
+atElement step = first $ \why -> case why of
   Misfit place misfit -> Misfit (step : place) misfit
   _ -> why
 
@@ -94,7 +94,7 @@ listOf (Codec write decoder) = Codec (map write) $ \value -> case value of
   Array values -> traverse item (zip [0 ..] (toList values))
   _ -> refuse NotList
   where
-    item (i, value) = within (Index i) (decoder value)
+    item (i, value) = atElement (Index i) (decoder value)
 
 -- | Such a value, or null.
 nullable :: Codec a -> Codec (Maybe a)
@@ -213,7 +213,7 @@ instance Applicative (Keys r) where
 key :: Key -> Codec a -> (r -> a) -> Keys r a
 key name (Codec write decoder) part = Keys (\r -> (Item name (write (part r)) :)) $ \fields ->
   case KeyMap.lookup name fields of
-    Just value -> within (Key name) (decoder value)
+    Just value -> atElement (Key name) (decoder value)
     Nothing -> refuse (MissingKey (Key.toText name))
 
 -- | A key that is only there where there is something to say.
