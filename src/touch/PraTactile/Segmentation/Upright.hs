@@ -61,7 +61,7 @@ data Scene = Scene
     scenePixels :: !Masked
   }
 
--- | The connected components of at least 'leastPixels', from left to right.
+-- | The connected components of at least @leastPixels@, from left to right.
 pieces :: Masked -> Int -> Region -> [Region]
 pieces pixels gap =
   sortOn (minimum . map (placeOf pixels)) . filter (atLeast leastPixels) . components pixels gap
