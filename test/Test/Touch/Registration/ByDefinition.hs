@@ -22,6 +22,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (classes, generate, sample, tables, total)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Registration.Definition
+import Test.Touch.Registration.Face (frameAt)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
 spec :: Spec
@@ -175,17 +176,6 @@ ascentSpec =
               (show (logDensity told))
               (logDensity told >= logOf 2 (last thetas) fine - 1e-2)
 
--- | Frames of a face of symbols, so many taxels apart from it.
-facing :: [(Double, Double)] -> [Raster]
-facing places = [generate 12 13 (seen place) | place <- places]
-  where
-    seen (x, y) i j = sample face (x + fromIntegral i) (y + fromIntegral j)
-    face = generate 96 80 $ \x y ->
-      let (c, u) = x `divMod` 16
-          (r, v) = y `divMod` 20
-          kind = (3 * r + 2 * c + r * c) `mod` 4
-       in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
-
 jointSpec :: Spec
 jointSpec =
   it "frames lie together where their common phase, displacements and mean field have them" $
@@ -202,7 +192,7 @@ jointSpec =
         jitter <- (,) <$> choose (-1, 1) <*> choose (-1, 1)
         noise <- genRasterOf 12 13
         let place = (7 * fromIntegral (k `div` 2) + 6, 8 * fromIntegral (k `mod` 2) + 9)
-            image = foldr const (constant 12 13 0) (facing [place])
+            image = frameAt (12, 13) place
             rough x y = 0.4 * fromMaybe 0 (index noise x y) + fromMaybe 0 (index image x y)
         pure ((fst place + fst jitter, snd place + snd jitter), generate 12 13 rough)
     alike a b =
@@ -281,6 +271,5 @@ pairSpec =
       let with noise image =
             generate 12 13 (\x y -> at image x y + share * at noise x y)
           at image x y = fromMaybe 0 (index image x y)
-      pure $ case facing [start, (fst start + dx, snd start + dy)] of
-        [a, b] -> ((dx, dy), with noiseA a, with noiseB b)
-        _ -> ((dx, dy), noiseA, noiseB)
+      let felt = frameAt (12, 13)
+      pure ((dx, dy), with noiseA (felt start), with noiseB (felt (fst start + dx, snd start + dy)))

@@ -2,7 +2,6 @@
 module Test.Touch.Registration.WhichWay (spec) where
 
 import Data.Foldable (for_)
-import Data.Maybe (fromMaybe)
 import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.AllPairs (registerPairwise)
@@ -12,7 +11,7 @@ import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum (spectra)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample, tables)
-import Test.Touch.Sensor.MeanHeights (embossing)
+import Test.Touch.Registration.Face (frameAt)
 
 spec :: Spec
 spec = do
@@ -34,16 +33,9 @@ spacedSpec =
                   (show found)
                   (null gaps || (minimum gaps >= n `div` most && maximum gaps <= n `div` most + 1))
 
--- | Frames of a face of symbols, so many taxels apart from it.
+-- | Frames of a face of symbols, which lie at these places on it.
 facing :: [(Double, Double)] -> [((Double, Double), Raster)]
-facing places = [(place, generate 16 16 (seen place)) | place <- places]
-  where
-    seen (x, y) i j = sample face (x + fromIntegral i) (y + fromIntegral j)
-    face = generate 96 80 $ \x y ->
-      let (c, u) = x `divMod` 16
-          (r, v) = y `divMod` 20
-          kind = (3 * r + 2 * c + r * c) `mod` 4
-       in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
+facing places = [(place, frameAt (16, 16) place) | place <- places]
 
 waySpec :: Spec
 waySpec = do

@@ -1,0 +1,18 @@
+-- | A face of symbols, all four of the shipped alphabet on their lattice, and frames of it.
+module Test.Touch.Registration.Face (frameAt) where
+
+import Data.Maybe (fromMaybe)
+import PraTactile.Image
+import Test.Touch.Sensor.MeanHeights (embossing)
+
+-- | A frame of this width and height, whose upper left taxel lies there on the face, in taxels.
+frameAt :: (Int, Int) -> (Double, Double) -> Raster
+frameAt (wide, high) (x, y) =
+  generate wide high $ \i j -> sample face (x + fromIntegral i) (y + fromIntegral j)
+
+face :: Raster
+face = generate 96 80 $ \x y ->
+  let (c, u) = x `divMod` 16
+      (r, v) = y `divMod` 20
+      kind = (3 * r + 2 * c + r * c) `mod` 4
+   in fromMaybe 0 (index (embossing !! kind) (u - 4) (v - 4))
