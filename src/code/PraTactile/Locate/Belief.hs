@@ -120,10 +120,10 @@ multiplied groups
 
 -- | The likeliest symbol, the one of the lowest code if several are.
 likeliest :: KnownField k => Belief k -> GF k
-likeliest = symbolAtMost . probabilities
+likeliest = mostProbableSymbol . probabilities
 
-symbolAtMost :: KnownField k => Vector Double -> GF k
-symbolAtMost numbers = either (const zero) id (fromCode (Primitive.maxIndex numbers))
+mostProbableSymbol :: KnownField k => Vector Double -> GF k
+mostProbableSymbol numbers = either (const zero) id (fromCode (Primitive.maxIndex numbers))
 
 -- | The probabilities of the symbols, by their codes, whatever the symmetry; they add up to 1.
 probabilities :: Belief k -> Vector Double
@@ -163,9 +163,9 @@ possibleIn o a known = maybe False (> 0) (probabilitiesIn o known Primitive.!? t
 -- | The likeliest symbol, if that is likeliest in this symmetry.
 likeliestIn :: KnownField k => Symmetry -> Belief k -> Maybe (GF k)
 likeliestIn o known = case known of
-  Unoriented numbers -> Just (symbolAtMost numbers)
+  Unoriented numbers -> Just (mostProbableSymbol numbers)
   Oriented joint
     | null joint || Primitive.maximum own < maximum (map (Primitive.maximum . snd) joint) -> Nothing
-    | otherwise -> Just (symbolAtMost own)
+    | otherwise -> Just (mostProbableSymbol own)
   where
     own = probabilitiesIn o known
