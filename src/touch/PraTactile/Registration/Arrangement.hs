@@ -1,5 +1,3 @@
-{-# LANGUAGE BangPatterns #-}
-
 -- | The ways to find where frames were: which, and what is told of each frame.
 module PraTactile.Registration.Arrangement
   ( Way (..),
@@ -7,35 +5,25 @@ module PraTactile.Registration.Arrangement
     Arrangement (..),
     arrange,
     withMisfit,
-    residual,
-    groupsOf,
   )
 where
 
-import Data.List (foldl')
-import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (compositeOf)
-import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Composite.Blend (Place)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilt)
-import PraTactile.Image
-  ( Raster,
-    rasterHeight,
-    rasterSize,
-    rasterValues,
-    rasterWidth,
-    standardDeviation,
-  )
-import PraTactile.Image.Correlate (Reference, reference, referenceAt)
+import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.AllPairs (registerPairwise)
+import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
 import PraTactile.Registration.Lattice.Fit (Fits, bySize, fitsAt)
 import PraTactile.Registration.Lattice.Template (PaperTables, paperTemplates)
 import PraTactile.Registration.Posterior (Hypothesis)
+import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Search (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
@@ -148,85 +136,3 @@ withMisfit images settings = settings {registrationNoise = sqrt (noise * noise +
 
 moved :: [(Place, Raster)] -> [Place] -> [(Place, Raster)]
 moved = zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image))
-
--- | The standard deviation of one frame from what others saw, over all pixels of all frames that
--- others saw, grey values: of images at their places, in taxels. 'Nothing' where none overlap.
-residual :: [(Place, Raster)] -> Maybe Double
-residual placed
-  | total > 0 = Just (sqrt (sum [s * n | (s, n) <- found] / total))
-  | otherwise = Nothing
-  where
-    found = differencesOf placed
-    total = sum (map snd found)
-
--- | For each frame the mean square of its differences from the blend of all, as if the others had
--- no noise and no part of it were its own, and how many pixels others saw.
-differencesOf :: [(Place, Raster)] -> [(Double, Double)]
-differencesOf placed = map each onGrid
-  where
-    x0 = floor (minimum (map (fst . fst) placed)) :: Int
-    y0 = floor (minimum (map (snd . fst) placed)) :: Int
-    wide = maximum [ceiling x - x0 + rasterWidth i + 1 | ((x, _), i) <- placed]
-    high = maximum [ceiling y - y0 + rasterHeight i + 1 | ((_, y), i) <- placed]
-    onGrid = [((x - fromIntegral x0, y - fromIntegral y0), i) | ((x, y), i) <- placed]
-    Blend sums weights = blend wide high onGrid
-    each ((x, y), image) = case reference sums weights of
-      Right there -> compared there x y image
-      Left _ -> (0, 0)
-
-compared :: Reference -> Double -> Double -> Raster -> (Double, Double)
-compared there x y image = (if n > 0 then total / n else 0, n)
-  where
-    w = rasterWidth image
-    (total, n) = V.ifoldl' step (0, 0) (rasterValues image)
-    step (!s, !k) i f =
-      let (v, u) = i `quotRem` w
-       in case referenceAt there (x + fromIntegral u) (y + fromIntegral v) of
-            Just (c, m) | m > 1.5 -> (s + (f - c) * (f - c) * m / (m - 1), k + 1)
-            _ -> (s, k)
-
--- | For each image, at its place in taxels, its group: images that overlap, directly or through
--- others, are of one group. Groups are numbered from 0 as they come.
-groupsOf :: [(Place, Raster)] -> [Int]
-groupsOf placed = numbered (map (root joined) [0 .. length placed - 1])
-  where
-    -- Two images whose corners are in one square overlap, however many there are.
-    side =
-      fromIntegral
-        (minimum (maxBound : concat [[rasterWidth i, rasterHeight i] | (_, i) <- placed])) ::
-        Double
-    furthest = maximum (1 : concat [[rasterWidth i, rasterHeight i] | (_, i) <- placed])
-    reach = ceiling (fromIntegral furthest / side) :: Int
-    square (x, y) = (floor (x / side) :: Int, floor (y / side) :: Int)
-    squares =
-      Map.fromListWith
-        (flip (++))
-        [(square place, [(k, (place, image))]) | (k, (place, image)) <- zip [0 ..] placed]
-    joined =
-      foldl'
-        union
-        (Map.fromList [(k, k) | k <- [0 .. length placed - 1]])
-        ( [(k, l) | (k, _) : others <- Map.elems squares, (l, _) <- others]
-            ++ [ pair
-                 | ((c, r), here) <- Map.toList squares,
-                   j <- [0 .. reach],
-                   i <- [negate reach .. reach],
-                   (j, i) > (0, 0),
-                   Just there <- [Map.lookup (c + i, r + j) squares],
-                   pair <- take 1 [(k, l) | (k, a) <- here, (l, b) <- there, meets a b]
-               ]
-        )
-    meets ((x, y), a) ((x', y'), b) =
-      x' - x < wide a && x - x' < wide b && y' - y < tall a && y - y' < tall b
-    wide = fromIntegral . rasterWidth
-    tall = fromIntegral . rasterHeight
-    union parents (a, b) =
-      let (ra, rb) = (root parents a, root parents b)
-       in if ra == rb then parents else Map.insert (max ra rb) (min ra rb) parents
-    root :: Map.Map Int Int -> Int -> Int
-    root parents k = case Map.lookup k parents of
-      Just p | p /= k -> root parents p
-      _ -> k
-    numbered roots =
-      let numbers = Map.fromList (zip (Map.keys (Map.fromList [(r, ()) | r <- roots])) [0 ..])
-       in [Map.findWithDefault 0 r numbers | r <- roots]

@@ -13,7 +13,9 @@ import PraTactile.Image
 import PraTactile.Image.Correlate (referenceSums, referenceWeights)
 import PraTactile.Registration.AllPairs (Link (..), solved)
 import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Posterior (Hypothesis (..))
+import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Rest (restOf)
 import PraTactile.Registration.Rotation (smooth)
 import PraTactile.Registration.Search (Registration (..), standardRegistration)

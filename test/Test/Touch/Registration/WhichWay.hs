@@ -6,7 +6,9 @@ import PraTactile.Composite.Noise
 import PraTactile.Image
 import PraTactile.Registration.AllPairs (registerPairwise)
 import PraTactile.Registration.Arrangement
+import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
+import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Search (Registration (..), standardRegistration)
 import PraTactile.Registration.Spectrum (spectra)
 import Test.Hspec
