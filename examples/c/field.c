@@ -155,7 +155,7 @@ static bool is_one(const field *f, uint64_t exponent, const polynomial *h)
                 square[i + j] =
                     field_add(f, square[i + j], field_multiply(f, power[i], power[j]));
         if (exponent >> bit & 1) {
-            memmove(square + 1, square, 2 * n - 1);
+            memmove(square + 1, square, sizeof square - 1);
             square[0] = 0;
         }
         for (unsigned top = 2 * n - 1; top >= n; top--)
