@@ -67,7 +67,7 @@ bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
 	@$(CABAL) bench -v1
 
-# SEEDS=20; about ten minutes.
+# SEEDS=20; about ten minutes. Which laws find which is kept in data/impostors.txt.
 mutants: setup ## which laws find which impostor, and whether each is found with each of 20 seeds
 	@tools/build.sh bench:mutants
 	@"$$(tools/cabal.sh list-bin -v0 bench:mutants)" $(or $(SEEDS),20)

@@ -1,8 +1,9 @@
 -- | The score of the laws against the impostors: for each impostor the laws that find it, the
 -- profile under which they first do, and in how many cases; then whether some do with other seeds.
+-- Of all impostors the laws that find them are kept in @data/impostors.txt@.
 module Main (main) where
 
-import Control.Monad (forM, forM_, unless)
+import Control.Monad (forM, forM_, unless, when)
 import Data.List (nub, (\\))
 import Data.Maybe (isNothing)
 import GHC.Clock (getMonotonicTime)
@@ -44,6 +45,9 @@ main = do
         (map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws)
           \\ nub (concat [found | (_, _, found) <- scores])
       survivors = [name | (name, escaped, _) <- scores, escaped > 0]
+  when (null names) $
+    writeFile "data/impostors.txt" . unlines $
+      [unwords ((name ++ ":") : found) | (name, _, found) <- scores]
   printf
     "%d of %d impostors are found with each of %d seeds\n"
     (length scores - length survivors)
