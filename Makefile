@@ -22,7 +22,6 @@ demo: build ## recognise an object by touch, from PGM frames on disk
 test: setup ## run the whole test suite (MATCH=... for a part of it)
 	@tools/build.sh test:spec
 	@$(CABAL) doctests
-	@tools/lint.sh
 	@tools/test.sh $(if $(MATCH),--match "$(MATCH)")
 
 lint: ## check the sources: 100 columns, ormolu, hlint

@@ -37,6 +37,7 @@ tar -c --exclude=./.git --exclude=./dist-newstyle --exclude=./bin --exclude=./de
 # What is mounted in a mount namespace of its own goes with it, however this ends.
 unshare --mount --propagation private sh -eu -c '
   mount -t proc proc "$1/proc"
+  mount -t devpts -o newinstance,ptmxmode=0666 devpts "$1/dev/pts"
   exec chroot "$1" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
     sh -eu -c "
       command -v make >/dev/null || { apt-get update && apt-get install -y --no-install-recommends make; } >/tmp/make.log 2>&1
