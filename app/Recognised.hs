@@ -68,15 +68,15 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
     known = length [() | symbol <- symbols, Just _ <- [readClass symbol]]
     symbolLines =
       ("symbols   " ++ show (length symbols) ++ " complete, " ++ show known ++ " recognised") :
-      ["support   " ++ supportText evidence | Just evidence <- [recognisedEvidence recognition]]
+      ["support   " ++ supportText support | Just support <- [recognisedSupport recognition]]
         ++ [ "chance    " ++ chanceText chance
-             | Just chance <- [recognisedEvidence recognition >>= evidenceChance]
+             | Just chance <- [recognisedSupport recognition >>= supportChance]
            ]
         ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
              | several paths,
-               Just evidence <- [recognisedEvidence recognition],
+               Just support <- [recognisedSupport recognition],
                (i, path) <- zip [0 ..] paths,
-               i `elem` evidenceInconsistent evidence
+               i `elem` supportInconsistent support
            ]
     several = not . null . drop 1
     windowLine window =
@@ -88,18 +88,18 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
         ++ " of the array"
 
 -- | What the likeliest position rests on.
-supportText :: Evidence -> String
-supportText evidence =
+supportText :: Support -> String
+supportText support =
   counted
-    (evidenceAgreeing evidence)
+    (supportAgreeing support)
     "certain symbol or part agrees"
     "certain symbols and parts agree"
     ++ ", "
-    ++ counted (length (evidenceWrong evidence)) "contradicts" "contradict"
+    ++ counted (length (supportWrong support)) "contradicts" "contradict"
     ++ " ("
-    ++ (if evidenceRadius evidence == 0 then "none" else "up to " ++ show (evidenceRadius evidence))
+    ++ (if supportRadius support == 0 then "none" else "up to " ++ show (supportRadius support))
     ++ " may); doubt "
-    ++ doubtText (evidenceDoubt evidence)
+    ++ doubtText (supportDoubt support)
   where
     counted n one' several = show n ++ " " ++ (if n == 1 then one' else several)
 

@@ -98,7 +98,6 @@ import qualified Test.Readme
 import qualified Test.Recognition.AnswersBesideTruth
 import qualified Test.Recognition.AnyAngle
 import qualified Test.Recognition.DamagedOnPurpose
-import qualified Test.Recognition.EvidenceByConstruction
 import qualified Test.Recognition.ExplorationsAndTrials
 import qualified Test.Recognition.FromBytesToAnswers
 import qualified Test.Recognition.FromImageToFace
@@ -106,6 +105,7 @@ import qualified Test.Recognition.GridsAndRefusals
 import qualified Test.Recognition.Object.FacesOnTheArray
 import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.PosteriorByBruteForce
+import qualified Test.Recognition.SupportByConstruction
 import qualified Test.Recognition.SymbolsRead
 import qualified Test.Recognition.TiltAndWords
 import qualified Test.Recognition.WhereItIsPressed
@@ -266,7 +266,7 @@ specs = do
   describe "Recognition step by step" Test.Recognition.TiltAndWords.spec
   describe "Recognition: what is found" Test.Recognition.WindowsByDefinition.spec
   describe "Recognition by Bayes' theorem" Test.Recognition.PosteriorByBruteForce.spec
-  describe "Recognition of grids built by hand" Test.Recognition.EvidenceByConstruction.spec
+  describe "Recognition of grids built by hand" Test.Recognition.SupportByConstruction.spec
   describe "Explorations and trials" Test.Recognition.ExplorationsAndTrials.spec
   describe "Where it is pressed" Test.Recognition.WhereItIsPressed.spec
   describe "Truths" Test.Recognition.AnswersBesideTruth.spec

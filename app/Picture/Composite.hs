@@ -44,7 +44,7 @@ readingOf recognition felt symbol = case felt of
     | wrong -> Contradicting
     | otherwise -> maybe Unrecognised (const AsExpected) (readClass symbol)
   where
-    wrong = readNumber symbol `elem` maybe [] evidenceWrong (recognisedEvidence recognition)
+    wrong = readNumber symbol `elem` maybe [] supportWrong (recognisedSupport recognition)
 
 readingColour :: Reading -> Text
 readingColour reading = case reading of

@@ -2,14 +2,14 @@
 -- symbols (Petriu, Yeung, Das, Cretu and Spoelder, IEEE Trans. Instrum. Meas. 53(5), 2004).
 --
 -- This module is the short way through it, in reading order; the modules that it takes from have
--- the rest. From bytes to a place with everything chosen: 'canonicalDecoder', then 'decodeFolder'
--- or 'decodeImage', and 'summary' of what they find. With one's own choice: 'paperAlphabet',
--- 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array, 'stitch' makes a
--- composite of frames, and 'recognise' says what it shows.
+-- the rest. From bytes to a place with everything chosen: 'canonicalRecogniser', then
+-- 'decodeFolder' or 'decodeImage', and 'summary' of what they find. With one's own choice:
+-- 'paperAlphabet', 'shippedNetwork' and 'canonicalPlacement' make a 'recogniser' for an array,
+-- 'stitch' makes a composite of frames, and 'recognise' says what it shows.
 module PraTactile
   ( -- * Decoding: "PraTactile.Decode", "PraTactile.Source"
-    Decoder,
-    canonicalDecoder,
+    SomeRecogniser,
+    canonicalRecogniser,
     decodeFolder,
     decodeImage,
     decodeFrames,
@@ -89,10 +89,10 @@ module PraTactile
     Tolerance (..),
     standardTolerance,
     Recognition (..),
-    Evidence (..),
+    Support (..),
     Doubts (..),
-    evidenceDoubt,
-    Answer (..),
+    supportDoubt,
+    Identification (..),
     Finding (..),
     Refusal (..),
   )
@@ -102,8 +102,7 @@ import PraTactile.Array
 import PraTactile.Classification.Network.File (shippedNetwork)
 import PraTactile.Decode
 import PraTactile.Image (Raster)
-import PraTactile.Locate (answerOutcome)
-import PraTactile.Locate hiding (Answer (..))
+import PraTactile.Locate
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Placement
 import PraTactile.Profile

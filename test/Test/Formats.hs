@@ -98,7 +98,7 @@ roundTrips = do
             ]
   it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
-    recognition <- right (canonicalDecoder >>= (`decodeFolder` folder))
+    recognition <- right (canonicalRecogniser >>= (`decodeFolder` folder))
     let source =
           RecognitionContext
             { contextProfile = canonicalProfile,

@@ -1,10 +1,10 @@
 -- | Bytes in, recognition out, with everything chosen: the shortest way through the library.
 -- "PraTactile.Recognise" has the same with every part in the caller's hands.
 module PraTactile.Decode
-  ( -- * Decoders
-    Decoder,
-    decoder,
-    canonicalDecoder,
+  ( -- * Recognisers
+    SomeRecogniser,
+    someRecogniser,
+    canonicalRecogniser,
 
     -- * Decoding
     Decoding (..),
@@ -44,7 +44,8 @@ import PraTactile.Shape (Alphabet, ShapeError, paperAlphabet)
 import PraTactile.Source
 
 -- | A recogniser whose field need not be known: of composites of one face, what they show together.
-newtype Decoder = Decoder (Tolerance -> [Composite] -> Either NetworkError Recognition)
+newtype SomeRecogniser
+  = SomeRecogniser (Tolerance -> [Composite] -> Either NetworkError Recognition)
 
 -- | Why there is no recognition. A composite that is read but not understood is no error: its
 -- 'Recognition' has a 'Refusal'.
@@ -67,10 +68,10 @@ data DecodeError
     FramesRefused StitchError
   deriving stock (Eq, Show)
 
--- | The decoder of a profile's array on its own surface, with objects laid on it, shapes and a
+-- | The recogniser of a profile's array on its own surface, with objects laid on it, shapes and a
 -- network. Refuses parts that are impossible or do not fit each other.
-decoder :: Profile -> Placement -> Alphabet -> Network -> Either DecodeError Decoder
-decoder profile layout alphabet network = do
+someRecogniser :: Profile -> Placement -> Alphabet -> Network -> Either DecodeError SomeRecogniser
+someRecogniser profile layout alphabet network = do
   made <-
     first
       ArrayRefused
@@ -83,16 +84,16 @@ decoder profile layout alphabet network = do
       )
   first PartsRefused made
   where
-    decoding reader = Decoder (`recogniseWith` reader)
+    decoding reader = SomeRecogniser (`recogniseWith` reader)
 
--- | The decoder for the paper's array with the shipped placement, shapes and network. It is always
--- 'Right': the tests build it.
-canonicalDecoder :: Either DecodeError Decoder
-canonicalDecoder = do
+-- | The recogniser for the paper's array with the shipped placement, shapes and network. It is
+-- always 'Right': the tests build it.
+canonicalRecogniser :: Either DecodeError SomeRecogniser
+canonicalRecogniser = do
   layout <- first PlacementRefused canonicalPlacement
   alphabet <- first ShapesRefused paperAlphabet
   network <- first NetworkRefused shippedNetwork
-  decoder canonicalProfile layout alphabet network
+  someRecogniser canonicalProfile layout alphabet network
 
 -- | How sources are decoded.
 data Decoding = Decoding
@@ -116,26 +117,26 @@ sourceComposite known stitching source = case source of
   WholeImage bytes -> first FileRefused (imageComposite bytes)
 
 -- | What sources of one face show together. Refuses what 'sourceComposite' refuses.
-decodeSources :: Decoding -> Decoder -> [Source] -> Either DecodeError Recognition
+decodeSources :: Decoding -> SomeRecogniser -> [Source] -> Either DecodeError Recognition
 decodeSources how with sources =
   traverse (sourceComposite (decodingPreparation how) (decodingStitching how)) sources
     >>= decodeComposites (decodingTolerance how) with
 
 -- | What the frames of a folder show, by 'standardDecoding'.
-decodeFolder :: Decoder -> Folder -> Either DecodeError Recognition
+decodeFolder :: SomeRecogniser -> Folder -> Either DecodeError Recognition
 decodeFolder with folder = decodeSources standardDecoding with [FrameFolder folder]
 
 -- | What one PGM file shows that is a whole composite, likewise.
-decodeImage :: Decoder -> ByteString -> Either DecodeError Recognition
+decodeImage :: SomeRecogniser -> ByteString -> Either DecodeError Recognition
 decodeImage with bytes = decodeSources standardDecoding with [WholeImage bytes]
 
 -- | What frames show, likewise, elements that are stuck not felt ('withoutStuck'). Refuses what
 -- 'stitchedBy' refuses.
-decodeFrames :: Decoder -> [Frame] -> Either DecodeError Recognition
+decodeFrames :: SomeRecogniser -> [Frame] -> Either DecodeError Recognition
 decodeFrames with frames =
   first FramesRefused (stitchedBy standardStitching (withoutStuck frames))
     >>= decodeComposites standardTolerance with . pure
 
 -- | What composites of one face show together, as 'recogniseWith' has it.
-decodeComposites :: Tolerance -> Decoder -> [Composite] -> Either DecodeError Recognition
-decodeComposites tolerance (Decoder recognised) = first NetworkRefused . recognised tolerance
+decodeComposites :: Tolerance -> SomeRecogniser -> [Composite] -> Either DecodeError Recognition
+decodeComposites tolerance (SomeRecogniser recognised) = first NetworkRefused . recognised tolerance

@@ -271,7 +271,7 @@ result tolerance reader t composite = case recogniseWith tolerance reader [compo
       | not (trialForeign t) && isTrue (foundOrientation found) (foundWindow found) -> Correct doubt
       | otherwise -> Mistaken doubt
       where
-        doubt = maybe 0 evidenceDoubt (recognisedEvidence recognition)
+        doubt = maybe 0 supportDoubt (recognisedSupport recognition)
   where
     isTrue orientation window = case windowWhereabouts window of
       OnFace place ->

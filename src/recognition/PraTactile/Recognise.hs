@@ -28,12 +28,12 @@ module PraTactile.Recognise
     ReadWindow (..),
 
     -- * The answer
-    Answer (..),
+    Identification (..),
     Finding (..),
     SymbolPlace (..),
-    Evidence (..),
+    Support (..),
     Doubts (..),
-    evidenceDoubt,
+    supportDoubt,
     Refusal (..),
     refusals,
     refusalName,
@@ -198,13 +198,13 @@ answered tolerance reader rotation views dissenters
        in Recognition
             everything
             parts
-            (locationEvidence location)
+            (locationSupport location)
             (gridTilt (angleLeft rotation) grid)
-            (answerAt reader location)
+            (identificationAt reader location)
 
 -- | The answer where a grid is located.
-answerAt :: KnownField k => Recogniser k -> GridLocation -> Either Refusal Answer
-answerAt reader location = case locationOutcome location of
+identificationAt :: KnownField k => Recogniser k -> GridLocation -> Either Refusal Identification
+identificationAt reader location = case locationOutcome location of
   Placed position ->
     maybe (Left (NotLocated NoCompleteWindow)) (Right . Found) (findingAt reader location position)
   Undecided positions -> Right (Several (locationOrientation location) positions)

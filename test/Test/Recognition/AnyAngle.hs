@@ -261,7 +261,7 @@ foreignSpec array reader alphabetOfAll = do
             either (const Nothing) Just $
               recogniseWith standardTolerance reader [here {compositeOthers = others}]
           told others =
-            fmap doubtOfStitching (among others >>= fmap evidenceDoubts . recognisedEvidence)
+            fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
           blank = compositeOf (constant 60 60 0)
       told [] `shouldBe` Just 0
       told [(0.004, there)] `shouldBe` Just 0.004
@@ -295,16 +295,16 @@ foreignSpec array reader alphabetOfAll = do
     seen tolerance classes =
       either (const Nothing) Just (recogniseWith tolerance reader [compositeOf (drawing classes)])
     doubtsOf share classes =
-      evidenceDoubts
-        <$> (seen standardTolerance {foreignPrior = share} classes >>= recognisedEvidence)
+      supportDoubts
+        <$> (seen standardTolerance {foreignPrior = share} classes >>= recognisedSupport)
     answered tolerance = maybe False isFound . seen tolerance
     isFound recognition = case recognisedAnswer recognition of
       Right (Found _) -> True
       _ -> False
     doubtIn tolerance classes = do
       recognition <- seen tolerance classes
-      evidence <- recognisedEvidence recognition
-      if isFound recognition then Just (evidenceDoubt evidence) else Nothing
+      support <- recognisedSupport recognition
+      if isFound recognition then Just (supportDoubt support) else Nothing
     -- The symbols as they are on a face, each in the middle of its cell.
     drawing classes =
       generate (16 * maximum (map length classes)) (20 * length classes) $ \x y ->

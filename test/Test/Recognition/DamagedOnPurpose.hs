@@ -100,7 +100,7 @@ damageSpec alphabetOfAll layout net array mask = do
           case recognisedAnswer recognition of
             Right found
               | placed place damaged found ->
-                fmap (length . evidenceWrong) (recognisedEvidence recognition) `shouldBe` Just 1
+                fmap (length . supportWrong) (recognisedSupport recognition) `shouldBe` Just 1
             Right _ -> expectationFailure "wrong"
             Left why -> expectationFailure (refusalName why)
     it "two are never corrected to a third place: right, or refused" $
@@ -169,7 +169,7 @@ damageSpec alphabetOfAll layout net array mask = do
       let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
           right = (compositeOf (drawing (cells 2 2 (Position 6 6)))) {compositeOrigin = (25.4, 0)}
       recognition <- recognisedWith standardTolerance [left, right]
-      fmap evidenceAgreeing (recognisedEvidence recognition) `shouldBe` Just 8
+      fmap supportAgreeing (recognisedSupport recognition) `shouldBe` Just 8
       fmap (map symbolCell . positionsOf) (rightOf (recognisedAnswer recognition))
         `shouldBe` Just (sort [Position (6 + i) (5 + j) | i <- [0, 1], j <- [0, 1, 1, 2]])
     it "one that is a cell out of place beside larger ones is outvoted and named" $ do
@@ -179,7 +179,7 @@ damageSpec alphabetOfAll layout net array mask = do
           right =
             (compositeOf (drawing (cells 2 2 (Position 6 12)))) {compositeOrigin = (6 * 25.4, 0)}
       recognition <- recognisedWith standardTolerance [left, middle, right]
-      fmap evidenceInconsistent (recognisedEvidence recognition) `shouldBe` Just [2]
+      fmap supportInconsistent (recognisedSupport recognition) `shouldBe` Just [2]
       either
         (const False)
         (placed (Position 6 5) (cells 3 6 (Position 6 5)) . withoutSource 2 recognition)
@@ -191,7 +191,7 @@ damageSpec alphabetOfAll layout net array mask = do
             line = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
             right = (compositeOf (drawing line)) {compositeOrigin = (3 * 25.4, 0)}
         recognition <- recognisedWith standardTolerance [left, right]
-        (n, wrong, fmap evidenceInconsistent (recognisedEvidence recognition))
+        (n, wrong, fmap supportInconsistent (recognisedSupport recognition))
           `shouldBe` (n, wrong, Just [1 | 2 * wrong > fromIntegral n])
     it "composites a cell out of place contradict each other" $ do
       let left = compositeOf (drawing (cells 2 2 (Position 6 5)))
@@ -203,7 +203,7 @@ damageSpec alphabetOfAll layout net array mask = do
     it "take their share of all, and leave what else is in doubt its share of the rest" $ do
       let composite = compositeOf (drawing (cells 2 2 (Position 6 5)))
       recognition <- recognisedWith standardTolerance [composite]
-      let doubtsOf r = (\(Doubts p s f) -> (p, s, f)) . evidenceDoubts <$> recognisedEvidence r
+      let doubtsOf r = (\(Doubts p s f) -> (p, s, f)) . supportDoubts <$> recognisedSupport r
           close (Just (p, s, f)) (Just (p', s', f')) =
             abs (p - p') + abs (s - s') + abs (f - f') < 1e-12
           close _ _ = False
@@ -381,7 +381,7 @@ damageSpec alphabetOfAll layout net array mask = do
     otherBy by (c, change) = ((c + by) `mod` 4, change)
     -- Every symbol drawn is told to lie where the block's cell is, if its upper left cell is at the
     -- position.
-    placed :: Position -> Drawn -> Answer -> Bool
+    placed :: Position -> Drawn -> Identification -> Bool
     placed (Position r c) drawn answer = case answer of
       Found found ->
         sort (map symbolCell (toList (foundPlaces found)))

@@ -351,4 +351,4 @@ resultSpec reader faces = do
       composite <- either (const Nothing) Just together
       recognition <-
         either (const Nothing) Just (recogniseWith standardTolerance reader [composite])
-      evidenceDoubt <$> recognisedEvidence recognition
+      supportDoubt <$> recognisedSupport recognition

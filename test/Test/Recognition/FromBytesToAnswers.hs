@@ -281,8 +281,8 @@ decodeSpec = do
     folder <- readFolder "data/worked-example/frames" >>= either (fail . show) pure
     image <- readImage "data/worked-example/composite.pgm" >>= either (fail . show) pure
     let decodings =
-          [ canonicalDecoder >>= (`decodeFolder` folder),
-            canonicalDecoder >>= (`decodeImage` image)
+          [ canonicalRecogniser >>= (`decodeFolder` folder),
+            canonicalRecogniser >>= (`decodeImage` image)
           ]
     map (fmap place) decodings
       `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
@@ -304,18 +304,18 @@ decodeSpec = do
         source <- FrameFolder <$> (readFolder folder >>= right)
         composite <- right (sourceComposite asStated standardStitching source)
         recognition <-
-          right (canonicalDecoder >>= \known -> decodeSources standardDecoding known [source])
+          right (canonicalRecogniser >>= \known -> decodeSources standardDecoding known [source])
         map (compared (placementPitch layout) truth) (claims composite recognition)
           `shouldSatisfy` \found -> not (null found) && all isRight found
   it "a flat image is refused; its summary is the refusal's name" $
-    fmap summary (canonicalDecoder >>= (`decodeImage` flat))
+    fmap summary (canonicalRecogniser >>= (`decodeImage` flat))
       `shouldBe` Right ["refused: no-symbols"]
   it "what is no image, and no folder of frames, is an error of its own" $ do
-    errorOf (canonicalDecoder >>= (`decodeImage` Bytes8.pack "P7"))
+    errorOf (canonicalRecogniser >>= (`decodeImage` Bytes8.pack "P7"))
       `shouldBe` Just (FileRefused (NotPgm (Bytes8.pack "P7")))
-    errorOf (canonicalDecoder >>= (`decodeFolder` Folder (listed ["a.pgm"]) Map.empty))
+    errorOf (canonicalRecogniser >>= (`decodeFolder` Folder (listed ["a.pgm"]) Map.empty))
       `shouldBe` Just (FolderRefused (ImageAbsent "a.pgm"))
-    errorOf (canonicalDecoder >>= (`decodeFrames` []))
+    errorOf (canonicalRecogniser >>= (`decodeFrames` []))
       `shouldSatisfy` maybe False (isPrefixOf "FramesRefused" . show)
   where
     claims composite recognition =

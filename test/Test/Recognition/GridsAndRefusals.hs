@@ -231,9 +231,9 @@ saidSpec = do
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldBe` Left SymbolsUnclear
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
-    let said answer evidence = summary (Recognition [] [] evidence 0 answer)
+    let said answer support = summary (Recognition [] [] support 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        unsure = Just (Evidence (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
+        unsure = Just (Support (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]
@@ -243,8 +243,8 @@ saidSpec = do
     text <- lines <$> readFile "README.md"
     let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))
     frames <- readFolder "data/worked-example/frames" >>= right
-    decoder' <- right canonicalDecoder
-    recognition <- right (decodeFolder decoder' frames)
+    reader <- right canonicalRecogniser
+    recognition <- right (decodeFolder reader frames)
     map ("    " ++) (summary recognition) `shouldBe` printed
   where
     saying composite = do

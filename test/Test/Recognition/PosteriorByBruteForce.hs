@@ -136,7 +136,7 @@ judged :: OnArray -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Propert
 judged onArray locating tolerance seen = case hypotheses onArray cells of
   every
     | null (observed cells) || total every <= 0 ->
-      label "nowhere" (isNothing (locationEvidence found) && not (isPlaced found))
+      label "nowhere" (isNothing (locationSupport found) && not (isPlaced found))
     | length (filter ((> 0.999 * likelihood best) . likelihood) every) > 1 -> label "tied" True
     | otherwise ->
       label (if isPlaced found then "placed" else "not placed") $
@@ -179,8 +179,8 @@ judged onArray locating tolerance seen = case hypotheses onArray cells of
     found = locating tolerance
     upTo limit = locating tolerance {toleratedDoubt = limit}
     -- The doubt as it was told; what it should be is a law of its own.
-    doubt = maybe 1 evidenceDoubt (locationEvidence found)
-    told part = maybe (-1) (part . evidenceDoubts) (locationEvidence found)
+    doubt = maybe 1 supportDoubt (locationSupport found)
+    told part = maybe (-1) (part . supportDoubts) (locationSupport found)
 
 isPlaced :: GridLocation -> Bool
 isPlaced found = case locationOutcome found of

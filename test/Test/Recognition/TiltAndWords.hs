@@ -155,24 +155,24 @@ recognitionSpec = do
     forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
       forAll (elements [0, 0.05, 0.3]) $ \stitching ->
         let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
-            evidence = Evidence (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing
+            support = Support (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing
             weighed =
-              evidence
-                { evidenceDoubts =
+              support
+                { supportDoubts =
                     Doubts (position * (1 - stitching)) stitching (origin * (1 - stitching))
                 }
-            given = Recognition [] [] (Just evidence) 0 several
+            given = Recognition [] [] (Just support) 0 several
             asked tolerated = doubting (standardTolerance {toleratedDoubt = tolerated}) stitching
             refused = Left (NotLocated BelowThreshold)
-            doubt = evidenceDoubt weighed
+            doubt = supportDoubt weighed
          in if stitching == 0
               then asked 0 given === given
               else
                 [asked (doubt * share) given | share <- [1, 0.999]]
-                  === [ given {recognisedEvidence = Just weighed, recognisedAnswer = answer}
+                  === [ given {recognisedSupport = Just weighed, recognisedAnswer = answer}
                         | answer <- [several, refused]
                       ]
-                  .&&. recognisedAnswer (asked 1 given {recognisedEvidence = Nothing})
+                  .&&. recognisedAnswer (asked 1 given {recognisedSupport = Nothing})
                   === refused
   it "leave as much certainty as their symbols' doubts, which are 1e-300 at least" $ do
     let doubtful p =

@@ -216,21 +216,21 @@ recognitionReport context recognition =
       reportRobot = contextRobot context . windowSeenAt <$> window,
       reportOrientation = quarterTurns <$> orientation,
       reportAngle = recognisedAngle recognition <$> orientation,
-      reportDoubt = evidenceDoubt <$> evidence,
-      reportDoubts = evidenceDoubts <$> evidence,
-      reportChance = evidence >>= evidenceChance,
-      reportAgreeing = evidenceAgreeing <$> evidence,
-      reportWrong = length . evidenceWrong <$> evidence,
-      reportInconsistent = evidenceInconsistent <$> evidence,
-      reportRadius = evidenceRadius <$> evidence,
-      reportMinimumDistance = evidenceDistance <$> evidence,
+      reportDoubt = supportDoubt <$> support,
+      reportDoubts = supportDoubts <$> support,
+      reportChance = support >>= supportChance,
+      reportAgreeing = supportAgreeing <$> support,
+      reportWrong = length . supportWrong <$> support,
+      reportInconsistent = supportInconsistent <$> support,
+      reportRadius = supportRadius <$> support,
+      reportMinimumDistance = supportDistance <$> support,
       reportSymbols = reported (fmap classOf . readClass) recognisedSymbols,
       reportParts = reported readSeen recognisedParts,
       reportWindows = map (windowReport (contextElement context)) windows
     }
   where
     answer = recognisedAnswer recognition
-    evidence = recognisedEvidence recognition
+    support = recognisedSupport recognition
     (outcome, orientation, window, windows, places) = case answer of
       Left _ -> (NoAnswer, Nothing, Nothing, [], [])
       Right (Several o several) -> (SeveralFit, Just o, Nothing, [], several)
@@ -248,7 +248,7 @@ sighting recognition seen =
       sightedLikeliest = (likeliest, quarterTurns orientation, readDoubt seen),
       sightedPosition = symbolCell <$> place,
       sightedExpected = symbolExpected <$> place,
-      sightedWrong = (readNumber seen `elem`) . evidenceWrong <$> recognisedEvidence recognition
+      sightedWrong = (readNumber seen `elem`) . supportWrong <$> recognisedSupport recognition
     }
   where
     (orientation, likeliest) = readLikeliest seen

@@ -15,9 +15,9 @@ module PraTactile.Recognise.GridLocation
     GridOutcome (..),
 
     -- * What it rests on
-    Evidence (..),
+    Support (..),
     Doubts (..),
-    evidenceDoubt,
+    supportDoubt,
     cellFrom,
   )
 where
@@ -71,30 +71,30 @@ data Doubts = Doubts
   deriving stock (Eq, Show)
 
 -- | What a position rests on.
-data Evidence = Evidence
+data Support = Support
   { -- | how probable it is, by the symbols' own probabilities, that it is wrong
-    evidenceDoubts :: Doubts,
+    supportDoubts :: Doubts,
     -- | how many certain symbols are what the array has in their place
-    evidenceAgreeing :: Int,
+    supportAgreeing :: Int,
     -- | the numbers of those that are not, or that lie another way up, or off the grid
-    evidenceWrong :: [Int],
+    supportWrong :: [Int],
     -- | the composites, counted from 0, of whose certain symbols more are wrong than not
-    evidenceInconsistent :: [Int],
+    supportInconsistent :: [Int],
     -- | the minimum distance of the cells with a certain symbol
-    evidenceDistance :: Natural,
+    supportDistance :: Natural,
     -- | how many of them may be wrong
-    evidenceRadius :: Natural,
+    supportRadius :: Natural,
     -- | of all contents of these cells, the share that would be located: at most this; 'Nothing' if
     -- no cell says anything
-    evidenceChance :: Maybe Chance
+    supportChance :: Maybe Chance
   }
   deriving stock (Eq, Show)
 
 -- | The probability that the position is wrong.
-evidenceDoubt :: Evidence -> Double
-evidenceDoubt evidence = doubtOfPosition doubts + doubtOfStitching doubts + doubtOfOrigin doubts
+supportDoubt :: Support -> Double
+supportDoubt support = doubtOfPosition doubts + doubtOfStitching doubts + doubtOfOrigin doubts
   where
-    doubts = evidenceDoubts evidence
+    doubts = supportDoubts support
 
 -- | Where a grid is.
 data GridLocation = GridLocation
@@ -102,7 +102,7 @@ data GridLocation = GridLocation
     -- | the grid as it lies on the face
     locationCells :: Cells,
     -- | for the likeliest position, accepted or not
-    locationEvidence :: Maybe Evidence,
+    locationSupport :: Maybe Support,
     locationOutcome :: GridOutcome
   }
 
@@ -125,7 +125,7 @@ data GridOutcome
 locateGrid ::
   KnownField k => Recogniser k -> Tolerance -> [ReadSymbol] -> FaceGrid -> GridLocation
 locateGrid reader tolerance dissenters grid =
-  GridLocation orientation cells (join (evidenceFrom reader witnesses <$> seen <*> answer)) outcome
+  GridLocation orientation cells (join (supportFrom reader witnesses <$> seen <*> answer)) outcome
   where
     axis = axisOf (gridCells grid)
     seen = rightOnly (patch (map (map (>>= beliefAlong axis)) (gridRows (gridCells grid))))
@@ -171,21 +171,21 @@ wayUpAlone cells = maximumBy (comparing shown) (reverse waysUp)
     shown way = sum (map (log . symmetryChance way) cells)
 
 -- | What the likeliest position rests on; 'Nothing' where none is possible.
-evidenceFrom ::
-  KnownField k => Recogniser k -> Witnesses -> Patch (Belief k) -> Answer -> Maybe Evidence
-evidenceFrom reader witnesses seen answer = do
+supportFrom ::
+  KnownField k => Recogniser k -> Witnesses -> Patch (Belief k) -> Answer -> Maybe Support
+supportFrom reader witnesses seen answer = do
   candidate <- answerPosterior answer >>= posteriorBest
   PlaceDoubts elsewhere' alien <- answerDoubts answer
   let (agreeing, wrong) = standing reader witnesses (candidatePosition candidate)
   pure
-    Evidence
-      { evidenceDoubts = Doubts (fromMaybe 0 elsewhere') 0 alien,
-        evidenceAgreeing = length agreeing,
-        evidenceWrong = map readNumber wrong,
-        evidenceInconsistent = mostlyIn wrong agreeing,
-        evidenceDistance = witnessesDistance witnesses,
-        evidenceRadius = witnessesRadius witnesses,
-        evidenceChance = chanceAmong reader (candidateSymmetry candidate) seen witnesses
+    Support
+      { supportDoubts = Doubts (fromMaybe 0 elsewhere') 0 alien,
+        supportAgreeing = length agreeing,
+        supportWrong = map readNumber wrong,
+        supportInconsistent = mostlyIn wrong agreeing,
+        supportDistance = witnessesDistance witnesses,
+        supportRadius = witnessesRadius witnesses,
+        supportChance = chanceAmong reader (candidateSymmetry candidate) seen witnesses
       }
 
 -- | The symbols that are certain, for an orientation of the face.

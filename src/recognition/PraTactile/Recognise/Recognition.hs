@@ -10,7 +10,7 @@ module PraTactile.Recognise.Recognition
     axesTilted,
 
     -- * The answer
-    Answer (..),
+    Identification (..),
     elsewhere,
     doubting,
 
@@ -40,16 +40,16 @@ data Recognition = Recognition
     -- anything
     recognisedParts :: [ReadSymbol],
     -- | for the likeliest position, where there is one
-    recognisedEvidence :: Maybe Evidence,
+    recognisedSupport :: Maybe Support,
     -- | by how many degrees, clockwise, the symbols' axes are turned from the composites', beside
     -- quarter turns: the orientations of symbols and answer come on top of it
     recognisedTilt :: Double,
-    recognisedAnswer :: Either Refusal Answer
+    recognisedAnswer :: Either Refusal Identification
   }
   deriving stock (Eq, Show)
 
--- | The answer.
-data Answer
+-- | What was touched.
+data Identification
   = Found Finding
   | -- | The orientation, and the several positions of the patch's upper left cell that fit what was
     -- recognised (only where the array lacks the window property).
@@ -199,17 +199,17 @@ doubting :: Tolerance -> Double -> Recognition -> Recognition
 doubting _ 0 recognition = recognition
 doubting tolerance stitched recognition =
   recognition
-    { recognisedEvidence = weighed <$> recognisedEvidence recognition,
+    { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =
-        if maybe True (tooDoubtful . weighed) (recognisedEvidence recognition)
+        if maybe True (tooDoubtful . weighed) (recognisedSupport recognition)
           then Left (NotLocated BelowThreshold)
           else recognisedAnswer recognition
     }
   where
-    tooDoubtful evidence = evidenceDoubt evidence > toleratedDoubt tolerance
-    weighed evidence =
-      let Doubts position _ foreign' = evidenceDoubts evidence
-       in evidence
-            { evidenceDoubts =
+    tooDoubtful support = supportDoubt support > toleratedDoubt tolerance
+    weighed support =
+      let Doubts position _ foreign' = supportDoubts support
+       in support
+            { supportDoubts =
                 Doubts (position * (1 - stitched)) stitched (foreign' * (1 - stitched))
             }

@@ -44,8 +44,8 @@ summary recognition = case recognisedAnswer recognition of
           ++ doubted
   where
     doubted =
-      [ "doubt " ++ doubtText (evidenceDoubt evidence)
-        | Just evidence <- [recognisedEvidence recognition]
+      [ "doubt " ++ doubtText (supportDoubt support)
+        | Just support <- [recognisedSupport recognition]
       ]
 
 -- | What lies at a position.

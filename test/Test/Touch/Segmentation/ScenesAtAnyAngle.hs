@@ -253,11 +253,11 @@ besideForeign = do
         [why | Reject _ why <- sightedRejects sighted]
           `shouldSatisfy` (\whys -> maybe True (`elem` whys) cause)
         -- Whatever else was cut out, recognition does not answer wrongly.
-        case canonicalDecoder of
+        case canonicalRecogniser of
           Left e -> expectationFailure (show e)
-          Right decoder' -> do
+          Right reader -> do
             recognition <-
-              either (fail . show) pure (decodeComposites standardTolerance decoder' [composite])
+              either (fail . show) pure (decodeComposites standardTolerance reader [composite])
             (k, misplaced scene recognition) `shouldBe` (k, [])
   it "what is foreign does not depend on the sensor's gain and offset" $
     for_ things $ \(Thing name foreign' _ _) -> for_ (take 2 scenes) $ \(k, scene) -> do

@@ -6,7 +6,7 @@
 module PraTactile.Format.Json.Codec
   ( -- * Values
     Codec (..),
-    Decoder,
+    FromValue,
     refuse,
     writeValue,
     readValue,
@@ -65,18 +65,18 @@ import PraTactile.Format.Json
 import PraTactile.Format.Json.Strict
 
 -- | From a JSON value to what it stands for.
-type Decoder a = Value -> Either FormatError a
+type FromValue a = Value -> Either FormatError a
 
 -- | What is written for a value, and what is read.
-data Codec a = forall w. ToJSON w => Codec (a -> w) (Decoder a)
+data Codec a = forall w. ToJSON w => Codec (a -> w) (FromValue a)
 
 -- | The JSON value that a codec makes.
 writeValue :: Codec a -> a -> Value
 writeValue (Codec write _) = toJSON . write
 
 -- | What a JSON value stands for.
-readValue :: Codec a -> Decoder a
-readValue (Codec _ decoder) = decoder
+readValue :: Codec a -> FromValue a
+readValue (Codec _ fromValue) = fromValue
 
 -- | Something is wrong right here.
 refuse :: Misfit -> Either FormatError a
@@ -260,7 +260,7 @@ field :: Key -> Codec a -> Object -> Either FormatError a
 field name codec = readKeys (key name codec id)
 
 -- | The fields of an object.
-objectOf :: Decoder Object
+objectOf :: FromValue Object
 objectOf value = case value of
   Object fields -> Right fields
   _ -> refuse NotObject

@@ -1,6 +1,6 @@
 -- | What an answer rests on, and why there is none, of grids built by hand: what must be told is
 -- known from how they were built.
-module Test.Recognition.EvidenceByConstruction (spec) where
+module Test.Recognition.SupportByConstruction (spec) where
 
 import Data.Foldable (for_)
 import Data.List (sort)
@@ -27,7 +27,7 @@ import Test.Recognition.Symbols
 spec :: Spec
 spec = onRecognisers $ \array readers -> do
   for_ (take 1 readers) $ \(_, reader) -> do
-    describe "The evidence" (evidenceSpec array reader)
+    describe "The support" (supportSpec array reader)
     describe "Why there is no answer" (refusalSpec array reader)
   for_ (lookup Sheet readers) $ \reader ->
     it "where no position is possible, the way up is what the symbols show" $
@@ -35,7 +35,7 @@ spec = onRecognisers $ \array readers -> do
         -- One symbol more in a row than the sheet has columns.
         let row' = zipWith (\n (at, what) -> (at, clear n what)) [0 ..] (blockOf array 1 18 (3, 4))
             found = locateGrid reader standardTolerance [] (gridOf (seenAs orientation row') [])
-        locationEvidence found `shouldBe` Nothing
+        locationSupport found `shouldBe` Nothing
         locationOrientation found `shouldBe` orientation
         locationOutcome found `shouldSatisfy` (`notElem` [WrongWayUp, OffTheGrid, GroupsApart])
 
@@ -147,8 +147,8 @@ symbolsOf array (Drawn (high, wide) at@(r, c) _ beside) =
       Stray -> clear n (identity, class')
       Sideways -> clear n (turned 1, class')
 
-evidenceSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
-evidenceSpec array reader =
+supportSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
+supportSpec array reader =
   modifyMaxSuccess (const 300) $
     it "is which symbols agree and which are wrong, by composites, of cells of a known distance" $
       forAll (elements [((3, 3), 4), ((3, 4), 6), ((4, 4), 9), ((5, 5), 16)]) $ \(size, distance) ->
@@ -166,23 +166,23 @@ evidenceSpec array reader =
                   UpTo n -> n
                 few = fromIntegral (length wrong) <= radius
              in classify few "few wrong" $
-                  case locationEvidence found of
-                    Nothing -> counterexample "no evidence" False
+                  case locationSupport found of
+                    Nothing -> counterexample "no support" False
                     Just e ->
                       conjoin
                         [ locationOrientation found === drawnOrientation drawn,
-                          evidenceAgreeing e === length agreeing,
-                          sort (evidenceWrong e) === wrong,
-                          evidenceInconsistent e
+                          supportAgreeing e === length agreeing,
+                          sort (supportWrong e) === wrong,
+                          supportInconsistent e
                             === [ source
                                   | source <- [0 .. 2],
                                     inSource source [s | (which, (_, s)) <- beside, isWrong which]
                                       > inSource source agreeing
                                 ],
-                          evidenceDistance e === distance,
-                          evidenceRadius e === radius,
-                          fmap chanceExact (evidenceChance e) === Just False,
-                          near (maybe 0 chanceShare (evidenceChance e)) (among size radius),
+                          supportDistance e === distance,
+                          supportRadius e === radius,
+                          fmap chanceExact (supportChance e) === Just False,
+                          near (maybe 0 chanceShare (supportChance e)) (among size radius),
                           (locationOutcome found == Placed (position (drawnAt drawn))) === few
                         ]
   where
