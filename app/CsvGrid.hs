@@ -79,8 +79,8 @@ parseLines bytes codes = go 0 (1 :: Int) 0 0
       | otherwise = Right (number - 1, width)
     skip i = if i < Bytes.length bytes && space (byteAt bytes i) then skip (i + 1) else i
 
--- | What surrounds a byte.
-data Place
+-- | Where a byte stands in the text of its cell.
+data InCell
   = -- | no digit of the cell yet
     Before
   | -- | between its digits
@@ -94,7 +94,7 @@ parseCells ::
   ByteString -> Mutable.MVector s Word8 -> Int -> Int -> Int -> ST s (Either String (Int, Int))
 parseCells bytes codes number start before = go start before Before (0 :: Int)
   where
-    go !i !cells place !value = case (byteAt bytes i, place) of
+    go !i !cells at !value = case (byteAt bytes i, at) of
       (c, Before) | digit c -> go (i + 1) cells Within (fromIntegral c - 48)
       (c, Within)
         | digit c ->

@@ -17,10 +17,10 @@ module PraTactile.ArrayCode
     ArrayCodeError (..),
 
     -- * Cells
-    Place (..),
+    CodePosition (..),
     codeCellAt,
     codeIndex,
-    placeOfIndex,
+    codePositionOf,
     codeGrid,
 
     -- * The window property by algebra
@@ -66,9 +66,9 @@ data ArrayCode (k :: Field) = ArrayCode
 type role ArrayCode nominal
 
 -- | A cell of one of the arrays, which are numbered from 0.
-data Place = Place
-  { placeArray :: !Natural,
-    placePosition :: !Position
+data CodePosition = CodePosition
+  { codePositionArray :: !Natural,
+    codePositionInArray :: !Position
   }
   deriving stock (Eq, Ord, Show)
 
@@ -85,22 +85,22 @@ foldCode shape@(Shape n1 n2) h state
 -- | The index i, below the period, of the term s(i) in a cell: i = j modulo g in array j, and (i -
 -- j) / g is the row modulo n1 and the column modulo n2. Arrays are numbered modulo g; positions
 -- beyond the edges continue on the torus. O(log N).
-codeIndex :: ArrayCode k -> Place -> Natural
-codeIndex code (Place j (Position r c)) =
+codeIndex :: ArrayCode k -> CodePosition -> Natural
+codeIndex code (CodePosition j (Position r c)) =
   j `mod` codeArrays code + codeArrays code * weightedIndex (n1 * n2) (diagonalWeights n1 n2) r c
   where
     Shape n1 n2 = codeShape code
 
 -- | The cell that holds the term s(i), for any i below the period: the inverse of 'codeIndex'.
-placeOfIndex :: ArrayCode k -> Natural -> Place
-placeOfIndex code i = Place j (Position (along `mod` n1) (along `mod` n2))
+codePositionOf :: ArrayCode k -> Natural -> CodePosition
+codePositionOf code i = CodePosition j (Position (along `mod` n1) (along `mod` n2))
   where
     (along, j) = i `divMod` codeArrays code
     Shape n1 n2 = codeShape code
 
 -- | The element in a cell. No array is built. O(n^2 log N), after the table of 'termAt', which is
 -- made once for the code.
-codeCellAt :: ArrayCode k -> Place -> GF k
+codeCellAt :: ArrayCode k -> CodePosition -> GF k
 codeCellAt code = codeTerm code . codeIndex code
 
 -- | One of the arrays, as codes. Refuses more than 'largestGrid' cells before taking memory. O(n c)
@@ -125,7 +125,7 @@ codeGrid code j
 -- vectors s(e), ..., s(e+n-1) stand for the alpha^e, of which they are a linear function that is
 -- one to one. O(m n^3 log N).
 codeRank :: KnownField k => ArrayCode k -> Mask -> Natural
-codeRank code mask = rankOf (map (vector . codeIndex code . Place 0) (maskOffsets mask))
+codeRank code mask = rankOf (map (vector . codeIndex code . CodePosition 0) (maskOffsets mask))
   where
     vector e = map (codeTerm code . (`mod` period h)) (take (primitiveDegree h) [e ..])
     h = codePrimitive code

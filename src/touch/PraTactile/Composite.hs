@@ -14,7 +14,7 @@ where
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (isNothing)
-import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, constant, mapRaster, rasterHeight, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Sensor.Frame (taxelPitch)
@@ -95,7 +95,7 @@ weighted composite =
 -- is the origin's, moved by whole taxels so that it holds all the images. With an image may stand
 -- the share of each pixel that was felt, 0 to 1: the rest of it counts @interpolated@ in the mean,
 -- and @known@ in the coverage.
-blended :: (Double, Double) -> NonEmpty ((Place, Raster), Maybe Raster) -> [Place] -> Composite
+blended :: (Double, Double) -> NonEmpty ((Taxels, Raster), Maybe Raster) -> [Taxels] -> Composite
 blended (left, top) images displacements =
   Composite
     { compositeImage = means,
@@ -109,7 +109,7 @@ blended (left, top) images displacements =
   where
     (x0, x1) = reach fst rasterWidth
     (y0, y1) = reach snd rasterHeight
-    reach :: (Place -> Double) -> (Raster -> Int) -> (Int, Int)
+    reach :: (Taxels -> Double) -> (Raster -> Int) -> (Int, Int)
     reach coordinate side =
       ( floor (minimum (fmap (coordinate . fst . fst) images)),
         maximum (fmap (\((place, im), _) -> ceiling (coordinate place) + side im) images)

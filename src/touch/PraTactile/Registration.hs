@@ -40,7 +40,7 @@ import PraTactile.Composite
     compositePixel,
     compositePosition,
   )
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
   ( Raster,
@@ -198,7 +198,7 @@ inTaxels t
     taxels = t / taxelPitch
     million = 1048576
 
-checkArea :: NonEmpty (Place, Raster) -> Either StitchError ()
+checkArea :: NonEmpty (Taxels, Raster) -> Either StitchError ()
 checkArea images
   | width * height <= fromIntegral maxCompositePixels = Right ()
   | otherwise = Left (AreaTooLarge width height)
@@ -209,7 +209,7 @@ checkArea images
 -- | A frame once its sensor's rotation is undone, at the canonical pitch.
 data Placed = Placed
   { -- | Where the centre of its upper left pixel is, millimetres.
-    placedAt :: !Place,
+    placedAt :: !Taxels,
     placedImage :: !Raster,
     -- | The share of each pixel that living elements felt, where some are dead.
     placedFelt :: !(Maybe Raster)

@@ -34,8 +34,8 @@ data CodeVerdict = CodeVerdict
     codeVisited :: Maybe Natural,
     -- | the rank of the mask over GF(q): the windows are distinct iff it is n
     codeMaskRank :: Natural,
-    -- | two places with the same content, if every window was visited and there are any
-    codeCollision :: Maybe (Place, Place)
+    -- | two positions with the same content, if every window was visited and there are any
+    codeCollision :: Maybe (CodePosition, CodePosition)
   }
   deriving stock (Eq, Show)
 
@@ -79,26 +79,27 @@ proveCode code mask = case visits of
           codeCollision = visits >>= snd
         }
 
--- | The number of different contents, and the first place whose content was seen before, preceded
--- by where it was first seen.
-jointly :: KnownField k => ArrayCode k -> Mask -> Maybe (Natural, Maybe (Place, Place))
+-- | The number of different contents, and the first position whose content was seen before,
+-- preceded by where it was first seen.
+jointly ::
+  KnownField k => ArrayCode k -> Mask -> Maybe (Natural, Maybe (CodePosition, CodePosition))
 jointly code mask
   | spanned > largestSpan = Nothing
   | otherwise = do
     windows <- traverse (\j -> either (const Nothing) Just (codeGrid code j) >>= windowsOf) numbers
     let (different, repeated) = visitAll windows
-        placeIn j (r, c) = Place j (visitPosition r c)
+        positionIn j (r, c) = CodePosition j (visitPosition r c)
         collision = do
           (j, r, c) <- repeated
           later <- lookup j (zip numbers windows)
           first <-
             listToMaybe
-              [ placeIn j0 at
+              [ positionIn j0 at
                 | (j0, w) <- zip numbers windows,
                   at <- everywhere w,
                   keyAt w at == visitKey later r c
               ]
-          pure (first, placeIn j (r, c))
+          pure (first, positionIn j (r, c))
     pure (different, collision)
   where
     spanned = fromIntegral (fieldOrder code) ^ maskSize mask

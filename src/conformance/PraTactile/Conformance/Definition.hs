@@ -72,8 +72,8 @@ expected k question = case question of
 -- 10^-9, and those of positions left out are 0.
 agrees :: Known -> Question a -> a -> a -> Bool
 agrees k question wanted came = case question of
-  Locate patch -> samePlace k patch wanted came
-  Nearest _ patch -> samePlace k patch wanted came
+  Locate patch -> sameLocation k patch wanted came
+  Nearest _ patch -> sameLocation k patch wanted came
   Posterior _ -> sameChances k wanted came
   Raw operation input
     | Just (SomeQuestion asked) <- someQuestion operation input,
@@ -94,8 +94,8 @@ sameChances k wanted came =
 
 -- | In place of a list of positions their number may stand, with the dimension of the coset that
 -- they are: the degree less the rank of the observed cells.
-samePlace :: Known -> Patch -> Place -> Place -> Bool
-samePlace k patch wanted came = case (wanted, came) of
+sameLocation :: Known -> Patch -> Location -> Location -> Bool
+sameLocation k patch wanted came = case (wanted, came) of
   (OneOf several, Coset count dimension) ->
     count == fromIntegral (length several) && Just dimension == (less <$> rank)
   _ -> wanted == came

@@ -140,11 +140,11 @@ answers prepared question = case question of
     drawn = orRefuse "invalid" . maskFromDrawing . intercalate "/"
     observedIn :: [[Maybe Code]] -> Wire (Locate.Patch (GF k))
     observedIn rows = traverse (traverse (traverse element)) rows >>= orRefuse "invalid" . patch
-    locatedBy :: DecoderName -> Radius -> Locate.Patch (GF k) -> Wire Place
+    locatedBy :: DecoderName -> Radius -> Locate.Patch (GF k) -> Wire Location
     locatedBy name radius observed = do
       let query = (onePatch (Symbol <$> observed)) {queryRadius = radius}
       found <- orRefuse "table-too-large" (Locate.locate (locators name) query)
-      placeOf (answerOutcome found)
+      locationOf (answerOutcome found)
 
 -- | What is proved of a mask.
 proofOf :: KnownField k => ArrayOn k -> Mask -> Wire Proof
@@ -195,8 +195,8 @@ posteriorBy made rows = do
     [] -> refuse (reasonName Contradiction)
     ranking -> pure (map (first candidatePosition) ranking)
 
-placeOf :: Outcome Candidate -> Wire Place
-placeOf outcome = case outcome of
+locationOf :: Outcome Candidate -> Wire Location
+locationOf outcome = case outcome of
   Unique candidate _ -> pure (At (candidatePosition candidate))
   Ambiguous candidates _ -> pure (OneOf (map candidatePosition candidates))
   AmbiguousMany count dimension -> maybe (refuse "invalid") (pure . Coset count) dimension

@@ -24,7 +24,7 @@ module PraTactile.Conformance.Question
     MaskRows,
 
     -- * Answers
-    Place (..),
+    Location (..),
     Proof (..),
     Refusal (..),
 
@@ -61,7 +61,7 @@ data Chance
 type MaskRows = [String]
 
 -- | Where a patch is.
-data Place
+data Location
   = -- | the only position of its upper left cell
     At Position
   | -- | several positions fit, ascending
@@ -133,7 +133,7 @@ data Question a where
   -- window, @no-complete-window@; if none occurs, @zero-window@ where all of them are zeros,
   -- otherwise @not-in-array@; where no place agrees, @off-sheet@ if only the sheet's edges are in
   -- the way, otherwise @contradiction@
-  Locate :: Patch -> Question Place
+  Locate :: Patch -> Question Location
   -- | the position, or the several equally near, that differ from a patch in the fewest cells, if
   -- these are within a radius: the one that is stated, or else the largest e with 2 e < d, d being
   -- the least number in which two contents of the observed cells differ on the array's own surface
@@ -142,7 +142,7 @@ data Question a where
   -- window is complete, as 'Locate' does; if it is 0 and none is, @zero-window@ where all observed
   -- cells are 0, else @contradiction@; otherwise @zero-window@ if at most as many observed cells as
   -- the radius are not 0, else @beyond-radius@
-  Nearest :: Maybe Natural -> Patch -> Question Place
+  Nearest :: Maybe Natural -> Patch -> Question Location
   -- | the probability of every position, those of probability 0 perhaps left out, in any order,
   -- given what is known of each cell, cells being independent and positions equally likely
   -- beforehand. Refuses what fits no position as @contradiction@, and numbers that are no

@@ -138,8 +138,8 @@ answerValue question answer = case question of
   Cell _ _ -> naturalValue answer
   Pack _ -> naturalValue answer
   Unpack _ -> codesValue answer
-  Locate _ -> placeValue answer
-  Nearest _ _ -> placeValue answer
+  Locate _ -> locationValue answer
+  Nearest _ _ -> locationValue answer
   Posterior _ -> toJSON (map likely answer)
   Prove _ -> proofValue answer
   Distance _ -> naturalValue answer
@@ -150,8 +150,8 @@ answerValue question answer = case question of
   where
     likely (Position r c, chance) = [naturalValue r, naturalValue c, toJSON chance]
 
-placeValue :: Place -> Value
-placeValue place = case place of
+locationValue :: Location -> Value
+locationValue place = case place of
   At position -> object ["position" .= positionValue position]
   OneOf positions -> object ["positions" .= map positionValue positions]
   Coset count dimension ->
@@ -182,8 +182,8 @@ readAnswer question = case question of
   Cell _ _ -> readNatural
   Pack _ -> readNatural
   Unpack _ -> readItems readNatural
-  Locate _ -> readObject >=> readPlace
-  Nearest _ _ -> readObject >=> readPlace
+  Locate _ -> readObject >=> readLocation
+  Nearest _ _ -> readObject >=> readLocation
   Posterior _ -> readItems readLikely
   Prove _ -> readObject >=> readProof
   Distance _ -> readNatural
@@ -193,8 +193,8 @@ readAnswer question = case question of
   Raw _ _ -> Just
 
 -- | By the one key that says which of the three it is.
-readPlace :: Object -> Maybe Place
-readPlace fields = case filter (`KeyMap.member` fields) ["position", "positions", "count"] of
+readLocation :: Object -> Maybe Location
+readLocation fields = case filter (`KeyMap.member` fields) ["position", "positions", "count"] of
   ["position"] -> At <$> readKey "position" readPosition fields
   ["positions"] -> OneOf <$> readKey "positions" (readItems readPosition) fields
   ["count"] -> Coset <$> readKey "count" readNatural fields <*> dimension

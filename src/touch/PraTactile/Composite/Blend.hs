@@ -2,7 +2,7 @@
 
 -- | Blending: images at real places laid onto one grid of pixels.
 module PraTactile.Composite.Blend
-  ( Place,
+  ( Taxels,
     Blend (..),
     blend,
   )
@@ -17,7 +17,7 @@ import qualified Data.Vector.Storable.Mutable as M
 import PraTactile.Image (Raster, generate, rasterHeight, rasterValues, rasterWidth)
 
 -- | A place or a displacement in the plane of the face, x and y in taxels.
-type Place = (Double, Double)
+type Taxels = (Double, Double)
 
 -- | What each pixel of a grid got: the weights times the values, summed, and the weights, summed.
 data Blend = Blend
@@ -28,7 +28,7 @@ data Blend = Blend
 -- | Images laid onto a grid of that width and height, each with the place on the grid of its pixel
 -- (0, 0). Each pixel of an image gives its value to the four grid pixels around its place, with
 -- bilinear weights, which add up to 1. What falls off the grid is dropped.
-blend :: Int -> Int -> [(Place, Raster)] -> Blend
+blend :: Int -> Int -> [(Taxels, Raster)] -> Blend
 blend width height images = Blend (part 0) (part area)
   where
     w = max 0 width
@@ -42,7 +42,7 @@ blend width height images = Blend (part 0) (part area)
 
 -- | Add one image to a canvas of that width and height, which holds all the sums and after them all
 -- the weights.
-lay :: Int -> Int -> MVector s Double -> (Place, Raster) -> ST s ()
+lay :: Int -> Int -> MVector s Double -> (Taxels, Raster) -> ST s ()
 lay w h canvas ((px, py), image)
   | abs px < 1e9 && abs py < 1e9 = row (max 0 (negate by - 1))
   | otherwise = pure ()

@@ -11,7 +11,7 @@ import Data.Ord (comparing)
 import qualified Data.Set as Set
 import qualified Data.Vector as Boxed
 import PraTactile.Composite (Contradiction (..))
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise, spacedOut)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
@@ -23,7 +23,7 @@ import PraTactile.Sensor.Manifest (alongAxes, axesNamed, straight)
 -- | Whether frames at these nominal places (taxels) contradict each other where they overlap: along
 -- other axes they would agree beyond doubt better, or they have next to nothing in common although
 -- they are clear enough to tell.
-contradiction :: Registration -> [(Place, Raster)] -> Maybe Contradiction
+contradiction :: Registration -> [(Taxels, Raster)] -> Maybe Contradiction
 contradiction settings frames
   | agreed best > 13 / 12 * agreed given + decisive,
     agreed best >= clearShare * agreeable best =
@@ -94,7 +94,7 @@ data Shared = Shared !Double !Double !Double
 
 -- | What two of the frames share, the second's upper left pixel lying there in the first, up to the
 -- difference of their errors.
-sharedBy :: Registration -> Boxed.Vector Raster -> (Int, Int, Place) -> Shared
+sharedBy :: Registration -> Boxed.Vector Raster -> (Int, Int, Taxels) -> Shared
 sharedBy settings images (k, l, (x, y)) =
   shared (snd (maximumBy (comparing fst) (map scored displacements)))
   where
@@ -129,7 +129,7 @@ alike = 0.85
 -- | Pairs of images that overlap at their places: of those around at most @mostCentres@ images the
 -- ones that overlap most, at most @mostPairs@ of them, evenly; by their numbers, with where the
 -- second's upper left pixel lies in the first.
-telling :: [(Place, Raster)] -> [(Int, Int, Place)]
+telling :: [(Taxels, Raster)] -> [(Int, Int, Taxels)]
 telling placed =
   spacedOut mostPairs [(k, l, step) | Neighbours k l step share <- found, share >= 0.75 * largest]
   where

@@ -15,7 +15,7 @@ import Data.IntMap.Strict (IntMap)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (foldl', sortOn)
 import qualified Data.Vector as Boxed
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
@@ -35,7 +35,7 @@ data Link = Link !Int !Int ![Hypothesis]
 -- each along either axis. The mean of the displacements is 0. The order of the images changes
 -- nothing.
 registerPairwise ::
-  Registration -> ((Int, Int) -> Spectra) -> [(Place, Raster)] -> [(Place, Double)]
+  Registration -> ((Int, Int) -> Spectra) -> [(Taxels, Raster)] -> [(Taxels, Double)]
 registerPairwise settings tables frames = map snd (sortOn fst (zip order (map less placed)))
   where
     (order, ordered) =
@@ -71,7 +71,7 @@ linkOf settings tables images (Neighbours k l step@(x, y) _)
 -- | The displacements that fit best, with their standard deviations, of that many frames with
 -- errors of that standard deviation: each in turn the mean of what its pairs and the prior say,
 -- each hypothesis weighed by how well it fits, first generously, then ever more strictly.
-solved :: Double -> Int -> [Link] -> IntMap (Place, Double)
+solved :: Double -> Int -> [Link] -> IntMap (Taxels, Double)
 solved sigma count links = foldl' sweep start (concatMap (replicate 6) [2, 1.4, 1, 0.7, 0.5])
   where
     start = IntMap.fromList [(k, ((0, 0), sigma)) | k <- [0 .. count - 1]]

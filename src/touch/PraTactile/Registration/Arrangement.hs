@@ -11,7 +11,7 @@ where
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite (compositeOf)
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Composite.Tilt (tilt)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
@@ -45,9 +45,9 @@ data Way
 -- | What is told of a frame.
 data Registered = Registered
   { -- | Its displacement from its nominal place, taxels right and down.
-    registeredShift :: !Place,
+    registeredShift :: !Taxels,
     -- | Its standard deviations, taxels, where the way tells them.
-    registeredDeviation :: !(Maybe Place),
+    registeredDeviation :: !(Maybe Taxels),
     -- | The probability that it is within three quarters of a taxel of the truth, likewise.
     registeredProbability :: !(Maybe Double),
     -- | Displacements that it may have instead, at least two taxels away, the most probable first.
@@ -66,7 +66,7 @@ data Arrangement = Arrangement
   }
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
-arrange :: Way -> Registration -> [(Place, Raster)] -> Arrangement
+arrange :: Way -> Registration -> [(Taxels, Raster)] -> Arrangement
 arrange way settings frames = case (way, paperTemplates) of
   (Nominal, _) -> plain Nominal unmoved
   _ | all (flat . snd) frames -> plain Incremental unmoved
@@ -134,5 +134,5 @@ withMisfit images settings = settings {registrationNoise = sqrt (noise * noise +
     misfit = 0.05
     average values = sum values / fromIntegral (max 1 (length values))
 
-moved :: [(Place, Raster)] -> [Place] -> [(Place, Raster)]
+moved :: [(Taxels, Raster)] -> [Taxels] -> [(Taxels, Raster)]
 moved = zipWith (\((x, y), image) (dx, dy) -> ((x + dx, y + dy), image))

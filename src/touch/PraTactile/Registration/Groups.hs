@@ -8,12 +8,12 @@ import Data.Foldable (toList)
 import Data.Graph (buildG, components)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 
 -- | For each image, at its place in taxels, its group: images that overlap, directly or through
 -- others, are of one group. Groups are numbered from 0 as they come.
-groupsOf :: [(Place, Raster)] -> [Int]
+groupsOf :: [(Taxels, Raster)] -> [Int]
 groupsOf placed = map (groups IntMap.!) [0 .. length placed - 1]
   where
     -- The least image of each component is its root, and components come in the roots' order.

@@ -19,7 +19,7 @@ import qualified Data.Map.Strict as Map
 import Data.Ord (Down (..))
 import Data.Set (Set)
 import qualified Data.Set as Set
-import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt, reference, referenceOf)
 import PraTactile.Registration.Model (eighth)
@@ -37,7 +37,7 @@ import PraTactile.Registration.Search
 -- images' upper left pixels, and other displacements that it may have instead. The mean of the
 -- first is zero, to a sixteenth of a taxel, since a shift common to all frames cannot be seen. An
 -- image's displacement does not depend on the order of the images.
-register :: Registration -> [(Place, Raster)] -> [(Place, [Hypothesis])]
+register :: Registration -> [(Taxels, Raster)] -> [(Taxels, [Hypothesis])]
 register settings images =
   map
     snd
@@ -59,7 +59,7 @@ register settings images =
 -- the nominal overlap is.
 data Node = Node
   { nodeKey :: !Int,
-    nodePlace :: !Place,
+    nodePlace :: !Taxels,
     nodeImage :: !Raster,
     nodeLinks :: [(Double, Node)],
     -- | How telling all of them are.
@@ -68,7 +68,7 @@ data Node = Node
 
 -- | Each frame tied to its neighbours, which are looked for in the squares around its own, of a
 -- grid as wide as two frames can be apart and still come to touch.
-linked :: Double -> [(Place, Raster)] -> [Node]
+linked :: Double -> [(Taxels, Raster)] -> [Node]
 linked reach images = nodes
   where
     nodes = [node key place image | (key, (place, image)) <- zip [0 ..] images]
@@ -89,7 +89,7 @@ linked reach images = nodes
 
 -- | How much the nominal overlap of two frames can tell: its weight times the product of the two
 -- standard deviations in it.
-telling :: Reference -> Place -> Node -> Double
+telling :: Reference -> Taxels -> Node -> Double
 telling ref (x, y) other = n * sqrt (vf * vc)
   where
     (x', y') = nodePlace other
@@ -98,7 +98,7 @@ telling ref (x, y) other = n * sqrt (vf * vc)
 -- | A first estimate: from the most telling frame on, the frame that has most in common with those
 -- already placed is registered against them. Frames that nothing ties to the placed ones come last,
 -- the most telling first.
-grown :: Registration -> [Node] -> IntMap Place
+grown :: Registration -> [Node] -> IntMap Taxels
 grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
   where
     byKey = IntMap.fromList [(nodeKey n, n) | n <- nodes]
@@ -106,7 +106,8 @@ grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
     -- with all; of equals the first.
     start = Set.fromList [(rank 0 n, nodeKey n) | n <- nodes]
     rank gained node = Down (gained, nodeTelling node)
-    go :: IntMap Place -> Place -> IntMap Double -> Set (Down (Double, Double), Int) -> IntMap Place
+    go ::
+      IntMap Taxels -> Taxels -> IntMap Double -> Set (Down (Double, Double), Int) -> IntMap Taxels
     go placed total@(totalX, totalY) gains waiting =
       case Set.minView waiting of
         Just ((_, key), rest)
@@ -144,11 +145,11 @@ grown settings nodes = go IntMap.empty (0, 0) (IntMap.map (const 0) byKey) start
 -- sweeps are used up. The first sweep looks as far as growing did, in case that went astray while
 -- little was placed; the later ones look one taxel around, and only for frames that have had a
 -- neighbour move.
-sweeps :: Registration -> [Node] -> IntMap Place -> IntMap Place
+sweeps :: Registration -> [Node] -> IntMap Taxels -> IntMap Taxels
 sweeps settings nodes first =
   go (registrationSweeps settings) everywhere (IntMap.keysSet first) (centred first)
   where
-    go :: Int -> (Place -> (Window, Place)) -> IntSet -> IntMap Place -> IntMap Place
+    go :: Int -> (Taxels -> (Window, Taxels)) -> IntSet -> IntMap Taxels -> IntMap Taxels
     go left looking unsettled ds
       | left <= 0 || IntSet.null unsettled = centred ds
       | otherwise =
@@ -177,14 +178,14 @@ sweeps settings nodes first =
        in IntMap.map (\(x, y) -> (x - mx, y - my)) ds
 
 -- | The nearest whole displacement.
-whole :: Place -> Place
+whole :: Taxels -> Taxels
 whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
 -- | The mean of some displacements, given their number and sums: rounded to the search's finest
 -- step ('eighth'), (0, 0) when there are none; and their number. Rounded so, it leaves all
 -- displacements multiples of that step, and what is displaced by whole taxels is seen so, without
 -- any interpolation.
-centre :: Int -> Place -> (Place, Double)
+centre :: Int -> Taxels -> (Taxels, Double)
 centre 0 _ = ((0, 0), 0)
 centre n (x, y) = ((mean x, mean y), count)
   where
@@ -193,7 +194,7 @@ centre n (x, y) = ((mean x, mean y), count)
 
 -- | A frame's most probable displacement given those of other frames, looked for in a window by
 -- whole taxels from a start.
-located :: Registration -> IntMap Place -> Node -> Prior -> Window -> Place -> Place
+located :: Registration -> IntMap Taxels -> Node -> Prior -> Window -> Taxels -> Taxels
 located settings displacements node prior window start =
   case seenByOthers displacements node (ceiling (windowRadius window)) start of
     Just (known, onGrid) ->
@@ -202,7 +203,7 @@ located settings displacements node prior window start =
 
 -- | The displacements that a frame may have instead of its own, at least two taxels away, with
 -- their probabilities, the most probable first: at most two, each of at least a thousandth.
-others :: Registration -> IntMap Place -> Node -> [Hypothesis]
+others :: Registration -> IntMap Taxels -> Node -> [Hypothesis]
 others settings displacements node = case seenByOthers displacements node reach start of
   Just (known, onGrid) ->
     take 2 . apart . sortOn (negate . hypothesisProbability) $
@@ -223,7 +224,7 @@ others settings displacements node = case seenByOthers displacements node reach 
 
 -- | The other frames at their displacements, and where a displacement of a frame, of up to that
 -- many taxels from the start, puts its upper left pixel on them.
-seenByOthers :: IntMap Place -> Node -> Int -> Place -> Maybe (Reference, Place -> Place)
+seenByOthers :: IntMap Taxels -> Node -> Int -> Taxels -> Maybe (Reference, Taxels -> Taxels)
 seenByOthers displacements node reach (startX, startY) =
   either (const Nothing) (\there -> Just (there, onGrid)) known
   where

@@ -11,7 +11,7 @@ module PraTactile.Registration.Joint
 where
 
 import Data.List (sortOn)
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
@@ -34,7 +34,7 @@ phaseFrames = 64
 -- | Where each frame is, from the nominal places (taxels) of their upper left pixels, and what they
 -- tell at the lattice's angle. The displacements have mean 0, since a shift common to all cannot be
 -- seen. The order of the frames changes nothing.
-registerJointly :: Registration -> Fits -> [(Place, Raster)] -> [Estimate]
+registerJointly :: Registration -> Fits -> [(Taxels, Raster)] -> [Estimate]
 registerJointly settings fits frames = map snd (sortOn fst (zip order centredEstimates))
   where
     angle = fitsAngle fits
@@ -87,7 +87,7 @@ turnedTo angle l =
     along i j = sqrt (i * i * sx * sx + j * j * sy * sy)
 
 -- | Where the first of a frame's places lies, from where its upper left pixel does.
-firstPlace :: Templates -> Place -> Place
+firstPlace :: Templates -> Taxels -> Taxels
 firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
   where
     (i, j) = placesFirst (templatePlaces tables)

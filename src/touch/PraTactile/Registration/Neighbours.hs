@@ -7,7 +7,7 @@ module PraTactile.Registration.Neighbours
 where
 
 import qualified Data.Map.Strict as Map
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 
@@ -16,7 +16,7 @@ import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 data Neighbours = Neighbours
   { neighboursFirst :: !Int,
     neighboursSecond :: !Int,
-    neighboursStep :: !Place,
+    neighboursStep :: !Taxels,
     neighboursShare :: !Double
   }
   deriving stock (Eq, Show)
@@ -24,11 +24,11 @@ data Neighbours = Neighbours
 -- | The pairs that overlap at these places (taxels) of the frames' upper left pixels, each once. Of
 -- more than sixteen frames whose upper left pixels lie within a square of a frame's size, sixteen
 -- are looked at, so that the pairs are not more than some hundred times the frames.
-neighbours :: [(Place, Raster)] -> [Neighbours]
+neighbours :: [(Taxels, Raster)] -> [Neighbours]
 neighbours placed = neighboursAround (length placed) placed
 
 -- | The same around at most so many of the frames, evenly.
-neighboursAround :: Int -> [(Place, Raster)] -> [Neighbours]
+neighboursAround :: Int -> [(Taxels, Raster)] -> [Neighbours]
 neighboursAround most placed =
   [ Neighbours k l (x' - x, y' - y) share
     | (k, ((x, y), a)) <- spacedOut most numbered,

@@ -18,7 +18,7 @@ module PraTactile.Registration.Pair
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterSize, rasterValues)
 import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Likelihood
@@ -48,7 +48,7 @@ data Method
 -- | What is asked.
 data Pairing = Pairing
   { -- | Where the second frame's upper left pixel should lie in the first, taxels right and down.
-    pairingStep :: !Place,
+    pairingStep :: !Taxels,
     -- | How far around it to search along each axis, taxels; taken for two standard deviations of
     -- the robot's error.
     pairingSearch :: !Double,
@@ -59,7 +59,7 @@ data Pairing = Pairing
   deriving stock (Eq, Show)
 
 -- | A step, searched 3 taxels around, by the better method, given from 0.99 on.
-standardPairing :: Place -> Pairing
+standardPairing :: Taxels -> Pairing
 standardPairing step = Pairing step 3 Auto 0.99
 
 -- | Why a pair is not registered.
@@ -81,7 +81,7 @@ data Match = Match
     -- down; also where it was refused.
     matchBest :: !Hypothesis,
     -- | The standard deviations along both axes, taxels.
-    matchDeviations :: !Place,
+    matchDeviations :: !Taxels,
     -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
     matchFixed :: !(Bool, Bool),
     -- | By how many degrees the second frame is turned against the first, clockwise, where the
@@ -188,7 +188,7 @@ matched tables (Pairing step search method confidence) a b =
       | otherwise = Just Ambiguous
 
 -- | Whether frames of a size meet anywhere in the search.
-meeting :: (Int, Int) -> Place -> Double -> Bool
+meeting :: (Int, Int) -> Taxels -> Double -> Bool
 meeting (w, h) (x, y) search =
   abs x - search <= fromIntegral w - 1 && abs y - search <= fromIntegral h - 1
 

@@ -18,13 +18,13 @@ where
 import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Model (normalLog, tolerance)
 
 -- | Probabilities of displacements on a grid.
 data Posterior = Posterior
   { -- | The first displacement, taxels.
-    posteriorOrigin :: !Place,
+    posteriorOrigin :: !Taxels,
     -- | From one to the next, taxels.
     posteriorSpacing :: !Double,
     -- | How many there are across and down.
@@ -36,7 +36,7 @@ data Posterior = Posterior
 
 -- | The posterior from the logarithms of what is proportional to the probabilities. Where none is
 -- finite all are alike.
-posterior :: Place -> Double -> (Int, Int) -> Vector Double -> Posterior
+posterior :: Taxels -> Double -> (Int, Int) -> Vector Double -> Posterior
 posterior origin spacing size logs = Posterior origin spacing size (V.map (/ total) masses)
   where
     top = V.foldl' max (-1 / 0) (V.filter (not . isNaN) logs)
@@ -48,7 +48,7 @@ posterior origin spacing size logs = Posterior origin spacing size (V.map (/ tot
 -- | A displacement, and the probability that the true one lies within 'tolerance' of it on both
 -- axes.
 data Hypothesis = Hypothesis
-  { hypothesisShift :: !Place,
+  { hypothesisShift :: !Taxels,
     hypothesisProbability :: !Double
   }
   deriving stock (Eq, Show)
@@ -69,7 +69,7 @@ hypotheses most least given = case go most (posteriorMasses given) of
         (best, inside) = bestOf given {posteriorMasses = masses}
 
 -- | The probability that the true displacement lies within 'tolerance' of one on both axes.
-probabilityAround :: Posterior -> Place -> Double
+probabilityAround :: Posterior -> Taxels -> Double
 probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
   min 1 (V.sum (V.ifilter (const . around) masses))
   where
@@ -132,7 +132,7 @@ integralOf columns rows masses =
       zipWith (+) above (scanl (+) 0 (V.toList (V.slice (y * columns) columns masses)))
 
 -- | The standard deviations along x and y, taxels, with that of a grid's cell.
-deviations :: Posterior -> Place
+deviations :: Posterior -> Taxels
 deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
   where
     cell = spacing * spacing / 12
@@ -158,7 +158,7 @@ marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, b
 -- | The logarithm of the prior probability of a displacement from the nominal one, along both axes,
 -- for errors that are looked for up to that many taxels: normal, of half that as standard
 -- deviation.
-priorAround :: Double -> Place -> Double
+priorAround :: Double -> Taxels -> Double
 priorAround search (x, y)
   | search <= 0 = 0
   | otherwise = normalLog (sigma * sigma) (x * x + y * y)
@@ -167,7 +167,7 @@ priorAround search (x, y)
 
 -- | What is known of the displacements on a grid before anything is seen: 'priorAround' the nominal
 -- one, with that search.
-priorAlone :: Double -> Place -> Posterior -> Posterior
+priorAlone :: Double -> Taxels -> Posterior -> Posterior
 priorAlone search (stepX, stepY) (Posterior origin@(ox, oy) spacing size@(columns, rows) _) =
   posterior origin spacing size $
     V.generate (columns * rows) $ \i ->

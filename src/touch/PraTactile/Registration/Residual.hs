@@ -7,13 +7,13 @@ module PraTactile.Registration.Residual
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 
 -- | The standard deviation of one frame from what others saw, over all pixels of all frames that
 -- others saw, grey values: of images at their places, in taxels. 'Nothing' where none overlap.
-residual :: [(Place, Raster)] -> Maybe Double
+residual :: [(Taxels, Raster)] -> Maybe Double
 residual placed
   | total > 0 = Just (sqrt (sum [s * n | (s, n) <- found] / total))
   | otherwise = Nothing
@@ -23,7 +23,7 @@ residual placed
 
 -- | For each frame the mean square of its differences from the blend of all, as if the others had
 -- no noise and no part of it were its own, and how many pixels others saw.
-differencesOf :: [(Place, Raster)] -> [(Double, Double)]
+differencesOf :: [(Taxels, Raster)] -> [(Double, Double)]
 differencesOf placed = map each onGrid
   where
     x0 = floor (minimum (map (fst . fst) placed)) :: Int

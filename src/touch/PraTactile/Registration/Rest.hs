@@ -6,7 +6,7 @@ module PraTactile.Registration.Rest
 where
 
 import PraTactile.Composite (Composite (..))
-import PraTactile.Composite.Blend (Blend (..), Place, blend)
+import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, generate, rasterHeight, rasterWidth, sample, zipRaster)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 import PraTactile.Registration.Rotation (Aligned, aligned, smooth)
@@ -14,7 +14,7 @@ import PraTactile.Registration.Rotation (Aligned, aligned, smooth)
 -- | How a frame lies ('aligned', with that standard deviation of its rotation in degrees) against
 -- what the other frames of its composite show, given the place of its upper left pixel, pixels of
 -- the composite. 'Nothing' where they show too little there.
-alignedToRest :: Double -> Composite -> Place -> Raster -> Maybe Aligned
+alignedToRest :: Double -> Composite -> Taxels -> Raster -> Maybe Aligned
 alignedToRest sigma composite (x, y) image = do
   rest <- restOf composite corner (wide, high) (local, image)
   aligned sigma (known rest) local (smooth image)
@@ -31,7 +31,7 @@ alignedToRest sigma composite (x, y) image = do
 
 -- | What a part of a composite, by its upper left pixel, its width and its height, would be without
 -- one image, which was laid there on it; what is beyond the composite was seen by none.
-restOf :: Composite -> (Int, Int) -> (Int, Int) -> (Place, Raster) -> Maybe Reference
+restOf :: Composite -> (Int, Int) -> (Int, Int) -> (Taxels, Raster) -> Maybe Reference
 restOf composite (left, top) (wide, high) own = do
   sums <- difference (part sumsOf) ownSums
   weights <- difference (part weightsOf) ownWeights

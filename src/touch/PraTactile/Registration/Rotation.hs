@@ -15,13 +15,13 @@ where
 
 import Data.List (foldl')
 import Data.Maybe (mapMaybe)
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, generate, rasterHeight, rasterSize, rasterWidth, sample, toRows)
 
 -- | How a frame lies.
 data Aligned = Aligned
   { -- | What is to be added to its place, taxels right and down.
-    alignedShift :: !Place,
+    alignedShift :: !Taxels,
     -- | By how many degrees it is turned about its centre, clockwise.
     alignedRotation :: !Double,
     -- | The standard deviation of that, degrees, with the prior's.
@@ -35,7 +35,7 @@ data Aligned = Aligned
 -- pixels, and seem to fit. The most probable, if the angle is normal about 0 with that standard
 -- deviation (degrees), and each coordinate of the place is with that of half a taxel. 'Nothing'
 -- where it shares fewer than 12 pixels with what is known, or that is alike everywhere.
-aligned :: Double -> (Double -> Double -> Maybe Double) -> Place -> Raster -> Maybe Aligned
+aligned :: Double -> (Double -> Double -> Maybe Double) -> Taxels -> Raster -> Maybe Aligned
 aligned sigma known (x, y) image = go (8 :: Int) (Rigid 0 0 0)
   where
     (w, h) = rasterSize image

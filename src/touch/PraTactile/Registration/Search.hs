@@ -22,7 +22,7 @@ module PraTactile.Registration.Search
 where
 
 import Data.List (foldl')
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), Reference, overlapAt)
 import PraTactile.Registration.Model (normalLog)
@@ -61,13 +61,13 @@ usable settings =
 -- | A normal distribution of displacements: its mean, and its variance along each axis in square
 -- taxels.
 data Prior = Prior
-  { priorMean :: !Place,
+  { priorMean :: !Taxels,
     priorVariance :: !Double
   }
   deriving stock (Eq, Show)
 
 -- | The logarithm of a displacement's prior probability density, up to a constant.
-logPrior :: Prior -> Place -> Double
+logPrior :: Prior -> Taxels -> Double
 logPrior (Prior (mx, my) variance) (x, y) = normalLog variance (squared (x - mx) + squared (y - my))
   where
     squared t = t * t
@@ -96,7 +96,7 @@ finestStep = 0.125
 
 -- | Where a displacement is looked for: within a radius of a centre, in taxels.
 data Window = Window
-  { windowCentre :: !Place,
+  { windowCentre :: !Taxels,
     windowRadius :: !Double
   }
   deriving stock (Eq, Show)
@@ -109,11 +109,11 @@ mostProbable ::
   Registration ->
   Reference ->
   Raster ->
-  (Place -> Place) ->
+  (Taxels -> Taxels) ->
   Prior ->
   Window ->
-  Place ->
-  Place
+  Taxels ->
+  Taxels
 mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0, y0) =
   snd (foldl' refine whole [4 * finestStep, 2 * finestStep, finestStep])
   where
@@ -132,7 +132,8 @@ mostProbable settings ref image placeOf prior (Window (cx, cy) radius) start@(x0
     posterior d = evidenceFor settings ref image placeOf start d + logPrior prior d
 
 -- | What an overlap at a displacement tells, given that at the start: Note [No reward for overlap]
-evidenceFor :: Registration -> Reference -> Raster -> (Place -> Place) -> Place -> Place -> Double
+evidenceFor ::
+  Registration -> Reference -> Raster -> (Taxels -> Taxels) -> Taxels -> Taxels -> Double
 evidenceFor settings ref image placeOf start = \d -> logLikelihood settings (capped (at d))
   where
     at d = let (px, py) = placeOf d in overlapAt ref image px py
@@ -145,11 +146,11 @@ probabilities ::
   Registration ->
   Reference ->
   Raster ->
-  (Place -> Place) ->
+  (Taxels -> Taxels) ->
   Prior ->
   Int ->
-  Place ->
-  [(Place, Double)]
+  Taxels ->
+  [(Taxels, Double)]
 probabilities settings ref image placeOf prior reach start@(x0, y0) =
   [(d, exp (score - top) / total) | (d, score) <- scored]
   where

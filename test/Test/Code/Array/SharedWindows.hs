@@ -67,7 +67,9 @@ spec = do
         let g = codeArrays code
             s = mSequence h (canonicalState h)
             contents j =
-              [ codeCellAt code (Place j (Position (i `mod` rows shape) (i `mod` columns shape)))
+              [ codeCellAt
+                  code
+                  (CodePosition j (Position (i `mod` rows shape) (i `mod` columns shape)))
                 | i <- [0 .. area shape - 1]
               ]
             every m (x : xs) = x : every m (drop (m - 1) xs)
@@ -80,12 +82,12 @@ spec = do
               (every (fromIntegral g) (drop (fromIntegral j) s))
           grid <- right (codeGrid code j)
           gridRows grid
-            `shouldBe` [ [ toCode (codeCellAt code (Place j (Position r c)))
+            `shouldBe` [ [ toCode (codeCellAt code (CodePosition j (Position r c)))
                            | c <- [0 .. columns shape - 1]
                          ]
                          | r <- [0 .. rows shape - 1]
                        ]
-        [codeIndex code (placeOfIndex code i) | i <- [0 .. period h - 1]]
+        [codeIndex code (codePositionOf code i) | i <- [0 .. period h - 1]]
           `shouldBe` [0 .. period h - 1]
   it "both roads agree for every shape, and all rectangles of up to n cells: q^n <= 256" $
     forM_
@@ -119,7 +121,7 @@ spec = do
     h <- firstOver gf2 60
     code <- coded (Shape (2 ^ (30 :: Int) - 1) (2 ^ (30 :: Int) + 1)) h
     codeArrays code `shouldBe` 1
-    [codeCellAt code (placeOfIndex code i) | i <- [0 .. 60]]
+    [codeCellAt code (codePositionOf code i) | i <- [0 .. 60]]
       `shouldBe` take 61 (mSequence h (canonicalState h))
     codeGrid code 0 `shouldBe` Left (CodeTooLarge (2 ^ (60 :: Int) - 1) largestGrid)
     -- A mask whose contents are few enough to be visited, were the arrays held.
@@ -152,24 +154,24 @@ coded shape h = right (foldCode shape h (canonicalState h))
 -- | The contents of all windows of all arrays.
 contentsOf :: ArrayCode k -> Mask -> [[Int]]
 contentsOf code window =
-  [ contentAt code window (Place j p)
+  [ contentAt code window (CodePosition j p)
     | j <- below (codeArrays code),
       p <- cellsOf (codeShape code)
   ]
 
 -- | Where a content was seen before, and the first place at which one is seen again, array by
 -- array, row by row.
-firstRepeated :: ArrayCode k -> Mask -> Maybe (Place, Place)
+firstRepeated :: ArrayCode k -> Mask -> Maybe (CodePosition, CodePosition)
 firstRepeated code window =
-  go Map.empty [Place j p | j <- below (codeArrays code), p <- cellsOf (codeShape code)]
+  go Map.empty [CodePosition j p | j <- below (codeArrays code), p <- cellsOf (codeShape code)]
   where
     go _ [] = Nothing
     go seen (place : more) = case Map.lookup (contentAt code window place) seen of
       Just earlier -> Just (earlier, place)
       Nothing -> go (Map.insert (contentAt code window place) place seen) more
 
-contentAt :: ArrayCode k -> Mask -> Place -> [Int]
-contentAt code window (Place j (Position r c)) =
-  [ toCode (codeCellAt code (Place j (Position (r + i) (c + k))))
+contentAt :: ArrayCode k -> Mask -> CodePosition -> [Int]
+contentAt code window (CodePosition j (Position r c)) =
+  [ toCode (codeCellAt code (CodePosition j (Position (r + i) (c + k))))
     | Position i k <- maskOffsets window
   ]

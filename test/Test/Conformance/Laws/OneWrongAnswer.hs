@@ -289,7 +289,7 @@ others about question answer = case question of
       [take i codes ++ next a : drop (i + 1) codes | (i, a) <- zip [0 ..] codes]
         ++ [take (length codes - 1) codes | not (null codes)]
         ++ [codes ++ [0]]
-    place :: Place -> [Place]
+    place :: Location -> [Location]
     place found = case found of
       At (Position r c) ->
         [At (Position ((r + 1) `mod` n1) c), At (Position r ((c + 1) `mod` n2))]

@@ -6,7 +6,7 @@ import Data.List (maximumBy)
 import Data.Maybe (fromMaybe)
 import Data.Ord (comparing)
 import PraTactile.Composite (Contradiction (..))
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image
 import PraTactile.Image.Correlate
@@ -46,7 +46,7 @@ spec =
 
 -- | Frames of one relief at their places along some axes, or of a relief each, which turn into
 -- another or fade.
-genMixed :: Gen (Registration, Double -> [(Place, Raster)])
+genMixed :: Gen (Registration, Double -> [(Taxels, Raster)])
 genMixed = do
   side <- choose (7, 13)
   extent <- choose (3, side)
@@ -81,7 +81,7 @@ genRelief side = do
 -- | The definition: pairs that overlap by three quarters of what the most do, 24 of them, around 64
 -- frames; of each the displacement of the whole taxels within two standard deviations of the
 -- robot's that is most probable; over all, how much less each varies from the other than by itself.
-defined :: Registration -> [(Place, Raster)] -> Maybe Contradiction
+defined :: Registration -> [(Taxels, Raster)] -> Maybe Contradiction
 defined settings frames
   | toldBest > toldGiven + 100 + toldGiven / 12,
     toldBest >= couldBest / 2 =

@@ -52,7 +52,7 @@ spec =
             image = generate 6 5 (\u v -> contrast * (seen u v + noise u v))
         pure ((x + far, y), image)
 
-defined :: Registration -> [(Place, Raster)] -> [(Place, [Hypothesis])]
+defined :: Registration -> [(Taxels, Raster)] -> [(Taxels, [Hypothesis])]
 defined settings given = [(placed Map.! k, others k) | (_, k) <- sortOn fst (zip order [0 ..])]
   where
     -- Whatever order they are given in, they are taken by rows.

@@ -5,7 +5,7 @@ module Test.Touch.Registration.PairsAnswered (spec) where
 import Data.List (nub)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
 import PraTactile.Registration.Cosine
 import PraTactile.Registration.Lattice.Fit (likelihood)
@@ -164,7 +164,7 @@ straightSpec =
     . it "along a straight edge the prior shares out what lies on the line through each place"
     $ forAll (genFrames 9 8) $ \((a, b), (dx, dy)) ->
       forAll (elements [1, 2, 3]) $ \search ->
-        let step = (fromIntegral dx, fromIntegral dy) :: Place
+        let step = (fromIntegral dx, fromIntegral dy) :: Taxels
             found = correlationPosterior step search a b
             Posterior origin@(ox, oy) _ size@(columns, rows) masses = found
             (row0, column0) = V.maxIndex masses `quotRem` columns

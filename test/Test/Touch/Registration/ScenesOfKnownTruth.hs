@@ -6,6 +6,7 @@ import qualified Data.ByteString as B
 import Data.Either (isLeft)
 import Data.List (genericLength)
 import Data.Maybe (fromMaybe)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
 import PraTactile.Image.Pgm (decodePgm, pgmIntensity)
 import PraTactile.Random (normalPair)
@@ -35,11 +36,9 @@ spec = do
 few :: Spec -> Spec
 few = modifyMaxSuccess (const 25)
 
-type Place = (Double, Double)
-
 -- | Frames pressed at the nominal poses displaced by the given errors, in taxels, without other
 -- noise.
-pressed :: Sensor -> HeightMap -> [(Pose, Place)] -> [Frame]
+pressed :: Sensor -> HeightMap -> [(Pose, Taxels)] -> [Frame]
 pressed sensor relief placed =
   [ Frame
       pose
@@ -63,13 +62,13 @@ region :: Int -> Int -> [Pose]
 region w h = either (const []) id (planScan 8 (10 * taxelPitch, 10 * taxelPitch) (w, h))
 
 -- | The places less their mean.
-centred :: [Place] -> [Place]
+centred :: [Taxels] -> [Taxels]
 centred ps = [(x - sum (map fst ps) / n, y - sum (map snd ps) / n) | (x, y) <- ps]
   where
     n = genericLength ps
 
 -- | The root mean square distance of two lists of places, along one axis, after a common shift.
-residual :: [Place] -> [Place] -> Double
+residual :: [Taxels] -> [Taxels] -> Double
 residual ps qs =
   sqrt
     ( sum [x * x + y * y | (x, y) <- centred (zipWith (\(a, b) (c, d) -> (a - c, b - d)) ps qs)]
@@ -451,7 +450,7 @@ real = do
           off (_, (dx, dy), Right (x, y)) =
             abs (x - fromIntegral dx) > 0.25 || abs (y - fromIntegral dy) > 0.25
           off _ = True
-      filter off results `shouldBe` ([] :: [(String, (Int, Int), Either String Place)])
+      filter off results `shouldBe` ([] :: [(String, (Int, Int), Either String Taxels)])
     load name = do
       image <-
         B.readFile (folder ++ name ++ ".pgm")

@@ -46,14 +46,14 @@ codeIn k code
   | otherwise = Nothing
 
 -- | Where a patch is by the table of all windows.
-locate :: Known -> Patch -> Either Refusal Place
+locate :: Known -> Patch -> Either Refusal Location
 locate k patch = do
   cells <- observedIn (codeIn k) patch
   byWindows k cells
 
 -- | First the places at which every complete window that occurs stands; of these, those at which
 -- all observed cells agree.
-byWindows :: Known -> [Observed Int] -> Either Refusal Place
+byWindows :: Known -> [Observed Int] -> Either Refusal Location
 byWindows k cells
   | null cells = refused "too-few-cells"
   | null windows = refused "no-complete-window"
@@ -61,7 +61,7 @@ byWindows k cells
     refused (if all (all (== 0) . snd) windows then "zero-window" else "not-in-array")
   | otherwise = case filter fits places of
     [] -> refused (if any sticksOut places then "off-sheet" else "contradiction")
-    agreeing -> Right (placeOf agreeing)
+    agreeing -> Right (locationOf agreeing)
   where
     surface = profileSurface (knownProfile k)
     windows = completeWindows k cells
@@ -111,15 +111,15 @@ differences k cells = [(place, e) | place <- positions k, let e = differing plac
         | otherwise -> differing place (e + 1) others
 
 -- | The nearest positions, if they are within the radius.
-nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Place
+nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Location
 nearest k stated patch = do
   cells <- observedIn (codeIn k) patch
   if null cells then refused "too-few-cells" else nearestOf k stated cells
 
-nearestOf :: Known -> Maybe Natural -> [Observed Int] -> Either Refusal Place
+nearestOf :: Known -> Maybe Natural -> [Observed Int] -> Either Refusal Location
 nearestOf k stated cells
   | not (null compared) && fromIntegral least <= radius =
-    Right (placeOf [place | (place, e) <- compared, e == least])
+    Right (locationOf [place | (place, e) <- compared, e == least])
   | radius == 0 && not (null (completeWindows k cells)) = byWindows k cells
   | radius == 0 = refused (if weight == 0 then "zero-window" else "contradiction")
   | weight <= radius = refused "zero-window"
@@ -134,8 +134,8 @@ nearestOf k stated cells
 guaranteedRadius :: Natural -> Natural
 guaranteedRadius d = if d == 0 then 0 else (d - 1) `div` 2
 
-placeOf :: [(Int, Int)] -> Place
-placeOf places = case map position places of
+locationOf :: [(Int, Int)] -> Location
+locationOf places = case map position places of
   [only] -> At only
   several -> OneOf several
 

@@ -54,7 +54,7 @@ locateImpostors =
     felt "takes-cells-not-felt-for-zeros" "takes a cell that was not felt for a 0" $
       map (map (Just . fromMaybe 0)),
     placing "counts-places-from-one" "counts the rows and columns of places from 1" $
-      fmap (overPlaces (\(Position r c) -> Position (r + 1) (c + 1)))
+      fmap (overPositions (\(Position r c) -> Position (r + 1) (c + 1)))
   ]
   where
     located :: String -> String -> (Known -> Patch -> Patch) -> Impostor
@@ -68,7 +68,7 @@ locateImpostors =
         Locate rows -> right (Locate (change rows))
         Nearest radius rows -> right (Nearest radius (change rows))
         _ -> right question
-    placing :: String -> String -> (Wire Place -> Wire Place) -> Impostor
+    placing :: String -> String -> (Wire Location -> Wire Location) -> Impostor
     placing name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of
         Locate _ -> change (right question)
@@ -86,8 +86,8 @@ completeWindows k rows =
   where
     seen = [((i, j), code) | (i, row) <- zip [0 ..] rows, (j, Just code) <- zip [0 ..] row]
 
-overPlaces :: (Position -> Position) -> Place -> Place
-overPlaces change place = case place of
+overPositions :: (Position -> Position) -> Location -> Location
+overPositions change place = case place of
   At at -> At (change at)
   OneOf several -> OneOf (map change several)
   Coset count dimension -> Coset count dimension
@@ -114,7 +114,7 @@ damageImpostors =
     nearing ::
       String ->
       String ->
-      (RightAnswers -> Maybe Natural -> Patch -> Wire Place) ->
+      (RightAnswers -> Maybe Natural -> Patch -> Wire Location) ->
       Impostor
     nearing name mistake change =
       answeringOtherwise name mistake $ \_ right question -> case question of

@@ -9,7 +9,7 @@ where
 
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places
@@ -31,7 +31,7 @@ type ClassLogs = Unboxed.Vector Double
 -- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
 -- natural logarithms, by the frame alone. Given are the lattice's orientation and phase, the place
 -- of the frame's first one, in taxels, and what the frame tells.
-displacementsOf :: Grid -> Int -> (Int, Int) -> (Place, Likelihood) -> [Displacement]
+displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation (phaseY, phaseX) (place, given) =
   [ Displacement (dx, dy) prior (cells dx dy)
     | (score, prior, dx, dy) <- scored,

@@ -9,7 +9,7 @@ where
 
 import Data.List (foldl', sortOn)
 import qualified Data.Map.Strict as Map
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Joint.Grid (gridSpacing, onGrid)
 import PraTactile.Registration.Model (eighth, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
@@ -17,9 +17,9 @@ import PraTactile.Registration.Posterior (Hypothesis (..))
 -- | Where a frame was found.
 data Estimate = Estimate
   { -- | Its displacement from its nominal place, taxels right and down.
-    estimateShift :: !Place,
+    estimateShift :: !Taxels,
     -- | The standard deviations, taxels.
-    estimateDeviation :: !Place,
+    estimateDeviation :: !Taxels,
     -- | The probability that it is within 'tolerance' of the truth on both axes.
     estimateProbability :: !Double,
     -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
@@ -31,7 +31,7 @@ data Estimate = Estimate
 -- | Where a frame is whose nominal place (taxels) is given, by its displacements, in places from
 -- the grid point nearest to that, with their probabilities: the mean of those near the likeliest.
 -- There must be some.
-estimateAt :: Place -> [((Int, Int), Double)] -> Estimate
+estimateAt :: Taxels -> [((Int, Int), Double)] -> Estimate
 estimateAt place options =
   Estimate
     (finally meanX rx, finally meanY ry)

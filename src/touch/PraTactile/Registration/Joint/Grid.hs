@@ -8,7 +8,7 @@ module PraTactile.Registration.Joint.Grid
   )
 where
 
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Model (normalLog, placesPerTaxel)
 import PraTactile.Registration.Search (Registration (..), searchRadius)
 
@@ -32,7 +32,7 @@ gridSpacing :: Double
 gridSpacing = fromIntegral placesPerTaxel
 
 -- | A nominal place as the nearest grid point, and what is left, in places.
-onGrid :: Place -> ((Int, Int), (Double, Double))
+onGrid :: Taxels -> ((Int, Int), (Double, Double))
 onGrid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
   where
     (x', y') = (x * gridSpacing, y * gridSpacing)

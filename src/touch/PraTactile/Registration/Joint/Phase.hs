@@ -9,7 +9,7 @@ where
 import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Joint.Grid
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (phaseCount)
@@ -18,7 +18,7 @@ import PraTactile.Registration.Model (placesPerTaxel)
 
 -- | The orientation and the phase, row and column, of the lattice on the composite that the frames
 -- make likeliest.
-commonPhase :: Grid -> [(Place, Likelihood)] -> (Int, (Int, Int))
+commonPhase :: Grid -> [(Taxels, Likelihood)] -> (Int, (Int, Int))
 commonPhase grid frames = (o, (y, x))
   where
     (across, down) = phaseCount placesPerTaxel
@@ -28,7 +28,7 @@ commonPhase grid frames = (o, (y, x))
 
 -- | log P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
 -- prior lets it be.
-phasePosterior :: Grid -> [(Place, Likelihood)] -> Vector Double
+phasePosterior :: Grid -> [(Taxels, Likelihood)] -> Vector Double
 phasePosterior grid frames =
   foldl' (V.zipWith (+)) (V.replicate (2 * across * down) 0) (map ofFrame frames)
   where

@@ -7,7 +7,7 @@ module PraTactile.Registration.Pair.Alike
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Loops
 import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
@@ -15,7 +15,7 @@ import PraTactile.Registration.Pair.Overlap (displacementGrid, overlapOf)
 -- | The whole displacements within the search at which what both frames show is the same, but for
 -- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or
 -- show next to nothing there, do not count.
-agreements :: Place -> Double -> Raster -> Raster -> [Place]
+agreements :: Taxels -> Double -> Raster -> Raster -> [Taxels]
 agreements step search a b =
   [ (fromIntegral x, fromIntegral y)
     | y <- [round oy .. round oy + rows - 1],
@@ -37,7 +37,7 @@ agreements step search a b =
     centred v = let m = V.sum v / fromIntegral (V.length v) in V.map (subtract m) v
 
 -- | Whether places differ by more than a taxel along x, and along y.
-apart :: [Place] -> (Bool, Bool)
+apart :: [Taxels] -> (Bool, Bool)
 apart places = (spread (map fst places), spread (map snd places))
   where
     spread values = not (null values) && maximum values - minimum values > 1

@@ -8,7 +8,7 @@ where
 
 import qualified Data.Vector as Boxed
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
 import PraTactile.Registration.Cosine
@@ -22,7 +22,7 @@ import PraTactile.Registration.Spectrum
 -- nominal one and how far around it to search, taxels. The process is that of the two frames. Gains
 -- may differ: the ratio of the scales that the frames show is put right by a factor that is normal
 -- as a logarithm, and summed over.
-blindPosterior :: Spectra -> Process -> Place -> Double -> Raster -> Raster -> Posterior
+blindPosterior :: Spectra -> Process -> Taxels -> Double -> Raster -> Raster -> Posterior
 blindPosterior tables process step search a b =
   posterior origin 1 size (V.generate (columns * rows) at)
   where
@@ -70,7 +70,7 @@ blindPosterior tables process step search a b =
 -- nominal one and how far around it to search, taxels: the profile likelihood of normal pairs of
 -- values with correlation rho, -(n/2) ln (1 - rho^2), where neighbouring pixels resemble each other
 -- and so count for less than one each.
-correlationPosterior :: Place -> Double -> Raster -> Raster -> Posterior
+correlationPosterior :: Taxels -> Double -> Raster -> Raster -> Posterior
 correlationPosterior step search a b = posterior origin 1 size (V.generate (columns * rows) at)
   where
     (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search

@@ -11,7 +11,7 @@ where
 import Data.List (foldl')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
@@ -22,7 +22,7 @@ import PraTactile.Registration.Posterior
 -- | The posterior of the place of the second frame's upper left pixel in the first, from their
 -- nominal displacement and how far around it to search, taxels; summed over the phases of the
 -- lattice and the classes of the cells.
-latticePosterior :: Place -> Double -> Likelihood -> Likelihood -> Posterior
+latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
 latticePosterior (stepX, stepY) search a b =
   posterior (taxels (startX, startY)) (1 / fromIntegral q) (side, side) (V.map log masses)
   where

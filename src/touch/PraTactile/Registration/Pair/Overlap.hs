@@ -9,12 +9,12 @@ module PraTactile.Registration.Pair.Overlap
 where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 
 -- | The whole displacements within the search around the nominal one: the first, and how many
 -- across and down.
-displacementGrid :: Place -> Double -> (Place, (Int, Int))
+displacementGrid :: Taxels -> Double -> (Taxels, (Int, Int))
 displacementGrid (x, y) search = ((fromIntegral x0, fromIntegral y0), (x1 - x0 + 1, y1 - y0 + 1))
   where
     (x0, x1) = span' x

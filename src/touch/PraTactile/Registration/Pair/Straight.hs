@@ -8,7 +8,7 @@ where
 
 import Data.List (foldl')
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Place)
+import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Noise (frameNoise)
 import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Pair.Overlap (overlapOf)
@@ -17,7 +17,7 @@ import PraTactile.Registration.Posterior
 -- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
 -- along a direction in which the relief that both frames show does not change only the prior is
 -- left; else the same. The grid is of whole taxels.
-alongStraight :: Place -> Double -> Raster -> Raster -> Posterior -> Posterior
+alongStraight :: Taxels -> Double -> Raster -> Raster -> Posterior -> Posterior
 alongStraight step search a b found = case straightness best a b of
   Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
   Nothing -> found
@@ -45,7 +45,7 @@ alongStraight step search a b found = case straightness best a b of
 -- where the second's upper left pixel lies at that place in the first: the products of the two
 -- frames' slopes are, along it, no more than noise would make them, and across it they are. Noise
 -- is independent in both, so that it adds nothing to the products in the mean.
-straightness :: (Int, Int) -> Raster -> Raster -> Maybe Place
+straightness :: (Int, Int) -> Raster -> Raster -> Maybe Taxels
 straightness (x, y) a b = do
   (w, h, pa, pb) <- overlapOf a b x y
   let products = foldl' plus (Products 0 0 0) [between w pa pb i | i <- interior w h]
@@ -89,7 +89,7 @@ alikeness :: Double
 alikeness = (1 + 2 * (4 / 9 + 1 / 36)) * (1 + 2 / 4)
 
 -- | The least and the most product along any direction, and the direction of the least.
-axesOf :: Products -> (Double, Double, Place)
+axesOf :: Products -> (Double, Double, Taxels)
 axesOf (Products xx xy yy) = (middle - radius, middle + radius, (negate (sin angle), cos angle))
   where
     middle = (xx + yy) / 2
