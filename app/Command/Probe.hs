@@ -212,7 +212,7 @@ writeFrames options simulated frames = do
   writeFolder (output options)
     =<< orUnusable
       imageMessage
-      (folderFiles (sensorLayout simulated) (sensorBits simulated) frames)
+      (folderFiles (sensorTaxelGrid simulated) (sensorBits simulated) frames)
   putStrLn
     ( "wrote "
         ++ show (length frames)

@@ -54,7 +54,7 @@ import PraTactile.Registration
   )
 import PraTactile.Registration.Stitching
 import PraTactile.Relief
-import PraTactile.Sensor (HeightMap, Sensor (..), drawSpecimen, sensorLayout)
+import PraTactile.Sensor (HeightMap, Sensor (..), drawSpecimen, sensorTaxelGrid)
 import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
 import PraTactile.Shape (Alphabet, shapes)
 import PraTactile.Truth
@@ -107,7 +107,7 @@ evaluated experiment alphabet array reader = do
     (,) face <$> first ReliefRefused (relief array layout alphabet face)
   _ <-
     first PressesRefused $
-      planScanOf (sensorLayout sensor) (explorationSpacing how) (0, 0) (explorationSize how)
+      planScanOf (sensorTaxelGrid sensor) (explorationSpacing how) (0, 0) (explorationSize how)
   unless
     (fitting (explorationTurns how) (explorationSize how) (map fst faces) seed presses)
     (Left (uncurry RegionOffFaces (explorationSize how)))

@@ -199,5 +199,5 @@ exploreWith ::
   Either ProbeError ([Frame], g)
 exploreWith sensor spacing specimen heights region generator = do
   poses <-
-    planScanOf (sensorLayout sensor) spacing (0, 0) (regionWidth region, regionHeight region)
+    planScanOf (sensorTaxelGrid sensor) spacing (0, 0) (regionWidth region, regionHeight region)
   pure (scanWith sensor specimen heights (regionMotion region) poses generator)

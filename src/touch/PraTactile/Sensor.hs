@@ -16,7 +16,7 @@ module PraTactile.Sensor
     Preset (..),
     presetName,
     presetSensor,
-    sensorLayout,
+    sensorTaxelGrid,
     withTaxel,
     Specimen (..),
     flawless,
@@ -73,7 +73,7 @@ felt sensor heights pose force tilts
   where
     stiffness = sensorStiffness sensor
     spread = spreadForces (sensorTaxel sensor) (sensorDepth sensor)
-    under = footing (sensorLayout sensor) (sensorTab sensor) heights pose
+    under = footing (sensorTaxelGrid sensor) (sensorTab sensor) heights pose
     share = footingShare under
     height = mapRaster (max 0 . min 1 . (/ sensorFullScale sensor)) (footingHeight under)
 

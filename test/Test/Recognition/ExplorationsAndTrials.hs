@@ -174,7 +174,8 @@ pressSpec = do
                 fst
                   <$> exploreWith sensor spacing (flawless sensor) scene region (mkStdGen 1)
               usual = fst <$> explore sensor scene region (mkStdGen 1)
-              frames distance = map frame <$> planScanOf (sensorLayout sensor) distance (0, 0) size
+              frames distance =
+                map frame <$> planScanOf (sensorTaxelGrid sensor) distance (0, 0) size
               frame pose =
                 Frame
                   pose

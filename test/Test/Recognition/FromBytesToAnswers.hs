@@ -23,9 +23,9 @@ import PraTactile.Pressing (pressed, pressingWith)
 import PraTactile.Recognise (ReadWindow (..))
 import PraTactile.Registration (Registration (..), compositePosition)
 import PraTactile.Registration.Stitching (registrationFor)
-import PraTactile.Sensor (Sensor (..), sensorLayout, standardSensor, withTaxel)
+import PraTactile.Sensor (Sensor (..), sensorTaxelGrid, standardSensor, withTaxel)
 import PraTactile.Sensor.Calibration (Calibration (..), CalibrationError (..), corrected)
-import PraTactile.Sensor.Frame (Layout (..), standardLayout, taxelPitch)
+import PraTactile.Sensor.Frame (TaxelGrid (..), standardTaxelGrid, taxelPitch)
 import PraTactile.Sensor.Manifest
 import PraTactile.Source
 import PraTactile.Truth (Claim (..), compared)
@@ -85,7 +85,7 @@ genFrame = do
 -- | The folder of frames of the standard sensor.
 folderOf :: [Frame] -> Either String Folder
 folderOf frames = do
-  files <- first show (folderFiles standardLayout 8 frames)
+  files <- first show (folderFiles standardTaxelGrid 8 frames)
   let (lists, images) = Map.partitionWithKey (\name _ -> name == manifestName) (Map.fromList files)
   entries <- traverse (first show . parseManifest) (Map.elems lists)
   pure (Folder (listing (concat entries)) images)
@@ -168,11 +168,11 @@ diskSpec = do
         `shouldReturn` Right (Folder (listed ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
   it "frames are written and read again, by either manifest; the one in JSON goes first" $
     inFolder $ \folder ->
-      forM_ [(standardLayout, 8, manifestName), (Layout 16 16 0.8, 8, jsonManifestName)] $
-        \(layout, bits, name) -> do
+      forM_ [(standardTaxelGrid, 8, manifestName), (TaxelGrid 16 16 0.8, 8, jsonManifestName)] $
+        \(grid, bits, name) -> do
           drawn <- QuickCheck.generate (vectorOf 3 genFrame)
-          let frames = [frame {frameTaxel = layoutTaxel layout} | frame <- drawn]
-          files <- right (folderFiles layout bits frames)
+          let frames = [frame {frameTaxel = taxelGridPitch grid} | frame <- drawn]
+          files <- right (folderFiles grid bits frames)
           map fst files `shouldContain` [name]
           forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
           found <- readFolder folder >>= right
@@ -181,7 +181,7 @@ diskSpec = do
     inFolder $ \folder -> do
       let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
           level k = fromIntegral (135 * k) / 4095
-      files <- right (folderFiles standardLayout 12 [frame])
+      files <- right (folderFiles standardTaxelGrid 12 [frame])
       forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
       found <- readFolder folder >>= right
       folderFrames found `shouldBe` Right [frame]
@@ -299,7 +299,7 @@ decodeSpec = do
                 }
             cube array = pressed (pressingWith sensor 7) alphabet array layout (ObjectName "cube")
         (frames, truth) <- right (withProfile canonicalProfile (const . cube)) >>= right
-        files <- right (folderFiles (sensorLayout sensor) 8 frames)
+        files <- right (folderFiles (sensorTaxelGrid sensor) 8 frames)
         forM_ files $ \(name, bytes) -> Bytes.writeFile (folder </> name) bytes
         source <- FrameFolder <$> (readFolder folder >>= right)
         composite <- right (sourceComposite asStated standardStitching source)

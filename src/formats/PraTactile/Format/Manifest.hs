@@ -15,7 +15,7 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Format.Error
 import PraTactile.Format.Json.Codec
 import PraTactile.Image.Error (ImageError)
-import PraTactile.Sensor.Frame (Frame, Layout (..), Pose (..), standardLayout)
+import PraTactile.Sensor.Frame (Frame, Pose (..), TaxelGrid (..), standardTaxelGrid)
 import PraTactile.Sensor.Manifest
 import PraTactile.Source (frameImages)
 
@@ -30,21 +30,21 @@ decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
 -- | The files of a folder of frames, by their names: its manifest, and images as binary PGM, of a
--- sensor of this layout whose readings have so many bits, 0 for real numbers. Of the standard
+-- sensor of this grid whose readings have so many bits, 0 for real numbers. Of the standard
 -- sensor and at most 8 bits the manifest is in its CSV form, else in its JSON form, and images have
 -- as many grey values as the readings. Refuses what 'frameImages' refuses.
-folderFiles :: Layout -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
-folderFiles layout bits frames = do
+folderFiles :: TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
+folderFiles grid bits frames = do
   (entries, images) <- frameImages (if bits <= 8 then 255 else 2 ^ bits - 1) frames
   pure (manifest entries : Map.toList images)
   where
     manifest entries
-      | layout == standardLayout && bits <= 8 = (manifestName, renderManifest entries)
+      | grid == standardTaxelGrid && bits <= 8 = (manifestName, renderManifest entries)
       | otherwise = (jsonManifestName, encodeManifest (listed entries) <> "\n")
     listed entries =
       (listing entries)
-        { manifestTaxel = layoutTaxel layout,
-          manifestFrame = Just (layoutColumns layout, layoutRows layout)
+        { manifestTaxel = taxelGridPitch grid,
+          manifestFrame = Just (taxelGridColumns grid, taxelGridRows grid)
         }
 
 manifestKeys :: Keys Manifest Manifest

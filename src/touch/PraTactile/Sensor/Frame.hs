@@ -22,8 +22,8 @@ module PraTactile.Sensor.Frame
 
     -- * Planning a scan
     planScan,
-    Layout (..),
-    standardLayout,
+    TaxelGrid (..),
+    standardTaxelGrid,
     planScanOf,
     ProbeError (..),
   )
@@ -122,30 +122,30 @@ maxPresses = 100000
 
 -- | The grid of a sensor's elements: how many columns and rows, and the distance of neighbours in
 -- millimetres.
-data Layout = Layout
-  { layoutColumns :: !Int,
-    layoutRows :: !Int,
-    layoutTaxel :: !Double
+data TaxelGrid = TaxelGrid
+  { taxelGridColumns :: !Int,
+    taxelGridRows :: !Int,
+    taxelGridPitch :: !Double
   }
   deriving stock (Eq, Show)
 
 -- | 'sensorSide' elements along each side, 'taxelPitch' apart.
-standardLayout :: Layout
-standardLayout = Layout sensorSide sensorSide taxelPitch
+standardTaxelGrid :: TaxelGrid
+standardTaxelGrid = TaxelGrid sensorSide sensorSide taxelPitch
 
 -- | 'planScanOf' the standard sensor.
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24
 planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
-planScan = planScanOf standardLayout
+planScan = planScanOf standardTaxelGrid
 
 -- | The poses, rotation 0, of presses of a sensor that cover a region exactly: that many of the
 -- sensor's own taxels apart in both directions, row by row from the upper left, the last row and
 -- column flush with the region's edge. The region's upper left corner in millimetres, its width and
 -- height in taxels of 'taxelPitch', whatever the sensor's are.
-planScanOf :: Layout -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
-planScanOf layout spacing (left, top) (width, height)
+planScanOf :: TaxelGrid -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScanOf grid spacing (left, top) (width, height)
   | spacing < 1 = Left (SpacingTooSmall spacing)
   | wide < across || high < down = Left tooSmall
   | presses wide across * presses high down > maxPresses = Left (RegionTooLarge width height)
@@ -156,14 +156,14 @@ planScanOf layout spacing (left, top) (width, height)
           x <- offsets wide across
       ]
   where
-    Layout columns rows taxel = layout
+    TaxelGrid columns rows taxel = grid
     (across, down) = (fromIntegral columns, fromIntegral rows) :: (Double, Double)
     -- Taxels of 'taxelPitch' as the sensor's own.
     (wide, high) = (own width, own height)
     own n = fromIntegral n * ratio
     ratio = taxelPitch / taxel
     tooSmall
-      | layout == standardLayout = RegionTooSmall width height
+      | grid == standardTaxelGrid = RegionTooSmall width height
       | otherwise = RegionBelowSensor width height (across / ratio) (down / ratio)
     step = fromIntegral spacing :: Double
     presses size side = 2 + fromIntegral (floor ((size - side) / step) :: Integer)

@@ -4,12 +4,12 @@
 -- shares are of 1. Where each value comes from is said in "PraTactile.Sensor.Constants".
 module PraTactile.Sensor.Model
   ( Sensor (..),
-    sensorLayout,
+    sensorTaxelGrid,
     withTaxel,
   )
 where
 
-import PraTactile.Sensor.Frame (Layout (..))
+import PraTactile.Sensor.Frame (TaxelGrid (..))
 
 -- | The constants of a simulated sensor, in the order in which they are listed.
 data Sensor = Sensor
@@ -72,8 +72,8 @@ data Sensor = Sensor
   deriving stock (Eq, Show)
 
 -- | The grid of the sensor's elements.
-sensorLayout :: Sensor -> Layout
-sensorLayout sensor = Layout (sensorColumns sensor) (sensorRows sensor) (sensorTaxel sensor)
+sensorTaxelGrid :: Sensor -> TaxelGrid
+sensorTaxelGrid sensor = TaxelGrid (sensorColumns sensor) (sensorRows sensor) (sensorTaxel sensor)
 
 -- | A sensor of the same kind with another distance between its elements, in mm: the tabs grow with
 -- it, and what depends on a tab's area with its square.

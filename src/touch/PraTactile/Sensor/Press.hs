@@ -24,7 +24,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValues)
-import PraTactile.Sensor.Frame (Layout (..), Motion (..), Pose (..), movePoint)
+import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoint)
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, and the heights
 -- in millimetres above the plane that the probe rests on. The upper left corner of cell (0, 0) is
@@ -43,10 +43,10 @@ data Footing = Footing
   }
   deriving stock (Eq, Show)
 
--- | What the tabs of a sensor of this layout and tab diameter (mm; 0 for squares as wide as the
+-- | What the tabs of a sensor of this grid and tab diameter (mm; 0 for squares as wide as the
 -- taxel) have under them at a pose in the face's coordinates, by 'tabPoints'.
-footing :: Layout -> Double -> HeightMap -> Pose -> Footing
-footing (Layout columns rows taxel) diameter (HeightMap cell heights) (Pose x y r) =
+footing :: TaxelGrid -> Double -> HeightMap -> Pose -> Footing
+footing (TaxelGrid columns rows taxel) diameter (HeightMap cell heights) (Pose x y r) =
   Footing (part fst) (part snd)
   where
     part f = generate columns rows (\i j -> f (under i j))

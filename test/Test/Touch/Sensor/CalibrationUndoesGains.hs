@@ -222,7 +222,7 @@ sizes = do
         planned sensor region
   where
     planned (w, h, ratio) (spacing, wide, high) =
-      case planScanOf (Layout w h (ratio * taxelPitch)) spacing (0, 0) (wide, high) of
+      case planScanOf (TaxelGrid w h (ratio * taxelPitch)) spacing (0, 0) (wide, high) of
         Left RegionBelowSensor {} ->
           property (2 * across > fromIntegral wide || 2 * down > fromIntegral high)
         Left e -> counterexample (show e) False

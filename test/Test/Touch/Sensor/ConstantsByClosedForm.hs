@@ -45,7 +45,7 @@ tabs = do
     maximum (map fst square) - 1.5875 * 0.375 `shouldSatisfy` ((< 1e-12) . abs)
   it "half of a tab on the face's edge is on the face, and nothing of one beyond" $ do
     let face = HeightMap 0.1 (constant 100 100 0.7)
-        under x = footing (Layout 1 1 1.5875) 1.1 face (Pose x 5 0)
+        under x = footing (TaxelGrid 1 1 1.5875) 1.1 face (Pose x 5 0)
         seen x = (at (footingShare (under x)) 0 0, at (footingHeight (under x)) 0 0)
         gap (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
     maximum (zipWith gap (map seen [5, 0, -5]) [(1, 0.7), (0.5, 0.7), (0, 0)])
@@ -53,7 +53,7 @@ tabs = do
   prop "turned, the tabs meet what is at the turned places" $ \seed ->
     forAll (choose (0, 360)) $ \r ->
       let (i, j) = (seed `mod` 16, (seed `div` 16) `mod` 16 :: Int)
-          under = footing standardLayout 1.1 ramp (Pose 20 20 r)
+          under = footing standardTaxelGrid 1.1 ramp (Pose 20 20 r)
           place k = taxelPitch * (fromIntegral k - 7.5)
           (x, y) = movePoint (Motion r 20 20) (place i, place j)
        in near 0.08 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)

@@ -83,7 +83,7 @@ scaleSpec = do
                   sensorExponent = 0.8
                 }
             heights = generate 14 12 (\u v -> fromIntegral ((u * 5 + v * 3) `mod` 7) / 2 - 1)
-            under = footing (sensorLayout sensor) 1.2 (HeightMap 1.5 heights) (Pose x y turn)
+            under = footing (sensorTaxelGrid sensor) 1.2 (HeightMap 1.5 heights) (Pose x y turn)
             share i j =
               at (footingShare under) i j
                 * max 0 (min 1 (at (footingHeight under) i j / sensorFullScale sensor))
@@ -152,7 +152,7 @@ pressSpec = do
     forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 20]) $ \(x, r) ->
       let relief = texture 5 40 40
           pose = Pose (30 + x) 28 r
-          under = footing (sensorLayout rigid) 1.2 relief pose
+          under = footing (sensorTaxelGrid rigid) 1.2 relief pose
           felt = mapRaster (0.19 *) (displacements 0.19 12 (0, 0) under)
           wanted =
             mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) (spreadForces taxelPitch 0.7 felt)
