@@ -3,6 +3,7 @@
 module PraTactile.Composite
   ( Composite (..),
     Contradiction (..),
+    leastCoverage,
     compositeOf,
     compositePosition,
     compositePixel,
@@ -43,6 +44,10 @@ data Composite = Composite
     compositeContradiction :: Maybe Contradiction
   }
   deriving stock (Eq, Show)
+
+-- | The least sensor weight with which a pixel counts as touched.
+leastCoverage :: Double
+leastCoverage = 0.4
 
 -- | The frames show other things where they should overlap.
 data Contradiction

@@ -112,7 +112,7 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
     -- Pixels beside count less than half as much as those straight ahead (Scharr).
     weight i j sign = fromIntegral sign * (if i == 0 || j == 0 then 10 else 3) / 32
     at x y = fromMaybe 0 (index image x y)
-    touched x y = maybe False (>= 0.4) (index coverage x y)
+    touched x y = maybe False (>= leastCoverage) (index coverage x y)
 
 -- | The composite in coordinates that are turned clockwise by an angle (degrees) about the origin
 -- of the robot's, so that what lay at that angle lies along its axes; its pixels are interpolated

@@ -3,7 +3,6 @@ module PraTactile.Segmentation.Masked
   ( -- * Masked images
     Masked (..),
     masked,
-    leastCoverage,
     smoothed,
 
     -- * Their values
@@ -24,7 +23,7 @@ import Control.Monad (forM_)
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
-import PraTactile.Composite (Composite (..))
+import PraTactile.Composite (Composite (..), leastCoverage)
 import PraTactile.Composite.Level (noiseFrom)
 import PraTactile.Image
 
@@ -46,10 +45,6 @@ masked Composite {compositeImage = image, compositeCoverage = coverage} =
       maskedTouched = V.map (>= leastCoverage) (rasterValues coverage),
       maskedValues = rasterValues image
     }
-
--- | The least weight with which a pixel counts as touched.
-leastCoverage :: Double
-leastCoverage = 0.4
 
 -- | Each pixel as the mean of the touched ones around it, those beside it with half its weight and
 -- those across with a quarter; 0 where none was touched.

@@ -8,11 +8,10 @@ where
 
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (Composite, weighted)
+import PraTactile.Composite (Composite, leastCoverage, weighted)
 import PraTactile.Geometry (symbolHeight, symbolWidth)
 import PraTactile.Image (Raster, generate, rasterValues)
 import PraTactile.Image.Correlate (referenceAt)
-import PraTactile.Segmentation.Masked (leastCoverage)
 import PraTactile.Segmentation.Symbol
 
 -- | What was touched of a place where a symbol is expected.

@@ -7,6 +7,7 @@ import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
+import PraTactile.Composite (leastCoverage)
 import PraTactile.Composite.Level
 import PraTactile.Geometry (columnPitch, rowPitch)
 import PraTactile.Image
