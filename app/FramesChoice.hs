@@ -70,7 +70,7 @@ preparation choice
 stitchingOptions :: Parser Stitching
 stitchingOptions =
   flag' nominalStitching (long "no-stitching" <> help "Take the nominal positions as they are")
-    <|> Stitching (stitchingWay standardStitching)
+    <|> Stitching (stitchingMethod standardStitching)
       <$> defaulting
         (stitchingPositionError standardStitching)
         decimalReader

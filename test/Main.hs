@@ -141,7 +141,7 @@ import qualified Test.Touch.Registration.PairsRefused
 import qualified Test.Touch.Registration.ResidualAndGroups
 import qualified Test.Touch.Registration.ScenesOfKnownTruth
 import qualified Test.Touch.Registration.SearchByDefinition
-import qualified Test.Touch.Registration.WhichWay
+import qualified Test.Touch.Registration.WhichMethod
 import qualified Test.Touch.Segmentation.BoxesAndAxes
 import qualified Test.Touch.Segmentation.ClustersOfNeighbours
 import qualified Test.Touch.Segmentation.ForeignThingsFound
@@ -233,7 +233,7 @@ specs = do
       Test.Touch.Registration.AngleByDefinition.spec
     describe "Registration one frame after the other" Test.Touch.Registration.FrameByFrame.spec
     describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
-    describe "The ways to register frames" Test.Touch.Registration.WhichWay.spec
+    describe "The methods of registering frames" Test.Touch.Registration.WhichMethod.spec
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
     describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
     describe "Registration of pairs as a whole" Test.Touch.Registration.PairsAnswered.spec

@@ -66,7 +66,7 @@ pairingOptions =
     <$> defaulting 3 decimalReader "search" "TAXELS" "How far around the step to search"
     <*> choosing
       "method"
-      (allNamed methodName)
+      (allNamed pairMethodName)
       "method"
       "METHOD"
       "correlation (the paper's), blind (the frames alone), lattice (by the symbols' lattice) or \
@@ -155,7 +155,8 @@ matchText match = case matchRefusal match of
   where
     Hypothesis shift probability = matchBest match
     certainty =
-      printf " (probability %.3f; method %s)" probability (methodName (matchMethod match)) :: String
+      printf " (probability %.3f; method %s)" probability (pairMethodName (matchMethod match)) ::
+        String
 
 placeWords :: (Double, Double) -> String
 placeWords (x, y) = printf "%.2f taxels right and %.2f down" x y

@@ -45,24 +45,24 @@ run stitching choice form paths = do
   let several = not (null (drop 1 found))
   fmap (maximum . (Answered :)) . for (zip (map sourcePath found) composites) $
     \(path, composite) -> do
-      let sighted = segmentTurned composite
+      let segmented = segmentTurned composite
       case form of
-        AsJson -> Bytes.putStrLn (encodeSighted (nameInJson path) sighted)
+        AsJson -> Bytes.putStrLn (encodeSegmentation (nameInJson path) segmented)
         AsText -> do
           when several (putStrLn (visibleName path ++ ":"))
-          putStr (unlines (inWords sighted))
-      pure (if null (sightedSymbols sighted) then NotAnswered else Answered)
+          putStr (unlines (inWords segmented))
+      pure (if null (turnedSymbols segmented) then NotAnswered else Answered)
 
 -- | What was found, a line each.
-inWords :: Sighted -> [String]
-inWords sighted
+inWords :: TurnedSegmentation -> [String]
+inWords segmented
   | null everything = ["nothing is embossed"]
   | otherwise = everything
   where
     everything =
-      map symbolText (sightedSymbols sighted)
-        ++ map partText (sightedParts sighted)
-        ++ map rejectText (sightedRejects sighted)
+      map symbolText (turnedSymbols segmented)
+        ++ map partText (turnedParts segmented)
+        ++ map rejectText (turnedRejects segmented)
 
 symbolText :: Featured -> String
 symbolText symbol =

@@ -16,7 +16,7 @@ import Message
 import Options
 import Output
 import Picture.Assembly (assemblySvg)
-import PraTactile.Format.Registration (encodeAssembly, wayName)
+import PraTactile.Format.Registration (encodeAssembly, stitchMethodName)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgmFromIntensity, rasterPng)
@@ -44,7 +44,7 @@ command =
         <*> optional
           ( choosing
               "method"
-              (allNamed wayName)
+              (allNamed stitchMethodName)
               "method"
               "METHOD"
               "lattice (by the lattice of symbols), joint (by all pairs that overlap, \
@@ -66,7 +66,7 @@ command =
 run ::
   Stitching ->
   FramesChoice ->
-  Maybe Way ->
+  Maybe StitchMethod ->
   FilePath ->
   Maybe FilePath ->
   Maybe FilePath ->
@@ -98,7 +98,7 @@ run stitching choice asked folder output report form = do
     (Bytes.putStrLn (encodeAssembly (zip names (map framePose frames)) made))
   pure Answered
   where
-    asAsked = maybe stitching (\way -> stitching {stitchingWay = way}) asked
+    asAsked = maybe stitching (\method -> stitching {stitchingMethod = method}) asked
     written composite file encoder = do
       writeWhole file =<< orUnusable imageMessage (encoder (compositeImage composite))
       unless (form == AsJson) $

@@ -15,7 +15,7 @@ import Data.Text (Text)
 import Drawing
 import Drawing.Svg
 import Picture.Style
-import PraTactile.Format.Registration (groupsOf, reasonsOf, wayName)
+import PraTactile.Format.Registration (groupsOf, reasonsOf, stitchMethodName)
 import PraTactile.Geometry (taxelPitch)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration
@@ -68,12 +68,12 @@ assemblySvg name files made =
 titleOf :: Assembly -> String
 titleOf made = counted (length (assemblyFrames made)) "frame" ++ " put together " ++ how
   where
-    how = case assemblyWay made of
+    how = case assemblyMethod made of
       Nominal -> "as the robot had them"
       ByLattice -> "by the lattice of symbols"
       Jointly -> "by all pairs that overlap, together"
       Incremental -> "by correlation, one after the other"
-      other -> wayName other
+      other -> stitchMethodName other
 
 -- | The composite with the frames over it; below it, what is to be said of them.
 assemblyDrawing :: String -> [(FilePath, Frame)] -> Assembly -> Drawing

@@ -47,7 +47,7 @@ import PraTactile.Recognise
 import PraTactile.Registration
   ( Composite,
     Registration,
-    Way (..),
+    StitchMethod (..),
     compositePosition,
     placeOnly,
     stitch,
@@ -132,7 +132,7 @@ evaluated experiment alphabet array reader = do
 assumedStitching :: Sensor -> Stitching
 assumedStitching sensor =
   Stitching
-    { stitchingWay = Automatic,
+    { stitchingMethod = Automatic,
       stitchingPositionError = sensorPositionError sensor,
       stitchingNoise = Just assumed
     }

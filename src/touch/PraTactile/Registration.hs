@@ -13,7 +13,7 @@ module PraTactile.Registration
     placeOnly,
     assemble,
     Assembly (..),
-    Way (..),
+    StitchMethod (..),
     Registered (..),
     Registration (..),
     standardRegistration,
@@ -55,7 +55,7 @@ import PraTactile.Registration.Agreement (contradiction)
 import PraTactile.Registration.Arrangement
   ( Arrangement (..),
     Registered (..),
-    Way (..),
+    StitchMethod (..),
     arrange,
     withMisfit,
   )
@@ -117,8 +117,8 @@ placeOnly = fmap assemblyComposite . assemble Nominal standardRegistration
 -- | A composite, and how it came about.
 data Assembly = Assembly
   { assemblyComposite :: !Composite,
-    -- | The way that was taken; never 'Automatic'.
-    assemblyWay :: !Way,
+    -- | The method that was used; never 'Automatic'.
+    assemblyMethod :: !StitchMethod,
     -- | Each frame, in the order of the frames.
     assemblyFrames :: ![Registered],
     -- | The root of the mean squared difference of the frames from what others saw there, as the
@@ -129,15 +129,15 @@ data Assembly = Assembly
     assemblyTurns :: [Maybe Double]
   }
 
--- | Frames registered in the given way, and blended.
-assemble :: Way -> Registration -> [Frame] -> Either StitchError Assembly
-assemble way settings frames
-  | usable settings = compose way settings frames
+-- | Frames registered by the given method, and blended.
+assemble :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
+assemble method settings frames
+  | usable settings = compose method settings frames
   | otherwise = Left (UnusableRegistration settings)
 
 -- | Check the frames, place them in taxels, arrange them, and blend.
-compose :: Way -> Registration -> [Frame] -> Either StitchError Assembly
-compose way settings frames = do
+compose :: StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
+compose method settings frames = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
   placed <-
     maybe (Left NoFrames) Right (nonEmpty frames)
@@ -147,7 +147,7 @@ compose way settings frames = do
       inTaxelsFrom (x, y) = (inTaxels (x - left), inTaxels (y - top))
       nominal = fmap (\p -> (inTaxelsFrom (placedAt p), placedImage p)) placed
   checkArea nominal
-  let arrangement = arrange way supposed (NonEmpty.toList nominal)
+  let arrangement = arrange method supposed (NonEmpty.toList nominal)
       supposed
         | not (all isCanonical frames) = withMisfit (map snd (NonEmpty.toList nominal)) settings
         | otherwise = settings
@@ -159,7 +159,8 @@ compose way settings frames = do
         (blended (left, top) (NonEmpty.zip (at shifts) (fmap placedFelt placed)) shifts)
           { compositeCompared = length frames == 1 || compared
           }
-      compared = arrangementWay arrangement /= Nominal && isJust (arrangementResidual arrangement)
+      compared =
+        arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
       others = [(k, h) | (k, a) <- zip [0 ..] arranged, h <- registeredOthers a]
       with k shift shifts = take k shifts ++ shift : drop (k + 1) shifts
       made = together displacements
@@ -178,7 +179,7 @@ compose way settings frames = do
                 ],
               compositeContradiction = contradiction settings (NonEmpty.toList nominal)
             },
-        assemblyWay = arrangementWay arrangement,
+        assemblyMethod = arrangementMethod arrangement,
         assemblyFrames = arranged,
         assemblyResidual = arrangementResidual arrangement,
         assemblyTurns = map turnOf (NonEmpty.toList (at displacements))

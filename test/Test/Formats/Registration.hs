@@ -35,9 +35,9 @@ spec = do
 
   it "segmentation: symbols with their axes and neighbours, parts, and what is none" $
     decodeStrict
-      ( encodeSighted
+      ( encodeSegmentation
           "f.pgm"
-          ( Sighted
+          ( TurnedSegmentation
               [Featured (1.5, 2) 30 (Neighbours (Just (1, 0)) Nothing (Just (0, -2)) (Just (3, 4)))]
               [Incomplete (5, 6.5) 0.25]
               [Reject (1, 2, 3, 4) CutOff]

@@ -209,7 +209,7 @@ names = do
           )
           `shouldBe` expected
   it "the ways to assemble frames have the names of the option" $
-    map wayName [Automatic, ByLattice, Jointly, Incremental, Nominal]
+    map stitchMethodName [Automatic, ByLattice, Jointly, Incremental, Nominal]
       `shouldBe` ["auto", "lattice", "joint", "incremental", "nominal"]
   where
     text' = id :: String -> String

@@ -5,12 +5,12 @@ module PraTactile.Format.Registration
   ( encodeMatch,
     PairRequest (..),
     decodePairRequest,
-    methodName,
+    pairMethodName,
     refusalName,
     encodeAssembly,
     reasonsOf,
     groupsOf,
-    wayName,
+    stitchMethodName,
   )
 where
 
@@ -39,7 +39,7 @@ encodeMatch match =
       <> "sd" .= matchDeviations match
       <> "axes" .= [axis | (axis, True) <- [("x" :: String, fst fixed), ("y", snd fixed)]]
       <> "rotation_deg" .= matchRotation match
-      <> "method" .= methodName (matchMethod match)
+      <> "method" .= pairMethodName (matchMethod match)
       <> "hypotheses" .= map hypothesisValue (matchHypotheses match)
   where
     given = isNothing (matchRefusal match)
@@ -68,8 +68,8 @@ decodePairRequest =
       <*> key "step" (pairOf real) requestStep
 
 -- | The name of a method.
-methodName :: Method -> String
-methodName method = case method of
+pairMethodName :: PairMethod -> String
+pairMethodName method = case method of
   Correlation -> "correlation"
   Blind -> "blind"
   Lattice -> "lattice"
@@ -88,7 +88,7 @@ refusalName refusal = case refusal of
 encodeAssembly :: [(FilePath, Pose)] -> Assembly -> ByteString
 encodeAssembly files made =
   encodeSchema "stitch/1" $
-    "method" .= wayName (assemblyWay made)
+    "method" .= stitchMethodName (assemblyMethod made)
       <> "frames"
         .= zipWith4 frameValue files (assemblyFrames made) (assemblyTurns made) (reasonsOf made)
       <> "groups" .= groupsOf (map registeredGroup (assemblyFrames made))
@@ -124,9 +124,9 @@ groupsOf :: [Int] -> [[Int]]
 groupsOf groups =
   map sort (Map.elems (Map.fromListWith (++) [(g, [i]) | (i, g) <- zip [0 ..] groups]))
 
--- | The name of a way to assemble frames.
-wayName :: Way -> String
-wayName way = case way of
+-- | The name of a method of stitching.
+stitchMethodName :: StitchMethod -> String
+stitchMethodName method = case method of
   Automatic -> "auto"
   ByLattice -> "lattice"
   Jointly -> "joint"

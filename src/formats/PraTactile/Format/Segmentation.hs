@@ -2,7 +2,7 @@
 
 -- | The JSON of what segmentation finds in a composite.
 module PraTactile.Format.Segmentation
-  ( encodeSighted,
+  ( encodeSegmentation,
   )
 where
 
@@ -13,13 +13,13 @@ import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Turned
 
 -- | What the composite of that name shows, on one line, without its end; all keys always.
-encodeSighted :: FilePath -> Sighted -> ByteString
-encodeSighted source sighted =
+encodeSegmentation :: FilePath -> TurnedSegmentation -> ByteString
+encodeSegmentation source segmented =
   encodeSchema "segment/1" $
     "source" .= source
-      <> "symbols" .= map symbolValue (sightedSymbols sighted)
-      <> "parts" .= map partValue (sightedParts sighted)
-      <> "rejects" .= map rejectValue (sightedRejects sighted)
+      <> "symbols" .= map symbolValue (turnedSymbols segmented)
+      <> "parts" .= map partValue (turnedParts segmented)
+      <> "rejects" .= map rejectValue (turnedRejects segmented)
 
 symbolValue :: Featured -> Value
 symbolValue (Featured (x, y) axis beside) =

@@ -1,6 +1,6 @@
--- | The ways to find where frames were: which, and what is told of each frame.
+-- | The methods to find where frames were: which, and what is told of each frame.
 module PraTactile.Registration.Arrangement
-  ( Way (..),
+  ( StitchMethod (..),
     Registered (..),
     Arrangement (..),
     arrange,
@@ -28,7 +28,7 @@ import PraTactile.Registration.Search (Registration (..))
 import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.
-data Way
+data StitchMethod
   = -- | incrementally; where the robot is known for an error above 1.25 taxels, or the sensor for
     -- noise above a quarter of full scale, by the lattice if the frames show it
     Automatic
@@ -46,7 +46,7 @@ data Way
 data Registered = Registered
   { -- | Its displacement from its nominal place, taxels right and down.
     registeredShift :: !Taxels,
-    -- | Its standard deviations, taxels, where the way tells them.
+    -- | Its standard deviations, taxels, where the method tells them.
     registeredDeviation :: !(Maybe Taxels),
     -- | The probability that it is within three quarters of a taxel of the truth, likewise.
     registeredProbability :: !(Maybe Double),
@@ -59,15 +59,15 @@ data Registered = Registered
 
 -- | Frames with their displacements.
 data Arrangement = Arrangement
-  { arrangementWay :: !Way,
+  { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
     -- | The standard deviation of one frame from what others saw at the same place, grey values.
     arrangementResidual :: Maybe Double
   }
 
 -- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels.
-arrange :: Way -> Registration -> [(Taxels, Raster)] -> Arrangement
-arrange way settings frames = case (way, paperTemplates) of
+arrange :: StitchMethod -> Registration -> [(Taxels, Raster)] -> Arrangement
+arrange method settings frames = case (method, paperTemplates) of
   (Nominal, _) -> plain Nominal unmoved
   _ | all (flat . snd) frames -> plain Incremental unmoved
   (Jointly, _) ->

@@ -4,7 +4,7 @@ module PraTactile.Registration.Pair
   ( -- * What is asked
     Pairing (..),
     standardPairing,
-    Method (..),
+    PairMethod (..),
     Tables,
     tablesFor,
 
@@ -34,7 +34,7 @@ import PraTactile.Registration.Spectrum
 import PraTactile.Shape (Alphabet, symbolWidth)
 
 -- | How two frames are registered.
-data Method
+data PairMethod
   = -- | by the paper's zero-mean normalised cross-correlation
     Correlation
   | -- | by the frames alone, whatever they show
@@ -52,7 +52,7 @@ data Pairing = Pairing
     -- | How far around it to search along each axis, taxels; taken for two standard deviations of
     -- the robot's error.
     pairingSearch :: !Double,
-    pairingMethod :: !Method,
+    pairingMethod :: !PairMethod,
     -- | The probability from which on an answer is given.
     pairingConfidence :: !Double
   }
@@ -88,7 +88,7 @@ data Match = Match
     -- frames tell that to 'certainDeviation'; 'Nothing' where they do not, or were refused.
     matchRotation :: Maybe Double,
     -- | The method that was used; never 'Auto'.
-    matchMethod :: !Method,
+    matchMethod :: !PairMethod,
     -- | The best and others.
     matchHypotheses :: ![Hypothesis]
   }

@@ -15,7 +15,7 @@ import PraTactile.Sensor.Frame (Frame)
 -- | What is known beforehand.
 data Stitching = Stitching
   { -- | how frames are registered
-    stitchingWay :: Way,
+    stitchingMethod :: StitchMethod,
     -- | the standard deviation of each frame's position on both axes, in taxels
     stitchingPositionError :: Double,
     -- | the standard deviation of the sensor's noise, as a share of full scale; 'Nothing' where it
@@ -48,7 +48,7 @@ registrationFor known frames = case stitchingNoise known of
 
 -- | Frames put together so, and how. Refuses what 'assemble' refuses.
 assembledBy :: Stitching -> [Frame] -> Either StitchError Assembly
-assembledBy known frames = assemble (stitchingWay known) (registrationFor known frames) frames
+assembledBy known frames = assemble (stitchingMethod known) (registrationFor known frames) frames
 
 -- | The composite alone.
 stitchedBy :: Stitching -> [Frame] -> Either StitchError Composite

@@ -1,5 +1,5 @@
--- | A composite read at one angle and along one axis: its symbols, which of them are neighbours, and
--- how well both agree with that angle.
+-- | A composite read at one angle and along one axis: its symbols, which of them are neighbours,
+-- and how well both agree with that angle.
 module PraTactile.Segmentation.Reading
   ( Reading (..),
     readingsAt,

@@ -2,7 +2,7 @@
 -- II.B): the symbols' positions, their axes, and their distances to their neighbours.
 module PraTactile.Segmentation.Turned
   ( segmentTurned,
-    Sighted (..),
+    TurnedSegmentation (..),
     Featured (..),
     Neighbours (..),
     Incomplete (..),
@@ -22,10 +22,10 @@ import PraTactile.Segmentation.Lattice
 import PraTactile.Segmentation.Reading
 
 -- | What a composite shows; all places are in its pixels, right and down.
-data Sighted = Sighted
-  { sightedSymbols :: ![Featured],
-    sightedParts :: ![Incomplete],
-    sightedRejects :: ![Reject]
+data TurnedSegmentation = TurnedSegmentation
+  { turnedSymbols :: ![Featured],
+    turnedParts :: ![Incomplete],
+    turnedRejects :: ![Reject]
   }
   deriving stock (Eq, Show)
 
@@ -62,8 +62,8 @@ data Incomplete = Incomplete
 -- show, or along the composite's own axes. The one is taken that shows more symbols, of as many the
 -- one with more neighbours, and of as many the one with less @misfit@. One or two symbols alone, at
 -- an angle, may be told at another one.
-segmentTurned :: Composite -> Sighted
-segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
+segmentTurned :: Composite -> TurnedSegmentation
+segmentTurned composite = maybe (TurnedSegmentation [] [] foreign') segmented best
   where
     Cleaned own forParts foreign' = cleaned composite
     best = listToMaybe (sortOn rank readings)
@@ -76,11 +76,11 @@ segmentTurned composite = maybe (Sighted [] [] foreign') sighted best
     angles found = case found of
       Just angle | abs angle > leastTilt -> [angle, 0]
       _ -> [0]
-    sighted reading =
-      Sighted
-        { sightedSymbols = featured reading,
-          sightedParts = incomplete reading,
-          sightedRejects = foreign' ++ map (back reading) (segmentedRejects (readingFound reading))
+    segmented reading =
+      TurnedSegmentation
+        { turnedSymbols = featured reading,
+          turnedParts = incomplete reading,
+          turnedRejects = foreign' ++ map (back reading) (segmentedRejects (readingFound reading))
         }
     back reading (Reject (l, t, r, b) why) =
       let corners = map (readingBack reading) [(l, t), (r, t), (l, b), (r, b)]

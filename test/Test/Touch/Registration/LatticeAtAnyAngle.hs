@@ -213,7 +213,7 @@ registered alphabet = do
               | (seed, angle) <- scenes
             ]
           settings = standardRegistration {registrationSigma = 2}
-      [assemblyWay made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
+      [assemblyMethod made | Right made <- told] `shouldBe` (ByLattice <$ scenes)
       let frames =
             [ (registeredProbability f >= Just 0.99, max (abs (x - x0)) (abs (y - y0)))
               | (Right made, (seed, _)) <- zip told scenes,

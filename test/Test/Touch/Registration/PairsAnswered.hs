@@ -232,7 +232,7 @@ matchSpec =
                   ]
 
 -- | The method, what it makes of the place, and how much of that is sure.
-posteriors :: Pairing -> (Raster, Raster) -> (Method, Posterior, Posterior)
+posteriors :: Pairing -> (Raster, Raster) -> (PairMethod, Posterior, Posterior)
 posteriors (Pairing step search method _) (a, b) = (used, found, sure)
   where
     process = processOf spectra16 0 (map (coefficientsOf spectra16) [a, b])
@@ -254,7 +254,7 @@ posteriors (Pairing step search method _) (a, b) = (used, found, sure)
       | otherwise = found
 
 answered ::
-  Pairing -> (Raster, Raster) -> Match -> (Method, Posterior, Posterior) -> Property
+  Pairing -> (Raster, Raster) -> Match -> (PairMethod, Posterior, Posterior) -> Property
 answered (Pairing step search _ confidence) (a, b) match (used, found, sure) =
   conjoin
     [ matchMethod match === used,

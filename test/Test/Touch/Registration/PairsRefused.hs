@@ -221,7 +221,7 @@ ask pairing (a, b) = withTables (\t -> registerPair t pairing a b)
 found :: (Raster, Raster) -> Match
 found = found' Auto
 
-found' :: Method -> (Raster, Raster) -> Match
+found' :: PairMethod -> (Raster, Raster) -> Match
 found' method frames =
   either
     (const (Match (Just NoOverlap) (Hypothesis (0, 0) 0) (0, 0) (False, False) Nothing Auto []))

@@ -7,7 +7,7 @@ import Data.Ord (Down (..))
 import PraTactile.Image
 import PraTactile.Image.Correlate
 import PraTactile.Registration (Assembly (..), Composite (..), assemble)
-import PraTactile.Registration.Arrangement (Registered (..), Way (..))
+import PraTactile.Registration.Arrangement (Registered (..), StitchMethod (..))
 import PraTactile.Registration.Pair.Alike (agreements)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Search

@@ -122,7 +122,7 @@ anyAngle :: Spec
 anyAngle = do
   it "symbols are where they are, and their axes and neighbours as they lie" $
     for_ scenes $ \(k, scene@(Scene _ angle _)) -> do
-      let seen = sightedSymbols (segmentTurned (drawnWith k 0.05 (const Nothing) scene))
+      let seen = turnedSymbols (segmentTurned (drawnWith k 0.05 (const Nothing) scene))
           true = map snd (centres scene)
           nearest at = take 1 (sortOn (apart at) true)
           expected = [at | at <- true, whole scene at]
@@ -141,7 +141,7 @@ anyAngle = do
     "where they are read along the composite's axes, the angle of their axis is what most squares\
     \ of distances to neighbours agree with, and the axes themselves"
     $ for_ [(k, angle) | k <- [1 .. 6], angle <- [-1.5, 0.8, 2]] $ \(k, angle) -> do
-      let seen = sightedSymbols (segmentTurned (drawnWith k 0.02 (const Nothing) (sceneOf k angle)))
+      let seen = turnedSymbols (segmentTurned (drawnWith k 0.02 (const Nothing) (sceneOf k angle)))
           steps =
             [ (there, at)
               | s <- seen,
@@ -170,13 +170,13 @@ anyAngle = do
         Nothing -> expectationFailure (show (k, angle))
   it "what is not whole beside them is told as a part, with the share that is seen" $
     for_ scenes $ \(k, scene) -> do
-      let sighted = segmentTurned (drawnWith k 0.05 (const Nothing) scene)
-      for_ (sightedParts sighted) $ \part -> do
+      let segmented = segmentTurned (drawnWith k 0.05 (const Nothing) scene)
+      for_ (turnedParts segmented) $ \part -> do
         let at = incompleteAt part
         (k, at, minimum (map (apart at . snd) (centres scene)))
           `shouldSatisfy` (\(_, _, d) -> d < 1)
         (k, at, incompleteSeen part) `shouldSatisfy` (\(_, _, seen) -> seen >= 1 / 16 && seen <= 1)
-        (k, whole scene at && all ((> 2) . apart at . featuredAt) (sightedSymbols sighted))
+        (k, whole scene at && all ((> 2) . apart at . featuredAt) (turnedSymbols segmented))
           `shouldBe` (k, False)
   where
     scenes = [(k, sceneOf k (fromIntegral (k * 67 `mod` 720) / 2)) | k <- [1 .. 12]]
@@ -240,8 +240,8 @@ besideForeign = do
     it (name ++ " is no symbol, and costs none that is two taxels from it") $
       for_ scenes $ \(k, scene) -> do
         let composite = drawnWith k 0.05 foreign' scene
-            sighted = segmentTurned composite
-            seen = sightedSymbols sighted
+            segmented = segmentTurned composite
+            seen = turnedSymbols segmented
             clear =
               [ at
                 | (_, at) <- centres scene,
@@ -250,7 +250,7 @@ besideForeign = do
                   distance at > 9.2
               ]
         (k, [at | at <- clear, all ((> 1) . apart at . featuredAt) seen]) `shouldBe` (k, [])
-        [why | Reject _ why <- sightedRejects sighted]
+        [why | Reject _ why <- turnedRejects segmented]
           `shouldSatisfy` (\whys -> maybe True (`elem` whys) cause)
         -- Whatever else was cut out, recognition does not answer wrongly.
         case canonicalRecogniser of

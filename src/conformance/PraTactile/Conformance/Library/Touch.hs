@@ -16,7 +16,7 @@ import PraTactile.Conformance.Question
 import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
-import PraTactile.Segmentation.Turned (Featured (..), Sighted (..), segmentTurned)
+import PraTactile.Segmentation.Turned (Featured (..), TurnedSegmentation (..), segmentTurned)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
 import PraTactile.Shape (paperAlphabet)
 
@@ -109,5 +109,5 @@ segmented rows = do
   composite <- Stitch.compositeOf <$> image rows
   pure
     [ Symbol (featuredAt symbol) (featuredAxis symbol)
-      | symbol <- sightedSymbols (segmentTurned composite)
+      | symbol <- turnedSymbols (segmentTurned composite)
     ]

@@ -1,5 +1,5 @@
--- | Which way frames are registered, and what is told of them then.
-module Test.Touch.Registration.WhichWay (spec) where
+-- | By which method frames are registered, and what is told of them then.
+module Test.Touch.Registration.WhichMethod (spec) where
 
 import Data.Foldable (for_)
 import PraTactile.Composite.Noise
@@ -43,14 +43,14 @@ waySpec :: Spec
 waySpec = do
   it "what is not registered stays, and so do frames that show nothing" $ do
     let blanks = [((0, 0), constant 8 8 0.25), ((4, 1), constant 8 8 0.25)]
-        told arranged' = (arrangementWay arranged', map shown (arrangementFrames arranged'))
+        told arranged' = (arrangementMethod arranged', map shown (arrangementFrames arranged'))
         shown (Registered shift deviation probability others _) =
           (shift, deviation, probability, others)
         unmoved = ((0, 0), Nothing, Nothing, [])
     told (arrange Nominal standardRegistration (facing places))
       `shouldBe` (Nominal, map (const unmoved) places)
-    for_ [Automatic, ByLattice, Jointly, Incremental] $ \way ->
-      told (arrange way standardRegistration blanks) `shouldBe` (Incremental, [unmoved, unmoved])
+    for_ [Automatic, ByLattice, Jointly, Incremental] $ \method ->
+      told (arrange method standardRegistration blanks) `shouldBe` (Incremental, [unmoved, unmoved])
   it "one after the other and jointly, frames have what these registrations tell" $ do
     let frames = facing places
         one = arrange Incremental standardRegistration frames
@@ -63,7 +63,7 @@ waySpec = do
       `shouldBe` [ (shift, Just (sd, sd))
                    | (shift, sd) <- registerPairwise standardRegistration bySpectra frames
                  ]
-    (arrangementWay one, arrangementWay all') `shouldBe` (Incremental, Jointly)
+    (arrangementMethod one, arrangementMethod all') `shouldBe` (Incremental, Jointly)
     for_ [one, all'] $ \found -> do
       let moved =
             [ ((x + dx, y + dy), image)
@@ -73,18 +73,18 @@ waySpec = do
       map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
       arrangementResidual found `shouldBe` residual moved
   it "by the lattice if that is told; automatically, if error or noise is above its limit" $ do
-    let way settings = arrangementWay (arrange Automatic settings (facing places))
+    let method settings = arrangementMethod (arrange Automatic settings (facing places))
         with sigma noise =
           standardRegistration {registrationSigma = sigma, registrationNoise = noise}
-    [way (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
+    [method (with sigma noise) | (sigma, noise) <- [(1.25, 0.25), (1.26, 0.1), (1, 0.26)]]
       `shouldBe` [Incremental, ByLattice, ByLattice]
     -- A single frame is not.
-    arrangementWay (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
+    arrangementMethod (arrange Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Incremental
     -- Nor are frames that show something else, unless that is asked for.
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
-    map (\w -> arrangementWay (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
+    map (\w -> arrangementMethod (arrange w (with 2 0.1) noise)) [Automatic, ByLattice]
       `shouldBe` [Incremental, ByLattice]
   where
     places = [(10, 12), (18, 12), (10, 20), (18, 20)]
