@@ -136,6 +136,7 @@ import qualified Test.Touch.Registration.HypothesesAndNoise
 import qualified Test.Touch.Registration.JointByFormulas
 import qualified Test.Touch.Registration.LatticeAtAnyAngle
 import qualified Test.Touch.Registration.PairsAnswered
+import qualified Test.Touch.Registration.PairsByFormulas
 import qualified Test.Touch.Registration.PairsInParts
 import qualified Test.Touch.Registration.PairsRefused
 import qualified Test.Touch.Registration.ResidualAndGroups
@@ -235,6 +236,7 @@ specs = do
     describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
     describe "The methods of registering frames" Test.Touch.Registration.WhichMethod.spec
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
+    describe "Registration of pairs by its formulas" Test.Touch.Registration.PairsByFormulas.spec
     describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
     describe "Registration of pairs as a whole" Test.Touch.Registration.PairsAnswered.spec
     describe "Blending and growing" Test.Touch.Composite.BlendByDefinition.spec

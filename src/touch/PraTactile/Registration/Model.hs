@@ -107,22 +107,34 @@
 -- of which at most 30 000 displacements and phases are looked at, those that the two frames by
 -- themselves have likeliest, within e^15 of the best.
 --
--- Blind, relief is a stationary normal process: the cosine coefficient i of a frame is normal, of
--- variance s (S_i + n), independent of the others, where S is a spectrum of Matern's family whose
--- smoothness and range, with the noise's share n, are the likeliest of those tried, and s is the
--- frame's own scale. With A_i and B_i the coefficients of what the frames have in common at d, over
--- the roots of their scales, and p = kappa S_i for relief that is kappa times as high there:
+-- Blind, relief is a stationary normal process: a coefficient of the frame's orthonormal cosine
+-- transform, of frequency u across and v down (below 32 each, not both 0), is normal, of variance
+-- s (S + n), independent of the others. S is a spectrum of Matern's family, of mean 1, with
+-- smoothness nu (1.5, 2.5, 4) and range r (1, 1.5, 2.2, 3.3, 5 taxels); n is the noise's share
+-- (10^-6, 3 10^-5, 5 10^-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5). These are the
+-- likeliest of both frames, and so is each frame's own scale s:
 --
--- > one relief:   A_i and B_i have variance p + n, and covariance p or, to half a taxel, C_i p
--- > two reliefs:  covariance 0
--- > P(d) ~ pi(d) * (mean over gains of (ratio of the two, each summed over kappa) ^ tempering) ^ m
+-- > S ~ (1 + r^2 ((pi u / width)^2 + (pi v / height)^2) / (2 nu - 1)) ^ -nu
 --
--- where C_i is the mean cosine of a coefficient's phase over displacements within half a taxel, and
--- m, within 1/2 to 2, how many times as large the overlap is at the nominal displacement.
+-- With A and B the coefficients of what the frames have in common at d, over the roots of their
+-- scales, and p = kappa S for relief that is kappa (0.003, 0.08, 0.4, 1.5) times as high there:
 --
--- By correlation, the paper's, rho being that of n overlapping pixels (0.4 of them independent):
+-- > one relief:   A and B have variance p + n, and covariance p or, to half a taxel, C p
+-- > two reliefs:  covariance 0, each with a kappa of its own
+-- > C = sinc (pi u / (2 width)) sinc (pi v / (2 height))
+-- > R(g) = ratio of the densities of A e^(g/2) and B e^(-g/2) by one relief and by two,
+-- >        each the mean over kappa
+-- > P(d) ~ pi(d) * (mean over g = -0.8, -0.4 .. 0.8 of exp (-g^2 / 0.32) R(g)^0.8) ^ m
 --
--- > P(d) ~ pi(d) (1 - rho^2) ^ (-n/2),    rho > 0
+-- where C is the mean cosine of a coefficient's phase over displacements within half a taxel, e^g
+-- how many times what the first frame reads the second does beyond the scales, and m, within 1/2 to
+-- 2, how many times as large the overlap is at the nominal displacement. An overlap of less than
+-- two taxels tells nothing.
+--
+-- By correlation, the paper's, rho being that of n overlapping pixels (0.4 of them independent), no
+-- more than at the nominal displacement:
+--
+-- > P(d) ~ pi(d) (1 - rho^2) ^ (-0.4 n / 2),    rho > 0
 --
 -- = What is left over
 --

@@ -271,5 +271,6 @@ pairSpec =
       let with noise image =
             generate 12 13 (\x y -> at image x y + share * at noise x y)
           at image x y = fromMaybe 0 (index image x y)
-      let felt = frameAt (12, 13)
-      pure ((dx, dy), with noiseA (felt start), with noiseB (felt (fst start + dx, snd start + dy)))
+      let there = frameAt (12, 13)
+          moved = (fst start + dx, snd start + dy)
+      pure ((dx, dy), with noiseA (there start), with noiseB (there moved))

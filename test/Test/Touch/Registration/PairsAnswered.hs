@@ -3,7 +3,6 @@
 module Test.Touch.Registration.PairsAnswered (spec) where
 
 import Data.List (nub)
-import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
@@ -23,10 +22,9 @@ import PraTactile.Registration.Spectrum
 import PraTactile.Shape (paperAlphabet)
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
-import Test.QuickCheck hiding (Blind, generate, sample, tables)
+import Test.QuickCheck hiding (Blind, generate, tables)
 import Test.Support
-import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
-import Test.Touch.Sensor.MeanHeights (embossing)
+import Test.Touch.Registration.Reliefs (genFrames)
 
 spec :: Spec
 spec = do
@@ -68,43 +66,6 @@ askedSpec = do
     [refused usual {pairingSearch = s} | s <- [-0.001, 0, 64.5]] `shouldBe` [True, False, True]
     [refused usual {pairingStep = s} | s <- [(1000.5, 0), (-1000.5, 0), (0, 1000.5), (0, -1000.5)]]
       `shouldBe` replicate 4 True
-
--- | Two frames cut out of relief of some kind, the second that far right and down of the first.
-genFrames :: Int -> Int -> Gen ((Raster, Raster), (Int, Int))
-genFrames w h = do
-  dx <- choose (-3, 7)
-  dy <- choose (-3, 3)
-  rough <- elements [0, 0, 0.01, 0.05, 0.3]
-  noiseA <- genRasterOf w h
-  noiseB <- genRasterOf w h
-  texture <- genRasterOf 9 9
-  angle <- elements [0, pi / 2, 0.6, 2]
-  edge <- choose (3, 9)
-  gain <- elements [1, 1, 0.7, 2]
-  kind <- choose (0, 6 :: Int)
-  cell <- choose (0, 3)
-  let smooth' :: Int -> Int -> Double
-      smooth' x y = sample texture ((fromIntegral x + 8) / 3) ((fromIntegral y + 8) / 3)
-      symbols, relief :: Int -> Int -> Double
-      symbols x y =
-        let (j, u) = (x + 5) `divMod` 16
-            (i, v) = (y + 23) `divMod` 20
-         in fromMaybe 0 (index (embossing !! ((j + 2 * i + cell) `mod` 4)) (u - 4) (v - 4))
-      relief x y = case kind of
-        0 -> 0
-        1 -> 1 / (1 + exp (-2 * (cos angle * fromIntegral x + sin angle * fromIntegral y - edge)))
-        2 -> if even (x `div` 2 + y `div` 2) then 0 else 1
-        3 -> fromIntegral (x `mod` 4) / 4 + smooth' 0 y
-        4 -> symbols x y
-        _ -> smooth' x y
-      with noise image =
-        generate w h (\x y -> image x y + rough * (fromMaybe 0 (index noise x y) - 0.5))
-  pure
-    ( ( with noiseA relief,
-        with noiseB (\x y -> gain * relief (x + dx) (y + dy))
-      ),
-      (dx, dy)
-    )
 
 -- | Whether posteriors are the same to rounding.
 alike :: Posterior -> Posterior -> Property

@@ -1,0 +1,63 @@
+-- | Where one frame lies in another, blindly and by correlation, held to the formulas.
+module Test.Touch.Registration.PairsByFormulas (spec) where
+
+import qualified Data.Vector.Storable as V
+import PraTactile.Image
+import PraTactile.Registration.Pair.Blind
+import PraTactile.Registration.Posterior
+import PraTactile.Registration.Spectrum
+import Test.Hspec
+import Test.Hspec.QuickCheck (modifyMaxSuccess)
+import Test.QuickCheck hiding (generate, tables)
+import Test.Touch.Registration.PairDefinition
+import Test.Touch.Registration.Reliefs (genFrames)
+
+spec :: Spec
+spec = do
+  modifyMaxSuccess (const 25) processSpec
+  modifyMaxSuccess (const 50) pairSpec
+
+tables :: Spectra
+tables = spectra 9 8
+
+processSpec :: Spec
+processSpec =
+  it "frames are as likely as the likeliest of all processes makes them, and as white noise does" $
+    forAllBlind (genFrames 9 8) $ \((a, b), _) ->
+      let coefficients = map (coefficientsOf tables) [a, b]
+          Process _ noise scales logs = processOf tables 0 coefficients
+          wanted = reliefOf [a, b]
+          varying = [image | image <- [a, b], (> 1e-9) `any` standardDeviation image]
+       in conjoin
+            [ near [noise] [reliefNoise wanted],
+              near scales (reliefScales wanted),
+              near logs (reliefLogs wanted),
+              near (map (whiteness . coefficientsOf tables) varying) (map whiteNoise varying)
+            ]
+
+pairSpec :: Spec
+pairSpec = do
+  it "blind, a frame lies as probably at each place as all heights, gains and the prior say" $
+    forAllBlind (genAsked [0, 0.25, 1]) $ \((a, b), step, search) ->
+      let process = processOf tables 0 (map (coefficientsOf tables) [a, b])
+       in known (blindPosterior tables process step search a b) (blindly step search a b)
+  it "by correlation, a frame lies as probably at each place as rho and the prior say" $
+    forAllBlind (genAsked [0, 1]) $ \((a, b), step, search) ->
+      known (correlationPosterior step search a b) (byCorrelation step search a b)
+  where
+    genAsked off = do
+      (frames, (dx, dy)) <- genFrames 9 8
+      (ex, ey) <- (,) <$> elements off <*> elements (map negate off)
+      search <- elements [0.5, 1, 2, 3]
+      pure (frames, (fromIntegral dx + ex, fromIntegral dy + ey), search)
+    known (Posterior (ox, oy) spacing (columns, rows) masses) wanted =
+      spacing === 1
+        .&&. [(round ox + x, round oy + y) | y <- [0 .. rows - 1], x <- [0 .. columns - 1]]
+          === map fst wanted
+        .&&. near (V.toList masses) (map snd wanted)
+
+near :: [Double] -> [Double] -> Property
+near found wanted =
+  counterexample (show (found, wanted)) $
+    length found == length wanted
+      && and (zipWith (\p q -> abs (p - q) <= 1e-6 * max 1 (abs q)) found wanted)
