@@ -47,8 +47,10 @@ pairSpec = do
   where
     genAsked off = do
       (frames, (dx, dy)) <- genFrames 9 8
-      (ex, ey) <- (,) <$> elements off <*> elements (map negate off)
-      search <- elements [0.5, 1, 2, 3]
+      search <- elements [0, 1, 2, 3]
+      -- Where nothing is searched the step is whole.
+      let near0 = if search > 0 then off else [0]
+      (ex, ey) <- (,) <$> elements near0 <*> elements (map negate near0)
       pure (frames, (fromIntegral dx + ex, fromIntegral dy + ey), search)
     known (Posterior (ox, oy) spacing (columns, rows) masses) wanted =
       spacing === 1
