@@ -2,17 +2,18 @@
 module Test.Touch.Registration.CosinesByDefinition (spec) where
 
 import qualified Data.Vector.Storable as V
-import PraTactile.Image hiding (mean)
+import PraTactile.Image
 import PraTactile.Registration.Cosine
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate)
+import Test.Touch.Registration.PairDefinition (cosines)
 
 spec :: Spec
 spec = do
   prop "of an image it is the sum over its pixels with a cosine along each axis" $
     forAll (images 1 9) $ \image ->
-      near (cosineTransform (cosinesFor image) image) (defined image)
+      near (cosineTransform (cosinesFor image) image) (V.fromList (map snd (cosines image)))
   prop "of a patch it is that of the patch cut out" $
     forAll (images 2 12) $ \image ->
       forAll (stretch (rasterWidth image)) $ \(x, w) ->
@@ -52,21 +53,6 @@ stretch side = do
 
 pixel :: Raster -> Int -> Int -> Double
 pixel image i j = rasterValues image V.! (j * rasterWidth image + i)
-
--- | By the definition of the DCT-II with orthonormal scales, without the mean.
-defined :: Raster -> V.Vector Double
-defined image =
-  V.fromList
-    (drop 1 [coefficient u v | v <- [0 .. min 32 h - 1], u <- [0 .. min 32 w - 1]])
-  where
-    (w, h) = rasterSize image
-    coefficient u v =
-      sum
-        [wave w u i * wave h v j * pixel image i j | j <- [0 .. h - 1], i <- [0 .. w - 1]]
-    wave :: Int -> Int -> Int -> Double
-    wave n u i =
-      sqrt ((if u == 0 then 1 else 2) / fromIntegral n)
-        * cos (pi * fromIntegral (u * (2 * i + 1)) / fromIntegral (2 * n))
 
 near :: V.Vector Double -> V.Vector Double -> Property
 near found wanted =

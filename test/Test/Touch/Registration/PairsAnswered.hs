@@ -6,7 +6,6 @@ import Data.List (nub)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image
-import PraTactile.Registration.Cosine
 import PraTactile.Registration.Lattice.Fit (likelihood)
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Template (Templates, templates)
@@ -14,7 +13,6 @@ import PraTactile.Registration.Pair
 import PraTactile.Registration.Pair.Alike
 import PraTactile.Registration.Pair.Blind
 import PraTactile.Registration.Pair.Lattice
-import PraTactile.Registration.Pair.Overlap
 import PraTactile.Registration.Pair.Straight
 import PraTactile.Registration.Posterior
 import PraTactile.Registration.Rotation
@@ -29,7 +27,6 @@ import Test.Touch.Registration.Reliefs (genFrames)
 spec :: Spec
 spec = do
   askedSpec
-  blindSpec
   straightSpec
   matchSpec
 
@@ -72,52 +69,6 @@ alike :: Posterior -> Posterior -> Property
 alike (Posterior o s n m) (Posterior o' s' n' m') =
   counterexample (show (m, m')) $
     (o, s, n) == (o', s', n') && V.and (V.zipWith (\p q -> abs (p - q) < 1e-9) m m')
-
-blindSpec :: Spec
-blindSpec =
-  modifyMaxSuccess (const 25)
-    . it "blind: the prior, and how much likelier one relief is than two, at any of five gains"
-    $ forAll (genFrames 9 8) $ \((a, b), (dx, dy)) ->
-      forAll ((,) <$> choose (-1, 1) <*> choose (-1, 1)) $ \(ex, ey) ->
-        forAll (elements [0, 1, 2.5]) $ \search ->
-          let step = (fromIntegral dx + ex, fromIntegral dy + ey)
-              tables = spectra 9 8
-              process = processOf tables 0 (map (coefficientsOf tables) [a, b])
-              scaled image size'
-                | size' > 0 = mapRaster (/ sqrt size') image
-                | otherwise = constant 9 8 0
-              (a', b') = case processScales process of
-                [s, t] -> (scaled a s, scaled b t)
-                _ -> (a, b)
-              (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
-              -- How many pixels are shared at the step itself, to whole taxels.
-              shares (x, y) = max 0 (9 - abs x) * max 0 (8 - abs y) :: Int
-              nominal = fromIntegral (max 1 (shares (round (fst step), round (snd step))))
-              score i =
-                let (row, column) = i `quotRem` columns
-                    (x, y) = (round ox + column, round oy + row)
-                    off = (fromIntegral x - fst step, fromIntegral y - snd step)
-                    prior = priorAround search off
-                 in case overlapOf a' b' x y of
-                      Just (w, h, pa, pb)
-                        | w * h > 1 ->
-                          let told = shared tables process w h (cosines w h pa) (cosines w h pb)
-                              weight = max 0.5 (min 2 (nominal / fromIntegral (w * h)))
-                              logs =
-                                [ sharedLog (exp r) told - r * r / 0.32
-                                  | r <- [-0.8, -0.4, 0, 0.4, 0.8]
-                                ]
-                              top = maximum logs
-                           in prior
-                                + weight * (top + log (sum (map (exp . subtract top) logs) / 5))
-                      _ -> prior
-              cosines w h patch' =
-                cosineTransform
-                  (spectraCosines tables)
-                  (generate w h (\x y -> patch' V.! (y * w + x)))
-           in alike
-                (blindPosterior tables process step search a b)
-                (posterior origin 1 size (V.generate (columns * rows) score))
 
 straightSpec :: Spec
 straightSpec =

@@ -24,7 +24,6 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf, genRasterWithin)
 spec :: Spec
 spec = modifyMaxSuccess (const 100) $ do
   overlapSpec
-  correlationSpec
   blindSpec
   straightSpec
   turnSpec
@@ -110,41 +109,6 @@ overlapSpec = do
           cov = sum (zipWith (*) da db) / n
           (va, vb) = (power (map fst pairs), power (map snd pairs))
        in va > 0.01 * whole a && vb > 0.01 * whole b && cov / sqrt (va * vb) >= 0.9999
-
-correlationSpec :: Spec
-correlationSpec =
-  it "correlation: as prior times (1 - rho^2)^(-n/5), with n no more than at the step" $
-    forAll ((,) <$> genRasterOf 7 6 <*> genRasterOf 7 6) $ \(a, b) ->
-      forAll ((,) <$> choose (-5, 5) <*> choose (-4, 4)) $ \(dx, dy) ->
-        forAll (elements [1, 2, 3]) $ \search ->
-          let step = (fromIntegral dx, fromIntegral dy)
-              Posterior origin spacing size masses =
-                correlationPosterior step (fromIntegral search) a b
-              most = fromIntegral (length (both a b (dx, dy))) :: Double
-              scores =
-                [ exp (-2 * fromIntegral (i * i + j * j) / fromIntegral (search * search))
-                    * likelihood (both a b (dx + i, dy + j))
-                  | j <- [-search .. search],
-                    i <- [-search .. search :: Int]
-                ]
-              likelihood pairs
-                | length pairs < 2 || cov <= 0 = 1
-                | otherwise = (1 - min 0.9999 (cov * cov / (va * vb))) ** (-min most n / 5)
-                where
-                  n = fromIntegral (length pairs)
-                  centred vs = map (subtract (sum vs / n)) vs
-                  (da, db) = (centred (map fst pairs), centred (map snd pairs))
-                  (va, vb, cov) = (dot da da, dot db db, dot da db)
-              dot u v = sum (zipWith (*) u v)
-              wanted = map (/ sum scores) scores
-           in (origin, spacing, size)
-                === ( (fromIntegral (dx - search), fromIntegral (dy - search)),
-                      1,
-                      (2 * search + 1, 2 * search + 1)
-                    )
-                .&&. counterexample
-                  (show (V.toList masses, wanted))
-                  (and (zipWith (\m w -> abs (m - w) < 1e-9) (V.toList masses) wanted))
 
 blindSpec :: Spec
 blindSpec =
