@@ -3,7 +3,7 @@
 module Test.Touch.Registration.ResidualAndGroups (spec) where
 
 import qualified Data.IntMap.Strict as IntMap
-import Data.List (elemIndex, foldl', genericLength, nub)
+import Data.List (elemIndex, genericLength, nub)
 import Data.List.NonEmpty (NonEmpty (..))
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
@@ -137,38 +137,6 @@ solvedSpec = do
                             ]
                         )
             ]
-  it "frames are put where their pairs have them in the mean, six times at each of five widths" $
-    forAll (choose (2, 5)) $ \count ->
-      forAll (elements [1, 2, 3]) $ \sigma ->
-        forAll (undecided count) $ \links ->
-          let rounds = [(w, k) | w <- [2, 1.4, 1, 0.7, 0.5], _ <- [1 .. 6 :: Int], k <- frames]
-              frames = [0 .. count - 1]
-              -- What pairs say of a frame, each as the place and how much it counts.
-              told width places k =
-                concat
-                  [ [(s / (sum (map fst fits) + 0.02) / (width * width), p) | (s, p) <- fits]
-                    | Link a b said <- links,
-                      (other, side) <- [(a, 1) | b == k] ++ [(b, -1) | a == k],
-                      let (ox, oy) = fst (places !! other),
-                      let fits =
-                            [ (p * normal width (fst (places !! k)) there, there)
-                              | Hypothesis (ex, ey) p <- said,
-                                let there = (ox + side * ex, oy + side * ey)
-                            ]
-                  ]
-              step places (width, k) =
-                let weights = (1 / (sigma * sigma), (0, 0)) : told width places k
-                    total' = sum (map fst weights)
-                    middle part = sum [m * part p | (m, p) <- weights] / total'
-                    placed = ((middle fst, middle snd), sqrt (1 / total'))
-                 in take k places ++ placed : drop (k + 1) places
-              normal w (x, y) (u, v) =
-                exp (-(((x - u) ^ (2 :: Int) + (y - v) ^ (2 :: Int)) / (2 * w * w)))
-              wanted = foldl' step (map (const ((0, 0), sigma)) frames) rounds
-              found = IntMap.elems (solved sigma count links)
-           in counterexample (show (found, wanted)) $
-                length found == count
-                  && and [close p q && abs (a - b) < 1e-9 | ((p, a), (q, b)) <- zip found wanted]
   it "where all pairs agree, and the robot may be anywhere, frames lie as they say" $
     forAll (choose (2, 6)) $ \count ->
       forAll (vectorOf count (bothOf (choose (-1, 1)))) $ \truth ->
