@@ -162,10 +162,10 @@ solvedSpec = do
   it "of places between which a pair cannot decide the others' is taken, however far it is" $
     forAll (choose (1, 4)) $ \far -> forAll (elements [-1, 1]) $ \side ->
       forAllBlind (elements [id, \(x, y) -> (y, x)]) $ \turn ->
-        -- The second frame lies so far off; by itself the pair has it as probably nearer the robot's.
+        -- The second frame lies so far off; the pair has it as probably where the robot has it.
         let truth = map turn [(0, 0), (side * far, 0), (0, 0), (0, 0)]
             links =
-              [ Link k l (if (k, l) == (0, 1) then [half step, half (0, 0)] else [Hypothesis step 1])
+              [ Link k l (if (k, l) == (0, 1) then map half [step, (0, 0)] else [Hypothesis step 1])
                 | (k, l, step) <- steps truth
               ]
             half e = Hypothesis e 0.5
