@@ -131,7 +131,6 @@ import qualified Test.Touch.Registration.AngleByDefinition
 import qualified Test.Touch.Registration.ByDefinition
 import qualified Test.Touch.Registration.Contradictions
 import qualified Test.Touch.Registration.CosinesByDefinition
-import qualified Test.Touch.Registration.FrameByFrame
 import qualified Test.Touch.Registration.GrownAndSwept
 import qualified Test.Touch.Registration.HypothesesAndNoise
 import qualified Test.Touch.Registration.JointByFormulas
@@ -233,8 +232,7 @@ specs = do
     describe
       "The angle of a lattice, by what frames tell"
       Test.Touch.Registration.AngleByDefinition.spec
-    describe "Frames grown and swept" Test.Touch.Registration.GrownAndSwept.spec
-    describe "Registration one frame after the other" Test.Touch.Registration.FrameByFrame.spec
+    describe "Registration one frame after the other" Test.Touch.Registration.GrownAndSwept.spec
     describe "What joint registration is made of" Test.Touch.Registration.JointByFormulas.spec
     describe "The methods of registering frames" Test.Touch.Registration.WhichMethod.spec
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec

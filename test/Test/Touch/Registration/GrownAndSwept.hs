@@ -103,8 +103,9 @@ swept settings given = [seen (take n order) k | (n, k) <- zip [0 ..] order, k > 
     count = registrationSweeps settings
     start d = if count == 0 then d `minus` whole d else d
     (olds, news) = sweep count
-    sweep n = (results !! n, map (`plus` (lone `minus` head (results !! (n + 1)))) (results !! (n + 1)))
+    sweep n = (results !! n, map (`plus` (lone `minus` head next)) next)
       where
+        next = results !! (n + 1)
         lone = if n == 0 then (0, 0) else head (results !! n)
     results = [map fst (register settings {registrationSweeps = n} frames) | n <- [0 ..]]
     movedIn n l = let (from, to) = sweep n in n >= 0 && from !! l /= to !! l
