@@ -112,8 +112,8 @@ whole settings suite started =
 -- | Try the case of a token.
 replayed :: Settings -> Suite Known -> Token -> Subject -> IO Report
 replayed settings suite token subject = do
-  came <- replay settings suite token subject
-  case came of
+  outcome <- replay settings suite token subject
+  case outcome of
     Nothing -> unusable ("--replay: there is no law " ++ visible (tokenLaw token))
     Just (Left why) -> unusable (formatMessage "the token's case" "a case of its law" why)
     Just (Right report) -> pure report

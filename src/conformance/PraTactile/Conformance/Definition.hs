@@ -71,34 +71,34 @@ expected k question = case question of
 -- | Whether an answer, the last argument, is as good as the expected one. Probabilities are held to
 -- 10^-9, and those of positions left out are 0.
 agrees :: Known -> Question a -> a -> a -> Bool
-agrees k question wanted came = case question of
-  Locate patch -> sameLocation k patch wanted came
-  Nearest _ patch -> sameLocation k patch wanted came
-  Posterior _ -> sameChances k wanted came
+agrees k question wanted got = case question of
+  Locate patch -> sameLocation k patch wanted got
+  Nearest _ patch -> sameLocation k patch wanted got
+  Posterior _ -> sameChances k wanted got
   Raw operation input
     | Just (SomeQuestion asked) <- someQuestion operation input,
       Just a <- readAnswer asked wanted ->
-      maybe False (agrees k asked a) (readAnswer asked came)
-  _ -> answerValue question came == answerValue question wanted
+      maybe False (agrees k asked a) (readAnswer asked got)
+  _ -> answerValue question got == answerValue question wanted
 
 -- | Each position once, and each one of the array.
 sameChances :: Known -> [(Position, Double)] -> [(Position, Double)] -> Bool
-sameChances k wanted came =
-  Map.size given == length came
+sameChances k wanted got =
+  Map.size given == length got
     && all inside (Map.keys given)
     && all ((<= 1e-9) . abs) (Map.unionWith (+) given (negate <$> Map.fromList wanted))
   where
-    given = Map.fromList came
+    given = Map.fromList got
     inside (Position r c) = r < rows shape && c < columns shape
     shape = profileShape (knownProfile k)
 
 -- | In place of a list of positions their number may stand, with the dimension of the coset that
 -- they are: the degree less the rank of the observed cells.
 sameLocation :: Known -> Patch -> Location -> Location -> Bool
-sameLocation k patch wanted came = case (wanted, came) of
+sameLocation k patch wanted got = case (wanted, got) of
   (OneOf several, Coset count dimension) ->
     count == fromIntegral (length several) && Just dimension == (less <$> rank)
-  _ -> wanted == came
+  _ -> wanted == got
   where
     degree = fromIntegral (length (profilePolynomial (knownProfile k))) - 1
     less r = degree - min degree r

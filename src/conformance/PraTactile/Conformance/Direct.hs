@@ -40,8 +40,8 @@ firstViolated answers = go 1
   where
     go n left trials = case trials of
       one : rest | left > 0 -> do
-        came <- verdictBy answers one
-        case came of
+        got <- verdictBy answers one
+        case got of
           Violated violation -> pure (Just (n :: Int, violation))
           Holds -> go (n + 1) (left - 1) rest
           Inapplicable -> go (n + 1) left rest

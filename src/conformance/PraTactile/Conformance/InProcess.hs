@@ -61,8 +61,8 @@ answerIn implementation force question
   where
     none = pure (ResponseErrored "no profile is in force")
     answered session = do
-      came <- runExceptT (answerTo session question)
-      case came of
+      got <- runExceptT (answerTo session question)
+      case got of
         Left why -> ResponseRefused <$> evaluated why
         Right a -> do
           let value = answerValue question a

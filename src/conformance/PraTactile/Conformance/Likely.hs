@@ -50,8 +50,8 @@ allAlike :: Respondent -> [Exchange] -> IO Bool
 allAlike answers exchanges = case exchanges of
   [] -> pure True
   Exchange (Just operation) input wanted : rest -> do
-    came <- verdictBy answers (ask (Raw operation input))
-    if either (RefusedFor . refusalReason) Result came == wanted
+    got <- verdictBy answers (ask (Raw operation input))
+    if either (RefusedFor . refusalReason) Result got == wanted
       then allAlike answers rest
       else pure False
   Exchange Nothing _ _ : rest -> allAlike answers rest

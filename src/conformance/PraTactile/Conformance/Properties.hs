@@ -114,7 +114,7 @@ casesProperty answers (Cases form domain trial) = case domain of
 
 -- | A case that the law says nothing of counts as one that holds.
 judged :: Verdict -> Property
-judged came = case came of
+judged got = case got of
   Holds -> property True
   Inapplicable -> property True
   Violated violation -> counterexample (inWords violation) False

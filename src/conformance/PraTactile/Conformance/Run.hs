@@ -74,10 +74,10 @@ replay ::
 replay settings suite token subject = for (workFor suite token) $ \work -> do
   start <- getMonotonicTime
   worker <- newWorker subject
-  came <- tryToken (planOf settings) suite worker work (tokenCase token)
+  tried <- tryToken (planOf settings) suite worker work (tokenCase token)
   end <- getMonotonicTime
   let asks = operationsOf [workStage work]
-  pure $ case came of
+  pure $ case tried of
     Left why -> Left why
     Right one ->
       Right
@@ -178,6 +178,6 @@ inParallel subjects work act = case subjects of
         [] -> ([], Nothing)
         first : others -> (others, Just first)
       for_ next $ \(i, one) -> do
-        came <- act worker one
-        modifyMVar_ results (pure . Map.insert i came)
+        report <- act worker one
+        modifyMVar_ results (pure . Map.insert i report)
         worked queue results worker

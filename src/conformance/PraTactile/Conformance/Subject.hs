@@ -65,7 +65,7 @@ data Response
 
 -- | As it stands in a reply: the one key that says what came, and its value.
 responseItem :: Response -> (Key, Value)
-responseItem came = case came of
+responseItem response = case response of
   ResponseResult value -> (Key.fromString "result", value)
   ResponseRefused why -> (Key.fromString "refused", toJSON why)
   ResponseSkipped why -> (Key.fromString "skipped", toJSON why)
@@ -129,5 +129,5 @@ upToFault :: [IO (Either Fault a)] -> IO [Either Fault a]
 upToFault actions = case actions of
   [] -> pure []
   action : others -> do
-    came <- action
-    (came :) <$> either (const (pure [])) (const (upToFault others)) came
+    response <- action
+    (response :) <$> either (const (pure [])) (const (upToFault others)) response

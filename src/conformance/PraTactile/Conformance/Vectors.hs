@@ -140,8 +140,8 @@ withoutRepeated = filter (not . null . groupTests) . go Set.empty
 -- | A test, if both roads lead to the same answer.
 testOf :: Known -> Session -> Operation -> TestProof -> SomeQuestion -> ExceptT String IO Test
 testOf k session operation proof (SomeQuestion question) = do
-  came <- lift (runExceptT (answerTo session question))
-  outcome <- case (expected k question, came) of
+  got <- lift (runExceptT (answerTo session question))
+  outcome <- case (expected k question, got) of
     (Right wanted, Right given)
       | agrees k question wanted given -> pure (Right (shown wanted given))
     (Left wanted, Left given) | wanted == given -> pure (Left wanted)
@@ -199,7 +199,7 @@ table k operation = case (wholeDomain k operation, operation) of
 
 digested :: Known -> Session -> (String, [Question Code]) -> ExceptT String IO Digest
 digested k session (over, questions) = do
-  came <- lift (runExceptT (traverse (answerTo session) questions))
-  if came == traverse (expected k) questions
-    then pure (Digest over (digestOf (Bytes.pack (map fromIntegral (either (const []) id came)))))
+  got <- lift (runExceptT (traverse (answerTo session) questions))
+  if got == traverse (expected k) questions
+    then pure (Digest over (digestOf (Bytes.pack (map fromIntegral (either (const []) id got)))))
     else throwE ("the two roads part at the table of " ++ over)

@@ -147,7 +147,7 @@ spec = do
                 ("a reply that " ++ what ++ ": " ++ excerpt (encodeLine (with name value)))
             )
   where
-    replyTo line = (\reply -> (replySequence reply, replyCame reply)) <$> readReply line
+    replyTo line = (\reply -> (replySequence reply, replyResponse reply)) <$> readReply line
     startedBy line =
       (\said -> (startedName said, startedOperations said, startedInFlight said))
         <$> readStarted line

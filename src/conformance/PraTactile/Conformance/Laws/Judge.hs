@@ -101,14 +101,14 @@ judge ::
   String ->
   Either Refusal a ->
   Verdict
-judge question wanted fits road reason came = case (wanted, came) of
+judge question wanted fits road reason got = case (wanted, got) of
   (Left refusal, Left refusal') | refusal == refusal' -> Holds
   (_, Right a) | fits a -> Holds
-  _ -> Violated (Violation [exchanged question came] (reply question wanted) road reason)
+  _ -> Violated (Violation [exchanged question got] (reply question wanted) road reason)
 
 exchanged :: Question a -> Either Refusal a -> Exchange
-exchanged question came =
-  Exchange (Just (operationOf question)) (questionInput question) (reply question came)
+exchanged question got =
+  Exchange (Just (operationOf question)) (questionInput question) (reply question got)
 
 reply :: Question a -> Either Refusal a -> Reply
 reply question = either (RefusedFor . refusalReason) (Result . answerValue question)
@@ -154,9 +154,9 @@ trial asking = do
 -- too, the law says nothing.
 answer :: Known -> Question a -> Trial a
 answer known question = do
-  came <- lift (lift (ask question))
-  lift (modify' (exchanged question came :))
-  case came of
+  got <- lift (lift (ask question))
+  lift (modify' (exchanged question got :))
+  case got of
     Right a -> pure a
     Left refusal -> case wanted of
       Left refusal' | refusal == refusal' -> throwE Inapplicable

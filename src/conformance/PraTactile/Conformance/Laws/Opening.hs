@@ -45,12 +45,12 @@ impossibleLaw (Impossible what sentence change) =
 opened :: Bool -> String -> Profile -> Ask Verdict
 opened possible reason p = judged <$> opening p
   where
-    judged came
-      | came == wanted = Holds
+    judged got
+      | got == wanted = Holds
       | otherwise =
         Violated
           ( Violation
-              [Exchange Nothing (profileValue p) (replied came)]
+              [Exchange Nothing (profileValue p) (replied got)]
               (replied wanted)
               road
               reason

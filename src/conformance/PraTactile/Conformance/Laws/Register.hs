@@ -117,7 +117,7 @@ placed what sentence reason change =
     Cases pressForm (Some genPress smallerPress) $ \press ->
       let (shift@(x, y), pair) = change (pressChange press) (pressed press)
           wanted = Registered Nothing (fromInteger x, fromInteger y) (True, True)
-          fits came = registeredReason came == Nothing && near 0.5 shift (registeredBest came)
+          fits got = registeredReason got == Nothing && near 0.5 shift (registeredBest got)
        in if telling pair shift then asking pair wanted fits reason else pure Inapplicable
 
 -- | Where all of this is from.
@@ -223,9 +223,9 @@ oneAxis press
     cut = frameOf (pressSize press) relief
     pair = Pair (cut (0, 0)) (cut (x, y)) (sx, sy) 3
     at = (fromInteger x, fromInteger y)
-    fits came =
-      registeredFixed came == (across, not across)
-        && abs (axisOf (registeredBest came) - axisOf at) <= 0.5
+    fits got =
+      registeredFixed got == (across, not across)
+        && abs (axisOf (registeredBest got) - axisOf at) <= 0.5
     axisOf = if across then fst else snd
 
 invalidLaw :: Law ()

@@ -101,7 +101,7 @@ comesOutOf drawings what sentence reason scene =
     Cases drawingForm drawings $ \drawing ->
       let (rows, wanted) = scene drawing
           question = Segment rows
-          fits came = length came == length wanted && all (\one -> any (same one) came) wanted
+          fits got = length got == length wanted && all (\one -> any (same one) got) wanted
        in judge question (Right wanted) fits "the scene" reason <$> ask question
   where
     same (Symbol (x, y) a) (Symbol (x', y') a') =

@@ -149,7 +149,7 @@ found what sentence reason most before change =
       let truth = change (surveyChange survey) (surveyed (before survey))
           errors = map (real . snd) truth
           question = Stitch 2 (map fst truth)
-          fits came = length came == length errors && alike most errors came
+          fits got = length got == length errors && alike most errors got
        in if allTelling truth
             then judge question (Right errors) fits "the scene" reason <$> ask question
             else pure Inapplicable
@@ -158,10 +158,10 @@ found what sentence reason most before change =
 
 -- | Whether displacements are the same to so many taxels, up to a shift of all.
 alike :: Double -> [Taxels] -> [Taxels] -> Bool
-alike most wanted came = near fst && near snd
+alike most wanted got = near fst && near snd
   where
     near axis =
-      let differences = zipWith (\a b -> axis b - axis a) wanted came
+      let differences = zipWith (\a b -> axis b - axis a) wanted got
           mean = sum differences / fromIntegral (max 1 (length differences))
        in all ((<= most) . abs . subtract mean) differences
 

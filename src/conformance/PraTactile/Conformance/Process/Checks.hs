@@ -84,7 +84,7 @@ noneInForce limits session = case startedQuestions session of
   question : _ -> do
     let requests =
           [profileRequest canonicalProfile, profileRequest impossible, runRequest 1 question]
-    came <- withStarted session $ \child -> do
+    got <- withStarted session $ \child -> do
       traverse_ (send child . requestLine) (take 2 requests)
       first <- reply child
       second <- reply child
@@ -95,7 +95,7 @@ noneInForce limits session = case startedQuestions session of
         (Right _, Right other) -> pure (Right other)
         (Left why, _) -> pure (Left why)
         (_, Left why) -> pure (Left why)
-    pure $ case came of
+    pure $ case got of
       Left why -> CheckErred requests why
       Right (ResponseErrored _) -> CheckHeld
       Right other -> CheckFailed requests (ResponseErrored "no profile is in force") other
@@ -103,7 +103,7 @@ noneInForce limits session = case startedQuestions session of
     impossible = canonicalProfile {profileOrder = 6}
     reply child = do
       line <- awaitLine child (limitReply limits)
-      pure (line >>= fmap replyCame . readReply)
+      pure (line >>= fmap replyResponse . readReply)
 
 -- | Questions of the operations of the code that are offered.
 startedQuestions :: Session -> [SomeQuestion]
@@ -120,7 +120,7 @@ oneShotChecks limits command =
   [check unknownId (judged <$> runOnce limits command request)]
   where
     request = unknownRequest canonicalProfile
-    judged came = case replyCame <$> came of
+    judged got = case replyResponse <$> got of
       Left why -> CheckErred [request] why
       Right (ResponseSkipped _) -> CheckHeld
       Right other -> CheckFailed [request] (ResponseSkipped "not known") other

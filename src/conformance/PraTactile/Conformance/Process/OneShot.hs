@@ -30,10 +30,10 @@ oneShot limits command profile asked = do
   where
     named reply = case (asked, replySequence reply) of
       (Just (number, _), Just given)
-        | given == toInteger number -> Right (replyCame reply)
+        | given == toInteger number -> Right (replyResponse reply)
         | otherwise -> Left (Fault OutOfOrder (wrong number ("\"sequence\" " ++ show given)))
       (Just (number, _), Nothing) -> Left (Fault NotAReply (wrong number "no \"sequence\""))
-      (Nothing, _) -> Right (replyCame reply)
+      (Nothing, _) -> Right (replyResponse reply)
     wrong number what = "a reply to request " ++ show number ++ " with " ++ what
 
 -- | Start the command, give it one request, and take its one reply.

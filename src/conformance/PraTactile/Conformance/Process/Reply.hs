@@ -84,7 +84,7 @@ requestLine request = encode request <> "\n"
 -- | A reply, with the number that it repeats, if it has one.
 data Reply = Reply
   { replySequence :: Maybe Integer,
-    replyCame :: Response
+    replyResponse :: Response
   }
 
 -- | A line as a reply: an object with exactly one of the four keys. Refuses what is no JSON, and
@@ -94,11 +94,11 @@ readReply line = readObject line >>= reply
   where
     reply fields = do
       number <- traverse (numbered line) (KeyMap.lookup "sequence" fields)
-      came <- case [(key, value) | key <- kinds, Just value <- [KeyMap.lookup key fields]] of
+      response <- case [(key, value) | key <- kinds, Just value <- [KeyMap.lookup key fields]] of
         [(key, value)] -> kind key value
         [] -> notReply line ("has none of " ++ names)
         _ -> notReply line ("has more than one of " ++ names)
-      pure (Reply number came)
+      pure (Reply number response)
     kinds = ["result", "refused", "skipped", "errored"]
     names = "result, refused, skipped, errored"
     kind key value = case (key, value) of

@@ -111,11 +111,11 @@ failed session fault = Left fault <$ letGo (sessionChild session)
 putProfile :: Session -> Profile -> IO (Either Fault Response)
 putProfile session profile = do
   child <- current session
-  came <- either (pure . Left) (\one -> profileOn session one profile) child
-  writeIORef (sessionProfile session) (if inForce came then Just profile else Nothing)
-  either (failed session) (pure . Right) came
+  got <- either (pure . Left) (\one -> profileOn session one profile) child
+  writeIORef (sessionProfile session) (if inForce got then Just profile else Nothing)
+  either (failed session) (pure . Right) got
   where
-    inForce came = case came of
+    inForce got = case got of
       Right (ResponseResult _) -> True
       _ -> False
 
@@ -123,30 +123,30 @@ profileOn :: Session -> Child -> Profile -> IO (Either Fault Response)
 profileOn session child profile = do
   send child (requestLine (profileRequest profile))
   line <- awaitLine child (limitReply (sessionLimits session))
-  either (fmap Left . flooded child 1) (pure . Right) (line >>= fmap replyCame . readReply)
+  either (fmap Left . flooded child 1) (pure . Right) (line >>= fmap replyResponse . readReply)
 
 -- | Ask questions; their replies in order, up to the first fault.
 askAll :: Session -> [SomeQuestion] -> IO [Either Fault Response]
 askAll session questions = do
-  (came, fault) <- exchangeAgain (startedInFlight (sessionStarted session)) questions
+  (got, fault) <- exchangeAgain (startedInFlight (sessionStarted session)) questions
   case fault of
-    Nothing -> pure (map Right came)
+    Nothing -> pure (map Right got)
     Just why
-      | length suspects <= 1 -> pure (map Right came ++ [Left why])
+      | length suspects <= 1 -> pure (map Right got ++ [Left why])
       | otherwise -> do
         -- Which of those that waited for a reply is at fault shows when each is asked alone.
         (alone, again) <- exchangeAgain 1 suspects
-        pure (map Right came ++ maybe [Left why] (\f -> map Right alone ++ [Left f]) again)
+        pure (map Right got ++ maybe [Left why] (\f -> map Right alone ++ [Left f]) again)
       where
         suspects =
-          take (startedInFlight (sessionStarted session)) (drop (length came) questions)
+          take (startedInFlight (sessionStarted session)) (drop (length got) questions)
   where
     exchangeAgain window asked = do
       child <- current session
-      (came, fault) <-
+      (got, fault) <-
         either (\why -> pure ([], Just why)) (\one -> exchange session one window asked) child
       mapM_ (const (letGo (sessionChild session))) fault
-      pure (came, fault)
+      pure (got, fault)
 
 -- | Ask, with so many requests at most that wait for their replies.
 exchange :: Session -> Child -> Int -> [SomeQuestion] -> IO ([Response], Maybe Fault)
@@ -158,19 +158,19 @@ exchange session child window questions = do
   go first first requests []
   where
     -- The number of the next reply, that of the next request, and the requests from it on.
-    go next unsent requests came
-      | next == unsent && null requests = pure (reverse came, Nothing)
+    go next unsent requests got
+      | next == unsent && null requests = pure (reverse got, Nothing)
       | not (null requests) && unsent - next <= window `div` 2 = do
         let (now, later) = splitAt (window - (unsent - next)) requests
         send child (mconcat now)
-        go next (unsent + length now) later came
+        go next (unsent + length now) later got
       | otherwise = do
         line <- awaitLine child (limitReply (sessionLimits session))
         case line >>= answerTo next of
-          Right one -> go (next + 1) unsent requests (one : came)
+          Right one -> go (next + 1) unsent requests (one : got)
           Left fault -> do
             why <- flooded child (unsent - next) fault
-            pure (reverse came, Just why)
+            pure (reverse got, Just why)
 
 -- | A line as the reply to the request of this number.
 answerTo :: Int -> ByteString -> Either Fault Response
@@ -178,7 +178,7 @@ answerTo number line = do
   reply <- readReply line
   case replySequence reply of
     Just given
-      | given == toInteger number -> Right (replyCame reply)
+      | given == toInteger number -> Right (replyResponse reply)
       | given < toInteger number && given >= 1 ->
         Left (Fault AnsweredTwice (instead ("answered " ++ show given ++ " again")))
       | otherwise -> Left (Fault OutOfOrder (instead ("answered " ++ show given)))

@@ -58,8 +58,8 @@ counterexampleValue :: Counterexample -> Value
 counterexampleValue counter =
   object
     [ "requests" .= counterRequests counter,
-      "expected" .= fmap cameValue (counterExpected counter),
-      "got" .= either faultValue cameValue (counterGot counter),
+      "expected" .= fmap responseValue (counterExpected counter),
+      "got" .= either faultValue responseValue (counterGot counter),
       "road" .= counterRoad counter,
       "reason" .= counterReason counter,
       "shrinks" .= counterShrinks counter,
@@ -67,8 +67,8 @@ counterexampleValue counter =
     ]
 
 -- | A reply as it stands in the protocol.
-cameValue :: Response -> Value
-cameValue came = let (name, value) = responseItem came in object [name .= value]
+responseValue :: Response -> Value
+responseValue response = let (name, value) = responseItem response in object [name .= value]
 
 faultValue :: Fault -> Value
 faultValue fault =

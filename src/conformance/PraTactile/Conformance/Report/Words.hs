@@ -112,7 +112,7 @@ counterItems again likely counter =
   concat
     [ zip ("asked" : repeat "then") (map requestText (counterRequests counter)),
       [("yours", either faultText responseText (counterGot counter))],
-      [(side, responseText came) | Just came <- [counterExpected counter]],
+      [(side, responseText response) | Just response <- [counterExpected counter]],
       [("by", counterRoad counter) | side == "expected", counterRoad counter /= ""],
       [("why", counterReason counter)],
       [("made smaller", counted (counterShrinks counter) "time") | counterShrinks counter > 0],
@@ -137,7 +137,7 @@ requestText request = case request of
 
 -- | What came, in words.
 responseText :: Response -> String
-responseText came = case came of
+responseText response = case response of
   ResponseResult value -> valueText value
   ResponseRefused why -> "refused: " ++ why
   ResponseSkipped why -> "skipped: " ++ why

@@ -61,15 +61,15 @@ fewestAlike = 3
 tryLaw :: Plan -> Subject -> String -> Cases -> IO Tried
 tryLaw plan subject name (Cases form domain trial) = case domain of
   Every every -> do
-    came <- search' (map trial every)
+    searched <- search' (map trial every)
     let failure (i, why) =
           Failure why (writeValue form (every !! i)) 0
-            <$> further why (searchWrong came) (drop (i + 1) every)
-    Tried (searchCases came) True <$> traverse failure (searchTrouble came)
+            <$> further why (searchWrong searched) (drop (i + 1) every)
+    Tried (searchCases searched) True <$> traverse failure (searchTrouble searched)
   Some gen smaller -> do
     let draws = drawn plan name gen
-    (cases, came) <- drawing 0 draws
-    failure <- traverse (uncurry (shrunk smaller 0)) came
+    (cases, searched) <- drawing 0 draws
+    failure <- traverse (uncurry (shrunk smaller 0)) searched
     Tried cases False <$> traverse (furtherDrawn draws) failure
   where
     search' = search subject (planWindow plan)
@@ -84,32 +84,32 @@ tryLaw plan subject name (Cases form domain trial) = case domain of
     goOn left wrong later
       | length (nub wrong) >= fewestAlike || left <= 0 || null later = pure wrong
       | otherwise = do
-        came <- search' (map trial (take left later))
-        case searchTrouble came of
+        searched <- search' (map trial (take left later))
+        case searchTrouble searched of
           Just (i, Wrong _) ->
-            let others = nub (searchWrong came) \\ wrong
+            let others = nub (searchWrong searched) \\ wrong
              in goOn (left - i - 1) (take mostWrong (others ++ wrong)) (drop (i + 1) later)
           _ -> pure wrong
     -- Draws of which the law says nothing are made good by others, up to ten for each case.
     drawing count draws
       | null now = pure (count, Nothing)
       | otherwise = do
-        came <- search' (map trial now)
-        let count' = count + searchCases came
-        case searchTrouble came of
-          Just (i, why) -> pure (count', Just (now !! i, (why, searchWrong came)))
+        searched <- search' (map trial now)
+        let count' = count + searchCases searched
+        case searchTrouble searched of
+          Just (i, why) -> pure (count', Just (now !! i, (why, searchWrong searched)))
           Nothing
-            | searchCases came == 0 && null later -> pure (count', Nothing)
+            | searchCases searched == 0 && null later -> pure (count', Nothing)
             | otherwise -> drawing count' later
       where
         (now, later) = splitAt (planCases plan - count) draws
     shrunk smaller steps a (why, wrong)
       | timedOut why = pure (failed a)
       | otherwise = do
-        came <- search' (map trial candidates)
-        case searchTrouble came of
+        searched <- search' (map trial candidates)
+        case searchTrouble searched of
           Just (i, why') ->
-            let wrong' = take mostWrong (wrong ++ searchWrong came)
+            let wrong' = take mostWrong (wrong ++ searchWrong searched)
              in shrunk smaller (steps + 1) (candidates !! i) (why', wrong')
           Nothing -> pure (failed a)
       where
@@ -142,8 +142,8 @@ tryCase :: Plan -> Subject -> Cases -> Value -> Either FormatError (IO Tried)
 tryCase plan subject (Cases form domain trial) value = tried <$> readValue form value
   where
     tried a = do
-      came <- search subject (planWindow plan) [trial a]
-      let failure (_, why) = Failure why value 0 (searchWrong came)
-      pure (Tried (searchCases came) (exhausts domain) (failure <$> searchTrouble came))
+      searched <- search subject (planWindow plan) [trial a]
+      let failure (_, why) = Failure why value 0 (searchWrong searched)
+      pure (Tried (searchCases searched) (exhausts domain) (failure <$> searchTrouble searched))
     exhausts (Every _) = True
     exhausts (Some _ _) = False

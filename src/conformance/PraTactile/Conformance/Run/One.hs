@@ -69,10 +69,10 @@ inForce (Worker subject held) work act = case workProfile work of
   Just (_, profile) -> do
     before <- readIORef held
     refused <- case before of
-      Just (there, came) | there == profile -> pure came
+      Just (there, got) | there == profile -> pure got
       _ -> do
-        came <- notInForce profile <$> subjectProfile subject profile
-        came <$ writeIORef held (Just (profile, came))
+        got <- notInForce profile <$> subjectProfile subject profile
+        got <$ writeIORef held (Just (profile, got))
     case refused of
       Nothing -> act
       Just shown ->
@@ -80,7 +80,7 @@ inForce (Worker subject held) work act = case workProfile work of
 
 -- | What came, unless the profile is in force.
 notInForce :: Profile -> Either Fault Response -> Maybe Counterexample
-notInForce profile came = case came of
+notInForce profile got = case got of
   Right (ResponseResult (Bool True)) -> Nothing
   _ ->
     Just
@@ -88,7 +88,7 @@ notInForce profile came = case came of
           [profileRequest profile]
           (Just (ResponseResult (Bool True)))
           "the definition"
-          came
+          got
           "the profile names an array, so that it can be put in force"
       )
 
@@ -148,13 +148,13 @@ counterexampleOf work failure =
               [] -> Right (ResponseErrored "nothing was asked")
           )
           (violationReason violation)
-      Broke before what came ->
+      Broke before what got ->
         counterexample
           (requestsOf before ++ [requestOf (length before + 1) what])
           (answerTo what)
           "the definition"
-          came
-          (reasonFor came)
+          got
+          (reasonFor got)
     answerTo what = case what of
       AskedQuestion question -> responseOf <$> workAnswer work question
       AskedProfile _ -> Nothing
@@ -164,7 +164,7 @@ counterexampleOf work failure =
 
 -- | Why what came is no answer.
 reasonFor :: Either Fault Response -> String
-reasonFor came = case came of
+reasonFor got = case got of
   Right (ResponseSkipped _) -> "what is offered is answered or refused, not skipped"
   Right _ -> "an error of the subject is no answer"
   Left fault | faultKind fault == WrongType -> "the result has another type"
@@ -220,15 +220,15 @@ checkReport check =
 checkedReport :: Check -> Checked -> LawReport
 checkedReport check checked = case checked of
   CheckHeld -> tried {lawReportOutcome = Held}
-  CheckFailed requests wanted came -> failing Failed requests (Just wanted) (Right came)
+  CheckFailed requests wanted got -> failing Failed requests (Just wanted) (Right got)
   CheckErred requests fault -> failing Errored requests Nothing (Left fault)
   where
     tried = (checkReport check) {lawReportCases = 1}
-    failing outcome requests wanted came =
+    failing outcome requests wanted got =
       tried
         { lawReportOutcome = outcome,
           lawReportCounterexample =
-            Just (counterexample requests wanted "the protocol" came (checkSentence check))
+            Just (counterexample requests wanted "the protocol" got (checkSentence check))
         }
 
 -- | What is reported of a check that the time did not suffice for.

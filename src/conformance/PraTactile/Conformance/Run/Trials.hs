@@ -167,10 +167,10 @@ fed (Active i before trial) reply = case trial of
     Right (ResponseRefused why) -> onward question (RefusedFor why) (continue (Left (Refusal why)))
     _ -> broken (AskedQuestion (SomeQuestion question)) reply
   where
-    broken what came = Left (i, Broke (reverse before) what came)
+    broken what got = Left (i, Broke (reverse before) what got)
     onward :: Question b -> Reply -> Ask Verdict -> Either (Int, Trouble) Active
     onward question = on (Just (operationOf question)) (questionInput question)
-    on operation input came next = Right (Active i (Exchange operation input came : before) next)
+    on operation input got next = Right (Active i (Exchange operation input got : before) next)
 
 wrongType :: Value -> Fault
 wrongType value =
