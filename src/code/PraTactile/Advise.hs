@@ -221,7 +221,7 @@ assess degree@(Degree request n polynomials _) layout shape = case requestWindow
   Nothing -> Right (Option n layout shape (fitting degree layout shape))
   Just w
     | not (w `fitsIn` shape) -> Left (WindowBeyondArray n layout shape)
-    | otherwise -> case fits n polynomials layout shape w of
+    | otherwise -> case fits n polynomials (layout, shape) w of
       Right fit -> Right (Option n layout shape [fit])
       Left tried -> Left (WindowFails n layout shape tried)
 
@@ -244,7 +244,7 @@ repairs degree shape =
       [ fit
         | Just w <- [requestWindow (degreeRequest degree)],
           w `fitsIn` other,
-          Right fit <- [fits (degreeNumber degree) (degreePolynomials degree) layout other w]
+          Right fit <- [fits (degreeNumber degree) (degreePolynomials degree) (layout, other) w]
       ]
 
 -- | Shapes of as many cells with coprime sides, the most nearly square ones first.
@@ -281,7 +281,7 @@ parts (Degree request n _ ds) shape@(Shape n1 n2) =
 -- first.
 fitting :: KnownField k => Degree k -> Layout -> Shape -> [Fit]
 fitting (Degree _ n polynomials _) layout shape =
-  [fit | w <- windowsOf n, w `fitsIn` shape, Right fit <- [fits n polynomials layout shape w]]
+  [fit | w <- windowsOf n, w `fitsIn` shape, Right fit <- [fits n polynomials (layout, shape) w]]
 
 -- | All rectangles of n cells, the most nearly square ones first.
 windowsOf :: Natural -> [Shape]

@@ -41,8 +41,8 @@ candidates k n =
 
 -- | Whether the windows are distinct in arrays of a layout and shape with one of the candidates,
 -- which are of degree n; otherwise how many were tried.
-fits :: KnownField k => Natural -> [Primitive k] -> Layout -> Shape -> Shape -> Either Int Fit
-fits n polynomials layout shape window = case find works tried of
+fits :: KnownField k => Natural -> [Primitive k] -> (Layout, Shape) -> Shape -> Either Int Fit
+fits n polynomials (layout, shape) window = case find works tried of
   Just h -> Right (Fit window sure (codesOf h))
   Nothing -> Left (length tried)
   where

@@ -59,11 +59,12 @@ lightest effort code
             (maybe size (+ 1) (stepSeen step))
             (foldl' (lighter (stepSet step)) best (stepLevels step))
             later
-    lighter set best w = case nearFound (nearAt OneLightest set zeros w (below - 1 - w)) of
+    lighter set best w = case nearFound (nearAt OneLightest set zeros level) of
       (_, terms) : _ -> Just (combination set terms)
       [] -> best
       where
         zeros = Primitive.map (const zero) (setRest set)
+        level = Level {levelRows = w, levelLimit = below - 1 - w}
         below = maybe (size + 1) weight best
 
 -- | The least weight of a codeword that is not zero, by 'lightest', or by visiting all codewords

@@ -11,6 +11,7 @@ module PraTactile.LinearCode.Search
 
     -- * Looking
     Wanted (..),
+    Level (..),
     Near (..),
     nearAt,
   )
@@ -98,6 +99,14 @@ data Wanted
   | -- | All of them, if they are at most this many; of more only those nearer than some distance.
     AllUpTo Int
 
+-- | How far from the start codewords are looked at.
+data Level = Level
+  { -- | In exactly how many of the set's places they differ: so many rows are combined.
+    levelRows :: !Int,
+    -- | In how many of the other places they differ at most.
+    levelLimit :: !Int
+  }
+
 -- | Codewords that are near.
 data Near k = Near
   { -- | All that were looked at and differ in at most this many of the other places are there.
@@ -116,10 +125,10 @@ data Scan (k :: Field) = Scan
 
 type role Scan nominal
 
--- | @nearAt wanted set start w limit@: of the combinations of exactly w rows those that at the
--- other places differ from the start in at most as many as the limit.
-nearAt :: KnownField k => Wanted -> InformationSet k -> Vector (GF k) -> Int -> Int -> Near k
-nearAt wanted set start w limit
+-- | Of the combinations of exactly as many rows as the level has those that at the other places
+-- differ from the start in at most as many as its limit.
+nearAt :: KnownField k => Wanted -> InformationSet k -> Vector (GF k) -> Level -> Near k
+nearAt wanted set start (Level w limit)
   | limit < 0 || w > setSize set = Near limit []
   | w == 0 = case wanted of
     AllUpTo most | differing <= limit -> kept most (Near limit [(differing, [])])

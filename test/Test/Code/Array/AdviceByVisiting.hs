@@ -66,10 +66,10 @@ spec = do
         ofUnits = fits 1 units
     length units `shouldBe` 2
     -- x + a has 3 states.
-    fmap fitWindow (ofUnits (Single Diagonal) (Shape 1 3) (Shape 1 1)) `shouldBe` Right (Shape 1 1)
+    fmap fitWindow (ofUnits (Single Diagonal, Shape 1 3) (Shape 1 1)) `shouldBe` Right (Shape 1 1)
     let impossible =
           [(Single Diagonal, Shape 1 5), (Single RowMajor, Shape 2 2), (Joint 3, Shape 3 3)]
-    map (\(layout, shape) -> ofUnits layout shape (Shape 1 1)) impossible
+    map (`ofUnits` Shape 1 1) impossible
       `shouldSatisfy` all (either (`elem` [1, 2]) (const False))
   it "the paper's array is what is asked for with 15 x 17 and 2 x 2 over GF(4)" $ do
     advice <- asked 4 15 17 (Just (Shape 2 2))

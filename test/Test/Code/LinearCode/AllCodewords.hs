@@ -204,22 +204,22 @@ spec = do
          in forAll (genElements size) $ \y ->
               conjoin
                 [ let rest = agreeingAt set (rowFromList y)
-                      few = nearAt (AllUpTo 3) set rest w limit
+                      few = nearAt (AllUpTo 3) set rest (Level w limit)
                       tidy near = sort [(n, sort terms) | (n, terms) <- nearFound near]
                       all' = wanted set (rowToList rest) w limit
                       lightest' = wanted set (map (const zero) (rowToList rest)) w limit
                       zeros = rowFromList (map (const zero) (rowToList rest))
                    in counterexample (show (w, limit)) $
                         conjoin
-                          [ tidy (nearAt (AllUpTo 100000) set rest w limit) === all',
-                            nearLimit (nearAt (AllUpTo 100000) set rest w limit) === limit,
+                          [ tidy (nearAt (AllUpTo 100000) set rest (Level w limit)) === all',
+                            nearLimit (nearAt (AllUpTo 100000) set rest (Level w limit)) === limit,
                             -- Of more than there may be only the nearer ones.
                             tidy few === filter ((<= nearLimit few) . fst) all',
                             property (length (nearFound few) <= 3),
                             nearLimit few === limit
                               .||. property
                                 (length (filter ((<= nearLimit few + 1) . fst) all') > 3),
-                            case tidy (nearAt OneLightest set zeros w limit) of
+                            case tidy (nearAt OneLightest set zeros (Level w limit)) of
                               [] -> property (w == 0 || null lightest')
                               near : _ ->
                                 property (near `elem` lightest')

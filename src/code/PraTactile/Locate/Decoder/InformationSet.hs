@@ -228,7 +228,8 @@ look ::
   (Int, Map (Row k) Int)
 look word set (limit, found) w = (min limit (nearLimit near + w), Map.union found new)
   where
-    near = nearAt (AllUpTo (fromIntegral largestListing)) set (agreeingAt set word) w (limit - w)
+    near = nearAt (AllUpTo (fromIntegral largestListing)) set (agreeingAt set word) level
+    level = Level {levelRows = w, levelLimit = limit - w}
     new = Map.fromList [(combinationFrom set word terms, w + n) | (n, terms) <- nearFound near]
 
 -- | The positions of codewords that differ from a word in e cells, if there are any.
