@@ -205,7 +205,12 @@ line options setting tick = do
       }
   where
     simulated =
-      simulations (radius options) (settingTrials setting) damage (trials options) (seed options)
+      simulations
+        (radius options)
+        (settingTrials setting)
+        damage
+        (trials options)
+        (Seed (seed options))
     damage = Damage (settingErrors setting / 100) (settingErasures setting / 100)
     tolerated = 0.001
     add counts part = do

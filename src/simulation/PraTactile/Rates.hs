@@ -16,6 +16,7 @@ module PraTactile.Rates
     setupArray,
     setupShape,
     SetupError (..),
+    Seed (..),
     simulate,
     simulations,
 
@@ -41,22 +42,26 @@ import PraTactile.Rates.Tally
 import PraTactile.Rates.Trial
 import System.Random (StdGen, genWord64, mkStdGen)
 
+-- | Where the random numbers of trials begin.
+newtype Seed = Seed Int
+  deriving stock (Eq, Show)
+
 -- | This many trials from a seed; hard decoding is to this radius.
-simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Int -> Tally
+simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> Tally
 simulate radius setup damage = withNoise radius setup (noiseOf setup damage) (damageErasures damage)
 
 -- | This many trials from a seed, in parts of a thousand, each with a seed of its own, which are to
 -- be merged: to be run at the same time. The seeds depend on the patches' shape and the damage too,
 -- so that the lines of a table are independent of each other.
-simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Int -> [Tally]
-simulations radius setup damage trials seed =
+simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> [Tally]
+simulations radius setup damage trials (Seed seed) =
   [ withNoise
       radius
       setup
       sigma
       (damageErasures damage)
       (min 1000 (trials - start))
-      (mixed (own ++ [i]))
+      (Seed (mixed (own ++ [i])))
     | (i, start) <- zip [0 ..] [0, 1000 .. trials - 1]
   ]
   where
@@ -78,8 +83,8 @@ noiseOf _ = noiseFor (fieldOrder (Proxy :: Proxy k)) . damageErrors
 
 -- | @withNoise radius setup sigma missing trials seed@: with noise of the standard deviation sigma,
 -- each cell missing with this probability.
-withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Int -> Tally
-withNoise radius setup sigma missing trials = \seed -> go trials (mkStdGen seed) noTrials
+withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Seed -> Tally
+withNoise radius setup sigma missing trials = \(Seed seed) -> go trials (mkStdGen seed) noTrials
   where
     go :: Int -> StdGen -> Tally -> Tally
     go !left g !tally

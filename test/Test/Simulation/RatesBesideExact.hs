@@ -91,7 +91,7 @@ spec = do
             (expectationFailure "nothing" >> fail "nothing")
             pure
             (exactOn Guaranteed array m damage)
-        let found = hardRates (simulate Guaranteed setup damage trials 1)
+        let found = hardRates (simulate Guaranteed setup damage trials (Seed 1))
         forM_ [rateRight, rateWrong, rateRefused] $ \rate ->
           abs (rate found - rate exact)
             `shouldSatisfy` (<= 4 * sqrt (rate exact * (1 - rate exact) / fromIntegral trials))
@@ -103,7 +103,7 @@ spec = do
       m <- right (rectangle (Shape 4 4))
       setup <- right (trialSetup array (Shape 4 4))
       let damage = Damage 0.2 0
-          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 5)) [0 .. 7]
+          found = map (\e -> hardRates (simulate (UpTo e) setup damage 20000 (Seed 5))) [0 .. 7]
       forM_ (zip [0 .. 4] found) $ \(e, rates) -> do
         exact <-
           maybe
@@ -130,7 +130,7 @@ spec = do
         [(Shape 2 2, Damage 0.05 0), (Shape 3 3, Damage 0.1 0.15), (Shape 3 3, Damage 0.2 0)]
         $ \(size, damage) -> do
           setup <- right (trialSetup array size)
-          let tally = simulate Guaranteed setup damage trials 2
+          let tally = simulate Guaranteed setup damage trials (Seed 2)
           forM_ [1, 0.1, 0.01, 0.001] $ \tolerated -> do
             let Calibration answers expected wrong = calibration tolerated tally
             abs (fromIntegral wrong - expected) `shouldSatisfy` (<= 4 * sqrt (expected + 0.25))
@@ -140,7 +140,7 @@ spec = do
     array <- paperOn Torus
     setup <- right (trialSetup array (Shape 3 3))
     forM_ [Damage 0.1 0, Damage 0.1 0.15, Damage 0.05 0.15] $ \damage -> do
-      let tally = simulate Guaranteed setup damage trials 3
+      let tally = simulate Guaranteed setup damage trials (Seed 3)
           hard = hardRates tally
           soft = softRatesAtMost (rateWrong hard) tally
       rateRight soft `shouldSatisfy` (> rateRight hard + 0.02)
@@ -150,7 +150,7 @@ spec = do
     $ do
       array <- paperOn Torus
       setup <- right (trialSetup array (Shape 2 2))
-      let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 4
+      let tally = simulate Guaranteed setup (Damage 0.1 0) 1000 (Seed 4)
           Rates none none' all' = softRatesAtMost 0 tally
           Rates a b c = softRatesAtMost 1 tally
       (none < 0.01, none' < 0.01, all' > 0.99) `shouldBe` (True, True, True)
@@ -190,11 +190,11 @@ spec = do
     array <- paperOn Torus
     setup <- right (trialSetup array (Shape 3 3))
     other <- right (trialSetup array (Shape 3 4))
-    let part = simulate Guaranteed setup (Damage 0.05 0.1) 50
-        whole on damage seed = merge (simulations Guaranteed on damage 2500 seed)
+    let part = simulate Guaranteed setup (Damage 0.05 0.1) 50 . Seed
+        whole on damage seed = merge (simulations Guaranteed on damage 2500 (Seed seed))
     part 7 `shouldBe` part 7
     tallyTrials (merge [part 7, part 8]) `shouldBe` 100
-    map tallyTrials (simulations Guaranteed setup (Damage 0.05 0.1) 2500 7)
+    map tallyTrials (simulations Guaranteed setup (Damage 0.05 0.1) 2500 (Seed 7))
       `shouldBe` [1000, 1000, 500]
     whole setup (Damage 0.05 0.1) 7 `shouldBe` whole setup (Damage 0.05 0.1) 7
     let results =

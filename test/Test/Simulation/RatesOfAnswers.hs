@@ -35,7 +35,7 @@ spec = do
           chance e = product [if x == 0 then 1 - p else p / fromIntegral (q - 1) | x <- e]
           counted =
             sum [chance e | e <- vectors, length (filter id (zipWith (/=) e word)) <= t] :: Double
-      abs (reachProbability q n t p w - counted) `shouldSatisfy` (< 1e-12)
+      abs (reachProbability (BoundedDistance q n t p) w - counted) `shouldSatisfy` (< 1e-12)
   it "of two symbols one is misread as often as a normal variable is beyond 1 / (sqrt 2 sigma)" $
     -- The upper tails of the normal distribution, from tables.
     forM_
@@ -54,7 +54,7 @@ spec = do
   it "on the paper's array: right, wrong and refused in %, as computed elsewhere" $
     forM_ figures $ \((side, t, p), figure) -> do
       weights <- weightsOf (Shape side side)
-      let Rates a b c = decodingRates 4 (fromIntegral (side * side)) weights t p
+      let Rates a b c = decodingRates (BoundedDistance 4 (fromIntegral (side * side)) t p) weights
       map (100 *) [a, b, c] `shouldSatisfy` closeTo figure
   it "with 15 % erasures, by the window's distance and by that of the observed cells" $
     forM_ erasedFigures $ \((side, p), (byWindow, byObserved)) -> do
@@ -68,12 +68,12 @@ spec = do
     weights <- weightsOf (Shape 3 3)
     forM_ [ByWindow, ByObserved] $ \rule -> do
       let Rates a b c = erasedRates rule 4 code (Damage 0.05 0)
-          Rates a' b' c' = decodingRates 4 9 weights 1 0.05
+          Rates a' b' c' = decodingRates (BoundedDistance 4 9 1 0.05) weights
       maximum (map abs [a - a', b - b', c - c']) `shouldSatisfy` (< 1e-12)
   it "small rates are not lost beside large ones" $ do
     weights <- weightsOf (Shape 5 5)
     -- Mostly those of 8 errors among 25 cells: 1081575 * 0.0006^8 * 0.9994^17, by hand 1.799e-20.
-    let Rates _ wrong refused = decodingRates 4 25 weights 7 0.0006
+    let Rates _ wrong refused = decodingRates (BoundedDistance 4 25 7 0.0006) weights
     abs (refused / 1.799e-20 - 1) `shouldSatisfy` (< 0.01)
     (wrong, wrong < refused) `shouldSatisfy` (\(w, less) -> w > 0 && less)
   it "the rates are the decoder's: every position, set of cells and pattern of errors" $ do

@@ -37,7 +37,7 @@ exactRates stated theLocator mask = \damage -> do
       damageErasures damage <= 0 && windowDistance > 0 && e <= guaranteedRadius windowDistance
   if damageErasures damage > 0 || windowDistance == 0
     then (\code -> erasedRates ByObserved q code damage) <$> holed
-    else (\weights -> decodingRates q n weights radius (damageErrors damage)) <$> whole
+    else decodingRates (BoundedDistance q n radius (damageErrors damage)) <$> whole
   where
     on@(ArrayOn _ array) = locatorArray theLocator
     q = fieldOrder array

@@ -12,6 +12,7 @@
 module PraTactile.Rates.Formulas
   ( -- * Rates
     Rates (..),
+    BoundedDistance (..),
     decodingRates,
     reachProbability,
     mostCells,
@@ -40,17 +41,27 @@ data Rates = Rates
 mostCells :: Natural
 mostCells = 1000
 
--- | @decodingRates q n weights t p@: of words of n observed cells over q symbols, given the number
--- of words of each weight, zero among them; decoded to the radius t, which must be a guaranteed one
--- (2 t less than the least weight, or 0); each cell wrong with probability p. Every word but zero
--- must be one position, as where the cells have rank n. At most 'mostCells'.
-decodingRates :: Int -> Int -> Map Natural Natural -> Int -> Double -> Rates
-decodingRates q n weights t p =
+-- | Words that are decoded to a radius: q, n, t and p of the formulas.
+data BoundedDistance = BoundedDistance
+  { -- | q, the number of symbols
+    boundedSymbols :: !Int,
+    -- | n, of how many observed cells a word is: at most 'mostCells'
+    boundedCells :: !Int,
+    -- | t, how many wrong cells are corrected
+    boundedRadius :: !Int,
+    -- | p, how probable it is of each cell that it is wrong
+    boundedErrors :: !Double
+  }
+  deriving stock (Eq, Show)
+
+-- | The rates given the number of words of each weight, zero among them. The radius must be a
+-- guaranteed one (2 t less than the least weight, or 0), and every word but zero one position, as
+-- where the cells have rank n.
+decodingRates :: BoundedDistance -> Map Natural Natural -> Rates
+decodingRates decoding weights =
   radiusRates
-    n
-    t
-    p
-    (misled (windows - 1) [reachProbability q n t p w * fromIntegral k | (w, k) <- others])
+    decoding
+    (misled (windows - 1) [reachProbability decoding w * fromIntegral k | (w, k) <- others])
   where
     others = [(fromIntegral w, k) | (w, k) <- Map.toList weights, w > 0]
     windows = fromIntegral (sum (Map.elems weights))
@@ -59,20 +70,19 @@ decodingRates q n weights t p =
 misled :: Double -> [Double] -> Double
 misled positions reached = sum reached * (1 - 1 / positions)
 
--- | The rates of decoding n cells to the radius t, given how often an answer is wrong. What is
--- refused is added up by itself, as the difference of 1 and the others would lose it where it is
--- small.
-radiusRates :: Int -> Int -> Double -> Double -> Rates
-radiusRates n t p wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
+-- | The rates given how often an answer is wrong. What is refused is added up by itself, as the
+-- difference of 1 and the others would lose it where it is small.
+radiusRates :: BoundedDistance -> Double -> Rates
+radiusRates (BoundedDistance _ n t p) wrong = Rates (upTo t) wrong (max 0 (beyond - wrong))
   where
     upTo k = sum [binomialProbability n p e | e <- [0 .. k]]
     beyond = sum [binomialProbability n p e | e <- [t + 1 .. n]]
 
--- | @reachProbability q n t p w@: that an error on n cells ends within t of one given word that
--- differs in w of them. It stays away from it by those of these w cells that do not turn into just
+-- | The probability that an error on n cells ends within t of one given word that differs in w of
+-- them. It stays away from it by those of these w cells that do not turn into just
 -- this word's symbols, and by those of the others that are wrong.
-reachProbability :: Int -> Int -> Int -> Double -> Int -> Double
-reachProbability q n t p w =
+reachProbability :: BoundedDistance -> Int -> Double
+reachProbability (BoundedDistance q n t p) w =
   sum
     [ binomialProbability w hit (w - apart) * binomialProbability (n - w) p wrong
       | apart <- [0 .. min t w],
@@ -110,7 +120,7 @@ erasedRates rule q code (Damage p s) = Rates (total rateRight) (total rateWrong)
     chance m = (1 - s) ^ m * s ^ (puncturedCells code - m)
     positions = fromIntegral (puncturedWords code)
     classRates c = case radiusOf c of
-      Just t -> radiusRates m t p (misled positions (reached t))
+      Just t -> radiusRates (to t) (misled positions (reached t))
       -- Only zeros are an answer, in which a word of weight w ends with the probability of reaching
       -- a word as far away.
       Nothing | classLoneZero c && m > 0 -> case splitAt 1 (reached 0) of
@@ -118,9 +128,10 @@ erasedRates rule q code (Damage p s) = Rates (total rateRight) (total rateWrong)
       Nothing -> Rates 0 0 1
       where
         m = classCells c
+        to t = BoundedDistance q m t p
         -- Of one set, on the average over those of the class.
         reached t =
-          [ reachProbability q m t p w * fromIntegral k / fromIntegral (classSets c)
+          [ reachProbability (to t) w * fromIntegral k / fromIntegral (classSets c)
             | (w, k) <- classWeights c
           ]
         certain right wrong = Rates right wrong (1 - right - wrong)
