@@ -19,6 +19,7 @@ module PraTactile.Classification.Samples
     -- * What spoils it
     withNoise,
     Unseen (..),
+    Corner (..),
     withUnseen,
   )
 where
@@ -145,14 +146,24 @@ see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
 
 -- | A part of the image where the sensor never was.
 data Unseen
-  = -- | A rectangle in a corner (at the right if the first flag says so, at the bottom if the
-    -- second does), its width and height in taxels: nothing is known there, and it counts as flat.
-    CornerUnseen !Bool !Bool !Int !Int
+  = -- | Nothing is known there, and it counts as flat.
+    CornerUnseen !Corner
   | -- | So many columns at the left or (flag set) at the right: they repeat the nearest one that
     -- was seen.
     ColumnsUnseen !Bool !Int
   | -- | The same for rows at the top or the bottom.
     RowsUnseen !Bool !Int
+  deriving stock (Eq, Show)
+
+-- | A rectangle in a corner of an image.
+data Corner = Corner
+  { cornerAtRight :: !Bool,
+    cornerAtBottom :: !Bool,
+    -- | in taxels
+    cornerWidth :: !Int,
+    -- | in taxels
+    cornerHeight :: !Int
+  }
   deriving stock (Eq, Show)
 
 -- | The image as it is when that part was not seen.
@@ -162,7 +173,7 @@ withUnseen unseen image = generate w h value
     w = rasterWidth image
     h = rasterHeight image
     value x y = case unseen of
-      CornerUnseen right bottom n m
+      CornerUnseen (Corner right bottom n m)
         | inStrip right w n x && inStrip bottom h m y -> 0
         | otherwise -> at x y
       ColumnsUnseen right n -> at (nearestSeen right w n x) y

@@ -96,10 +96,18 @@ curtailed thickest image g0 = (withUnseen unseen image, g5)
     (long, g5) = below symbolHeight g4
     far = u == 1
     unseen
-      | sort == 0 = CornerUnseen far (v == 1) (thin + 1) (long + 1)
-      | sort == 1 = CornerUnseen far (v == 1) (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
+      | sort == 0 = inCorner (thin + 1) (long + 1)
+      | sort == 1 = inCorner (1 + long * symbolWidth `div` symbolHeight) (thin + 1)
       | sort == 2 = ColumnsUnseen far (v + 1)
       | otherwise = RowsUnseen far (v + 1)
+    inCorner width height =
+      CornerUnseen
+        Corner
+          { cornerAtRight = far,
+            cornerAtBottom = v == 1,
+            cornerWidth = width,
+            cornerHeight = height
+          }
 
 between :: Double -> Double -> StdGen -> (Double, StdGen)
 between low high g = let (u, g') = uniform g in (low + (high - low) * u, g')

@@ -212,7 +212,7 @@ seenSpec = do
         forAll (genRasterOf w h) $ \image ->
           let value x y = fromMaybe 0 (index image x y)
               pixel x y = case unseen of
-                CornerUnseen right' bottom n m
+                CornerUnseen (Corner right' bottom n m)
                   | (if right' then x + n >= w else x < n),
                     if bottom then y + m >= h else y < m ->
                     0
@@ -233,7 +233,8 @@ seenSpec = do
         <*> choose (-0.1, 0.1)
     genUnseen =
       oneof
-        [ CornerUnseen <$> arbitrary <*> arbitrary <*> choose (0, 3) <*> choose (0, 3),
+        [ CornerUnseen
+            <$> (Corner <$> arbitrary <*> arbitrary <*> choose (0, 3) <*> choose (0, 3)),
           ColumnsUnseen <$> arbitrary <*> choose (0, 2),
           RowsUnseen <$> arbitrary <*> choose (0, 2)
         ]

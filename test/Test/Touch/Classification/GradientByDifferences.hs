@@ -221,7 +221,8 @@ spec = do
     it "a corner or a margin not seen is flat, or goes on as was seen last, and the rest stays" $ do
       let image = generate 8 12 (\x y -> fromIntegral (100 * x + y + 1))
           cell unseen x y = index (withUnseen unseen image) x y
-      [cell (CornerUnseen True False 2 3) x y | (x, y) <- [(6, 2), (7, 0), (5, 2), (6, 3), (0, 0)]]
+          corner = CornerUnseen (Corner True False 2 3)
+      [cell corner x y | (x, y) <- [(6, 2), (7, 0), (5, 2), (6, 3), (0, 0)]]
         `shouldBe` map Just [0, 0, 503, 604, 1]
       [cell (ColumnsUnseen False 2) x 4 | x <- [0, 1, 2, 3]]
         `shouldBe` map Just [205, 205, 205, 305]
