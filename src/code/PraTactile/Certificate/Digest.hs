@@ -60,7 +60,7 @@ digestOfWindows packing surface grid mask = do
 -- many.
 positionsByContent :: Packing -> Surface -> Grid -> Mask -> Maybe (Vector Int)
 positionsByContent packing surface grid mask = case roadOf spanned (area visited) of
-  Just ByTable -> visit packing surface grid mask >>= byTable (gridWidth grid)
+  Just ByTable -> visit packing surface grid mask >>= byTable
   Just BySorting -> bySorting packing surface grid mask
   Nothing -> Nothing
   where
@@ -84,11 +84,12 @@ roadOf contents positions
 
 -- | By a table of all possible contents; -1 stands for one that does not occur. Grids have at most
 -- 2^28 cells.
-byTable :: Int -> Visit -> Maybe (Vector Int)
-byTable width windows
+byTable :: Visit -> Maybe (Vector Int)
+byTable windows
   | Primitive.length ordered == visitRows windows * visitColumns windows = Just ordered
   | otherwise = Nothing
   where
+    width = gridWidth (visitGrid windows)
     ordered = Primitive.map fromIntegral (Primitive.filter (>= 0) table)
     table = Primitive.create $ do
       entries <- Mutable.replicate (visitSpan windows) (-1 :: Int32)

@@ -27,23 +27,20 @@ import PraTactile.Window.Visit
 -- numbering is one to one, and 0 is the content that is all zeros.
 newtype Contents = Contents (Vector Word64)
 
--- | The contents of all windows of a visit, whose numbers must fit a set in memory. The grid, the
--- surface and the mask are those of the visit.
-contents :: Surface -> Grid -> Mask -> Visit -> Contents
-contents surface grid mask windows = united (map seen (tiles windows))
+-- | The contents of all windows of a visit, whose numbers must fit a set in memory.
+contents :: Visit -> Contents
+contents windows = united (map seen (tiles windows))
   where
     seen tile = Contents $
       Primitive.create $ do
         set <- Mutable.replicate (visitSpan windows `shiftR` 6 + 1) 0
-        case maskRectangle mask of
+        case maskRectangle (visitMask windows) of
           Just (Shape k1 k2)
-            | k1 <= rows (gridShape grid) && k2 <= columns (gridShape grid) ->
-              sweep surface grid (fromIntegral k1) (fromIntegral k2) tile set
-          _ ->
-            let Tile r0 r1 c0 c1 =
-                  tile
-             in forWindowsWithin windows r0 r1 c0 c1 (\_ _ key -> include set key)
+            | k1 <= rows shape && k2 <= columns shape ->
+              sweep windows (fromIntegral k1, fromIntegral k2) tile set
+          _ -> forWindowsWithin windows tile (\_ _ key -> include set key)
         pure set
+    shape = gridShape (visitGrid windows)
 
 -- | How many contents are in the set.
 countContents :: Contents -> Int
@@ -52,9 +49,6 @@ countContents (Contents set) = Primitive.foldl' (\n word -> n + popCount word) 0
 -- | Whether the content that is all zeros is in the set.
 zeroOccurs :: Contents -> Bool
 zeroOccurs (Contents set) = Primitive.any odd (Primitive.take 1 set)
-
--- | Windows at rows from, up to, and columns from, up to, the ends excluded.
-data Tile = Tile !Int !Int !Int !Int
 
 -- | All windows, in one tile a processor if they are many. What is seen does not depend on it; a
 -- set of its own for each processor is for small sets only.
@@ -103,16 +97,16 @@ include set key = do
    The digits come in another order than the reading order: column by column. That is still one to
    one, and zero is still zero, which is all that matters here. -}
 
--- | A rectangle of k1 x k2 cells that is no larger than the grid. See Note [Rolling contents].
-sweep :: Surface -> Grid -> Int -> Int -> Tile -> MVector s Word64 -> ST s ()
-sweep surface grid k1 k2 (Tile r0 r1 c0 c1) set = do
+-- | Windows of k1 x k2 cells, no larger than the grid. See Note [Rolling contents].
+sweep :: Visit -> (Int, Int) -> Tile -> MVector s Word64 -> ST s ()
+sweep windows (k1, k2) (Tile r0 r1 c0 c1) set = do
   -- Entry t + k2 is the column c + t of the strip from c; the first k2 entries stay 0.
   numbers <- Mutable.replicate (width + 2 * k2) 0
   forM_ [c0, c0 + width .. c1 - 1] $ \c -> do
     Mutable.set numbers 0
     let strip =
           Strip
-            { stripSurface = surface,
+            { stripSurface = visitSurface windows,
               stripGrid = grid,
               stripBase = base,
               stripColumns = k2,
@@ -126,6 +120,7 @@ sweep surface grid k1 k2 (Tile r0 r1 c0 c1) set = do
     forM_ [r0 + 1 .. r1 - 1] $ \r -> takeRow (Row (r + k1 - 1) (r - 1) base) (k2 - 1)
   where
     width = max 1 (min 4096 (c1 - c0))
+    grid = visitGrid windows
     base = gridAlphabet grid ^ k1
 
 -- | Columns of the grid that are swept at once.

@@ -83,7 +83,7 @@ largestReading = 2 ^ (26 :: Int)
 enumerate :: Surface -> Grid -> Mask -> Either EnumerationError Enumeration
 enumerate surface grid mask
   | count == 0 = Left NoWindow
-  | Just windows <- visited, bitsSuffice spanned count = Right (byBits surface grid mask windows)
+  | Just windows <- visited, bitsSuffice spanned count = Right (byBits windows)
   | Just windows <- visited, count <= largestSort = Right (bySorting windows)
   | Just seen <- byFewerCells = Right seen
   | mapSuffices count mask = Right (byOrder (packedWindows packing surface grid mask))
@@ -148,8 +148,8 @@ fittingCells q mask = either (const Nothing) Just (maskFrom (take fitting (maskO
 
 -- | One bit a content. Where the content that was seen before and the zero window stand is looked
 -- for afterwards, if there are any.
-byBits :: Surface -> Grid -> Mask -> Visit -> Enumeration
-byBits surface grid mask windows =
+byBits :: Visit -> Enumeration
+byBits windows =
   Enumeration
     { visitedWindows = visited,
       differentWindows = different,
@@ -158,7 +158,7 @@ byBits surface grid mask windows =
       zeroPosition = if zeroOccurs seen then firstWith windows 0 else Nothing
     }
   where
-    seen = contents surface grid mask windows
+    seen = contents windows
     different = fromIntegral (countContents seen)
     visited = fromIntegral (visitRows windows) * fromIntegral (visitColumns windows)
 

@@ -8,8 +8,12 @@ module PraTactile.Window.Visit
     visitRows,
     visitColumns,
     visitSpan,
+    visitSurface,
+    visitGrid,
+    visitMask,
     visitKey,
     forWindows,
+    Tile (..),
     forWindowsWithin,
     packedWindows,
     packedAt,
@@ -37,6 +41,7 @@ data Visit = Visit
     visitSpan :: !Int,
     visitSurface :: !Surface,
     visitGrid :: !Grid,
+    visitMask :: !Mask,
     -- | of each cell of the window, the most significant first, how many rows down it is, less than
     -- one turn
     visitDown :: !(Vector Int),
@@ -59,6 +64,7 @@ visit packing surface grid mask
           visitSpan = fromIntegral spanned,
           visitSurface = surface,
           visitGrid = grid,
+          visitMask = mask,
           visitDown = eachCell (\o -> row o `mod` height),
           visitRight = eachCell (\o -> column o `mod` width),
           visitAlong = eachCell (\o -> (row o * width + column o) `mod` (height * width))
@@ -105,14 +111,21 @@ visitKey windows r c = go 0 0
 
 -- | Run an action for each window in turn, row by row: its coordinates and its packed content.
 forWindows :: Visit -> (Int -> Int -> Int -> ST s ()) -> ST s ()
-forWindows windows = forWindowsWithin windows 0 (visitRows windows) 0 (visitColumns windows)
+forWindows windows = forWindowsWithin windows (Tile 0 (visitRows windows) 0 (visitColumns windows))
 {-# INLINE forWindows #-}
 
--- | The same for the windows at rows from, up to, and columns from, up to, the ends excluded. The
--- windows are packed in strips of a row, one cell of all of them after the other, so that no window
--- asks where the edges are.
-forWindowsWithin :: Visit -> Int -> Int -> Int -> Int -> (Int -> Int -> Int -> ST s ()) -> ST s ()
-forWindowsWithin windows r0 r1 c0 c1 act = do
+-- | Windows at some of the rows and columns, the ends excluded.
+data Tile = Tile
+  { tileTop :: !Int,
+    tileBottom :: !Int,
+    tileLeft :: !Int,
+    tileRight :: !Int
+  }
+
+-- | The same for the windows of a tile. They are packed in strips of a row, one cell of all of them
+-- after the other, so that no window asks where the edges are.
+forWindowsWithin :: Visit -> Tile -> (Int -> Int -> Int -> ST s ()) -> ST s ()
+forWindowsWithin windows (Tile r0 r1 c0 c1) act = do
   keys <- Mutable.new (max 1 strip)
   forM_ [r0 .. r1 - 1] $ \r -> forM_ [c0, c0 + strip .. c1 - 1] $ \c -> do
     let size = min strip (c1 - c)
