@@ -65,7 +65,7 @@ linkOf settings tables images (Neighbours k l step@(x, y) _)
     process = processOf known 0 (map (coefficientsOf known) [a, b])
     -- The prior of a pair is normal, of half the search as standard deviation.
     search = min 12 (2 * sqrt 2 * registrationSigma settings)
-    found = alongStraight step search a b (blindPosterior known process step search a b)
+    found = alongStraight step search (a, b) (blindPosterior known process step search (a, b))
     relative g = let (u, v) = hypothesisShift g in g {hypothesisShift = (u - x, v - y)}
 
 -- | The displacements that fit best, with their standard deviations, of that many frames with

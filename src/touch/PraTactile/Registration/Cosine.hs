@@ -88,7 +88,7 @@ halved (Cosines known) n count place values = V.generate (count * frequencies) c
         here = V.unsafeIndex values (place line t)
     {-# INLINE both #-}
     -- Note [Bounds]
-    coefficient i = dotWithin half (u * half) cosines (line * half) folded
+    coefficient i = dotWithin half (cosines, u * half) (folded, line * half)
       where
         (line, u) = i `quotRem` frequencies
         folded = if even u then sums else differences

@@ -33,13 +33,13 @@ tabulate columns rows at = V.create $ do
 
 -- | The sum of the products of two vectors' elements, as far as both have any.
 dot :: Vector Double -> Vector Double -> Double
-dot xs ys = dotWithin (min (V.length xs) (V.length ys)) 0 xs 0 ys
+dot xs ys = dotWithin (min (V.length xs) (V.length ys)) (xs, 0) (ys, 0)
 
--- | That of so many elements, of the first vector from one place on, of the second from another.
+-- | That of so many elements, of each vector from its index on.
 -- Unchecked: both must have them. Four sums are added up side by side, which do not wait for each
 -- other.
-dotWithin :: Int -> Int -> Vector Double -> Int -> Vector Double -> Double
-dotWithin !n !i !xs !j !ys = fours 0 0 0 0 0
+dotWithin :: Int -> (Vector Double, Int) -> (Vector Double, Int) -> Double
+dotWithin !n (!xs, !i) (!ys, !j) = fours 0 0 0 0 0
   where
     product' t = V.unsafeIndex xs (i + t) * V.unsafeIndex ys (j + t)
     fours :: Int -> Double -> Double -> Double -> Double -> Double

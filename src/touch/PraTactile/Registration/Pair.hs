@@ -159,11 +159,11 @@ matched tables (Pairing step search method confidence) a b =
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b
-      _ -> blindPosterior (tablesSpectra tables) process step search a b
+      _ -> blindPosterior (tablesSpectra tables) process step search (a, b)
     -- The best guess may be what noise seems to tell along straight edges, or the place of a
     -- lattice that is not there; but it is not sure.
     sure = case used of
-      Blind -> alongStraight step search a b found
+      Blind -> alongStraight step search (a, b) found
       Lattice | not latticed -> priorAlone search step found
       _ -> found
     surely (Hypothesis shift' _) = Hypothesis shift' (probabilityAround sure shift')

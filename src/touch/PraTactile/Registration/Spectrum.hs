@@ -173,8 +173,8 @@ data Sums = Sums !Double !Double !Double !Double
 
 -- | What two patches of that width and height tell at each of @reliefScales@, from their
 -- coefficients, each divided by the root of its frame's scale.
-shared :: Spectra -> Process -> Int -> Int -> Vector Double -> Vector Double -> [Shared]
-shared tables process w h a b =
+shared :: Spectra -> Process -> (Int, Int) -> (Vector Double, Vector Double) -> [Shared]
+shared tables process (w, h) (a, b) =
   [ Shared
       (sums scale (\_ _ -> 0))
       (sums scale const)

@@ -103,7 +103,7 @@ straightSpec =
                                 snd p `elem` [0 .. rows - 1]
                             ]
                   ]
-            came = alongStraight step search a b found
+            came = alongStraight step search (a, b) found
          in case straightness best a b of
               Just along -> label "straight" (alike came (wanted along))
               Nothing -> came === found
@@ -159,9 +159,9 @@ posteriors (Pairing step search method _) (a, b) = (used, found, sure)
     found = case (used, told) of
       (Lattice, [one, other]) -> latticePosterior step search one other
       (Correlation, _) -> correlationPosterior step search a b
-      _ -> blindPosterior spectra16 process step search a b
+      _ -> blindPosterior spectra16 process step search (a, b)
     sure
-      | used == Blind = alongStraight step search a b found
+      | used == Blind = alongStraight step search (a, b) found
       | used == Lattice, not latticed = priorAlone search step found
       | otherwise = found
 

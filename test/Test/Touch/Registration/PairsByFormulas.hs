@@ -40,7 +40,7 @@ pairSpec = do
   it "blind, a frame lies as probably at each place as all heights, gains and the prior say" $
     forAllBlind (genAsked [0, 0.25, 1]) $ \((a, b), step, search) ->
       let process = processOf tables 0 (map (coefficientsOf tables) [a, b])
-       in known (blindPosterior tables process step search a b) (blindly step search a b)
+       in known (blindPosterior tables process step search (a, b)) (blindly step search a b)
   it "by correlation, a frame lies as probably at each place as rho and the prior say" $
     forAllBlind (genAsked [0, 1]) $ \((a, b), step, search) ->
       known (correlationPosterior step search a b) (byCorrelation step search a b)

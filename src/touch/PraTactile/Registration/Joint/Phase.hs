@@ -64,4 +64,4 @@ phasePosterior grid frames =
 -- around; the rows become columns.
 ringed :: Int -> Int -> Vector Double -> Vector Double -> Vector Double
 ringed rows period kernel v =
-  tabulate rows period $ \x y -> dotWithin period (y * period) v (period - x) kernel
+  tabulate rows period $ \x y -> dotWithin period (v, y * period) (kernel, period - x)

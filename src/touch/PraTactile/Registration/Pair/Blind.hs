@@ -22,8 +22,8 @@ import PraTactile.Registration.Spectrum
 -- nominal one and how far around it to search, taxels. The process is that of the two frames. Gains
 -- may differ: the ratio of the scales that the frames show is put right by a factor that is normal
 -- as a logarithm, and summed over.
-blindPosterior :: Spectra -> Process -> Taxels -> Double -> Raster -> Raster -> Posterior
-blindPosterior tables process step search a b =
+blindPosterior :: Spectra -> Process -> Taxels -> Double -> (Raster, Raster) -> Posterior
+blindPosterior tables process step search (a, b) =
   posterior origin 1 size (V.generate (columns * rows) at)
   where
     (origin@(ox, oy), size@(columns, rows)) = displacementGrid step search
@@ -42,7 +42,7 @@ blindPosterior tables process step search a b =
     down = inCommon (rasterHeight a) (rasterHeight b)
     at i
       | w * h > 1 =
-        prior + fair (w * h) * together (shared tables process w h (patch ya inA) (patch yb inB))
+        prior + fair (w * h) * together (shared tables process (w, h) (patch ya inA, patch yb inB))
       | otherwise = prior
       where
         (row, column) = i `quotRem` columns

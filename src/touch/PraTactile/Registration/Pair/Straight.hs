@@ -17,8 +17,8 @@ import PraTactile.Registration.Posterior
 -- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
 -- along a direction in which the relief that both frames show does not change only the prior is
 -- left; else the same. The grid is of whole taxels.
-alongStraight :: Taxels -> Double -> Raster -> Raster -> Posterior -> Posterior
-alongStraight step search a b found = case straightness best a b of
+alongStraight :: Taxels -> Double -> (Raster, Raster) -> Posterior -> Posterior
+alongStraight step search (a, b) found = case straightness best a b of
   Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
   Nothing -> found
   where
