@@ -109,7 +109,9 @@ evaluated experiment alphabet array reader = do
     first PressesRefused $
       planScanOf (sensorTaxelGrid sensor) (explorationSpacing how) (0, 0) (explorationSize how)
   unless
-    (fitting (explorationTurns how) (explorationSize how) (map fst faces) seed presses)
+    ( and . take presses $
+        fitting (explorationTurns how) (explorationSize how) (map fst faces) seed
+    )
     (Left (uncurry RegionOffFaces (explorationSize how)))
   pure (map decoded (take presses (catMaybes (trials how faces seed))))
   where
@@ -223,16 +225,14 @@ trials :: Exploration -> [(LaidFace, HeightMap)] -> Int -> [Maybe Trial]
 trials how faces seed =
   zipWith (trial how) (cycle faces) (unfoldr (Just . split) (mkStdGen seed))
 
--- | Whether this many 'trials' all find room on their faces; costs next to nothing beside running
+-- | Of each of the 'trials' whether it finds room on its face; costs next to nothing beside running
 -- them.
-fitting :: Turns -> (Int, Int) -> [LaidFace] -> Int -> Int -> Bool
-fitting possible size faces seed count = go count (cycle faces) (mkStdGen seed)
-  where
-    go n (face : others) generator
-      | n > 0 =
-        let (own, next) = split generator
-         in isJust (drawnRegion possible size face own) && go (n - 1) others next
-    go _ _ _ = True
+fitting :: Turns -> (Int, Int) -> [LaidFace] -> Int -> [Bool]
+fitting possible size faces seed =
+  zipWith
+    (\face own -> isJust (drawnRegion possible size face own))
+    (cycle faces)
+    (unfoldr (Just . split) (mkStdGen seed))
 
 -- | What became of a trial. Its fields are evaluated, so that a result keeps nothing of its trial.
 data Result

@@ -71,8 +71,8 @@ countSpec = do
                 flat = HeightMap 1 (constant 0 0 0)
                 possible = exploration standardSensor (AmongTurns turns) size
                 made = take 24 (trials possible [(face, flat) | face <- faces] 5)
-            (turns, size, fitting (AmongTurns turns) size faces 5 24)
-              `shouldBe` (turns, size, all isJust made)
+            (turns, size, take 24 (fitting (AmongTurns turns) size faces 5))
+              `shouldBe` (turns, size, map isJust made)
   where
     reasons = ["mirrored", "no-symbols"]
     outcome =
