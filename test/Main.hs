@@ -128,6 +128,7 @@ import qualified Test.Touch.Image.PgmBuiltAndMistaken
 import qualified Test.Touch.Image.PgmByTheManual
 import qualified Test.Touch.Image.RastersAndCorrelation
 import qualified Test.Touch.Registration.AngleByDefinition
+import qualified Test.Touch.Registration.AnswersOfPairs
 import qualified Test.Touch.Registration.ByDefinition
 import qualified Test.Touch.Registration.Contradictions
 import qualified Test.Touch.Registration.CosinesByDefinition
@@ -238,6 +239,7 @@ specs = do
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
     describe "Registration of pairs by its formulas" Test.Touch.Registration.PairsByFormulas.spec
     describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
+    describe "Answers of pairs" Test.Touch.Registration.AnswersOfPairs.spec
     describe "Registration of pairs as a whole" Test.Touch.Registration.PairsAnswered.spec
     describe "Blending and growing" Test.Touch.Composite.BlendByDefinition.spec
     describe "Segmentation" Test.Touch.Segmentation.SymbolsWhereDrawn.spec

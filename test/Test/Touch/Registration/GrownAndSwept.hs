@@ -61,7 +61,7 @@ spec = modifyMaxSuccess (const 200) $ do
       let found = register settings frames
           moves = map fst found
           reach = fromIntegral (max 2 (ceiling (2 / 3 * searchRadius settings) :: Int))
-          listed (k, (d@(x, y), hypotheses)) =
+          listed k (d@(x, y), hypotheses) =
             let told = others settings frames moves k d
                 places = [(x + i, y + j) | j <- [-reach .. reach], i <- [-reach .. reach]]
                 known = zip places (shares [0.4 * l + p | (l, p) <- map told places])
@@ -80,7 +80,7 @@ spec = modifyMaxSuccess (const 200) $ do
                         | (e, p) <- known,
                           p >= 0.001 + 1e-9
                       ]
-       in conjoin (map listed (zip [0 ..] found))
+       in conjoin (zipWith listed [0 ..] found)
 
 -- | Whether a displacement is as probable as others, one of which it is refined from by a half, a
 -- quarter and an eighth.
