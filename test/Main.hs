@@ -136,7 +136,6 @@ import qualified Test.Touch.Registration.GrownAndSwept
 import qualified Test.Touch.Registration.HypothesesAndNoise
 import qualified Test.Touch.Registration.JointByFormulas
 import qualified Test.Touch.Registration.LatticeAtAnyAngle
-import qualified Test.Touch.Registration.PairsAnswered
 import qualified Test.Touch.Registration.PairsByFormulas
 import qualified Test.Touch.Registration.PairsInParts
 import qualified Test.Touch.Registration.PairsRefused
@@ -239,8 +238,7 @@ specs = do
     describe "Whether frames contradict each other" Test.Touch.Registration.Contradictions.spec
     describe "Registration of pairs by its formulas" Test.Touch.Registration.PairsByFormulas.spec
     describe "Registration of pairs" Test.Touch.Registration.PairsRefused.spec
-    describe "Answers of pairs" Test.Touch.Registration.AnswersOfPairs.spec
-    describe "Registration of pairs as a whole" Test.Touch.Registration.PairsAnswered.spec
+    describe "Registration of pairs as a whole" Test.Touch.Registration.AnswersOfPairs.spec
     describe "Blending and growing" Test.Touch.Composite.BlendByDefinition.spec
     describe "Segmentation" Test.Touch.Segmentation.SymbolsWhereDrawn.spec
     describe "Symbols in clusters" Test.Touch.Segmentation.ClustersOfNeighbours.spec
