@@ -7,7 +7,7 @@ where
 
 import AnswerText
 import Data.List (intercalate, nub, sort)
-import Message.Chance (shareText)
+import Message.Chance (checksSentences, shareText)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Locate
@@ -36,6 +36,7 @@ explainAnswer array mask asked displacements seen tolerated answer =
     ++ explainWindows (answerOutcome answer)
     ++ (if askedDisplaced asked then explainPatches displacements answer else [])
     ++ maybe [] explainChance (answerChance answer)
+    ++ maybe [] checksSentences (answerChecks answer)
   where
     explainedDistances distances =
       ( if upright asked

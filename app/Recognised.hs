@@ -72,6 +72,10 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
         ++ [ "chance    " ++ chanceText chance
              | Just chance <- [recognisedSupport recognition >>= supportChance]
            ]
+        ++ [ "unchecked " ++ sentence
+             | Just checks <- [recognisedSupport recognition >>= supportChecks],
+               sentence <- unchecked checks
+           ]
         ++ [ "misplaced " ++ visibleName path ++ ": most of its symbols contradict the others'"
              | several paths,
                Just support <- [recognisedSupport recognition],

@@ -27,6 +27,7 @@ import qualified Test.Code.Locate.EveryDecoderAsDefined
 import qualified Test.Code.Locate.EveryPatternOfErrors
 import qualified Test.Code.Locate.ForeignPatches
 import qualified Test.Code.Locate.InBulkAsOneByOne
+import qualified Test.Code.Locate.ParityChecks
 import qualified Test.Code.Locate.ProbabilitiesByBayes
 import qualified Test.Code.Locate.SeveralPatches
 import qualified Test.Code.Locate.UnknownOrientation
@@ -205,6 +206,7 @@ specs = do
     describe "Locating from probabilities" Test.Code.Locate.ProbabilitiesByBayes.spec
     describe "Unknown orientation" Test.Code.Locate.UnknownOrientation.spec
     describe "Every decoder is the definition" Test.Code.Locate.EveryDecoderAsDefined.spec
+    describe "Parity checks among cells" Test.Code.Locate.ParityChecks.spec
     describe "Several patches" Test.Code.Locate.SeveralPatches.spec
     describe "Foreign patches" Test.Code.Locate.ForeignPatches.spec
     describe "Rates of answers" Test.Simulation.RatesOfAnswers.spec

@@ -214,14 +214,16 @@ answering profile options respond = case source options of
       (form options)
       (unlines (responseLines response))
       (encodeAnswer (responseReport response))
-    when (form options == AsText) (mapM_ warn (weakness (responseAnswer response)))
+    when (form options == AsText) (mapM_ warn (weaknesses (responseAnswer response)))
     pure (statusOf response)
 
--- | That random symbols would be located as well.
-weakness :: Answer -> Maybe String
-weakness answer = case answerOutcome answer of
-  Unique _ _ -> answerChance answer >>= chanceWarning
-  _ -> Nothing
+-- | That random symbols would be located as well, and what nothing checks.
+weaknesses :: Answer -> [String]
+weaknesses answer = case answerOutcome answer of
+  Unique _ _ ->
+    [warning | Just warning <- [answerChance answer >>= chanceWarning]]
+      ++ ["warning: " ++ sentence | Just checks <- [answerChecks answer], sentence <- unchecked checks]
+  _ -> []
 
 -- | One line after another, each answered at once; the worst status of all.
 batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus

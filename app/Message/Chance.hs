@@ -3,10 +3,13 @@ module Message.Chance
   ( chanceText,
     chanceWarning,
     shareText,
+    unchecked,
+    checksSentences,
   )
 where
 
 import Numeric (showEFloat, showFFloat)
+import PraTactile.Locate (Checks (..), Split (..), noneAcross)
 import PraTactile.Locate.Chance
 
 -- | How many of all contents of the cells would be located.
@@ -35,3 +38,31 @@ shareText share = number ++ " %"
       | percent < 1 = showFFloat (Just 2) percent ""
       | percent == 100 = "100"
       | otherwise = showFFloat (Just 1) percent ""
+
+-- | What the certain cells do not check, although they check something.
+unchecked :: Checks -> [String]
+unchecked checks =
+  [ "nothing checks how " ++ these ++ " lie to each other: each of the "
+      ++ show (checksWithin split)
+      ++ " parity checks holds within one of them"
+    | (these, split) <- splits checks,
+      noneAcross split
+  ]
+
+-- | How many parity checks there are.
+checksSentences :: Checks -> [String]
+checksSentences checks =
+  [ "Of the independent parity checks among the certain cells "
+      ++ show (checksWithin split)
+      ++ " hold within single "
+      ++ these
+      ++ " and "
+      ++ show (checksAcross split)
+      ++ " across them."
+    | (these, split) <- splits checks
+  ]
+
+splits :: Checks -> [(String, Split)]
+splits checks =
+  [("columns", checksOfColumns checks), ("rows", checksOfRows checks)]
+    ++ [("sources", split) | Just split <- [checksOfSources checks]]

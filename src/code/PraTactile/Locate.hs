@@ -67,6 +67,9 @@ module PraTactile.Locate
     Known (..),
     atLeast,
     Chance (..),
+    Checks (..),
+    Split (..),
+    noneAcross,
 
     -- * Decoders
     DecoderName (..),
@@ -91,6 +94,7 @@ where
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance (Chance (..))
+import PraTactile.Locate.Checks (Checks (..), Split (..), noneAcross)
 import PraTactile.Locate.Decoder.Algebra (AlgebraError (..))
 import PraTactile.Locate.Decoder.InformationSet (DecodingError (..))
 import PraTactile.Locate.Decoder.MemoryTable

@@ -10,7 +10,7 @@ import PraTactile.Format
 import PraTactile.Format.Answer
 import PraTactile.Format.Object
 import PraTactile.Format.Recognition
-import PraTactile.Locate (Chance (..), DecoderName, PlaceDoubts (..))
+import PraTactile.Locate (Chance (..), Checks (..), DecoderName, PlaceDoubts (..), Split (..))
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Symmetry
@@ -37,6 +37,7 @@ someAnswer =
         <*> maybeOf
           (PosteriorReport <$> someReal <*> several someLikely <*> maybeOf someReal)
         <*> maybeOf (PlaceDoubts <$> maybeOf someReal <*> someReal)
+        <*> maybeOf someChecks
         <*> maybeOf
           (OrientationReport <$> maybeOf someSymmetry <*> several someCandidate)
         <*> maybeOf ((,) <$> several somePatch <*> several somePosition)
@@ -76,6 +77,7 @@ someRecognition =
     <*> maybeOf someReal
     <*> maybeOf (Doubts <$> someReal <*> someReal <*> someReal)
     <*> maybeOf someChance
+    <*> maybeOf someChecks
     <*> maybeOf someInt
     <*> maybeOf someInt
     <*> maybeOf (several someInt)
@@ -113,6 +115,11 @@ someRecognition =
         <*> maybeOf somePoint
     someFace = Face <$> (ObjectName <$> someText) <*> (FaceName <$> several someVertex)
     someVertex = VertexName <$> someText
+
+someChecks :: Gen Checks
+someChecks = Checks <$> someSplit <*> someSplit <*> maybeOf someSplit
+  where
+    someSplit = Split <$> someNatural <*> someNatural
 
 maybeOf :: Gen a -> Gen (Maybe a)
 maybeOf one = oneof [pure Nothing, Just <$> one]

@@ -231,7 +231,7 @@ saidSpec = do
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
     let said answer support = summary (Recognition [] [] support 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        unsure = Just (Support (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing)
+        unsure = Just (Support (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]

@@ -155,7 +155,7 @@ recognitionSpec = do
     forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
       forAll (elements [0, 0.05, 0.3]) $ \stitching ->
         let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
-            support = Support (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing
+            support = Support (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing Nothing
             weighed =
               support
                 { supportDoubts =

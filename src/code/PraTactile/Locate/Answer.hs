@@ -28,6 +28,7 @@ where
 
 import Numeric.Natural (Natural)
 import PraTactile.Locate.Chance (Chance)
+import PraTactile.Locate.Checks (Checks)
 import PraTactile.Position
 import PraTactile.Symmetry
 
@@ -109,6 +110,10 @@ data Answer = Answer
     answerDoubts :: Maybe PlaceDoubts,
     -- | Of all contents of the observed cells, the share that would be located.
     answerChance :: Maybe Chance,
+    -- | What the code has checked among the cells that leave no doubt, of each patch as a source;
+    -- 'Nothing' where that depends on how the patch lies, which is not known, and where
+    -- 'PraTactile.Locate.Checks.checksAmong' has none.
+    answerChecks :: Maybe Checks,
     -- | What is said of each patch, in the order given.
     answerPatches :: [PatchVerdict],
     -- | The cells that patches saw differently, which count as not observed; of probabilities those

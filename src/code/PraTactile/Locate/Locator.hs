@@ -16,8 +16,10 @@ module PraTactile.Locate.Locator
   )
 where
 
+import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
 import Data.List (nub)
+import qualified Data.Set as Set
 import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
@@ -25,6 +27,7 @@ import PraTactile.Grid (displaced, extentOf)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
+import PraTactile.Locate.Checks
 import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder
 import PraTactile.Locate.Decoder.Codebook (observedDistance)
@@ -111,6 +114,12 @@ locateSymbols theLocator query given = do
         answerChance =
           (if windowless decoder seen then atMost else id) . share
             <$> spheresOf theLocator query seen,
+        answerChecks =
+          checksGiven
+            theLocator
+            joined
+            (observedOffsets seen)
+            (likelySymmetry query (decisionOutcome decision)),
         answerPatches =
           patchVerdicts
             (symbolsBelong theLocator query decoder (patchShape seen))
@@ -126,6 +135,33 @@ locateSymbols theLocator query given = do
           [ null (completeWindows (locatorMask theLocator) (uprightAs o seen))
             | o <- querySymmetries query
           ]
+
+-- | What the code has checked among cells of which the patches are the sources, if these are seen
+-- in this symmetry.
+checksGiven ::
+  KnownField k => Locator k -> Joint a -> [Position] -> Maybe Symmetry -> Maybe Checks
+checksGiven theLocator joined cells seenAs = do
+  o <- seenAs
+  let upright = onPosition (invert o) (patchShape (jointPatch joined))
+  checksAmong
+    (locatorArray theLocator)
+    [ [upright offset | (offset, _) <- part, offset `Set.member` known]
+      | part <- jointParts joined
+    ]
+  where
+    known = Set.fromList cells
+
+-- | The symmetry of all candidates that are left, or the only one that was asked for.
+likelySymmetry :: Query k -> Outcome Candidate -> Maybe Symmetry
+likelySymmetry query outcome = case (nub (map candidateSymmetry left), querySymmetries query) of
+  ([o], _) -> Just o
+  (_, [o]) -> Just o
+  _ -> Nothing
+  where
+    left = case outcome of
+      Unique candidate _ -> [candidate]
+      Ambiguous several _ -> several
+      _ -> []
 
 -- | When symbols belong to the others of a patch of this shape.
 symbolsBelong ::
@@ -193,7 +229,7 @@ locateBeliefs theLocator query given = do
   joined <- first LocatorPatch (joint combined given)
   decoder <- beliefDecoder theLocator (queryDoubt query)
   let seen = jointPatch joined
-      certain = fromIntegral (length (filter (isCertain . snd) (observedCells seen)))
+      certain = [offset | (offset, b) <- observedCells seen, isCertain b]
   (alien, found) <- weighedPosterior theLocator query decoder (querySymmetries query) seen
   let outcome = outcomeOf query seen found
   pure
@@ -204,7 +240,14 @@ locateBeliefs theLocator query given = do
         answerPosterior = Just found,
         answerDoubts = alien,
         -- Only a cell that leaves no doubt keeps out a position.
-        answerChance = chance . amongCells certain <$> spheresOf theLocator query seen,
+        answerChance =
+          chance . amongCells (fromIntegral (length certain)) <$> spheresOf theLocator query seen,
+        answerChecks =
+          checksGiven
+            theLocator
+            joined
+            certain
+            ((candidateSymmetry <$> posteriorBest found) <|> likelySymmetry query outcome),
         answerPatches =
           patchVerdicts
             (beliefsBelong theLocator query decoder (patchShape seen))

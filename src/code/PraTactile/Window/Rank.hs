@@ -5,6 +5,7 @@
 module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
+    cellVectors,
     windowsOfRank,
     rankOf,
   )
@@ -38,16 +39,20 @@ windowRank array mask =
 -- a rectangle. O(m n^2 + g (n^3 + q n^2)) operations in GF(q) for m cells and g different gaps
 -- between their rows and columns, of which a rectangle has two.
 windowVectors :: KnownField k => PseudorandomArray k -> Mask -> [[GF k]]
-windowVectors array mask =
+windowVectors array = cellVectors array . maskOffsets
+
+-- | The same for the cells with these offsets, in their order, any number of them.
+cellVectors :: KnownField k => PseudorandomArray k -> [Position] -> [[GF k]]
+cellVectors array offsets =
   [ residueCoefficients h (multiplyModulo h a b)
-    | Position i j <- maskOffsets mask,
+    | Position i j <- offsets,
       Just a <- [Map.lookup i down],
       Just b <- [Map.lookup j right]
   ]
   where
     h = arrayPrimitive array
-    down = powersAlong (`Position` 0) (map row (maskOffsets mask))
-    right = powersAlong (Position 0) (map column (maskOffsets mask))
+    down = powersAlong (`Position` 0) (map row offsets)
+    right = powersAlong (Position 0) (map column offsets)
     alphaTo = powerOfRoot h . sequenceIndex array
     -- From each index to the power that belongs to it, by steps.
     powersAlong at indices =

@@ -50,6 +50,7 @@ data Basis = Basis
     basisPosterior :: Maybe PosteriorReport,
     -- | where the question weighs that it may be foreign
     basisDoubts :: Maybe PlaceDoubts,
+    basisChecks :: Maybe Checks,
     -- | where patches may be seen in several orientations
     basisOrientation :: Maybe OrientationReport,
     -- | where patches were given with displacements
@@ -137,6 +138,7 @@ basisKeys =
     <*> optionalKeys "corrected" distanceKeys basisDistances
     <*> optionalKeys "doubt" posteriorKeys basisPosterior
     <*> optionalKey "doubts" doubts basisDoubts
+    <*> key "checks" checksCodec basisChecks
     <*> optionalKeys "mirrored" orientationKeys basisOrientation
     <*> optionalKeys "patches" patchKeys basisPatches
     <*> optionalKey "explanation" (listOf text) basisExplanation

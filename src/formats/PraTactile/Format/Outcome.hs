@@ -5,11 +5,12 @@ module PraTactile.Format.Outcome
   ( OutcomeName (..),
     outcomeCodec,
     chanceKeys,
+    checksCodec,
   )
 where
 
 import PraTactile.Format.Json.Codec
-import PraTactile.Locate (Chance (..))
+import PraTactile.Locate (Chance (..), Checks (..), Split (..))
 
 -- | How an answer begins.
 data OutcomeName
@@ -34,3 +35,28 @@ chanceKeys =
   (\share bound -> Chance <$> share <*> bound)
     <$> key "chance" (nullable real) (fmap chanceShare)
     <*> key "chance_is" (nullable (exactOr "at-most")) (fmap chanceExact)
+
+-- | The value of @checks@: of columns, rows and sources the checks within single ones and across
+-- them.
+checksCodec :: Codec (Maybe Checks)
+checksCodec =
+  nullable . object $
+    Checks
+      <$> withKeys
+        checksOfColumns
+        ( Split
+            <$> key "within_columns" natural checksWithin
+            <*> key "across_columns" natural checksAcross
+        )
+      <*> withKeys
+        checksOfRows
+        ( Split
+            <$> key "within_rows" natural checksWithin
+            <*> key "across_rows" natural checksAcross
+        )
+      <*> withKeys
+        checksOfSources
+        ( (\within across -> Split <$> within <*> across)
+            <$> key "within_sources" (nullable natural) (fmap checksWithin)
+            <*> key "across_sources" (nullable natural) (fmap checksAcross)
+        )

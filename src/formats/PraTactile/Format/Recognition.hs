@@ -27,7 +27,7 @@ import PraTactile.Format.Json.Codec
 import PraTactile.Format.Object
 import PraTactile.Format.Outcome
 import PraTactile.Format.Profile
-import PraTactile.Locate (Chance)
+import PraTactile.Locate (Chance, Checks)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Segmentation (SymbolImage (..))
@@ -52,6 +52,7 @@ data RecognitionReport = RecognitionReport
     -- | the doubt's parts
     reportDoubts :: Maybe Doubts,
     reportChance :: Maybe Chance,
+    reportChecks :: Maybe Checks,
     reportAgreeing :: Maybe Int,
     reportWrong :: Maybe Int,
     reportInconsistent :: Maybe [Int],
@@ -126,6 +127,7 @@ reportKeys =
            <*> key "doubt" (nullable real) reportDoubt
            <*> key "doubts" (nullable (object doubtsKeys)) reportDoubts
            <*> withKeys reportChance chanceKeys
+           <*> key "checks" checksCodec reportChecks
            <*> key "agreeing" (nullable int) reportAgreeing
            <*> key "wrong" (nullable int) reportWrong
            <*> key "inconsistent_sources" (nullable (listOf int)) reportInconsistent
@@ -219,6 +221,7 @@ recognitionReport context recognition =
       reportDoubt = supportDoubt <$> support,
       reportDoubts = supportDoubts <$> support,
       reportChance = support >>= supportChance,
+      reportChecks = support >>= supportChecks,
       reportAgreeing = supportAgreeing <$> support,
       reportWrong = length . supportWrong <$> support,
       reportInconsistent = supportInconsistent <$> support,

@@ -34,6 +34,7 @@ import PraTactile.Field
 import PraTactile.Grid (canonicalPosition)
 import PraTactile.Locate hiding (Cell)
 import PraTactile.Locate.Chance
+import PraTactile.Locate.Checks (checksAmong)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
@@ -86,7 +87,9 @@ data Support = Support
     supportRadius :: Natural,
     -- | of all contents of these cells, the share that would be located: at most this; 'Nothing' if
     -- no cell says anything
-    supportChance :: Maybe Chance
+    supportChance :: Maybe Chance,
+    -- | what the code has checked among these cells, of the composites as their sources
+    supportChecks :: Maybe Checks
   }
   deriving stock (Eq, Show)
 
@@ -185,7 +188,8 @@ supportFrom reader witnesses seen answer = do
         supportInconsistent = mostlyIn wrong agreeing,
         supportDistance = witnessesDistance witnesses,
         supportRadius = witnessesRadius witnesses,
-        supportChance = chanceAmong reader (candidateSymmetry candidate) seen witnesses
+        supportChance = chanceAmong reader (candidateSymmetry candidate) seen witnesses,
+        supportChecks = checksAmong (locatorArray (recogniserLocator reader)) (bySource witnesses)
       }
 
 -- | The symbols that are certain, for an orientation of the face.
@@ -234,6 +238,14 @@ witnessesOf reader tolerance orientation (dissenters, strays) cells =
           Just (o, _) <- [certain s]
       ]
 
+-- | The cells of the symbols that lie so, composite by composite.
+bySource :: Witnesses -> [[Position]]
+bySource witnesses =
+  Map.elems $
+    Map.fromListWith
+      (++)
+      [(readSource s, [offsetOf cell]) | (cell, s) <- witnessesKnown witnesses]
+
 -- | The symbols that agree with a place of the grid, and those that are wrong there.
 standing ::
   KnownField k => Recogniser k -> Witnesses -> Position -> ([ReadSymbol], [ReadSymbol])
@@ -248,11 +260,11 @@ standing reader witnesses place =
 mostlyIn :: [ReadSymbol] -> [ReadSymbol] -> [Int]
 mostlyIn these those =
   [ source
-    | (source, n) <- Map.toAscList (bySource these),
-      n > Map.findWithDefault 0 source (bySource those)
+    | (source, n) <- Map.toAscList (counts these),
+      n > Map.findWithDefault 0 source (counts those)
   ]
   where
-    bySource symbols = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- symbols]
+    counts symbols = Map.fromListWith (+) [(readSource s, 1 :: Int) | s <- symbols]
 
 -- | The share of all contents of the certain cells that would be located.
 chanceAmong ::

@@ -83,6 +83,7 @@ basisOf context answer =
       basisDistances = answerDistances answer >>= distanceReport (answerDecoder answer),
       basisPosterior = posteriorReport candidateReport <$> answerPosterior answer,
       basisDoubts = answerDoubts answer,
+      basisChecks = answerChecks answer,
       basisOrientation = if isUpright context then Nothing else Just orientation,
       basisPatches = (,) <$> patches <*> pure (answerDisputed answer),
       basisExplanation = answerExplanation context
