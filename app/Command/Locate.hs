@@ -221,8 +221,8 @@ answering profile options respond = case source options of
 weaknesses :: Answer -> [String]
 weaknesses answer = case answerOutcome answer of
   Unique _ _ ->
-    [warning | Just warning <- [answerChance answer >>= chanceWarning]]
-      ++ ["warning: " ++ sentence | Just checks <- [answerChecks answer], sentence <- unchecked checks]
+    maybe [] pure (answerChance answer >>= chanceWarning)
+      ++ map ("warning: " ++) (foldMap unchecked (answerChecks answer))
   _ -> []
 
 -- | One line after another, each answered at once; the worst status of all.

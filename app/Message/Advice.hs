@@ -64,7 +64,18 @@ optionLine option =
     ++ show (optionDegree option)
     ++ ": windows "
     ++ windows
+    ++ neighbours
+    ++ concat ["; its own mirror, " ++ exchanged mirror | mirror <- optionMirrors option]
   where
+    exchanged mirror = case mirror of
+      ColumnsMirrored -> "left and right exchanged"
+      RowsMirrored -> "up and down exchanged"
+    neighbours = case (optionColumnsToCheck option, optionRowsToCheck option) of
+      (Just wide, Just high) ->
+        "; " ++ show wide ++ " adjacent columns or " ++ show high ++ " rows check each other"
+      (Just wide, Nothing) -> "; " ++ show wide ++ " adjacent columns check each other"
+      (Nothing, Just high) -> "; " ++ show high ++ " adjacent rows check each other"
+      (Nothing, Nothing) -> ""
     windows =
       intercalate
         "; "

@@ -13,6 +13,7 @@ module PraTactile.Advise
     Fit (..),
     Layout (..),
     layoutSurface,
+    Mirror (..),
 
     -- * What is not
     Obstacle (..),
@@ -26,6 +27,7 @@ import Data.Proxy (Proxy)
 import Numeric.Natural (Natural)
 import PraTactile.Advise.Fit
 import PraTactile.Advise.Layout
+import PraTactile.Advise.Neighbours
 import PraTactile.Array
 import PraTactile.Factorisation
 import PraTactile.Field
@@ -77,7 +79,14 @@ data Option = Option
     -- | the shape of each array
     optionShape :: Shape,
     -- | windows that determine the position, the most nearly square ones first; at least one
-    optionFits :: [Fit]
+    optionFits :: [Fit],
+    -- | how many adjacent whole columns there must be before parity checks hold across them;
+    -- 'Nothing' where there are not so many
+    optionColumnsToCheck :: Maybe Natural,
+    -- | the same of rows
+    optionRowsToCheck :: Maybe Natural,
+    -- | the mirror images of the arrays that are these arrays themselves
+    optionMirrors :: [Mirror]
   }
   deriving stock (Eq, Show)
 
@@ -218,12 +227,28 @@ coprime (Shape n1 n2) = gcd n1 n2 == 1
 -- | Whether the windows wanted determine the position in these arrays.
 assess :: KnownField k => Degree k -> Layout -> Shape -> Either Obstacle Option
 assess degree@(Degree request n polynomials _) layout shape = case requestWindow request of
-  Nothing -> Right (Option n layout shape (fitting degree layout shape))
+  Nothing -> Right (optionOf degree layout shape (fitting degree layout shape))
   Just w
     | not (w `fitsIn` shape) -> Left (WindowBeyondArray n layout shape)
     | otherwise -> case fits n polynomials (layout, shape) w of
-      Right fit -> Right (Option n layout shape [fit])
+      Right fit -> Right (optionOf degree layout shape [fit])
       Left tried -> Left (WindowFails n layout shape tried)
+
+-- | The arrays of a layout and shape with these windows.
+optionOf :: Degree k -> Layout -> Shape -> [Fit] -> Option
+optionOf degree layout shape found =
+  Option
+    { optionDegree = n,
+      optionLayout = layout,
+      optionShape = shape,
+      optionFits = found,
+      optionColumnsToCheck = columnsToCheck q n layout shape,
+      optionRowsToCheck = rowsToCheck q n layout shape,
+      optionMirrors = ownMirrors q n layout shape
+    }
+  where
+    n = degreeNumber degree
+    q = requestOrder (degreeRequest degree)
 
 -- | What to do about n1 x n2 whose sides have a common divisor: the most nearly square shape of as
 -- many cells on the torus, lying or standing alike; the same shape row by row on the twisted torus;
@@ -231,7 +256,7 @@ assess degree@(Degree request n polynomials _) layout shape = case requestWindow
 -- not work with others.
 repairs :: KnownField k => Degree k -> Shape -> [Option]
 repairs degree shape =
-  [ Option (degreeNumber degree) layout other found
+  [ optionOf degree layout other found
     | (layout, other) <- instead,
       let asked = wanted layout other
           found = if null asked then fitting degree layout other else asked,

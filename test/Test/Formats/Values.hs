@@ -95,7 +95,8 @@ names = do
   it "each obstacle of the adviser has its name, its degree, and what it is about" $ do
     let shape23 = toJSON [2, 3 :: Int]
         folded = Single Diagonal
-        option = Option 6 (Joint 3) (Shape 15 91) [Fit (Shape 2 3) True [2, 1, 1]]
+        fit = Fit (Shape 2 3) True [2, 1, 1]
+        option = Option 6 (Joint 3) (Shape 15 91) [fit] (Just 2) Nothing [RowsMirrored]
         optionJson =
           Aeson.object
             [ "layout" .= text' "joint",
@@ -109,7 +110,10 @@ names = do
                          "every_polynomial" .= True,
                          "polynomial" .= [2, 1, 1 :: Int]
                        ]
-                   ]
+                   ],
+              "columns_to_check" .= (2 :: Int),
+              "rows_to_check" .= Aeson.Null,
+              "own_mirror" .= [text' "rows"]
             ]
         obstacles =
           [ (NoSuchShape 6 4095, ["reason" .= text' "no-such-shape", "cells" .= (4095 :: Int)]),

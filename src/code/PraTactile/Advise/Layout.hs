@@ -3,6 +3,7 @@
 module PraTactile.Advise.Layout
   ( Layout (..),
     layoutSurface,
+    layoutWeights,
     sureWindows,
     degreeOfOrder,
 

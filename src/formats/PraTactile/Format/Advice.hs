@@ -35,9 +35,16 @@ optionValue option =
       "surface" .= surfaceName (layoutSurface (optionLayout option)),
       "degree" .= naturalValue (optionDegree option),
       "shape" .= shapeValue (optionShape option),
-      "windows" .= map fitValue (optionFits option)
+      "windows" .= map fitValue (optionFits option),
+      "columns_to_check" .= fmap naturalValue (optionColumnsToCheck option),
+      "rows_to_check" .= fmap naturalValue (optionRowsToCheck option),
+      "own_mirror" .= map mirrorName (optionMirrors option)
     ]
   where
+    mirrorName :: Mirror -> Text
+    mirrorName mirror = case mirror of
+      ColumnsMirrored -> "columns"
+      RowsMirrored -> "rows"
     arrayCount layout = case layout of
       Joint arrays -> arrays
       Single _ -> 1

@@ -2,12 +2,14 @@
 module Test.Code.Array.AdviceByVisiting (spec) where
 
 import Control.Monad (forM_, unless)
+import Data.Bifunctor (first)
 import Data.List (sort)
 import Data.Proxy (Proxy (..))
 import Numeric.Natural (Natural)
 import PraTactile.Advise
 import PraTactile.Advise.Fit (candidates, fits)
 import PraTactile.Advise.Layout (degreeOfOrder, sureWindows)
+import PraTactile.Advise.Neighbours
 import PraTactile.Array
 import PraTactile.ArrayCode
 import PraTactile.ArrayCode.Proof
@@ -134,6 +136,40 @@ spec = do
                         array <- right (fold (foldingOf layout) size h (canonicalState h))
                         window <- right (rectangle w)
                         (layout, n1, w, windowRank array window) `shouldBe` (layout, n1, w, n)
+  it "columns and rows check each other from where their rank says so: q^n <= 1024" $
+    forM_ smallFields $ \(q, n) -> overField q $ \k -> do
+      h <- firstOver k n
+      forM_ (layoutsOf (fromIntegral q) n) $ \(layout, size) -> do
+        laid <- right (laidOut layout size h)
+        let first' along count = [at | at <- cellsOf size, along at < count]
+            rank' along count = either (const 0) (laidRank laid) (maskFrom (first' along count))
+            least along side =
+              take 1 [w | w <- [2 .. side], rank' along w < w * rank' along 1]
+            told count = maybe [] pure (count (fromIntegral q) n layout size)
+        (layout, size, told columnsToCheck) `shouldBe` (layout, size, least column (columns size))
+        (layout, size, told rowsToCheck) `shouldBe` (layout, size, least row (rows size))
+  it "their own mirror are arrays that read the same mirrored, every polynomial: q^n <= 256" $
+    forM_ [(q, n) | (q, n) <- smallFields, (fromIntegral q :: Natural) ^ n <= 256] $ \(q, n) ->
+      overField q $ \(_ :: Proxy k) -> do
+        found <- right (primitivePolynomials n)
+        forM_ (found :: [Primitive k]) $ \h ->
+          forM_ (layoutsOf (fromIntegral q) n) $ \(layout, size) -> do
+            laid <- right (laidOut layout size h)
+            -- What all arrays hold from each of their cells on, and the first one mirrored.
+            let far = period h
+                offsets = cellsOf (Shape (rows size + n) (columns size + n))
+                seen j (Position r c) =
+                  [laidCell laid j (Position (r + i) (c + i')) | Position i i' <- offsets]
+                views = [seen j at | j <- below (laidArrays laid), at <- cellsOf size]
+                mirrored' mirror =
+                  [ laidCell laid 0 (backAlong mirror at)
+                    | at <- offsets
+                  ]
+                backAlong mirror (Position i j) = case mirror of
+                  ColumnsMirrored -> Position i (far * far - j)
+                  RowsMirrored -> Position (far * far - i) j
+            (layout, size, ownMirrors (fromIntegral q) n layout size)
+              `shouldBe` (layout, size, [m | m <- [minBound ..], mirrored' m `elem` views])
   it "instead of one array, as few as there are of parts of both sides, found by trying all parts" $
     forM_ [(5, 2, 12), (5, 12, 2), (7, 2, 24), (3, 4, 20), (4, 3, 21), (4, 15, 273)] $
       \(q, high, wide) -> do
@@ -167,6 +203,48 @@ spec = do
     foldingOf layout = case layout of
       Single folding -> folding
       Joint _ -> Diagonal
+
+-- | Fields and degrees of up to 1024 states.
+smallFields :: [(Int, Natural)]
+smallFields =
+  [ (q, n)
+    | q <- [2, 3, 4, 5, 7, 8, 9, 16, 25],
+      n <- [2 .. 10],
+      (fromIntegral q :: Natural) ^ n <= 1024
+  ]
+
+-- | The ways to lay q^n - 1 terms, with the shapes.
+layoutsOf :: Natural -> Natural -> [(Layout, Shape)]
+layoutsOf q n =
+  [ (layout, Shape n1 n2)
+    | n1 <- parts,
+      n2 <- parts,
+      terms `mod` (n1 * n2) == 0,
+      let g = terms `div` (n1 * n2),
+      layout <-
+        [Single RowMajor | g == 1]
+          ++ [if g == 1 then Single Diagonal else Joint g | gcd n1 n2 == 1],
+      all (\d -> (q ^ d - 1) `mod` (n1 * n2) /= 0) [1 .. n - 1]
+  ]
+  where
+    terms = q ^ n - 1
+    parts = [d | d <- [1 .. terms], terms `mod` d == 0]
+
+-- | Arrays of one layout: how many, their cells, and the rank of a mask.
+data LaidOut k = LaidOut
+  { laidArrays :: Natural,
+    laidCell :: Natural -> Position -> GF k,
+    laidRank :: Mask -> Natural
+  }
+
+laidOut :: KnownField k => Layout -> Shape -> Primitive k -> Either String (LaidOut k)
+laidOut layout size h = case layout of
+  Single folding -> do
+    array <- first show (folded folding size h)
+    pure (LaidOut 1 (const (cellAt array)) (windowRank array))
+  Joint g -> do
+    code <- first show (foldCode size h (canonicalState h))
+    pure (LaidOut g (\j -> codeCellAt code . CodePosition j) (codeRank code))
 
 -- | Some alphabets, sizes and windows.
 requests :: [(Natural, Natural, Natural, Maybe Shape)]

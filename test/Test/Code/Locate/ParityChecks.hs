@@ -23,7 +23,7 @@ spec :: Spec
 spec = do
   describe "in the standard fold, n1 = q^k1 - 1 rows and n1 coprime to k2" $
     forM_ standard $ \(q, k1, k2) ->
-      it (show (q, k1, k2) ++ ": a column has rank k1, two columns and k2 adjacent ones add it up") $
+      it (show (q, k1, k2) ++ ": a column has rank k1, any two and k2 adjacent ones add up") $
         overField q $ \k -> do
           let (n1, n2) = (fromIntegral q ^ k1 - 1, (fromIntegral q ^ (k1 * k2) - 1) `div` n1)
           polynomials <- right (primitivesOver k (k1 * k2))
@@ -114,7 +114,8 @@ counted array given =
   Checks
     { checksOfColumns = split cells (by column),
       checksOfRows = split cells (by row),
-      checksOfSources = if length sources > 1 then Just (split (concat sources) sources) else Nothing
+      checksOfSources =
+        if length sources > 1 then Just (split (concat sources) sources) else Nothing
     }
   where
     sources = filter (not . null) (map nub given)
@@ -137,8 +138,8 @@ genSources (Shape n1 n2) = do
     upTo n = fromInteger <$> choose (0, toInteger n)
 
 -- | One or two patches at a place of the array, as they are seen in a symmetry; with the cells of
--- each that are observed, as offsets upright, and the shape of both together. Of probabilities, some
--- cells are doubtful, and do not count.
+-- each that are observed, as offsets upright, and the shape of both together. Of probabilities,
+-- some cells are doubtful, and do not count.
 genPatches ::
   KnownField k =>
   PseudorandomArray k ->
@@ -155,8 +156,10 @@ genPatches array o = do
   doubtful <- if soft then sublistOf kept else pure []
   let shown at@(Position i j)
         | at `notElem` kept = Nothing
-        | at `elem` doubtful = Just (Probabilities (spread (cellAt array (Position (r + i) (c + j)))))
-        | otherwise = Just (Symbol (cellAt array (Position (r + i) (c + j))))
+        | at `elem` doubtful = Just (Probabilities (spread there))
+        | otherwise = Just (Symbol there)
+        where
+          there = cellAt array (Position (r + i) (c + j))
       seenShape@(Shape seenHigh seenWide) = onShape o (Shape high wide)
       seenAt at = shown (onPosition (invert o) seenShape at)
       part from to =

@@ -1,0 +1,82 @@
+-- | What neighbouring columns and rows of an array tell of each other: how many of them it takes
+-- before parity checks hold across them, and whether the array is its own mirror. Both depend on
+-- the fold alone, not on the polynomial.
+module PraTactile.Advise.Neighbours
+  ( columnsToCheck,
+    rowsToCheck,
+    Mirror (..),
+    ownMirrors,
+  )
+where
+
+import Numeric.Natural (Natural)
+import PraTactile.Advise.Layout
+import PraTactile.Array
+
+{- Note [Neighbouring columns]
+   ~~~~~~~~~~~~~~~~~~~~~~~~~~~
+   Let the cell (r, c) hold s(r u + c v), a = alpha^u and b = alpha^v. A whole column spans all
+   powers of a, the field GF(q^d), times a power of b, where d is the degree of a over GF(q). As a
+   and b generate GF(q^n), b has degree n/d over GF(q^d): so many adjacent columns are independent,
+   and one more depends on them. With n1 = q^k1 - 1, d is k1, and n/d is k2. Rows are alike along
+   the diagonal. Row by row they are n2 terms of the sequence each, of rank n2, or n if that is
+   less. -}
+
+-- | How many adjacent whole columns there must be before parity checks hold across them, given q, n
+-- and the shape of each array, which the layout must fill; 'Nothing' where it has not so many. See
+-- Note [Neighbouring columns].
+--
+-- >>> columnsToCheck 4 4 (Single Diagonal) (Shape 15 17)
+-- Just 3
+columnsToCheck :: Natural -> Natural -> Layout -> Shape -> Maybe Natural
+columnsToCheck q n layout shape =
+  adjacent n (degreeOfPower q n (fst (layoutWeights layout shape))) (columns shape)
+
+-- | The same of rows.
+--
+-- >>> rowsToCheck 4 4 (Single Diagonal) (Shape 15 17)
+-- Just 2
+rowsToCheck :: Natural -> Natural -> Layout -> Shape -> Maybe Natural
+rowsToCheck q n layout shape = adjacent n rank (rows shape)
+  where
+    rank = case layout of
+      Single RowMajor -> min n (columns shape)
+      _ -> degreeOfPower q n (snd (layoutWeights layout shape))
+
+-- | The degree over GF(q) of this power of alpha.
+degreeOfPower :: Natural -> Natural -> Natural -> Natural
+degreeOfPower q n e = degreeOfOrder q n (terms `div` gcd terms e)
+  where
+    terms = q ^ n - 1
+
+-- | Given n, the rank of each, and how many there are: the first number of them whose ranks are
+-- more than n together, if there are so many.
+adjacent :: Natural -> Natural -> Natural -> Maybe Natural
+adjacent n rank most = if needed <= most then Just needed else Nothing
+  where
+    needed = n `div` rank + 1
+
+-- | A mirror image.
+data Mirror
+  = -- | left and right exchanged
+    ColumnsMirrored
+  | -- | up and down exchanged
+    RowsMirrored
+  deriving stock (Eq, Ord, Show, Enum, Bounded)
+
+-- | The mirror images of the arrays that are these arrays themselves, beginning elsewhere, on the
+-- layout's surface: those by which each index of a term is multiplied by a power of q, which are
+-- the only multiples that leave an m-sequence what it is, but for where it begins. O(n).
+--
+-- >>> ownMirrors 4 4 (Single Diagonal) (Shape 15 17)
+-- [ColumnsMirrored]
+ownMirrors :: Natural -> Natural -> Layout -> Shape -> [Mirror]
+ownMirrors q n layout shape =
+  [mirror | mirror <- [minBound ..], any (takes mirror) (take (fromIntegral n) (iterate (* q) 1))]
+  where
+    terms = q ^ n - 1
+    (u, v) = layoutWeights layout shape
+    takes mirror m = case mirror of
+      ColumnsMirrored -> same (m * u) u && same (m * v + v) 0
+      RowsMirrored -> same (m * u + u) 0 && same (m * v) v
+    same x y = x `mod` terms == y `mod` terms
