@@ -169,8 +169,8 @@ spec = do
     number value = case fromJSON value of
       Success x -> Just x
       Error _ -> Nothing
-    -- What is drawn, without the order of attributes, the last of which has the slash, and the bytes of the image, which depend on
-    -- versions of libraries.
+    -- What is drawn, without the order of attributes, of which the last has the slash, and the
+    -- bytes of the image: both depend on versions of libraries.
     marks =
       sort
         . filter (not . ("xlink:href" `isPrefixOf`))
