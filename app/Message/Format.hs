@@ -73,7 +73,9 @@ misfitMessage misfit = case misfit of
     "offset and gain need rows of one length and number, gains above 0, and the dead elements must \
     \be among them"
   NotPositive what -> what ++ " must be above 0"
+  GivenTwice what -> what ++ " is given twice"
   NoFrame -> "it names no frame"
   ConstantOutOfRange name range -> rangeText name range
+  OtherUnit name unit -> "the unit of " ++ name ++ " is " ++ quoted unit
   NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

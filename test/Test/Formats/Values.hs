@@ -28,6 +28,7 @@ import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge (readFaceName)
 import PraTactile.Registration
 import PraTactile.Sensor.Constants
+import PraTactile.Sensor.Model (Sensor (..))
 import PraTactile.Sensor.Preset (Preset (..), presetName, presetSensor)
 import PraTactile.Symmetry
 import PraTactile.Truth
@@ -244,6 +245,19 @@ sensors = do
             [Key "constants", Index 0, Key "name"]
             (NotAmong (map constantName constants) "colour")
         )
+  it "is refused where a constant is there twice, or in another unit than its own" $ do
+    fmap (const ()) (decodeSensor (file Nothing [("noise", 0), ("drift", 0), ("noise", 0)]))
+      `shouldBe` Left (Misfit [Key "constants", Index 2] (GivenTwice "noise"))
+    let taxel unit =
+          Bytes.concat
+            [ "{\"schema\":\"pra-tactile/sensor/1\",\"constants\":[{\"name\":\"taxel_pitch\",",
+              "\"value\":0.0625,\"unit\":\"",
+              unit,
+              "\"}]}"
+            ]
+    fmap sensorTaxel (decodeSensor (taxel "mm")) `shouldBe` Right 0.0625
+    fmap sensorTaxel (decodeSensor (taxel "inch"))
+      `shouldBe` Left (Misfit [Key "constants", Index 0, Key "unit"] (OtherUnit "taxel_pitch" "mm"))
   where
     file :: Maybe Preset -> [(String, Double)] -> Bytes.ByteString
     file preset given =

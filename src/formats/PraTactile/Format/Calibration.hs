@@ -19,7 +19,7 @@ encodeCalibration = writeLine calibrationKeys
 
 -- | The calibration in a JSON text that 'encodeCalibration' made. Refuses another schema, rows of
 -- different length, gains that are not positive, a gain for other elements than have an offset, and
--- dead elements that are none.
+-- dead elements that are none or are there twice.
 decodeCalibration :: ByteString -> Either FormatError Calibration
 decodeCalibration bytes = do
   given@(Calibration offset gain dead) <- decodeWith calibrationKeys bytes
@@ -37,8 +37,10 @@ calibrationKeys =
     *> ( Calibration
            <$> key "offset" rows calibrationOffset
            <*> key "gain" rows calibrationGain
-           <*> key "dead" (listOf (pairOf int)) calibrationDead
+           <*> key "dead" (distinct id element (listOf (pairOf int))) calibrationDead
        )
+  where
+    element (y, x) = show y ++ "," ++ show x
 
 -- | A raster as the list of its rows.
 rows :: Codec Raster

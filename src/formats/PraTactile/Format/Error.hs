@@ -76,10 +76,14 @@ data Misfit
     NotCalibration
   | -- | What this names is not above 0.
     NotPositive String
+  | -- | Something that may be in a list once and is there already; its name.
+    GivenTwice String
   | -- | A manifest without frames.
     NoFrame
   | -- | A constant of a sensor, of this name, that is not a number from the one to the other.
     ConstantOutOfRange String (Double, Double)
+  | -- | A constant of a sensor, of this name, in another unit than this, its own.
+    OtherUnit String String
   | -- | Degrees that are not from 0 up to 360, or not those of the quarter turn beside them.
     NotAngle
   | -- | More taxels than this along the side of a region.

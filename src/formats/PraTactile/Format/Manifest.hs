@@ -73,8 +73,3 @@ entryKeys =
     <*> key "force_n" real entryForce
   where
     entry file x y r = Entry file (Pose x y r)
-
--- | Values that are so; others are refused.
-such :: (a -> Bool) -> Misfit -> Codec a -> Codec a
-such holds misfit (Codec write decoder) = Codec write $ \value ->
-  decoder value >>= \a -> if holds a then Right a else refuse misfit

@@ -33,16 +33,22 @@ sensorSchema = "pra-tactile/sensor/1"
 presetCodec :: Codec Preset
 presetCodec = named presetName
 
--- | A constant with its value; read by its name alone.
+-- | A constant with its value; read by its name. Its unit may be left out, and is no other.
 constantCodec :: Codec (Constant, Double)
 constantCodec = case object keys of
-  Codec write _ -> Codec write (\value -> objectOf value >>= readKeys readable)
+  Codec write _ -> Codec write $ \value -> do
+    fields <- objectOf value
+    given@(constant, _) <- readKeys valued fields
+    _ <- readKeys (optionalKey "unit" (unitOf constant) Just) fields
+    pure given
   where
+    valued = (,) <$> key "name" constantNamed fst <*> key "value" real snd
     keys =
-      ((,) <$> key "name" constantNamed fst <*> key "value" real snd)
+      valued
         <* key "unit" text (constantUnit . fst)
         <* key "source" text (constantSource . fst)
-    readable = (,) <$> key "name" constantNamed fst <*> key "value" real snd
+    unitOf constant =
+      such (== constantUnit constant) (OtherUnit (constantName constant) (constantUnit constant)) text
 
 constantNamed :: Codec Constant
 constantNamed = Codec constantName $ \value -> do
@@ -52,8 +58,9 @@ constantNamed = Codec constantName $ \value -> do
     [] -> refuse (NotAmong (map constantName constants) given)
 
 -- | The sensor in a JSON text as 'encodeSensor' makes it; what it does not name is that of its
--- preset, or of 'Paper' where it has none. Units and sources are not read. Refuses another schema,
--- unknown names and values out of a constant's range.
+-- preset, or of 'Paper' where it has none. Sources are not read. Refuses another schema, unknown
+-- names, a constant that is there twice or in another unit than its own, and values out of a
+-- constant's range.
 decodeSensor :: ByteString -> Either FormatError Sensor
 decodeSensor bytes = do
   (preset, given) <- decodeWith keys bytes
@@ -63,7 +70,7 @@ decodeSensor bytes = do
       schemaKey sensorSchema
         *> ( (,) . fromMaybe Nothing
                <$> optionalKey "preset" (nullable presetCodec) (Just . fst)
-               <*> key "constants" (listOf constantCodec) snd
+               <*> key "constants" (distinct (constantName . fst) id (listOf constantCodec)) snd
            )
     put sensor (constant, value) =
       either

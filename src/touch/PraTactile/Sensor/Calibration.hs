@@ -12,10 +12,10 @@ where
 
 import Data.List (foldl', sort)
 import Data.Maybe (fromMaybe)
-import Data.Set (Set)
 import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
-import PraTactile.Image (Raster, generate, index, rasterSize, rasterValues)
+import PraTactile.Image (Raster, generate, rasterSize, rasterValues)
+import PraTactile.Sensor.Dead (filled)
 import PraTactile.Sensor.Frame (Frame (..), Pose (..))
 
 -- | What a sensor's readings are corrected by. Both rasters have the sensor's size.
@@ -88,10 +88,14 @@ median values = case drop (length values `div` 2) (sort values) of
 -- | A frame whose image is 'correctedImage', and in which the calibration's dead elements felt
 -- nothing, beside those that did not before. Refuses frames of another size.
 corrected :: Calibration -> Frame -> Either CalibrationError Frame
-corrected calibration frame = felt <$> correctedImage calibration (frameImage frame)
+corrected calibration = \frame ->
+  let felt image = frame {frameImage = image, frameDead = dead frame}
+   in felt <$> image' (frameImage frame)
   where
-    felt image = frame {frameImage = image, frameDead = dead}
-    dead = Set.toAscList (Set.fromList (frameDead frame ++ calibrationDead calibration))
+    -- What does not depend on the frame is made once for all.
+    image' = correctedImage calibration
+    dead frame = Set.toAscList (Set.union (Set.fromList (frameDead frame)) gone)
+    gone = Set.fromList (calibrationDead calibration)
 
 -- | Frames in which elements that are stuck were not felt ('correctedImage'): those that read more
 -- than half of full scale in every frame, though the sensor moved by 8 elements at least between
@@ -105,40 +109,32 @@ withoutStuck frames = case frames of
       all ((== size) . rasterSize . frameImage) others,
       not (null stuck),
       4 * length stuck <= w * h ->
-      map (\frame -> either (const frame) id (corrected without frame)) frames
+      [either (const frame) id (unstuck frame) | frame <- frames]
     where
       size@(w, h) = rasterSize (frameImage one)
       least = foldl' lower (rasterValues (frameImage one)) others
       lower v frame = V.zipWith min v (rasterValues (frameImage frame))
       stuck = [k `divMod` w | (k, v) <- zip [0 ..] (V.toList least), v > 0.5]
       without = Calibration (generate w h (\_ _ -> 0)) (generate w h (\_ _ -> 1)) stuck
+      unstuck = corrected without
       moved = extent poseX >= 8 * frameTaxel one || extent poseY >= 8 * frameTaxel one
   _ -> frames
   where
     extent side = maximum (map (side . framePose) frames) - minimum (map (side . framePose) frames)
 
 -- | A sensor's image with each reading less its offset, divided by its gain and clipped to 0..1. A
--- dead element was not felt: in its place stands the mean of its living neighbours, of those in the
--- nearest square ring around it that holds any; 0 if all are dead. Refuses images of another size.
+-- dead element was not felt: in its place stands what 'filled' has. Refuses images of another size.
 correctedImage :: Calibration -> Raster -> Either CalibrationError Raster
-correctedImage (Calibration offset gain dead) image
-  | size /= rasterSize offset = Left (SensorsDiffer (rasterSize offset) size)
-  | otherwise = Right (generate w h filled)
+correctedImage (Calibration offset gain dead) = \image ->
+  if rasterSize image /= size
+    then Left (SensorsDiffer size (rasterSize image))
+    else
+      let values = filledIn (V.zipWith3 value (rasterValues image) offsets gains)
+       in Right (generate w h (\x y -> values V.! (y * w + x)))
   where
-    size@(w, h) = rasterSize image
-    gone = Set.fromList dead :: Set (Int, Int)
-    alive x y = x >= 0 && y >= 0 && x < w && y < h && Set.notMember (y, x) gone
-    value x y = max 0 (min 1 ((read' image x y - read' offset x y) / read' gain x y))
-    read' from x y = fromMaybe 0 (index from x y)
-    filled x y
-      | Set.null gone || alive x y = value x y
-      | otherwise = case filter (not . null) (map (ring x y) [1 .. max w h]) of
-        neighbours : _ -> sum neighbours / fromIntegral (length neighbours)
-        [] -> 0
-    ring x y r =
-      [ value i j
-        | j <- [y - r .. y + r],
-          i <- [x - r .. x + r],
-          max (abs (i - x)) (abs (j - y)) == r,
-          alive i j
-      ]
+    size@(w, h) = rasterSize offset
+    (offsets, gains) = (rasterValues offset, rasterValues gain)
+    value reading zero slope = max 0 (min 1 ((reading - zero) / slope))
+    -- What does not depend on the image is made once for all.
+    filledIn = filled size (Set.filter onSensor (Set.fromList dead))
+    onSensor (y, x) = y >= 0 && x >= 0 && y < h && x < w

@@ -1,10 +1,14 @@
 -- | Calibration, and frames of any size and pitch.
 module Test.Touch.Sensor.CalibrationUndoesGains (spec) where
 
+import Control.Exception (evaluate)
+import Data.Aeson.Types (JSONPathElement (..))
 import Data.Foldable (for_)
-import Data.List (sort)
+import Data.List (sort, subsequences)
 import Data.Maybe (fromMaybe)
+import Data.String (fromString)
 import qualified Data.Vector.Storable as V
+import PraTactile.Format (FormatError (..), Misfit (..))
 import PraTactile.Format.Calibration (decodeCalibration, encodeCalibration)
 import PraTactile.Image
 import PraTactile.Registration
@@ -13,6 +17,7 @@ import PraTactile.Sensor.Calibration
 import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Resample
 import System.Random (mkStdGen)
+import System.Timeout (timeout)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.QuickCheck hiding (generate, sample)
@@ -88,6 +93,25 @@ calibrating = do
     at seen 5 5 `shouldBe` at image 5 5
     -- It felt nothing, beside what felt nothing before.
     sort (frameDead frame) `shouldBe` sort ((5, 5) : dead)
+  it "it is that of the nearest living ones whichever are dead, of all 4096 sets of 4 x 3" $
+    for_ (subsequences [(y, x) | y <- [0 .. 2], x <- [0 .. 3]]) $ \dead -> do
+      let image = generate 4 3 (\x y -> fromIntegral ((7 * x + 5 * y) `mod` 11) / 11)
+          living = [(y, x) | y <- [0 .. 2], x <- [0 .. 3], (y, x) `notElem` dead]
+          distance (y, x) (j, i) = max (abs (y - j)) (abs (x - i)) :: Int
+          -- Itself, where it lives.
+          nearest place = [n | n <- living, all ((>= distance place n) . distance place) living]
+          expected x y = case nearest (y, x) of
+            [] -> 0
+            places -> sum [at image i j | (j, i) <- places] / fromIntegral (length places)
+      seen <- right (correctedImage (Calibration (constant 4 3 0) (constant 4 3 1) dead) image)
+      let wrong = [(x, y) | x <- [0 .. 3], y <- [0 .. 2], abs (at seen x y - expected x y) > 1e-12]
+      (dead, wrong) `shouldBe` (dead, [])
+  it "one living element of 256 x 256 is the nearest of all, and soon found" $ do
+    let dead = [(y, x) | y <- [0 .. 255], x <- [0 .. 255], (y, x) /= (10, 200)]
+        image = generate 256 256 (\x y -> if (y, x) == (10, 200) then 0.625 else 1)
+        plain = Calibration (constant 256 256 0) (constant 256 256 1) dead
+    seen <- timeout 60000000 (evaluate (correctedImage plain image))
+    seen `shouldBe` Just (Right (constant 256 256 0.625))
   it "what does not calibrate is refused, each for its reason" $ do
     let flat = constant 4 4 0.5
         dark = constant 4 4 0
@@ -117,7 +141,7 @@ calibrating = do
     expected <- right (traverse (corrected plain) moved)
     withoutStuck moved `shouldBe` expected
     for_
-      [ ("standing still", framesAt 0.5 7),
+      [ ("standing still" :: String, framesAt 0.5 7),
         ("few", framesAt 4 4),
         ("all saturated", [frame {frameImage = constant 16 16 1} | frame <- moved]),
         ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 [] : moved)
@@ -129,6 +153,12 @@ calibrating = do
           sensible = y `elem` [0, 4] && x `elem` [0, 3]
       either (const Nothing) Just (decodeCalibration (encodeCalibration given))
         `shouldBe` if sensible then Just given else Nothing
+  it "a file's dead elements are each there once" $ do
+    let given dead = encodeCalibration (Calibration (constant 4 5 0) (constant 4 5 1) dead)
+    decodeCalibration (given [(2, 2), (0, 1), (2, 2)])
+      `shouldBe` Left (Misfit [Key (fromString "dead"), Index 2] (GivenTwice "2,2"))
+    fmap calibrationDead (decodeCalibration (given [(2, 2), (0, 1)]))
+      `shouldBe` Right [(2, 2), (0, 1)]
   it "a file's gains are positive" $
     for_ [-1, 0, 0.001] $ \gain -> do
       let given = Calibration (constant 4 5 0) (constant 4 5 gain) []

@@ -11,6 +11,8 @@ module PraTactile.Format.Json.Codec
     writeValue,
     readValue,
     listOf,
+    distinct,
+    such,
     nullable,
     text,
     bool,
@@ -57,6 +59,7 @@ import Data.Char (isDigit)
 import Data.Foldable (toList)
 import Data.List (find)
 import Data.Scientific (Scientific, floatingOrInteger, toBoundedRealFloat)
+import qualified Data.Set as Set
 import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..))
@@ -95,6 +98,22 @@ listOf (Codec write decoder) = Codec (map write) $ \value -> case value of
   _ -> refuse NotList
   where
     item (i, value) = atElement (Index i) (decoder value)
+
+-- | A list of values that differ in what the function makes of them; how that is named where it is
+-- there a second time.
+distinct :: Ord k => (a -> k) -> (k -> String) -> Codec [a] -> Codec [a]
+distinct part name (Codec write decoder) =
+  Codec write (\value -> decoder value >>= \given -> go Set.empty (zip [0 ..] given) >> Right given)
+  where
+    go _ [] = Right ()
+    go before ((i, a) : others)
+      | part a `Set.member` before = atElement (Index i) (refuse (GivenTwice (name (part a))))
+      | otherwise = go (Set.insert (part a) before) others
+
+-- | Values that are so; others are refused.
+such :: (a -> Bool) -> Misfit -> Codec a -> Codec a
+such holds misfit (Codec write decoder) =
+  Codec write (\value -> decoder value >>= \a -> if holds a then Right a else refuse misfit)
 
 -- | Such a value, or null.
 nullable :: Codec a -> Codec (Maybe a)
