@@ -48,7 +48,8 @@ constantCodec = case object keys of
         <* key "unit" text (constantUnit . fst)
         <* key "source" text (constantSource . fst)
     unitOf constant =
-      such (== constantUnit constant) (OtherUnit (constantName constant) (constantUnit constant)) text
+      let unit = constantUnit constant
+       in such (== unit) (OtherUnit (constantName constant) unit) text
 
 constantNamed :: Codec Constant
 constantNamed = Codec constantName $ \value -> do
