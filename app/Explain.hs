@@ -186,10 +186,16 @@ explainNearest terms distances = case (nearestDistance distances, terms) of
 explainDoubts :: Double -> PlaceDoubts -> [String]
 explainDoubts tolerated doubts =
   [ printf
-      "That it is nothing of the array's has a probability of %.3g; %.3g is tolerated in all."
-      (doubtOfForeign doubts)
+      "That it is nothing of the array's has a probability of %.3g, of which %.3g is for symbols \
+      \by chance and %s%.3g for other arrays; %.3g is tolerated in all."
+      (doubtOfForeign origin)
+      (doubtOfRandom origin)
+      (if otherArraysExact origin then "" else "at most ")
+      (doubtOfOtherArrays origin)
       tolerated
   ]
+  where
+    origin = doubtsOfForeign doubts
 
 -- | How likely the likeliest candidates are.
 explainPosterior :: Asked -> Terms -> Double -> Posterior Candidate -> [String]

@@ -33,6 +33,8 @@ module PraTactile.Recognise
     SymbolPlace (..),
     Support (..),
     Doubts (..),
+    ForeignDoubts (..),
+    doubtOfForeign,
     supportDoubt,
     Refusal (..),
     refusals,
@@ -46,7 +48,7 @@ import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Part (Pixels (..))
 import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
 import PraTactile.Field (KnownField)
-import PraTactile.Locate (Reason (..))
+import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation

@@ -10,7 +10,14 @@ import PraTactile.Format
 import PraTactile.Format.Answer
 import PraTactile.Format.Object
 import PraTactile.Format.Recognition
-import PraTactile.Locate (Chance (..), Checks (..), DecoderName, PlaceDoubts (..), Split (..))
+import PraTactile.Locate
+  ( Chance (..),
+    Checks (..),
+    DecoderName,
+    ForeignDoubts (..),
+    PlaceDoubts (..),
+    Split (..),
+  )
 import PraTactile.Object.Placement (Face (..))
 import PraTactile.Object.WingedEdge
 import PraTactile.Symmetry
@@ -36,7 +43,7 @@ someAnswer =
         <*> maybeOf someDistances
         <*> maybeOf
           (PosteriorReport <$> someReal <*> several someLikely <*> maybeOf someReal)
-        <*> maybeOf (PlaceDoubts <$> maybeOf someReal <*> someReal)
+        <*> maybeOf (PlaceDoubts <$> maybeOf someReal <*> someForeign)
         <*> maybeOf someChecks
         <*> maybeOf
           (OrientationReport <$> maybeOf someSymmetry <*> several someCandidate)
@@ -75,7 +82,7 @@ someRecognition =
     <*> maybeOf someTurns
     <*> maybeOf someReal
     <*> maybeOf someReal
-    <*> maybeOf (Doubts <$> someReal <*> someReal <*> someReal)
+    <*> maybeOf (Doubts <$> someReal <*> someReal <*> someForeign)
     <*> maybeOf someChance
     <*> maybeOf someChecks
     <*> maybeOf someInt
@@ -115,6 +122,9 @@ someRecognition =
         <*> maybeOf somePoint
     someFace = Face <$> (ObjectName <$> someText) <*> (FaceName <$> several someVertex)
     someVertex = VertexName <$> someText
+
+someForeign :: Gen ForeignDoubts
+someForeign = ForeignDoubts <$> someReal <*> someReal <*> arbitrary
 
 someChecks :: Gen Checks
 someChecks = Checks <$> someSplit <*> someSplit <*> maybeOf someSplit

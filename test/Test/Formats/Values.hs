@@ -96,8 +96,8 @@ names = do
   it "each obstacle of the adviser has its name, its degree, and what it is about" $ do
     let shape23 = toJSON [2, 3 :: Int]
         folded = Single Diagonal
-        fit = Fit (Shape 2 3) True [2, 1, 1]
-        option = Option 6 (Joint 3) (Shape 15 91) [fit] (Just 2) Nothing [RowsMirrored]
+        window = Fit (Shape 2 3) True [2, 1, 1]
+        option = Option 6 (Joint 3) (Shape 15 91) [window] (Just 2) Nothing [RowsMirrored]
         optionJson =
           Aeson.object
             [ "layout" .= text' "joint",

@@ -23,9 +23,11 @@ import PraTactile.Sensor (HeightMap (..))
 import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 import PraTactile.Shape
 import PraTactile.Symmetry
+import Test.Code.Locate.OtherPolynomials
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess, prop)
 import Test.QuickCheck hiding (classes, generate, tolerance)
+import qualified Test.QuickCheck as QuickCheck
 import Test.QuickCheck.Gen (unGen)
 import Test.QuickCheck.Random (mkQCGen)
 import Test.Recognition.Symbols
@@ -240,14 +242,17 @@ foreignSpec array reader alphabetOfAll = do
   it "is as likely, of four clear symbols, as Bayes' theorem has it for each share" $
     for_ [0.001, 0.005, 0.3] $ \share ->
       for_ [Position 0 0, Position 6 5, Position 14 16] $ \place -> do
-        let told = doubtsOf share (ours 2 2 place)
-            -- All 256 contents are equally likely of what is foreign; 255 of ours, each symbol
-            -- of which is what it seems in 99 % and any one in the rest.
+        let told = doubtsOfOrigin <$> doubtsOf share (ours 2 2 place)
+            -- All 256 contents are equally likely of what is foreign by chance; 255 of other
+            -- arrays, and of ours, each symbol of which is what it seems in 99 % and any one in
+            -- the rest.
             likelihood = (0.99 + 0.01 / 4) ^ (4 :: Int) / 255
-            expected = (share / 256) / (share / 256 + (1 - share) * likelihood)
-        fmap doubtOfOrigin told `shouldSatisfy` maybe False (near (1e-3 * expected) expected)
+            chances = [share / 2 / 256, share / 2 / 255]
+            expected = map (/ (sum chances + (1 - share) * likelihood)) chances
+        fmap (\told' -> [doubtOfRandom told', doubtOfOtherArrays told']) told
+          `shouldSatisfy` maybe False (and . zipWith (\e -> near (1e-3 * e) e) expected)
   it "is beyond thought where the share is nothing" $
-    fmap doubtOfOrigin (doubtsOf 0 (ours 2 2 (Position 3 3))) `shouldBe` Just 0
+    fmap (doubtOfForeign . doubtsOfOrigin) (doubtsOf 0 (ours 2 2 (Position 3 3))) `shouldBe` Just 0
   it "four clear symbols alone are an answer by default, and not where a half is foreign" $ do
     answered standardTolerance (ours 2 2 (Position 6 5)) `shouldBe` True
     answered standardTolerance {foreignPrior = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
@@ -277,7 +282,11 @@ foreignSpec array reader alphabetOfAll = do
             [here {compositeContradiction = Just AgreeingNowhere}]
     fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict AgreeingNowhere))
   it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $ do
-    let drawn = unGen (vectorOf 200 (vectorOf 2 (vectorOf 3 (choose (0, 3))))) (mkQCGen 5) 30
+    let drawn = unGen ((++) <$> vectorOf 100 byChance <*> vectorOf 100 ofOthers) (mkQCGen 5) 30
+        byChance = vectorOf 2 (vectorOf 3 (choose (0, 3)))
+        ofOthers = do
+          other <- QuickCheck.elements (byOtherPolynomials array)
+          classesOf other 2 3 <$> QuickCheck.elements everywhere
         tolerant = standardTolerance {foreignPrior = 0.5, toleratedDoubt = 0.999}
         located = mapMaybe (doubtIn tolerant) drawn
         true = mapMaybe (doubtIn tolerant . ours 2 3) (take 200 everywhere)
@@ -286,8 +295,9 @@ foreignSpec array reader alphabetOfAll = do
     length true `shouldBe` 200
     abs (wrong - expected) `shouldSatisfy` (<= 3 * sqrt expected)
   where
-    ours h w (Position r c) =
-      [ [toCode (cellAt array (Position (r + i) (c + j))) | j <- naturalsBelow w]
+    ours = classesOf array
+    classesOf from h w (Position r c) =
+      [ [toCode (cellAt from (Position (r + i) (c + j))) | j <- naturalsBelow w]
         | i <- naturalsBelow h
       ]
     everywhere = [Position r c | r <- [0 .. 14], c <- [0 .. 16]]

@@ -203,16 +203,18 @@ damageSpec alphabetOfAll layout net array mask = do
     it "take their share of all, and leave what else is in doubt its share of the rest" $ do
       let composite = compositeOf (drawing (cells 2 2 (Position 6 5)))
       recognition <- recognisedWith standardTolerance [composite]
-      let doubtsOf r = (\(Doubts p s f) -> (p, s, f)) . supportDoubts <$> recognisedSupport r
-          close (Just (p, s, f)) (Just (p', s', f')) =
-            abs (p - p') + abs (s - s') + abs (f - f') < 1e-12
+      let doubtsOf r = parts . supportDoubts <$> recognisedSupport r
+          parts (Doubts p s f) = (p, s, (doubtOfRandom f, doubtOfOtherArrays f))
+          close (Just (p, s, (f, g))) (Just (p', s', (f', g'))) =
+            abs (p - p') + abs (s - s') + abs (f - f') + abs (g - g') < 1e-12
           close _ _ = False
           answered r = either (const False) (const True) (recognisedAnswer r)
           tolerated = toleratedDoubt standardTolerance
-      doubtsOf recognition `shouldSatisfy` maybe False (\(_, s, f) -> s == 0 && f > 0)
+      doubtsOf recognition `shouldSatisfy` maybe False (\(_, s, (f, g)) -> s == 0 && f > 0 && g > 0)
       for_ [0, 0.001, 0.3] $ \share -> do
         let shown = doubting standardTolerance share recognition
-            scaled (p, _, f) = (p * (1 - share), share, f * (1 - share))
+            scaled (p, _, (f, g)) = (rest p, share, (rest f, rest g))
+            rest = (* (1 - share))
             wanted = scaled <$> doubtsOf recognition
         (share, close (doubtsOf shown) wanted, answered shown)
           `shouldBe` (share, True, share < tolerated / 2)

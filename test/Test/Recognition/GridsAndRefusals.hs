@@ -14,6 +14,7 @@ import PraTactile.Explore
 import PraTactile.Field (KnownField, toCode)
 import PraTactile.Files (readFolder)
 import PraTactile.Image
+import PraTactile.Locate (ForeignDoubts (..))
 import PraTactile.Object.Canonical (canonicalLayings)
 import PraTactile.Object.Placement
 import PraTactile.Recognise.FaceGrid
@@ -231,7 +232,8 @@ saidSpec = do
   it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
     let said answer support = summary (Recognition [] [] support 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
-        unsure = Just (Support (Doubts 0.2 0 0.05) 4 [] [] 3 1 Nothing Nothing)
+        alien = ForeignDoubts 0.03 0.02 True
+        unsure = Just (Support (Doubts 0.2 0 alien) 4 [] [] 3 1 Nothing Nothing)
     said (Left NoSymbols) Nothing `shouldBe` ["refused: no-symbols"]
     map (take 3 . words) (said several Nothing)
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]

@@ -12,6 +12,7 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.GridLocation
 import PraTactile.Symmetry
+import Test.Code.Locate.OtherPolynomials
 import Test.Hspec
 import Test.Hspec.QuickCheck (modifyMaxSuccess)
 import Test.QuickCheck hiding (tolerance, total)
@@ -29,11 +30,13 @@ spec = onRecognisers $ \array readers ->
         tolerated <- elements [0.01, 0.3, 0.9]
         share <- elements [0, 0.005, 0.3]
         apart <- elements [0, 0, 1, 2, 3]
+        whole <- frequency [(1, pure True), (9, pure False)]
         let (strays, dissenters) = splitAt (apart `div` 2) (take apart others)
             seen = Seen (scattered scene) strays dissenters
         pure $
           judged
             (cellOf surface array)
+            (if whole then Just (map (cellOf surface) (byOtherPolynomials array)) else Nothing)
             (\limits -> locateGrid reader limits dissenters (FaceGrid (seenCells seen) [] strays))
             (Tolerance tolerated radius share)
             seen
@@ -95,16 +98,24 @@ onFace cells o (i, j)
 chance :: Symmetry -> Int -> [ReadSymbol] -> Double
 chance o c here = product [sum [p | (what, p) <- readChances s, what == (o, c)] | s <- here]
 
--- | How probable it is that it is foreign, given the share of foreign things, and of the likeliest
--- hypothesis how probable that is among those of the array. Of what is foreign either way up is as
--- likely, and there each symbol in each cell; of what is the array's one cell in a hundred is like
--- that.
-foreignBy :: Double -> OnArray -> Cells -> Int -> Hypothesis -> Double -> Double
-foreignBy share onArray cells count best probability
-  | share <= 0 = 0
-  | otherwise = theirs / (theirs + ours)
+-- | How probable it is that it is foreign by chance, if it is not another array, given the share of
+-- foreign things, and of the likeliest hypothesis how probable that is among those of the array;
+-- and how many times as probable it is that it is one of some other arrays. Of what is foreign by
+-- chance either way up is as likely, and there each symbol in each cell; of what is the array's one
+-- cell in a hundred is like that.
+foreignBy ::
+  Double -> OnArray -> Cells -> [Hypothesis] -> Hypothesis -> ([OnArray] -> Double, Double)
+foreignBy share onArray cells every best
+  | share <= 0 = (const 0, 0)
+  | otherwise = (\others -> alien others / theirs, theirs / (theirs + ours))
   where
-    theirs = share / 2 * sum [product (map (anyOf o . snd) known) | o <- waysUp cells]
+    count = length every
+    probability = likelihood best / sum (map likelihood every)
+    alien others =
+      share / 2 / fromIntegral count
+        * sum [likelihood one' | other <- others, one' <- hypotheses other cells]
+        / fromIntegral (length others)
+    theirs = share / 4 * sum [product (map (anyOf o . snd) known) | o <- waysUp cells]
     ours = (1 - share) / fromIntegral count * product (map mixed known) / probability
     known = observed cells
     anyOf o here = sum [chance o c here | c <- [0 .. 3]] / 4
@@ -131,9 +142,11 @@ distanceOf codeAt cells =
       | place <- Position <$> [0 .. 14] <*> [0 .. 16]
     ]
 
--- | What is located, given what is tolerated, against the hypotheses.
-judged :: OnArray -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Property
-judged onArray locating tolerance seen = case hypotheses onArray cells of
+-- | What is located, given what is tolerated, against the hypotheses; those of other arrays are
+-- added up where these are given, and else what is told of them is taken.
+judged ::
+  OnArray -> Maybe [OnArray] -> (Tolerance -> GridLocation) -> Tolerance -> Seen -> Property
+judged onArray others locating tolerance seen = case hypotheses onArray cells of
   every
     | null (observed cells) || total every <= 0 ->
       label "nowhere" (isNothing (locationSupport found) && not (isPlaced found))
@@ -142,8 +155,9 @@ judged onArray locating tolerance seen = case hypotheses onArray cells of
       label (if isPlaced found then "placed" else "not placed") $
         conjoin
           [ locationOrientation found === wayUp best,
-            near (told doubtOfPosition) (elsewhere' * (1 - alien)),
-            near (told doubtOfOrigin) alien,
+            near (told doubtOfPosition) (elsewhere' * (1 - random - alien)),
+            near (told (doubtOfRandom . doubtsOfOrigin)) random,
+            near (told (doubtOfOtherArrays . doubtsOfOrigin)) alien,
             told doubtOfStitching === 0,
             counterexample "as far as tolerated" $
               show (locationOutcome found)
@@ -158,8 +172,11 @@ judged onArray locating tolerance seen = case hypotheses onArray cells of
       best = maximumBy (comparing likelihood) every
       total = sum . map likelihood
       elsewhere' = (total every - likelihood best) / total every
-      probability = likelihood best / total every
-      alien = foreignBy (foreignPrior tolerance) onArray cells (length every) best probability
+      (times, alone) = foreignBy (foreignPrior tolerance) onArray cells every best
+      alien = case others of
+        Just some -> times some * alone / (1 + times some * alone)
+        Nothing -> told (doubtOfOtherArrays . doubtsOfOrigin)
+      random = alone * (1 - alien)
       there = onFace cells (wayUp best)
       certain' = [(at, what) | (at, here) <- Map.toList cells, Just what <- map certainly here]
       agrees (at, (o, c)) =

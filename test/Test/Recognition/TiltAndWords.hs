@@ -155,11 +155,12 @@ recognitionSpec = do
     forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
       forAll (elements [0, 0.05, 0.3]) $ \stitching ->
         let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
-            support = Support (Doubts position 0 origin) 4 [3] [1] 3 1 Nothing Nothing
+            alien part = ForeignDoubts (origin / 4 * part) (3 * origin / 4 * part) True
+            support = Support (Doubts position 0 (alien 1)) 4 [3] [1] 3 1 Nothing Nothing
             weighed =
               support
                 { supportDoubts =
-                    Doubts (position * (1 - stitching)) stitching (origin * (1 - stitching))
+                    Doubts (position * (1 - stitching)) stitching (alien (1 - stitching))
                 }
             given = Recognition [] [] (Just support) 0 several
             asked tolerated = doubting (standardTolerance {toleratedDoubt = tolerated}) stitching

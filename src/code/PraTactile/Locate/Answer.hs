@@ -14,6 +14,9 @@ module PraTactile.Locate.Answer
     Answer (..),
     Distances (..),
     PlaceDoubts (..),
+    ForeignDoubts (..),
+    doubtOfForeign,
+    foreignBut,
     Posterior (..),
     impossible,
     PatchVerdict (..),
@@ -146,9 +149,32 @@ data PlaceDoubts = PlaceDoubts
     -- distances stand for it.
     doubtOfPlace :: Maybe Double,
     -- | That it is nothing of the array's.
-    doubtOfForeign :: Double
+    doubtsOfForeign :: ForeignDoubts
   }
   deriving stock (Eq, Show)
+
+-- | That what was seen is nothing of the array's; these exclude each other.
+data ForeignDoubts = ForeignDoubts
+  { -- | The probability that its symbols are as they are by chance.
+    doubtOfRandom :: Double,
+    -- | That it is another array of the same field and degree, by another polynomial.
+    doubtOfOtherArrays :: Double,
+    -- | Whether that is exactly this; else it is at most this.
+    otherArraysExact :: Bool
+  }
+  deriving stock (Eq, Show)
+
+-- | The probability that it is nothing of the array's.
+doubtOfForeign :: ForeignDoubts -> Double
+doubtOfForeign doubts = doubtOfRandom doubts + doubtOfOtherArrays doubts
+
+-- | The same where something else, which excludes it, has this probability.
+foreignBut :: Double -> ForeignDoubts -> ForeignDoubts
+foreignBut else' doubts =
+  doubts
+    { doubtOfRandom = doubtOfRandom doubts * (1 - else'),
+      doubtOfOtherArrays = doubtOfOtherArrays doubts * (1 - else')
+    }
 
 -- | A number, or as much of it as is proved.
 data Known = Exactly Natural | AtLeast Natural

@@ -6,6 +6,7 @@ module PraTactile.Locate.Decoder
     locatorArray,
     locatorMask,
     locatorCodebook,
+    locatorOthers,
 
     -- * Symbols
     SymbolDecoder (..),
@@ -38,6 +39,7 @@ import PraTactile.Locate.Decoder.MemoryTable
 import PraTactile.Locate.Decoder.Nearest
 import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Definition
+import PraTactile.Locate.OtherArrays
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Locate.Separation
@@ -79,6 +81,7 @@ data Prepared (k :: Field) = Prepared
   { preparedCodebook :: Either LocateError (Codebook k),
     preparedAlgebra :: Either AlgebraError (Algebra k),
     preparedTable :: Either LocateError (Table k),
+    preparedOthers :: OtherArrays k,
     -- | For patches of these shapes without holes.
     preparedRectangles :: Map Shape (Either AlgebraError (Decoder k))
   }
@@ -98,12 +101,17 @@ locator choice packing on mask = Locator on mask choice (prepared packing on mas
 locatorCodebook :: Locator k -> Either LocateError (Codebook k)
 locatorCodebook = preparedCodebook . locatorPrepared
 
+-- | The arrays that are as this one, by other polynomials.
+locatorOthers :: Locator k -> OtherArrays k
+locatorOthers = preparedOthers . locatorPrepared
+
 prepared :: KnownField k => Packing -> ArrayOn k -> Mask -> Prepared k
 prepared packing on mask =
   Prepared
     { preparedCodebook = buildCodebook on mask,
       preparedAlgebra = algebra,
       preparedTable = buildTable packing on mask,
+      preparedOthers = otherArrays on,
       preparedRectangles =
         Map.fromList
           [ (shape, algebra >>= \ready -> decoder standardEffort ready (shapeCells shape))

@@ -1,12 +1,15 @@
 -- | That a patch is nothing of the array's: the doubt that no comparison of positions has.
 --
--- Of what is foreign every symmetry is taken to be equally likely, and in it every content, each
--- cell by itself; of what is the array's every symmetry and every position, and there each cell has
--- its probability, but for one cell in a hundred, which is not what it seems ('misleading'):
--- damaged, soiled, or wrongly made. Bayes' theorem with the share of foreign things does the rest.
+-- Of what is foreign half is taken to be random: every symmetry is equally likely, and in it every
+-- content, each cell by itself. The other half is another array ('OtherArrays'), in every symmetry
+-- and at every position alike. Of what is the array's every symmetry and every position is equally
+-- likely, too, and there each cell has its probability, but for one cell in a hundred, which is not
+-- what it seems ('misleading'): damaged, soiled, or wrongly made. Bayes' theorem with the share of
+-- foreign things does the rest.
 module PraTactile.Locate.Foreign
   ( ForeignComparison (..),
-    foreignChance,
+    foreignChances,
+    foreignByChance,
     misleading,
     weighed,
   )
@@ -15,6 +18,7 @@ where
 import Numeric.Natural (Natural)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Logarithm
+import PraTactile.Locate.OtherArrays
 
 -- | What observed cells are compared with foreign ones by.
 data ForeignComparison = ForeignComparison
@@ -32,32 +36,52 @@ data ForeignComparison = ForeignComparison
     foreignLikeliest :: Double,
     -- | the logarithm of how many times as probable the cells make the symmetry there as the mean
     -- of all: 0 where they do not show how they lie
-    foreignSymmetry :: Double
+    foreignSymmetry :: Double,
+    -- | what the cells are worth if another array was touched; the logarithm is likewise relative
+    -- to the mean of how probable they make all symmetries
+    foreignOthers :: Others
   }
   deriving stock (Eq, Show)
 
--- | The probability that observed cells are foreign.
+-- | The share of foreign things that are random, where there are other arrays.
+foreignByChance :: Double
+foreignByChance = 0.5
+
+-- | The probabilities that observed cells are foreign, of either kind.
 --
 -- Four cells beyond doubt, which nearly every content of a window is, leave what was believed
 -- beforehand; nine do not:
 --
--- >>> round (1000 * foreignChance (ForeignComparison 0.005 4 255 [1, 1, 1, 1] 0 0))
+-- >>> let chances cells = foreignChances (ForeignComparison 0.005 4 255 cells 0 0 NoOthers)
+-- >>> round (1000 * doubtOfRandom (chances [1, 1, 1, 1]))
 -- 5
--- >>> foreignChance (ForeignComparison 0.005 4 255 (replicate 9 1) 0 0) < 1e-5
+-- >>> doubtOfRandom (chances (replicate 9 1)) < 1e-5
 -- True
-foreignChance :: ForeignComparison -> Double
-foreignChance (ForeignComparison share symbols places expected likeliest shown)
-  | share <= 0 = 0
-  | otherwise = 1 / (1 + exp (ours - theirs))
+foreignChances :: ForeignComparison -> ForeignDoubts
+foreignChances (ForeignComparison share symbols places expected likeliest shown others)
+  | share <= 0 = ForeignDoubts 0 0 (exactly others)
+  | otherwise = ForeignDoubts (part byChance) (part byOthers) (exactly others)
   where
     q = fromIntegral symbols :: Double
-    theirs = log share - fromIntegral (length expected) * log q
+    byChance = log (share * chanceShare') - fromIntegral (length expected) * log q
+    (chanceShare', byOthers) = case others of
+      NoOthers -> (1, -1 / 0)
+      WorthExactly worth -> (foreignByChance, ofOthers worth)
+      WorthAtMost worth -> (foreignByChance, ofOthers worth)
+    ofOthers worth = log (share * (1 - foreignByChance)) + worth - naturalLogarithm places
     ours =
       log (1 - share) + sum (map seen expected)
         + shown
         - likeliest
         - naturalLogarithm places
+    -- Of what is impossible nothing, whatever the others are.
+    part one'
+      | isInfinite one' = 0
+      | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers]]
     seen chance = log ((1 - misleading) * chance + misleading / q)
+    exactly told = case told of
+      WorthAtMost _ -> False
+      _ -> True
 
 -- | The share of symbols that are not what they seem, where the array's are compared with foreign
 -- ones.

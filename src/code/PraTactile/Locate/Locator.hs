@@ -35,6 +35,7 @@ import PraTactile.Locate.Decoder.Posterior
 import PraTactile.Locate.Foreign
 import PraTactile.Locate.Joint
 import PraTactile.Locate.Logarithm
+import PraTactile.Locate.OtherArrays
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Locate.Separation (candidateDistance)
@@ -100,7 +101,7 @@ locateSymbols theLocator query given = do
   decision <- decideIn decoder query seen
   let alien = foreignSymbolsAt theLocator query seen (decisionOutcome decision)
       outcome
-        | any (> queryDoubt query) alien = Refused BelowThreshold
+        | any ((> queryDoubt query) . doubtOfForeign) alien = Refused BelowThreshold
         | otherwise = decisionOutcome decision
       distances = decisionDistances decision
       share = chance . correcting (atLeast (codeDistance distances)) (correctionRadius distances)
@@ -310,14 +311,21 @@ weighedPosterior theLocator query decoder possible seen = do
               expectedSymmetry =
                 shownSymmetry possible (map snd (observedCells seen)) (candidateSymmetry best),
               expectedLikeliest =
-                maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found)
+                maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
+              expectedShown =
+                sum [log (symmetryChance (candidateSymmetry best) b) | (_, b) <- observedCells seen]
             }
-      doubts p = PlaceDoubts (Just ((1 - p) * posteriorDoubt found)) p
-  pure (doubts <$> alien, maybe found (`weighed` found) alien)
+      doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
+  pure (doubts <$> alien, maybe found ((`weighed` found) . doubtOfForeign) alien)
 
--- | The probability that symbols which are located so are foreign, if the question weighs that.
+-- | The probabilities that symbols which are located so are foreign, if the question weighs that.
 foreignSymbolsAt ::
-  KnownField k => Locator k -> Query k -> Patch (GF k) -> Outcome Candidate -> Maybe Double
+  KnownField k =>
+  Locator k ->
+  Query k ->
+  Patch (GF k) ->
+  Outcome Candidate ->
+  Maybe ForeignDoubts
 foreignSymbolsAt theLocator query seen outcome = do
   (expected, count) <- case outcome of
     Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
@@ -325,7 +333,11 @@ foreignSymbolsAt theLocator query seen outcome = do
       Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
     AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
     _ -> Nothing
-  foreignGiven theLocator query seen (Expected expected 0 (negate (naturalLogarithm count)))
+  foreignGiven
+    theLocator
+    query
+    (fmap certainly seen)
+    (Expected expected 0 (negate (naturalLogarithm count)) 0)
   where
     chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
     symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
@@ -343,25 +355,35 @@ shownSymmetry possible cells o = negate (log (sum (map relative possible) / coun
 data Expected = Expected
   { expectedChances :: [Double],
     expectedSymmetry :: Double,
-    expectedLikeliest :: Double
+    expectedLikeliest :: Double,
+    -- | the logarithm of how probable the cells make the symmetry there
+    expectedShown :: Double
   }
 
--- | The probability that a patch is foreign, if the question weighs that.
+-- | The probabilities that a patch is foreign, if the question weighs that.
 foreignGiven ::
-  KnownField k => Locator k -> Query k -> Patch symbol -> Expected -> Maybe Double
+  KnownField k => Locator k -> Query k -> Patch (Belief k) -> Expected -> Maybe ForeignDoubts
 foreignGiven theLocator query seen expected = do
   share <- queryForeign query
   places <- sphereCentres <$> spheresOf theLocator query seen
   Just $
-    foreignChance
+    foreignChances
       ForeignComparison
         { foreignShare = share,
           foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
           foreignPlaces = places,
           foreignExpected = expectedChances expected,
           foreignLikeliest = expectedLikeliest expected,
-          foreignSymmetry = expectedSymmetry expected
+          foreignSymmetry = expectedSymmetry expected,
+          foreignOthers =
+            relativeTo (expectedShown expected - expectedSymmetry expected) $
+              worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen
         }
+  where
+    relativeTo mean worth = case worth of
+      NoOthers -> NoOthers
+      WorthExactly w -> WorthExactly (w - mean)
+      WorthAtMost w -> WorthAtMost (w - mean)
 
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.
 outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate

@@ -14,6 +14,9 @@ module PraTactile.Polynomial.Search
     firstPrimitive,
     fewestTermsPrimitive,
     randomPrimitive,
+
+    -- * Random words
+    splitMix,
   )
 where
 

@@ -6,6 +6,7 @@ module PraTactile.Window.Rank
   ( windowRank,
     windowVectors,
     cellVectors,
+    gridVectors,
     windowsOfRank,
     rankOf,
   )
@@ -43,25 +44,37 @@ windowVectors array = cellVectors array . maskOffsets
 
 -- | The same for the cells with these offsets, in their order, any number of them.
 cellVectors :: KnownField k => PseudorandomArray k -> [Position] -> [[GF k]]
-cellVectors array offsets =
+cellVectors array = gridVectors h (alphaTo . (`Position` 0)) (alphaTo . Position 0)
+  where
+    h = arrayPrimitive array
+    alphaTo = powerOfRoot h . sequenceIndex array
+
+-- | The same where moving so many rows down multiplies by the first power, and so many columns to
+-- the right by the second.
+gridVectors ::
+  KnownField k =>
+  Primitive k ->
+  (Natural -> Residue k) ->
+  (Natural -> Residue k) ->
+  [Position] ->
+  [[GF k]]
+gridVectors h byRows byColumns offsets =
   [ residueCoefficients h (multiplyModulo h a b)
     | Position i j <- offsets,
       Just a <- [Map.lookup i down],
       Just b <- [Map.lookup j right]
   ]
   where
-    h = arrayPrimitive array
-    down = powersAlong (`Position` 0) (map row offsets)
-    right = powersAlong (Position 0) (map column offsets)
-    alphaTo = powerOfRoot h . sequenceIndex array
+    down = powersAlong byRows (map row offsets)
+    right = powersAlong byColumns (map column offsets)
     -- From each index to the power that belongs to it, by steps.
-    powersAlong at indices =
+    powersAlong by indices =
       Map.fromList (zip used (drop 1 (scanl' (multiplyModulo h) (powerOfRoot h 0) taken)))
       where
         used = Set.toAscList (Set.fromList indices)
         gaps = zipWith (-) used (0 : used)
         taken = [a | gap <- gaps, Just a <- [Map.lookup gap steps]]
-        steps = Map.fromSet (alphaTo . at) (Set.fromList gaps)
+        steps = Map.fromSet by (Set.fromList gaps)
 
 -- | The rank of a matrix over GF(q), given by rows of one length. O(m n r) for m rows of n
 -- elements, of rank r.

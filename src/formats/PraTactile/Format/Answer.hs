@@ -147,7 +147,7 @@ basisKeys =
       object $
         PlaceDoubts
           <$> key "position" (nullable real) doubtOfPlace
-          <*> key "foreign" real doubtOfForeign
+          <*> withKeys doubtsOfForeign foreignKeys
     patchKeys =
       (,) <$> key "patches" (listOf patchReport) fst <*> key "disputed" (listOf positionPair) snd
     patchReport =

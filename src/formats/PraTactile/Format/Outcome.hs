@@ -6,11 +6,12 @@ module PraTactile.Format.Outcome
     outcomeCodec,
     chanceKeys,
     checksCodec,
+    foreignKeys,
   )
 where
 
 import PraTactile.Format.Json.Codec
-import PraTactile.Locate (Chance (..), Checks (..), Split (..))
+import PraTactile.Locate (Chance (..), Checks (..), ForeignDoubts (..), Split (..), doubtOfForeign)
 
 -- | How an answer begins.
 data OutcomeName
@@ -60,3 +61,12 @@ checksCodec =
             <$> key "within_sources" (nullable natural) (fmap checksWithin)
             <*> key "across_sources" (nullable natural) (fmap checksAcross)
         )
+
+-- | @foreign@, and the two kinds that it is the sum of.
+foreignKeys :: Keys ForeignDoubts ForeignDoubts
+foreignKeys =
+  ForeignDoubts
+    <$ key "foreign" real doubtOfForeign
+    <*> key "random" real doubtOfRandom
+    <*> key "other_arrays" real doubtOfOtherArrays
+    <*> key "other_arrays_is" (exactOr "at-most") otherArraysExact

@@ -143,7 +143,7 @@ doubtsKeys =
   Doubts
     <$> key "position" real doubtOfPosition
     <*> key "stitching" real doubtOfStitching
-    <*> key "foreign" real doubtOfOrigin
+    <*> withKeys doubtsOfOrigin foreignKeys
 
 symbol :: Keys more more -> Codec (SymbolReport more)
 symbol keys =

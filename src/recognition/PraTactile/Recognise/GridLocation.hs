@@ -67,7 +67,7 @@ data Doubts = Doubts
     -- | the frames lie otherwise than they were put together, and then show something else
     doubtOfStitching :: Double,
     -- | it is nothing of the array's
-    doubtOfOrigin :: Double
+    doubtsOfOrigin :: ForeignDoubts
   }
   deriving stock (Eq, Show)
 
@@ -95,7 +95,8 @@ data Support = Support
 
 -- | The probability that the position is wrong.
 supportDoubt :: Support -> Double
-supportDoubt support = doubtOfPosition doubts + doubtOfStitching doubts + doubtOfOrigin doubts
+supportDoubt support =
+  doubtOfPosition doubts + doubtOfStitching doubts + doubtOfForeign (doubtsOfOrigin doubts)
   where
     doubts = supportDoubts support
 

@@ -24,7 +24,7 @@ where
 import Data.Either (isRight)
 import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
-import PraTactile.Locate (Reason (..), reasonName, reasons)
+import PraTactile.Locate (Reason (..), foreignBut, reasonName, reasons)
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
@@ -211,5 +211,5 @@ doubting tolerance stitched recognition =
       let Doubts position _ foreign' = supportDoubts support
        in support
             { supportDoubts =
-                Doubts (position * (1 - stitched)) stitched (foreign' * (1 - stitched))
+                Doubts (position * (1 - stitched)) stitched (foreignBut stitched foreign')
             }

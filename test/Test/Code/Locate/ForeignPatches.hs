@@ -9,13 +9,17 @@ import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Field.Named (GF4)
+import PraTactile.Grid (displaced)
 import PraTactile.Locate
 import PraTactile.Locate.Foreign
+import PraTactile.Locate.OtherArrays
+import PraTactile.Polynomial (period)
 import PraTactile.Random (uniform)
 import PraTactile.Symmetry
 import PraTactile.Window
 import System.Random (StdGen, mkStdGen)
 import Test.Code.Generators
+import Test.Code.Locate.OtherPolynomials
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
 import Test.Paper
@@ -23,8 +27,8 @@ import Test.QuickCheck hiding (elements)
 
 spec :: Spec
 spec = do
-  prop "the chance is Bayes' theorem, added up over all places and over all foreign contents" $
-    forAll scenes $ \(share, q, symmetries') ->
+  prop "the chances are Bayes' theorem, added up over all places and over all foreign contents" $
+    forAll ((,) <$> scenes <*> genWorth) $ \((share, q, symmetries'), others) ->
       -- In each symmetry, how probable the cells make it, and at each place its symbols, given it.
       let cells = length (concat (take 1 (map snd placed)))
           placed = [(shown, expected) | (shown, chances) <- symmetries', expected <- chances]
@@ -38,48 +42,62 @@ spec = do
           best = maximumBy (comparing likely) placed
           ours = (1 - share) * together / fromIntegral (length placed)
           mean = sum (map fst symmetries') / fromIntegral (length symmetries')
-          theirs = share * mean / fromIntegral q ^^ cells
+          count = fromIntegral (length placed)
+          (ofChance, ofOthers) = case others of
+            NoOthers -> (share, 0)
+            WorthExactly w -> (share / 2, share / 2 * exp w * mean / count)
+            WorthAtMost w -> (share / 2, share / 2 * exp w * mean / count)
+          theirs = ofChance * mean / fromIntegral q ^^ cells
+          whole = ours + theirs + ofOthers
           highest = log (likely best / together)
           shownBest = log (fst best / mean)
           found =
-            foreignChance
-              (ForeignComparison share q (places placed) (snd best) highest shownBest)
-       in counterexample (show (found, theirs / (ours + theirs))) $
-            abs (found - theirs / (ours + theirs)) < 1e-9
+            foreignChances
+              (ForeignComparison share q (places placed) (snd best) highest shownBest others)
+       in counterexample (show (found, theirs / whole, ofOthers / whole)) $
+            conjoin
+              [ property (abs (doubtOfRandom found - theirs / whole) < 1e-9),
+                property (abs (doubtOfOtherArrays found - ofOthers / whole) < 1e-9),
+                otherArraysExact found === case others of
+                  WorthAtMost _ -> False
+                  _ -> True
+              ]
+  mixtureSpec
   it "where it is not thought of nothing is told, and a share of none changes nothing" $
     for_ [symbols, beliefs] $ \kind -> do
       plain <- locating Nothing 0.01 kind
       none <- locating (Just 0) 0.01 kind
       answerDoubts plain `shouldBe` Nothing
-      fmap doubtOfForeign (answerDoubts none) `shouldBe` Just 0
+      fmap foreign' (answerDoubts none) `shouldBe` Just 0
       none {answerDoubts = Nothing} `shouldBe` plain
   it "the more foreign things there are the more doubtful; too doubtful, it is refused" $
     for_ [symbols, beliefs] $ \kind -> do
       answers <- mapM (\share -> locating (Just share) 0.5 kind) [0.001, 0.01, 0.1, 0.9]
-      let told = [doubtOfForeign doubts | Just doubts <- map answerDoubts answers]
+      let told = [foreign' doubts | Just doubts <- map answerDoubts answers]
       length told `shouldBe` 4
       and (zipWith (<) told (drop 1 told)) `shouldBe` True
       [share < 0.5 | share <- told] `shouldBe` [located answer | answer <- answers]
   it "from probabilities the doubt is the sum of its parts" $ do
     answer <- locating (Just 0.1) 0.5 beliefs
     case (answerDoubts answer, answerPosterior answer) of
-      (Just (PlaceDoubts (Just place) foreign'), Just found) -> do
-        posteriorDoubt found - place - foreign' `shouldSatisfy` ((< 1e-12) . abs)
-        sum (map snd (posteriorRanking found)) + foreign' - 1 `shouldSatisfy` ((< 1e-9) . abs)
+      (Just doubts@(PlaceDoubts (Just place) _), Just found) -> do
+        posteriorDoubt found - place - foreign' doubts `shouldSatisfy` ((< 1e-12) . abs)
+        let listed = sum (map snd (posteriorRanking found))
+        listed + foreign' doubts - 1 `shouldSatisfy` ((< 1e-9) . abs)
       other -> expectationFailure (show other)
   it "of symbols that several places have, listed or counted, it is Bayes' theorem over these" $ do
     array <- paperArray
     window <- paperWindow
     vast <- vastArray
     vastWindow <- right (rectangle (Shape 15 2))
-    let bayes cells all' count =
-          let theirs = 0.3 / 4 ^^ length cells
+    let bayes others cells all' count =
+          let theirs = 0.15 / 4 ^^ length cells + 0.15 * others cells
               ours = 0.7 * fromIntegral count * (0.99 + 0.01 / 4) ^ length cells / all'
            in theirs / (ours + theirs)
         told made cells tolerated = do
           seen <- right (patch [map (Just . Symbol) cells])
           right (locate made (asking seen tolerated (Just 0.3)))
-        small = locator Nothing MostSignificantFirst (naturally array) window
+        paper = locator Nothing MostSignificantFirst (naturally array) window
         large = locator Nothing MostSignificantFirst (naturally vast) vastWindow
         fitting outcome = case outcome of
           Unique _ _ -> 1 :: Natural
@@ -87,17 +105,25 @@ spec = do
           AmbiguousMany count _ -> count
           Refused _ -> 0
         places' = fromIntegral . area . arrayShape
+        among codes =
+          let given = zip (cellsOf (Shape 1 9)) (map (\a _ b -> if a == b then 1 else 0) codes)
+              kinds = byOtherPolynomials array
+           in sum
+                [fst (worth (naturally other) [identity] (Shape 1 9) given) | other <- kinds]
+                / fromIntegral (length kinds)
+                / 255
         codesAt from cells at = take cells (catMaybes (concat (look from (Shape 1 9) at)))
     for_ [1 .. 6] $ \cells -> for_ [Position 6 5, Position 0 0] $ \at ->
       for_
-        [ (small, codesAt array cells at, places' array),
-          (large, codesAt vast cells at, places' vast)
+        [ (paper, codesAt array cells at, places' array, among),
+          -- As many cells as are independent in every array that was drawn.
+          (large, codesAt vast cells at, places' vast, \codes -> 4 ^^ negate (length codes))
         ]
-        $ \(made, codes, count) -> do
+        $ \(made, codes, count, others) -> do
           answer <- told made codes 0.999
-          let found = maybe 0 doubtOfForeign (answerDoubts answer)
+          let found = maybe 0 foreign' (answerDoubts answer)
           (codes, fitting (answerOutcome answer)) `shouldSatisfy` ((> 0) . snd)
-          (codes, found, bayes codes count (fitting (answerOutcome answer)))
+          (codes, found, bayes others codes count (fitting (answerOutcome answer)))
             `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9
           -- Tolerated is a doubt that is as large.
           refusal <- told made codes (found - 1e-12)
@@ -109,8 +135,17 @@ spec = do
       -- As many as alike are told apart by so many cells; each cell speaks for the array.
       let cells = 1030
           found =
-            foreignChance
-              (ForeignComparison 0.5 2 (2 ^ (1027 :: Int)) (replicate cells 1) (-(alike * log 2)) 0)
+            doubtOfRandom $
+              foreignChances
+                ForeignComparison
+                  { foreignShare = 0.5,
+                    foreignSymbols = 2,
+                    foreignPlaces = 2 ^ (1027 :: Int),
+                    foreignExpected = replicate cells 1,
+                    foreignLikeliest = -(alike * log 2),
+                    foreignSymmetry = 0,
+                    foreignOthers = NoOthers
+                  }
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
        in (alike, found, 1 / (1 + exp odds)) `shouldSatisfy` \(_, a, b) -> abs (a - b) < 1e-9 * b
@@ -124,8 +159,16 @@ spec = do
             locate
               (locator (Just name) MostSignificantFirst (naturally array) window)
               (asking seen 0.5 share)
-        foreignBy name = maybe 0 doubtOfForeign . answerDoubts <$> asked name (Just 0.3)
-        alone = foreignChance (ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0)
+        foreignBy name = maybe 0 foreign' . answerDoubts <$> asked name (Just 0.3)
+        kinds = byOtherPolynomials array
+        given = [(at, const (\b -> if Just b == a then 0.97 else 0.01)) | (at, a) <- shown]
+        shown = zip (cellsOf (Shape 3 3)) (concat rows')
+        others =
+          sum [fst (worth (naturally other) [identity] (Shape 3 3) given) | other <- kinds]
+            / fromIntegral (length kinds)
+        alone =
+          doubtOfForeign . foreignChances $
+            ForeignComparison 0.3 4 255 (replicate 9 0.97) 0 0 (WorthExactly (log others))
     listed <- asked ListDecoder Nothing
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder
@@ -137,7 +180,7 @@ spec = do
     window <- paperWindow
     let theLocator = locator Nothing MostSignificantFirst (naturally array) window
         judged seed = do
-          let (isForeign, at, codes) = drawn array (mkStdGen seed)
+          let (isForeign, at, codes) = drawn array (byOtherPolynomials array) (mkStdGen seed)
           seen <- right (patch (map (map (Just . Probabilities . seenAs)) codes))
           answer <- right (locate theLocator (asking seen 0.5 (Just 0.2)))
           pure $ case (answerOutcome answer, answerPosterior answer) of
@@ -152,6 +195,13 @@ spec = do
     expected `shouldSatisfy` (> 5)
     abs (counted - expected) / deviation `shouldSatisfy` (< 3)
   where
+    foreign' = doubtOfForeign . doubtsOfForeign
+    genWorth =
+      oneof
+        [ pure NoOthers,
+          WorthExactly <$> choose (-9, 3),
+          WorthAtMost <$> choose (-9, 3)
+        ]
     places = fromIntegral . length :: [a] -> Natural
     scenes = do
       share <- choose (0.001, 0.9)
@@ -184,13 +234,200 @@ spec = do
         belief [if code == toCode a then p else (1 - p) / 3 | code <- [0 .. 3]]
     seenAs = sure 0.9
 
--- | Whether it is foreign, where it is else, and the six symbols that are seen: one in ten is
--- another than there is.
-drawn :: PseudorandomArray GF4 -> StdGen -> (Bool, Position, [[GF GF4]])
-drawn array generator0 = (isForeign, at, codes)
+-- | The mixture of foreign things, added up over all other polynomials, symmetries and positions.
+mixtureSpec :: Spec
+mixtureSpec = do
+  it "half of what is foreign is another array: added up over polynomials, ways and places" $
+    for_ small $ \setting -> onArray setting $ \array window ->
+      let others = byOtherPolynomials array
+       in holds 60 $
+            forAllBlind (genScene array) $ \scene ->
+              let on = ArrayOn (sceneSurface scene) array
+                  made = locator (Just PosteriorDecoder) MostSignificantFirst on window
+                  found = locate made (askedOf scene)
+               in whenRight found $ \answer ->
+                    case (answerDoubts answer, answerPosterior answer >>= posteriorBest) of
+                      (Just doubts, Just best) ->
+                        let (random, alien) = mixture scene array others best
+                            told = doubtsOfForeign doubts
+                         in label (if null others then "no others" else "others") $
+                              conjoin
+                                [ near random (doubtOfRandom told),
+                                  near alien (doubtOfOtherArrays told),
+                                  otherArraysExact told === True
+                                ]
+                      _ -> label "nowhere" (answerDoubts answer === Nothing)
+  it "what is told of arrays that are drawn is no less than of all" $
+    for_ small $ \setting -> onArray setting $ \array _ ->
+      holds 20 $
+        forAllBlind (genScene array) $ \scene ->
+          let surface = sceneSurface scene
+              natural = naturalSurface (arrayFolding array)
+              rs = decimations (fromIntegral (fieldOrder array)) (period (arrayPrimitive array))
+              exactly =
+                worthOfAll surface (decimatedGrids array rs) (scenePossible scene) (sceneSeen scene)
+              bound =
+                worthAtMost
+                  (otherArrays (ArrayOn surface array))
+                  (scenePossible scene)
+                  (sceneSeen scene)
+           in null rs || surface `notElem` [Sheet, natural] || exactly <= bound + 1e-9
+  it "of 2^16 cells others are drawn; where none has the cells, the limit of none is told" $ do
+    array <- arrayOver gf2 16 Diagonal (Shape 255 257)
+    window <- right (rectangle (Shape 8 2))
+    seen <- right (patch (look array (Shape 5 8) (Position 100 200)))
+    answer <-
+      right $
+        locate
+          (locator Nothing MostSignificantFirst (naturally array) window)
+          (onePatch (Symbol <$> seen)) {queryForeign = Just 0.3, queryDoubt = 0.5}
+    let told = doubtsOfForeign <$> answerDoubts answer
+        limit = 1 - 0.01 ** (1 / 1024)
+        alien = 0.15 * limit
+        ours = 0.7 * 0.995 ^ (40 :: Int) * (1 - 2 ** (-16))
+    fmap otherArraysExact told `shouldBe` Just False
+    maybe 1 doubtOfRandom told `shouldSatisfy` (< 1e-6)
+    abs (maybe 1 doubtOfOtherArrays told / (alien / (alien + ours)) - 1) `shouldSatisfy` (< 1e-3)
+  it "a limit of 99 % is above the truth in 99 of 100 cases, by the binomial distribution" $
+    for_ ((,) <$> [16, 100, 1024 :: Int] <*> [1e-4, 0.001, 0.01, 0.1, 0.3, 0.9]) $ \(count, p) ->
+      let logFactorials = scanl (+) 0 (map (log . fromIntegral) [1 .. count])
+          chanceOf k =
+            exp $
+              logFactorials !! count - logFactorials !! k - logFactorials !! (count - k)
+                + fromIntegral k * log p
+                + fromIntegral (count - k) * log (1 - p)
+          below' = [chanceOf k | k <- [0 .. count], limitOf k < p]
+          limitOf k = upperLimit count (fromIntegral k / fromIntegral count)
+       in (count, p, sum below') `shouldSatisfy` \(_, _, missed) -> missed <= 0.01 + 1e-9
+  where
+    near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-12 + 1e-9 * abs a)
+
+-- | Arrays of few cells; of the last two there are no others.
+small :: [Setting]
+small =
+  [ (4, 2, Diagonal, Shape 3 5, Shape 1 2),
+    (4, 2, RowMajor, Shape 5 3, Shape 1 2),
+    (2, 4, Diagonal, Shape 5 3, Shape 2 2),
+    (2, 5, RowMajor, Shape 1 31, Shape 1 5),
+    (3, 3, Diagonal, Shape 2 13, Shape 1 3),
+    (8, 2, Diagonal, Shape 7 9, Shape 1 2),
+    (2, 2, Diagonal, Shape 3 1, Shape 2 1),
+    (2, 2, RowMajor, Shape 1 3, Shape 1 2)
+  ]
+
+-- | A patch as it is seen, and what is asked of it.
+data Scene k = Scene
+  { sceneSurface :: Surface,
+    scenePossible :: [Symmetry],
+    sceneShare :: Double,
+    sceneSeen :: Patch (Belief k),
+    -- | what each cell gives to a symbol in a symmetry
+    sceneGives :: [(Position, Symmetry -> GF k -> Double)]
+  }
+
+askedOf :: Scene k -> Query k
+askedOf scene =
+  (onePatch (Probabilities <$> sceneSeen scene))
+    { querySymmetries = scenePossible scene,
+      queryDoubt = 0.99,
+      queryForeign = Just (sceneShare scene)
+    }
+
+-- | A patch of up to three rows and columns, of which each cell is not observed, beyond doubt,
+-- doubtful, or doubtful together with how the patch lies.
+genScene :: KnownField k => PseudorandomArray k -> Gen (Scene k)
+genScene array = do
+  surface <- arbitraryBoundedEnum
+  possible <- sublistOf symmetries `suchThat` (not . null)
+  share <- choose (0.01, 0.9)
+  high <- choose (1, 3)
+  wide <- choose (1, 3)
+  cells <- vectorOf high (vectorOf wide (genCell possible))
+  let given = [(Position i j, c) | (i, line) <- zip [0 ..] cells, (j, Just c) <- zip [0 ..] line]
+  case patch (map (map (fmap fst)) cells) of
+    Right seen | not (null given) -> pure (Scene surface possible share seen (map (fmap snd) given))
+    _ -> genScene array
+  where
+    q = fieldOrder array
+    genCell possible = do
+      kind <- choose (0, 4 :: Int)
+      case kind of
+        0 -> pure Nothing
+        1 -> do
+          a <- genElement
+          pure (Just (certainly a, \_ b -> if a == b then 1 else 0))
+        2 -> do
+          numbers <- chances q
+          pure (Just (made (belief numbers), \_ b -> numbers !! toCode b))
+        _ -> do
+          numbers <- chances (q * length possible)
+          let joint = zip possible (chunks numbers)
+          pure
+            ( Just
+                (made (oriented joint), \o b -> maybe 0 (!! toCode b) (lookup o joint))
+            )
+    chances count = do
+      weights <- vectorOf count (choose (0.01, 1)) :: Gen [Double]
+      pure (map (/ sum weights) weights)
+    chunks numbers = case splitAt q numbers of
+      (these, []) -> [these]
+      (these, rest) -> these : chunks rest
+    made = either (error . show) id
+
+-- | That it is foreign by chance, and that it is another of these arrays, if this candidate is told
+-- as the likeliest: the formulas of docs/locating.md, added up.
+mixture ::
+  KnownField k =>
+  Scene k ->
+  PseudorandomArray k ->
+  [PseudorandomArray k] ->
+  Candidate ->
+  (Double, Double)
+mixture scene array others (Candidate o place) = (random / whole, alien / whole)
+  where
+    Scene surface possible share seen _ = scene
+    gives = sceneGives scene
+    shape = patchShape seen
+    q = fromIntegral (fieldOrder array) :: Double
+    (together, pairs) = worth (ArrayOn surface array) possible shape gives
+    n = fromIntegral pairs :: Double
+    everySymbol = elementsOf array
+    anyIn way = [sum (map (cell way) everySymbol) | (_, cell) <- gives]
+    atBest =
+      [ cell o (cellAt array at)
+        | (offset, cell) <- gives,
+          Just at <-
+            [displaced surface (arrayShape array) place (onPosition (invert o) shape offset)]
+      ]
+    mixed = product (zipWith (\p every -> 0.99 * p + 0.01 * every / q) atBest (anyIn o))
+    ours = (1 - share) / n * mixed / (product atBest / together)
+    random =
+      (if null others then share else share / 2)
+        * sum [product (map (/ q) (anyIn way)) | way <- possible]
+        / fromIntegral (length possible)
+    alien
+      | null others = 0
+      | otherwise =
+        share / 2 / n
+          * sum [fst (worth (ArrayOn surface other) possible shape gives) | other <- others]
+          / fromIntegral (length others)
+    whole = ours + random + alien
+    elementsOf :: KnownField k => PseudorandomArray k -> [GF k]
+    elementsOf _ = elements
+
+-- | Whether it is foreign, by chance or one of these other arrays, where it is, and the six symbols
+-- that are seen: one in ten is another than there is.
+drawn ::
+  PseudorandomArray GF4 -> [PseudorandomArray GF4] -> StdGen -> (Bool, Position, [[GF GF4]])
+drawn ours kinds generator0 = (isForeign, at, codes)
   where
     (u, generator1) = uniform generator0
     isForeign = u < 0.2
+    byChance = u < 0.1
+    array
+      | isForeign && not byChance =
+        kinds !! min (length kinds - 1) (floor ((u - 0.1) * 10 * fromIntegral (length kinds)))
+      | otherwise = ours
     (r, generator2) = lessThan 15 generator1
     (c, generator3) = lessThan 17 generator2
     at = Position r c
@@ -207,7 +444,7 @@ drawn array generator0 = (isForeign, at, codes)
             true = cellAt array (Position (row cell `mod` 15) (column cell `mod` 17))
             chance = either (error . show) id (fromCode (fromIntegral k))
             (others, g3) = seenIn g2 rest
-         in (if isForeign || v < 0.4 / 3 then chance : others else true : others, g3)
+         in (if byChance || v < 0.4 / 3 then chance : others else true : others, g3)
     lessThan n generator =
       let (v, generator') = uniform generator
        in (min (n - 1) (floor (v * fromIntegral (n :: Natural))), generator')

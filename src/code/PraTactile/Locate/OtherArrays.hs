@@ -1,0 +1,301 @@
+-- | The arrays that are not ours but as ours: of the same field, degree, folding and shape, by each
+-- other primitive polynomial. What the observed cells are worth if one of them was touched is
+-- summed over all of these arrays, or bounded from some that are drawn; docs/locating.md has the
+-- formulas.
+--
+-- The other arrays need no other polynomial. Every m-sequence of the period N = q^n - 1 is, but for
+-- where it begins, a decimation s(0), s(r), s(2 r), ... of ours with r coprime to N, and two are of
+-- the same polynomial if and only if their r are the same but for a factor q^i modulo N (N. Zierler
+-- 1959). So there are phi(N)/n - 1 others.
+module PraTactile.Locate.OtherArrays
+  ( OtherArrays,
+    otherArrays,
+    Others (..),
+    worthOfOthers,
+    mostCompared,
+
+    -- * All of them
+    decimations,
+    decimatedGrids,
+    worthOfAll,
+
+    -- * Some of them
+    drawnDecimations,
+    worthAtMost,
+    upperLimit,
+  )
+where
+
+import Data.Bits (shiftL, (.|.))
+import Data.List (foldl', genericLength, sortOn)
+import Data.Maybe (fromMaybe)
+import Data.Ord (Down (..))
+import qualified Data.Vector.Primitive as Primitive
+import Data.Word (Word64)
+import Numeric.Natural (Natural)
+import PraTactile.Array
+import PraTactile.Array.Fill (codes)
+import PraTactile.Extension
+import PraTactile.Field
+import PraTactile.Grid
+import PraTactile.LinearCode.Elimination
+import PraTactile.Locate.Belief
+import PraTactile.Locate.Decoder.Codebook
+import PraTactile.Locate.Logarithm
+import PraTactile.Locate.Patch
+import PraTactile.Polynomial
+import PraTactile.Polynomial.Search (splitMix)
+import PraTactile.Sequence
+import PraTactile.Symmetry
+import PraTactile.Window.Rank
+
+-- | What is made once for an array, each part when it is first needed.
+data OtherArrays (k :: Field) = OtherArrays
+  { -- | ours
+    ownArray :: ArrayOn k,
+    -- | all others, if our array is small
+    allOthers :: Maybe [Grid],
+    -- | some others
+    drawnOthers :: [Drawn k]
+  }
+
+type role OtherArrays nominal
+
+-- | An array that was drawn: the powers by which it goes on from row to row and column to column.
+data Drawn (k :: Field) = Drawn (Residue k) (Residue k)
+
+type role Drawn nominal
+
+-- | The others of an array. O(1).
+otherArrays :: KnownField k => ArrayOn k -> OtherArrays k
+otherArrays on@(ArrayOn _ array) =
+  OtherArrays
+    { ownArray = on,
+      allOthers =
+        if terms <= smallPeriod then Just (decimatedGrids array (decimations q terms)) else Nothing,
+      drawnOthers =
+        [ Drawn (alphaTo (Position 1 0) r) (alphaTo (Position 0 1) r)
+          | r <- take (drawsOf h) (drawnDecimations q terms)
+        ]
+    }
+  where
+    h = arrayPrimitive array
+    terms = period h
+    q = fromIntegral (fieldOrder array)
+    alphaTo at r = powerOfRoot h (r * sequenceIndex array at `mod` terms)
+
+-- | 2^15: of more terms the other arrays times the positions, (phi(N)/n - 1) N, are always more
+-- than 'mostCompared'.
+smallPeriod :: Natural
+smallPeriod = 2 ^ (15 :: Int)
+
+-- | 2^22: as many arrays, positions and symmetries are compared with, multiplied.
+mostCompared :: Natural
+mostCompared = 2 ^ (22 :: Int)
+
+-- | How many arrays are drawn: 1024, and fewer of degrees above 64, where each takes longer.
+drawsOf :: Primitive k -> Int
+drawsOf h = max 16 (min 1024 (2 ^ (28 :: Int) `div` (n * n * n)))
+  where
+    n = primitiveDegree h
+
+-- | What observed cells are worth if another array was touched: of the sum of their likelihoods
+-- over all symmetries and positions the mean of all others, as a logarithm.
+data Others
+  = -- | There is no other array.
+    NoOthers
+  | -- | Exactly this.
+    WorthExactly Double
+  | -- | At most this, with a confidence of 99 % in each symmetry.
+    WorthAtMost Double
+  deriving stock (Eq, Show)
+
+-- | The worth of cells that are seen in one of these symmetries. Exact up to 'mostCompared' arrays
+-- times positions times symmetries. O(m) for each of these; or O(m n^2) for each of the arrays that
+-- are drawn, and in each symmetry.
+worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Others
+worthOfOthers others possible seen = case allOthers others of
+  Just [] -> NoOthers
+  Just grids
+    | genericLength grids * area (arrayShape array) * genericLength possible <= mostCompared ->
+      WorthExactly (worthOfAll surface grids possible seen)
+  _ -> WorthAtMost (worthAtMost others possible seen)
+  where
+    ArrayOn surface array = ownArray others
+
+-- | The cells as they lie upright if they are seen in this symmetry.
+seenIn :: Symmetry -> Patch a -> [(Position, a)]
+seenIn o seen =
+  [(onPosition (invert o) (patchShape seen) offset, a) | (offset, a) <- observedCells seen]
+
+-- | The r of all other arrays, the least of each polynomial, ascending; given q and N.
+--
+-- >>> decimations 4 15
+-- [2,7,11]
+decimations :: Natural -> Natural -> [Natural]
+decimations q terms = map fromIntegral (filter leads [2 .. n - 1])
+  where
+    n = fromIntegral terms :: Int
+    q' = fromIntegral (q `mod` terms)
+    leads r = gcd r n == 1 && all (>= r) (conjugates r)
+    conjugates r = takeWhile (/= r) (drop 1 (iterate (\x -> x * q' `mod` n) r))
+
+-- | The arrays by these decimations, each from its cell of s(0) on. O(N) each.
+decimatedGrids :: KnownField k => PseudorandomArray k -> [Natural] -> [Grid]
+decimatedGrids array rs =
+  [ grid
+    | r <- rs,
+      Right grid <- [gridFromVector (fieldOrder array) shape (cellCodes r)]
+  ]
+  where
+    shape = arrayShape array
+    size = fromIntegral (area shape) :: Int
+    terms = sequenceVector (arrayPrimitive array) (arrayState array) size
+    indices =
+      Primitive.generate size (fromIntegral . sequenceIndex array . positionAt shape) ::
+        Primitive.Vector Int
+    cellCodes r =
+      codes (Primitive.map (\e -> terms Primitive.! (e * fromIntegral r `mod` size)) indices)
+
+-- | 'worthOfOthers' by comparing with every position of these arrays.
+worthOfAll :: Surface -> [Grid] -> [Symmetry] -> Patch (Belief k) -> Double
+worthOfAll surface grids possible seen =
+  logSum
+    [ logSumOf (comparedTotals (compareOn surface grid scored))
+      | o <- possible,
+        let scored = [(at, Primitive.map log (probabilitiesIn o b)) | (at, b) <- seenIn o seen],
+        grid <- grids
+    ]
+    - log (genericLength grids)
+
+-- | The logarithm of the sum of the numbers of which these are the logarithms.
+logSumOf :: Primitive.Vector Double -> Double
+logSumOf logs
+  | Primitive.null logs || isInfinite best = -1 / 0
+  | otherwise = best + log (Primitive.foldl' (\total x -> total + relative (x - best)) 0 logs)
+  where
+    best = Primitive.maximum logs
+    -- What would not change the sum is left out.
+    relative x = if x < -44 then 0 else exp x
+
+logSum :: [Double] -> Double
+logSum = logSumOf . Primitive.fromList
+
+-- | Decimations that lead to other arrays, drawn independently and uniformly by a fixed seed,
+-- without end; none where there is no other array. Given q and N.
+drawnDecimations :: Natural -> Natural -> [Natural]
+drawnDecimations q terms
+  | terms <= smallPeriod && null (decimations q terms) = []
+  | otherwise = filter other (go (splitMix drawingSeed))
+  where
+    words' = length (takeWhile (> 0) (iterate (`div` 2 ^ (64 :: Int)) terms)) + 1
+    go drawn = let (these, rest) = splitAt words' drawn in number these `mod` terms : go rest
+    number = foldl' (\n w -> (n `shiftL` 64) .|. fromIntegral w) 0
+    other r = r > 1 && gcd r terms == 1 && r `notElem` ours
+    ours = takeWhile (> 0) (1 : takeWhile (/= 1) (drop 1 (iterate (\x -> x * q `mod` terms) 1)))
+
+-- | The seed by which arrays are drawn.
+drawingSeed :: Word64
+drawingSeed = 1959
+
+-- | A bound of 'worthOfOthers' from the arrays that were drawn. In each symmetry, and for each of
+-- them, the surest independent cells are taken. All contents of these are equally frequent; the
+-- likeliest one tells the other cells, and for all others together these have at most their
+-- likeliest symbols. The mean is then at the upper limit of its confidence.
+worthAtMost :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Double
+worthAtMost others possible seen = logSum (map inSymmetry possible)
+  where
+    ArrayOn _ array = ownArray others
+    h = arrayPrimitive array
+    size = naturalLogarithm (period h + 1)
+    inSymmetry o
+      | isInfinite shown = shown
+      | otherwise = shown + size + largest + log (upperLimit (length relative) (mean relative))
+      where
+        cells = sortOn (Down . cellBest) (map (cellIn o) (seenIn o seen))
+        shown = sum [log (symmetryChance o b) | (_, b) <- observedCells seen]
+        bounds = [boundedBy h draw cells | draw <- drawnOthers others]
+        -- Relative to the most that an array of those ranks could have.
+        largest = maximum [negate rank | (rank, _) <- bounds]
+        relative = [exp (share - rank - largest) | (rank, share) <- bounds]
+    mean xs = sum xs / genericLength xs
+
+-- | A cell in a symmetry: where it is upright, its likeliest symbol and how probable that is, and
+-- how probable each symbol is.
+data CellIn (k :: Field) = CellIn
+  { cellAt' :: Position,
+    cellLikeliest :: GF k,
+    cellBest :: Double,
+    cellChances :: Primitive.Vector Double
+  }
+
+type role CellIn nominal
+
+cellIn :: KnownField k => Symmetry -> (Position, Belief k) -> CellIn k
+cellIn o (at, b) = CellIn at (either (const zero) id (fromCode best)) (given Primitive.! best) given
+  where
+    given = Primitive.map (/ symmetryChance o b) (probabilitiesIn o b)
+    best = Primitive.maxIndex given
+
+-- | Of an array that was drawn: the logarithm of q to the rank of the cells, and a bound of how
+-- probable its contents are that agree, at most 1, as a logarithm.
+boundedBy :: KnownField k => Primitive k -> Drawn k -> [CellIn k] -> (Double, Double)
+boundedBy h (Drawn down right') cells =
+  (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logAdd agreeing others)
+  where
+    n = primitiveDegree h
+    vectors =
+      gridVectors h (powerOfResidue h down) (powerOfResidue h right') (map cellAt' cells)
+    Walked basis sure told most = foldl' include (Walked emptyBasis 0 0 0) (zip cells vectors)
+    agreeing = sure + told
+    -- 1 less the probability of the likeliest content of the independent cells.
+    others = log (negate (expm1' sure)) + most
+    include (Walked known sureSoFar toldSoFar mostSoFar) (cell, vector)
+      | Primitive.all (== zero) (Primitive.take n rest) =
+        Walked known sureSoFar (toldSoFar + log predicted) (mostSoFar + log (cellBest cell))
+      | otherwise =
+        Walked
+          (fromMaybe known (extend (< n) known row'))
+          (sureSoFar + log (cellBest cell))
+          toldSoFar
+          mostSoFar
+      where
+        row' = rowFromList (vector ++ [cellLikeliest cell])
+        rest = reduced known row'
+        -- The last element is the likeliest symbol less the one that the others tell.
+        predicted =
+          cellChances cell Primitive.! toCode (cellLikeliest cell - rest Primitive.! n)
+
+-- | The cells that were gone through: those that are independent, the logarithm of the product of
+-- their best probabilities, that of what the others have as these tell, and of the best that they
+-- could have.
+data Walked k = Walked (Basis k) !Double !Double !Double
+
+-- | exp x - 1, exact for small x, where x is at most 0.
+expm1' :: Double -> Double
+expm1' x
+  | x > -1e-5 = x + x * x / 2
+  | otherwise = exp x - 1
+
+logAdd :: Double -> Double -> Double
+logAdd a b = logSum [a, b]
+
+-- | The upper limit, with a confidence of 99 %, of the expectation of numbers from 0 to 1 of which
+-- so many have this mean x: the p >= x at which exp (-count D) is 0.01, D being the divergence
+-- x log (x/p) + (1 - x) log ((1 - x)/(1 - p)) (W. Hoeffding 1963, theorem 1). Of none it is 1.
+--
+-- >>> abs (upperLimit 1024 0 - (1 - 0.01 ** (1 / 1024))) < 1e-9
+-- True
+upperLimit :: Int -> Double -> Double
+upperLimit count x
+  | count == 0 || x >= 1 = 1
+  | otherwise = go (60 :: Int) x 1
+  where
+    go steps low high
+      | steps == 0 = high
+      | fromIntegral count * divergence middle >= log 100 = go (steps - 1) low middle
+      | otherwise = go (steps - 1) middle high
+      where
+        middle = (low + high) / 2
+    divergence p = part x p + part (1 - x) (1 - p)
+    part a b = if a <= 0 then 0 else a * log (a / b)
