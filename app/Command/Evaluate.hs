@@ -10,6 +10,7 @@ import Control.Monad (foldM)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Bifunctor (first)
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import ExitStatus
 import Message
 import Options
@@ -34,6 +35,7 @@ data Options = Options
     sensor :: SensorChoice,
     turns :: Turns,
     foreignPresses :: Maybe Double,
+    foreignArrayPresses :: Maybe Double,
     tolerance :: Tolerance,
     network :: Maybe FilePath,
     form :: AnswerForm
@@ -48,7 +50,8 @@ command =
     [ "pra-tactile evaluate --presses 12 --seed 1",
       "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
-      "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5"
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5"
     ]
     (run <$> arrayChoice <*> options)
   where
@@ -65,7 +68,15 @@ command =
               "foreign"
               "SHARE"
               "The share of presses on what is none of ours: our shapes in an arrangement by \
-              \chance, of which every answer is wrong (default: 0)"
+              \chance, of which every answer is wrong (default: 0, or that of --foreign-arrays)"
+          )
+        <*> optional
+          ( valued
+              decimalReader
+              "foreign-arrays"
+              "SHARE"
+              "Of all presses, the share of those on arrays by other polynomials, a part of \
+              \--foreign (default: 0)"
           )
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> networkOption
@@ -89,6 +100,8 @@ run choice options
   | Just complaint <- toleranceComplaint (tolerance options) = unusable complaint
   | not (all (\share -> share >= 0 && share <= 1) (foreignPresses options)) =
     unusable "--foreign is a share from 0 to 1"
+  | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
+    unusable "--foreign-arrays is a share from 0 to that of --foreign"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
     profile <- chosenProfile choice
@@ -103,7 +116,8 @@ run choice options
                 (exploration simulated (turns options) (size options))
                   { explorationSpacing = chosenSpacing (sensor options) simulated
                   },
-              experimentForeign = foreignPresses options,
+              experimentForeign = foreignPresses options <|> arrays,
+              experimentForeignArrays = fromMaybe 0 arrays,
               experimentTolerance = tolerance options
             }
         made array mask = do
@@ -116,6 +130,8 @@ run choice options
     counted <- tallied (presses options) results
     printed profile options simulated counted
     pure Answered
+  where
+    arrays = foreignArrayPresses options
 
 -- | The tallies with stitching and without, of results that are made on all cores as they are
 -- needed; says how far it is where a person looks on. Trials are let go once counted, so that any
@@ -159,7 +175,8 @@ report profile options simulated stitched unstitched =
           { conditionSensor = sensorNamed (sensor options),
             conditionRotationError = rotationSigma (sensor options),
             conditionTurns = turns options,
-            conditionForeign = foreignPresses options
+            conditionForeign = foreignPresses options <|> foreignArrayPresses options,
+            conditionForeignArrays = foreignArrayPresses options
           },
       evaluationStitched = stitched,
       evaluationUnstitched = unstitched
@@ -183,7 +200,11 @@ headingText options simulated =
       AnyAngle -> ["at any angle"]
       TurnedBy degrees -> [printf "turned by %g degrees" degrees]
       AmongTurns _ -> []
-    others = [printf "share of foreign presses %g" share | Just share <- [foreignPresses options]]
+    others =
+      [ printf "share of foreign presses %g" share
+        | Just share <- [foreignPresses options <|> foreignArrayPresses options]
+      ]
+        ++ [printf "on other arrays %g" share | Just share <- [foreignArrayPresses options]]
 
 tallyText :: String -> Tally -> String
 tallyText name counted =

@@ -170,6 +170,7 @@ touching =
     ("compare", "pra decode --json " ++ worked ++ " > b.json; pra compare b.json t.json --json"),
     ("evaluate", "pra evaluate --json --presses 2 --seed 1"),
     ("evaluate", "pra evaluate --json --presses 1 --sensor real --any-angle --foreign 0.5"),
+    ("evaluate", "pra evaluate --json --presses 1 --foreign-arrays 0.5"),
     ("evaluate", "pra evaluate --json --presses 1 --rotation-error 1 --turn 5"),
     ( "truth",
       "pra probe --object cube --seed 7 --turn 5 --output f5 --truth u.json > log; cat u.json"

@@ -34,14 +34,22 @@ where
 import Control.Monad (unless)
 import Data.Bifunctor (first)
 import Data.Either (isRight)
-import Data.List (foldl', unfoldr)
+import Data.List (foldl', genericLength, unfoldr)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes, fromMaybe, isJust)
+import Data.Maybe (catMaybes, fromMaybe, isJust, listToMaybe)
 import Data.Traversable (for)
-import PraTactile.Array (PseudorandomArray, Shape (..))
+import PraTactile.Array
+  ( PseudorandomArray,
+    Shape (..),
+    arrayFolding,
+    arrayPrimitive,
+    arrayShape,
+    fold,
+  )
 import PraTactile.Explore
 import PraTactile.Field (KnownField)
 import PraTactile.Object.Placement
+import PraTactile.Polynomial (primitiveDegree, primitivePolynomials)
 import PraTactile.Random (uniform)
 import PraTactile.Recognise
 import PraTactile.Registration
@@ -56,6 +64,7 @@ import PraTactile.Registration.Stitching
 import PraTactile.Relief
 import PraTactile.Sensor (HeightMap, Sensor (..), drawSpecimen, sensorTaxelGrid)
 import PraTactile.Sensor.Frame (Frame, ProbeError, planScanOf)
+import PraTactile.Sequence (canonicalState)
 import PraTactile.Shape (Alphabet, shapes)
 import PraTactile.Truth
 import System.Random (StdGen, mkStdGen, split)
@@ -66,8 +75,11 @@ data Experiment = Experiment
     experimentPresses :: Int,
     experimentSeed :: Int,
     experimentExploration :: Exploration,
-    -- | the share of presses on what is none of ours: our shapes in an arrangement by chance
+    -- | the share of presses on what is none of ours: our shapes in another arrangement
     experimentForeign :: Maybe Double,
+    -- | of all presses, the share of those on arrays by other polynomials, a part of
+    -- 'experimentForeign'; the other foreign arrangements are by chance
+    experimentForeignArrays :: Double,
     -- | decoders are told 'experimentForeign' in place of its prior of foreign things
     experimentTolerance :: Tolerance
   }
@@ -81,6 +93,7 @@ standardExperiment sensor =
       experimentSeed = 1,
       experimentExploration = exploration sensor (AmongTurns halfTurns) standardRegionSize,
       experimentForeign = Nothing,
+      experimentForeignArrays = 0,
       experimentTolerance = standardTolerance
     }
 
@@ -115,19 +128,32 @@ evaluated experiment alphabet array reader = do
     (Left (uncurry RegionOffFaces (explorationSize how)))
   pure (map decoded (take presses (catMaybes (trials how faces seed))))
   where
-    Experiment presses seed said share tolerance = experiment
+    Experiment presses seed said share shareOfArrays tolerance = experiment
     layout = recogniserPlacement reader
     sensor = explorationSensor said
     how = said {explorationForeign = others <$> share}
     others part =
       Foreign
-        { foreignShare = part,
+        { foreignShare = part - shareOfArrays,
           foreignClasses = length (shapes alphabet),
-          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face
+          foreignRelief = \face -> either (const Nothing) Just . reliefOf layout alphabet face,
+          foreignArrays = shareOfArrays,
+          foreignFaces = map faceClasses (byOtherPolynomials array)
         }
     decoded t = runTrial weighing reader (registrationFor known (trialFrames t)) t
     known = assumedStitching sensor
     weighing = tolerance {foreignPrior = fromMaybe (foreignPrior tolerance) share}
+
+-- | The arrays of the same shape by the other primitive polynomials of the degree, the first 1024.
+byOtherPolynomials :: KnownField k => PseudorandomArray k -> [PseudorandomArray k]
+byOtherPolynomials array =
+  [ other
+    | Right found <- [primitivePolynomials (fromIntegral (primitiveDegree own))],
+      h <- take 1024 (filter (/= own) found),
+      Right other <- [fold (arrayFolding array) (arrayShape array) h (canonicalState h)]
+  ]
+  where
+    own = arrayPrimitive array
 
 -- | What is known of a sensor and its robot when its frames are put together: the position error,
 -- and the noise of a reading at full scale with what frames differ by because their elements do.
@@ -166,14 +192,18 @@ data Exploration = Exploration
     explorationForeign :: Maybe Foreign
   }
 
--- | Presses on what is none of ours: our shapes in an arrangement by chance.
+-- | Presses on what is none of ours: our shapes in an arrangement by chance, or on other arrays.
 data Foreign = Foreign
-  { -- | the share of such presses
+  { -- | the share of presses on arrangements by chance
     foreignShare :: Double,
     -- | of how many classes the symbols are
     foreignClasses :: Int,
     -- | the relief of a face with these classes, if there is one
-    foreignRelief :: LaidFace -> [[Int]] -> Maybe HeightMap
+    foreignRelief :: LaidFace -> [[Int]] -> Maybe HeightMap,
+    -- | the share of presses on other arrays
+    foreignArrays :: Double,
+    -- | of each of these, all alike likely, the classes on a face
+    foreignFaces :: [LaidFace -> [[Int]]]
   }
 
 -- | Regions of this size with this sensor at its usual spacing, on faces that lie so; none foreign.
@@ -201,16 +231,19 @@ trial how (face, heights) generator = do
         generator3
   pure (Trial face region frames foreign')
 
--- | What is pressed: the face, or by chance a foreign one, with symbols independent and uniform.
+-- | What is pressed: the face, or by chance a foreign one, whose symbols are independent and
+-- uniform or those of another array.
 ground :: Foreign -> (LaidFace, HeightMap) -> StdGen -> Maybe (Bool, HeightMap, StdGen)
 ground others (face, heights) generator
-  | share >= foreignShare others = Just (False, heights, generator1)
-  | otherwise = do
-    drawn <- foreignRelief others face classes
-    pure (True, drawn, generator2)
+  | share < foreignShare others = foreign' classes
+  | share < foreignShare others + foreignArrays others =
+    listToMaybe (drop among (foreignFaces others)) >>= foreign' . ($ face)
+  | otherwise = Just (False, heights, generator1)
   where
     (share, generator1) = uniform generator
     (own, generator2) = split generator1
+    foreign' laid = (\drawn -> (True, drawn, generator2)) <$> foreignRelief others face laid
+    among = floor (fst (uniform own) * genericLength (foreignFaces others)) :: Int
     Shape high wide = laidGrid face
     classes = rowsOf (fromIntegral high) (map symbol (unfoldr (Just . uniform) own))
     symbol u = min (foreignClasses others - 1) (floor (u * fromIntegral (foreignClasses others)))

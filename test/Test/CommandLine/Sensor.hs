@@ -130,6 +130,11 @@ spec = do
       `shouldBe` (Just (Number 0), Just (Number 1))
     (0, without, "") <- pra (words "evaluate --presses 3 --seed 2 --json")
     (0, none, "") <- pra (words "evaluate --presses 3 --seed 2 --turn 0 --json")
+    (0, others, "") <-
+      pra (words "evaluate --presses 12 --seed 2 --foreign 1 --foreign-arrays 1 --json")
+    (key ["stitching", "right"] others, key ["foreign_arrays"] others)
+      `shouldBe` (Just (Number 0), Just (Number 1))
+    map (key ["foreign"]) [without, others] `shouldBe` [Nothing, Just (Number 1)]
     key ["any_angle"] without `shouldBe` Nothing
     key ["turn_deg"] none `shouldBe` Just (Number 0)
   describe "what cannot be is one line" bad
@@ -159,6 +164,8 @@ bad = do
       ("probe --dark 0 --seed 1 --output x", "--dark"),
       ("probe --flat 1 --seed 1 --output x --tell", "--tell"),
       ("evaluate --foreign 1.5", "--foreign"),
+      ("evaluate --foreign-arrays 1.5", "--foreign-arrays"),
+      ("evaluate --foreign 0.2 --foreign-arrays 0.3", "--foreign-arrays"),
       ("decode data/worked-example/frames --taxel 0", "--taxel"),
       ("decode data/worked-example/frames --calibration data/shapes.txt", "data/shapes.txt")
     ]

@@ -233,11 +233,36 @@ trialSpec = do
     -- Neighbours are alike as often as chance has it, along rows and from row to row.
     often (\symbols -> symbols !! 0 !! 0 == symbols !! 0 !! 1) `shouldSatisfy` nearly (1 / 3)
     often (\symbols -> symbols !! 0 !! 3 == symbols !! 1 !! 0) `shouldSatisfy` nearly (1 / 3)
+  it "of presses on other arrays there are as many as is said, of each alike many" $ do
+    let drawn laid seed =
+          [ trialForeign t
+            | Just t <-
+                [ trial
+                    (exploration idealSensor (AmongTurns [identity]) (16, 16))
+                      { explorationForeign =
+                          Just
+                            Foreign
+                              { foreignShare = 0.2,
+                                foreignClasses = 3,
+                                foreignRelief = \_ symbols ->
+                                  if laid symbols then Just scene else Nothing,
+                                foreignArrays = 0.5,
+                                foreignFaces = [const [[c]] | c <- [0 .. 3]]
+                              }
+                      }
+                    (faceOf (64, 60) (Shape 3 4), scene)
+                    (mkStdGen seed)
+                ]
+          ]
+        often laid = genericLength (filter id (concatMap (drawn laid) [1 .. 600])) / 600 :: Double
+        nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600)
+    often ((== 3) . length) `shouldSatisfy` nearly 0.2
+    for_ [0 .. 3] $ \c -> often (== [[c]]) `shouldSatisfy` nearly 0.125
   it "what is foreign is pressed in place of the face, and what has no relief is no trial" $ do
     let pressed drawn =
           trial
             (exploration idealSensor (AmongTurns [identity]) (16, 16))
-              { explorationForeign = Just (Foreign 1 3 (\_ _ -> drawn))
+              { explorationForeign = Just (Foreign 1 3 (\_ _ -> drawn) 0 [])
               }
             (faceOf (40, 44) (Shape 2 2), scene)
             (mkStdGen 1)
@@ -261,6 +286,8 @@ trialSpec = do
                             share
                             3
                             (\_ symbols -> if predicate symbols then Just scene else Nothing)
+                            0
+                            []
                         )
                   }
                 (faceOf (64, 60) (Shape 3 4), scene)

@@ -186,7 +186,9 @@ data EvaluationConditions = EvaluationConditions
     conditionRotationError :: Maybe Double,
     conditionTurns :: Turns,
     -- | the share of foreign presses
-    conditionForeign :: Maybe Double
+    conditionForeign :: Maybe Double,
+    -- | of all presses, the share of those on other arrays
+    conditionForeignArrays :: Maybe Double
   }
 
 -- | The counts on one line, without its end.
@@ -203,6 +205,7 @@ encodeEvaluation report =
       <> foldMap ("any_angle" .=) (if conditionTurns chosen == AnyAngle then Just True else Nothing)
       <> foldMap ("turn_deg" .=) (case conditionTurns chosen of TurnedBy t -> Just t; _ -> Nothing)
       <> foldMap ("foreign" .=) (conditionForeign chosen)
+      <> foldMap ("foreign_arrays" .=) (conditionForeignArrays chosen)
       <> "stitching" .= tallyValue (evaluationStitched report)
       <> "no_stitching" .= tallyValue (evaluationUnstitched report)
   where
