@@ -32,6 +32,7 @@ import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..))
 import qualified Data.Vector.Primitive as Primitive
 import Data.Word (Word64)
+import Numeric (log1mexp)
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Array.Fill (codes)
@@ -137,8 +138,12 @@ decimations q terms = map fromIntegral (filter leads [2 .. n - 1])
   where
     n = fromIntegral terms :: Int
     q' = fromIntegral (q `mod` terms)
-    leads r = gcd r n == 1 && all (>= r) (conjugates r)
-    conjugates r = takeWhile (/= r) (drop 1 (iterate (\x -> x * q' `mod` n) r))
+    leads r = gcd r n == 1 && all (>= r) (conjugates q' n r)
+
+-- | r, r q, r q^2, ... modulo N: by all of these the decimations are of one polynomial. Given q and
+-- N, to which both are coprime, and r.
+conjugates :: Integral a => a -> a -> a -> [a]
+conjugates q terms r = r : takeWhile (/= r) (drop 1 (iterate (\x -> x * q `mod` terms) r))
 
 -- | The arrays by these decimations, each from its cell of s(0) on. O(N) each.
 decimatedGrids :: KnownField k => PseudorandomArray k -> [Natural] -> [Grid]
@@ -160,26 +165,16 @@ decimatedGrids array rs =
 -- | 'worthOfOthers' by comparing with every position of these arrays.
 worthOfAll :: Surface -> [Grid] -> [Symmetry] -> Patch (Belief k) -> Double
 worthOfAll surface grids possible seen =
-  logSum
-    [ logSumOf (comparedTotals (compareOn surface grid scored))
+  logSumOf
+    [ logSum (comparedTotals (compareOn surface grid scored))
       | o <- possible,
         let scored = [(at, Primitive.map log (probabilitiesIn o b)) | (at, b) <- seenIn o seen],
         grid <- grids
     ]
     - log (genericLength grids)
 
--- | The logarithm of the sum of the numbers of which these are the logarithms.
-logSumOf :: Primitive.Vector Double -> Double
-logSumOf logs
-  | Primitive.null logs || isInfinite best = -1 / 0
-  | otherwise = best + log (Primitive.foldl' (\total x -> total + relative (x - best)) 0 logs)
-  where
-    best = Primitive.maximum logs
-    -- What would not change the sum is left out.
-    relative x = if x < -44 then 0 else exp x
-
-logSum :: [Double] -> Double
-logSum = logSumOf . Primitive.fromList
+logSumOf :: [Double] -> Double
+logSumOf = logSum . Primitive.fromList
 
 -- | Decimations that lead to other arrays, drawn independently and uniformly by a fixed seed,
 -- without end; none where there is no other array. Given q and N.
@@ -191,8 +186,8 @@ drawnDecimations q terms
     words' = length (takeWhile (> 0) (iterate (`div` 2 ^ (64 :: Int)) terms)) + 1
     go drawn = let (these, rest) = splitAt words' drawn in number these `mod` terms : go rest
     number = foldl' (\n w -> (n `shiftL` 64) .|. fromIntegral w) 0
-    other r = r > 1 && gcd r terms == 1 && r `notElem` ours
-    ours = takeWhile (> 0) (1 : takeWhile (/= 1) (drop 1 (iterate (\x -> x * q `mod` terms) 1)))
+    other r = gcd r terms == 1 && r `notElem` ours
+    ours = conjugates q terms 1
 
 -- | The seed by which arrays are drawn.
 drawingSeed :: Word64
@@ -203,7 +198,7 @@ drawingSeed = 1959
 -- likeliest one tells the other cells, and for all others together these have at most their
 -- likeliest symbols. The mean is then at the upper limit of its confidence.
 worthAtMost :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Double
-worthAtMost others possible seen = logSum (map inSymmetry possible)
+worthAtMost others possible seen = logSumOf (map inSymmetry possible)
   where
     ArrayOn _ array = ownArray others
     h = arrayPrimitive array
@@ -241,7 +236,7 @@ cellIn o (at, b) = CellIn at (either (const zero) id (fromCode best)) (given Pri
 -- probable its contents are that agree, at most 1, as a logarithm.
 boundedBy :: KnownField k => Primitive k -> Drawn k -> [CellIn k] -> (Double, Double)
 boundedBy h (Drawn down right') cells =
-  (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logAdd agreeing others)
+  (fromIntegral (basisSize basis) * log (fromIntegral (fieldOrder h)), logSumOf [agreeing, others])
   where
     n = primitiveDegree h
     vectors =
@@ -249,7 +244,7 @@ boundedBy h (Drawn down right') cells =
     Walked basis sure told most = foldl' include (Walked emptyBasis 0 0 0) (zip cells vectors)
     agreeing = sure + told
     -- 1 less the probability of the likeliest content of the independent cells.
-    others = log (negate (expm1' sure)) + most
+    others = log1mexp sure + most
     include (Walked known sureSoFar toldSoFar mostSoFar) (cell, vector)
       | Primitive.all (== zero) (Primitive.take n rest) =
         Walked known sureSoFar (toldSoFar + log predicted) (mostSoFar + log (cellBest cell))
@@ -270,15 +265,6 @@ boundedBy h (Drawn down right') cells =
 -- their best probabilities, that of what the others have as these tell, and of the best that they
 -- could have.
 data Walked k = Walked (Basis k) !Double !Double !Double
-
--- | exp x - 1, exact for small x, where x is at most 0.
-expm1' :: Double -> Double
-expm1' x
-  | x > -1e-5 = x + x * x / 2
-  | otherwise = exp x - 1
-
-logAdd :: Double -> Double -> Double
-logAdd a b = logSum [a, b]
 
 -- | The upper limit, with a confidence of 99 %, of the expectation of numbers from 0 to 1 of which
 -- so many have this mean x: the p >= x at which exp (-count D) is 0.01, D being the divergence
