@@ -59,15 +59,15 @@ foreignByChance = 0.5
 -- True
 foreignChances :: ForeignComparison -> ForeignDoubts
 foreignChances (ForeignComparison share symbols places expected likeliest shown others)
-  | share <= 0 = ForeignDoubts 0 0 (exactly others)
-  | otherwise = ForeignDoubts (part byChance) (part byOthers) (exactly others)
+  | share <= 0 = ForeignDoubts 0 0 exact
+  | otherwise = ForeignDoubts (part byChance) (part byOthers) exact
   where
     q = fromIntegral symbols :: Double
-    byChance = log (share * chanceShare') - fromIntegral (length expected) * log q
-    (chanceShare', byOthers) = case others of
-      NoOthers -> (1, -1 / 0)
-      WorthExactly worth -> (foreignByChance, ofOthers worth)
-      WorthAtMost worth -> (foreignByChance, ofOthers worth)
+    byChance = log (share * random) - fromIntegral (length expected) * log q
+    (random, byOthers, exact) = case others of
+      NoOthers -> (1, -1 / 0, True)
+      WorthExactly worth -> (foreignByChance, ofOthers worth, True)
+      WorthAtMost worth -> (foreignByChance, ofOthers worth, False)
     ofOthers worth = log (share * (1 - foreignByChance)) + worth - naturalLogarithm places
     ours =
       log (1 - share) + sum (map seen expected)
@@ -79,9 +79,6 @@ foreignChances (ForeignComparison share symbols places expected likeliest shown 
       | isInfinite one' = 0
       | otherwise = 1 / sum [exp (other - one') | other <- [ours, byChance, byOthers]]
     seen chance = log ((1 - misleading) * chance + misleading / q)
-    exactly told = case told of
-      WorthAtMost _ -> False
-      _ -> True
 
 -- | The share of symbols that are not what they seem, where the array's are compared with foreign
 -- ones.

@@ -20,10 +20,9 @@ import Control.Applicative ((<|>))
 import Data.Bifunctor (first)
 import Data.List (nub)
 import qualified Data.Set as Set
-import qualified Data.Vector.Primitive as Primitive
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Grid (displaced, extentOf)
+import PraTactile.Grid (extentOf)
 import PraTactile.Locate.Answer
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
@@ -32,13 +31,11 @@ import PraTactile.Locate.Decision
 import PraTactile.Locate.Decoder
 import PraTactile.Locate.Decoder.Codebook (observedDistance)
 import PraTactile.Locate.Decoder.Posterior
-import PraTactile.Locate.Foreign
 import PraTactile.Locate.Joint
-import PraTactile.Locate.Logarithm
-import PraTactile.Locate.OtherArrays
 import PraTactile.Locate.Patch
 import PraTactile.Locate.Query
 import PraTactile.Locate.Separation (candidateDistance)
+import PraTactile.Locate.Weighing
 import PraTactile.Symmetry
 
 -- | Where the patches of a question are. If any cell has probabilities, all cells are taken as
@@ -283,108 +280,6 @@ beliefsBelong theLocator query decoder shape =
         (Just . outcomeOf query seen . snd)
         (weighedPosterior theLocator query decoder possible seen)
 
--- | How likely candidates are in these symmetries, and what makes them wrong if the question weighs
--- that it may be foreign. Where candidates are unlisted, the listed ones alone speak for the array.
-weighedPosterior ::
-  KnownField k =>
-  Locator k ->
-  Query k ->
-  BeliefDecoder k ->
-  [Symmetry] ->
-  Patch (Belief k) ->
-  Either LocatorError (Maybe PlaceDoubts, Posterior Candidate)
-weighedPosterior theLocator query decoder possible seen = do
-  found <- beliefPosterior decoder possible seen
-  let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
-      chanceAt candidate (offset, b) =
-        let o = candidateSymmetry candidate
-            given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
-         in maybe 0 given (symbolIn candidate offset)
-      alien = do
-        best <- posteriorBest found
-        foreignGiven
-          theLocator
-          query {querySymmetries = possible}
-          seen
-          Expected
-            { expectedChances = map (chanceAt best) (observedCells seen),
-              expectedSymmetry =
-                shownSymmetry possible (map snd (observedCells seen)) (candidateSymmetry best),
-              expectedLikeliest =
-                maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
-              expectedShown =
-                sum [log (symmetryChance (candidateSymmetry best) b) | (_, b) <- observedCells seen]
-            }
-      doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
-  pure (doubts <$> alien, maybe found ((`weighed` found) . doubtOfForeign) alien)
-
--- | The probabilities that symbols which are located so are foreign, if the question weighs that.
-foreignSymbolsAt ::
-  KnownField k =>
-  Locator k ->
-  Query k ->
-  Patch (GF k) ->
-  Outcome Candidate ->
-  Maybe ForeignDoubts
-foreignSymbolsAt theLocator query seen outcome = do
-  (expected, count) <- case outcome of
-    Unique candidate _ -> Just (map (chanceAt candidate) (observedCells seen), 1)
-    Ambiguous candidates@(first' : _) _ ->
-      Just (map (chanceAt first') (observedCells seen), fromIntegral (length candidates))
-    AmbiguousMany count _ -> Just (map (const 1) (observedCells seen), count)
-    _ -> Nothing
-  foreignGiven
-    theLocator
-    query
-    (fmap certainly seen)
-    (Expected expected 0 (negate (naturalLogarithm count)) 0)
-  where
-    chanceAt candidate (offset, a) = if symbolIn candidate offset == Just a then 1 else 0
-    symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
-
--- | The logarithm of how probable cells make a symmetry, as many times as the mean of all that are
--- possible; 0 where none shows how it lies.
-shownSymmetry :: [Symmetry] -> [Belief k] -> Symmetry -> Double
-shownSymmetry possible cells o = negate (log (sum (map relative possible) / count))
-  where
-    relative other = exp (shown other - shown o)
-    shown one' = sum (map (log . symmetryChance one') cells)
-    count = fromIntegral (length possible)
-
--- | What the likeliest candidate is compared with foreign things by: as 'ForeignComparison' has it.
-data Expected = Expected
-  { expectedChances :: [Double],
-    expectedSymmetry :: Double,
-    expectedLikeliest :: Double,
-    -- | the logarithm of how probable the cells make the symmetry there
-    expectedShown :: Double
-  }
-
--- | The probabilities that a patch is foreign, if the question weighs that.
-foreignGiven ::
-  KnownField k => Locator k -> Query k -> Patch (Belief k) -> Expected -> Maybe ForeignDoubts
-foreignGiven theLocator query seen expected = do
-  share <- queryForeign query
-  places <- sphereCentres <$> spheresOf theLocator query seen
-  Just $
-    foreignChances
-      ForeignComparison
-        { foreignShare = share,
-          foreignSymbols = fieldOrder (arrayItself (locatorArray theLocator)),
-          foreignPlaces = places,
-          foreignExpected = expectedChances expected,
-          foreignLikeliest = expectedLikeliest expected,
-          foreignSymmetry = expectedSymmetry expected,
-          foreignOthers =
-            relativeTo (expectedShown expected - expectedSymmetry expected) $
-              worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen
-        }
-  where
-    relativeTo mean worth = case worth of
-      NoOthers -> NoOthers
-      WorthExactly w -> WorthExactly (w - mean)
-      WorthAtMost w -> WorthAtMost (w - mean)
-
 -- | What the probabilities of candidates come to, with the doubt that the question tolerates.
 outcomeOf :: Query k -> Patch (Belief k) -> Posterior Candidate -> Outcome Candidate
 outcomeOf query seen found
@@ -397,33 +292,3 @@ allows candidate outcome = case outcome of
   Unique place _ -> place == candidate
   Ambiguous places _ -> candidate `elem` places
   _ -> True
-
--- | The candidates of a patch as spheres of radius 0; 'Nothing' where no cell was observed.
-spheresOf :: KnownField k => Locator k -> Query k -> Patch a -> Maybe Spheres
-spheresOf theLocator query seen =
-  spheres
-    (locatorArray theLocator)
-    (querySymmetries query)
-    (patchShape seen)
-    (observedOffsets seen)
-
--- | Where a cell of a patch of this shape is in the upright patch, if the candidate is right.
-uprightOffset :: Candidate -> Shape -> Position -> Position
-uprightOffset candidate = onPosition (invert (candidateSymmetry candidate))
-
--- | The array's symbol in a cell of a patch of this shape, as it is seen, if the candidate is
--- right; 'Nothing' beyond the sheet.
-symbolAt ::
-  KnownField k =>
-  ArrayOn k ->
-  Shape ->
-  Candidate ->
-  Position ->
-  Maybe (GF k)
-symbolAt (ArrayOn surface array) shape candidate offset =
-  cellAt array
-    <$> displaced
-      surface
-      (arrayShape array)
-      (candidatePosition candidate)
-      (uprightOffset candidate shape offset)

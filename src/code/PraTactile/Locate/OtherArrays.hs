@@ -12,6 +12,7 @@ module PraTactile.Locate.OtherArrays
     otherArrays,
     Others (..),
     worthOfOthers,
+    relativeTo,
     mostCompared,
 
     -- * All of them
@@ -110,6 +111,13 @@ data Others
   | -- | At most this, with a confidence of 99 % in each symmetry.
     WorthAtMost Double
   deriving stock (Eq, Show)
+
+-- | The worth as many times as a number of which this is the logarithm.
+relativeTo :: Double -> Others -> Others
+relativeTo unit others = case others of
+  NoOthers -> NoOthers
+  WorthExactly worth -> WorthExactly (worth - unit)
+  WorthAtMost worth -> WorthAtMost (worth - unit)
 
 -- | The worth of cells that are seen in one of these symmetries. Exact up to 'mostCompared' arrays
 -- times positions times symmetries. O(m) for each of these; or O(m n^2) for each of the arrays that
