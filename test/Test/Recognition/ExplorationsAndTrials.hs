@@ -218,13 +218,12 @@ trialSpec = do
        in isJust wanted .&&. fmap told (trial how (face, scene) (mkStdGen seed)) === wanted
   it "as many presses are foreign as is said, within five standard errors" $
     for_ [(0, 0), (0.3, 5 * sqrt (600 * 0.21)), (1, 0)] $ \(share, most) -> do
-      let found = concatMap (trialOn share (const True)) [1 .. 600]
+      let found = concatMap (trialOn (chances share (const True))) [1 .. 600]
       length found `shouldBe` 600
       abs (genericLength (filter id found) - 600 * share) `shouldSatisfy` (<= most)
   it "foreign symbols fill the face's grid, each class in each cell as likely as any" $ do
-    let those predicate = concatMap (trialOn 1 predicate) [1 .. 600]
+    let those predicate = concatMap (trialOn (chances 1 predicate)) [1 .. 600]
         often predicate = genericLength (those predicate) / 600 :: Double
-        nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600)
     length (those (\symbols -> map length symbols == [4, 4, 4])) `shouldBe` 600
     length (those (all (all (`elem` [0 .. 2])))) `shouldBe` 600
     for_ [0 .. 2] $ \c ->
@@ -234,35 +233,17 @@ trialSpec = do
     often (\symbols -> symbols !! 0 !! 0 == symbols !! 0 !! 1) `shouldSatisfy` nearly (1 / 3)
     often (\symbols -> symbols !! 0 !! 3 == symbols !! 1 !! 0) `shouldSatisfy` nearly (1 / 3)
   it "of presses on other arrays there are as many as is said, of each alike many" $ do
-    let drawn laid seed =
-          [ trialForeign t
-            | Just t <-
-                [ trial
-                    (exploration idealSensor (AmongTurns [identity]) (16, 16))
-                      { explorationForeign =
-                          Just
-                            Foreign
-                              { foreignShare = 0.2,
-                                foreignClasses = 3,
-                                foreignRelief = \_ symbols ->
-                                  if laid symbols then Just scene else Nothing,
-                                foreignArrays = 0.5,
-                                foreignFaces = [const [[c]] | c <- [0 .. 3]]
-                              }
-                      }
-                    (faceOf (64, 60) (Shape 3 4), scene)
-                    (mkStdGen seed)
-                ]
-          ]
+    let drawn laid =
+          trialOn (chances 0.2 laid) {foreignArrays = 0.5, foreignFaces = map face [0 .. 3]}
+        face c = const [[c]]
         often laid = genericLength (filter id (concatMap (drawn laid) [1 .. 600])) / 600 :: Double
-        nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600)
     often ((== 3) . length) `shouldSatisfy` nearly 0.2
     for_ [0 .. 3] $ \c -> often (== [[c]]) `shouldSatisfy` nearly 0.125
   it "what is foreign is pressed in place of the face, and what has no relief is no trial" $ do
     let pressed drawn =
           trial
             (exploration idealSensor (AmongTurns [identity]) (16, 16))
-              { explorationForeign = Just (Foreign 1 3 (\_ _ -> drawn) 0 [])
+              { explorationForeign = Just (chances 1 (const True)) {foreignRelief = \_ _ -> drawn}
               }
             (faceOf (40, 44) (Shape 2 2), scene)
             (mkStdGen 1)
@@ -274,21 +255,24 @@ trialSpec = do
     noisy = standardSensor {sensorGainSpread = 0.2}
     flatAt level image = V.all (\v -> abs (v - level) < 1e-9) (rasterValues image)
     scene = HeightMap taxelPitch (constant 60 60 1)
-    -- Whether it is foreign, of a trial whose foreign symbols are so; none if they are not.
-    trialOn share predicate seed =
+    -- Of 600, within five standard errors.
+    nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600 :: Double)
+    -- A share of arrangements by chance; those that are not so cannot be pressed.
+    chances share predicate =
+      Foreign
+        { foreignShare = share,
+          foreignClasses = 3,
+          foreignRelief = \_ symbols -> if predicate symbols then Just scene else Nothing,
+          foreignArrays = 0,
+          foreignFaces = []
+        }
+    -- Whether it is foreign, of a trial; none if what is foreign cannot be pressed.
+    trialOn others seed =
       [ trialForeign t
         | Just t <-
             [ trial
                 (exploration idealSensor (AmongTurns [identity]) (16, 16))
-                  { explorationForeign =
-                      Just
-                        ( Foreign
-                            share
-                            3
-                            (\_ symbols -> if predicate symbols then Just scene else Nothing)
-                            0
-                            []
-                        )
+                  { explorationForeign = Just others
                   }
                 (faceOf (64, 60) (Shape 3 4), scene)
                 (mkStdGen seed)
