@@ -25,6 +25,7 @@ import qualified Test.Code.Locate.ChanceByEnumeration
 import qualified Test.Code.Locate.EveryContent
 import qualified Test.Code.Locate.EveryDecoderAsDefined
 import qualified Test.Code.Locate.EveryPatternOfErrors
+import qualified Test.Code.Locate.ForeignMixture
 import qualified Test.Code.Locate.ForeignPatches
 import qualified Test.Code.Locate.InBulkAsOneByOne
 import qualified Test.Code.Locate.ParityChecks
@@ -208,7 +209,9 @@ specs = do
     describe "Every decoder is the definition" Test.Code.Locate.EveryDecoderAsDefined.spec
     describe "Parity checks among cells" Test.Code.Locate.ParityChecks.spec
     describe "Several patches" Test.Code.Locate.SeveralPatches.spec
-    describe "Foreign patches" Test.Code.Locate.ForeignPatches.spec
+    describe "Foreign patches" $ do
+      Test.Code.Locate.ForeignPatches.spec
+      Test.Code.Locate.ForeignMixture.spec
     describe "Rates of answers" Test.Simulation.RatesOfAnswers.spec
     describe "Profiles" Test.Code.Profile.DoorToArrays.spec
   describe "Touch" $ do
