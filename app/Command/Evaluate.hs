@@ -94,6 +94,10 @@ turnsOption =
     <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by so many degrees")
     <|> pure (AmongTurns halfTurns)
 
+-- | The share of all foreign presses: of those on other arrays alone where no other is stated.
+allForeign :: Options -> Maybe Double
+allForeign options = foreignPresses options <|> foreignArrayPresses options
+
 run :: ArrayChoice -> Options -> IO ExitStatus
 run choice options
   | presses options < 1 = unusable "--presses is a number from 1 up"
@@ -116,7 +120,7 @@ run choice options
                 (exploration simulated (turns options) (size options))
                   { explorationSpacing = chosenSpacing (sensor options) simulated
                   },
-              experimentForeign = foreignPresses options <|> arrays,
+              experimentForeign = allForeign options,
               experimentForeignArrays = fromMaybe 0 arrays,
               experimentTolerance = tolerance options
             }
@@ -175,7 +179,7 @@ report profile options simulated stitched unstitched =
           { conditionSensor = sensorNamed (sensor options),
             conditionRotationError = rotationSigma (sensor options),
             conditionTurns = turns options,
-            conditionForeign = foreignPresses options <|> foreignArrayPresses options,
+            conditionForeign = allForeign options,
             conditionForeignArrays = foreignArrayPresses options
           },
       evaluationStitched = stitched,
@@ -202,7 +206,7 @@ headingText options simulated =
       AmongTurns _ -> []
     others =
       [ printf "share of foreign presses %g" share
-        | Just share <- [foreignPresses options <|> foreignArrayPresses options]
+        | Just share <- [allForeign options]
       ]
         ++ [printf "on other arrays %g" share | Just share <- [foreignArrayPresses options]]
 
