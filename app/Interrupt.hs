@@ -2,12 +2,15 @@
 -- signal takes its effect.
 module Interrupt
   ( endingInOrder,
+    endings,
+    ignoring,
   )
 where
 
 import Control.Concurrent (myThreadId)
+import Control.Concurrent.MVar
 import Control.Exception
-import Control.Monad (forM, forM_)
+import Control.Monad (forM_, void, when)
 import System.Posix.Signals
 
 -- | A signal that ends the program.
@@ -18,18 +21,36 @@ instance Exception Told where
   toException = asyncExceptionToException
   fromException = asyncExceptionFromException
 
--- | An action that SIGINT, SIGTERM and SIGHUP end as an exception does. A pipe that nobody reads is
--- an error of writing to it while the action lasts, not the program's end.
+-- | The signals that tell a program to end.
+endings :: [Signal]
+endings = [sigINT, sigTERM, sigHUP]
+
+-- | Ignore these from now on.
+ignoring :: [Signal] -> IO ()
+ignoring signals = forM_ signals $ \signal -> installHandler signal Ignore Nothing
+
+-- | An action that SIGINT, SIGTERM and SIGHUP end as an exception does, but those of them that are
+-- ignored do not. A pipe that nobody reads is an error of writing to it while the action lasts, not
+-- the program's end.
 endingInOrder :: IO a -> IO a
 endingInOrder action = do
   thread <- myThreadId
-  before <- forM [sigINT, sigTERM, sigHUP] $ \signal ->
-    (,) signal <$> installHandler signal (CatchOnce (throwTo thread (Told signal))) Nothing
-  pipe <- installHandler sigPIPE (Catch (pure ())) Nothing
-  let restored = do
-        forM_ before $ \(signal, handler) -> installHandler signal handler Nothing
-        installHandler sigPIPE pipe Nothing
-  (action <* restored) `catch` \(Told signal) -> do
-    _ <- installHandler signal Default Nothing
-    raiseSignal signal
-    throwIO (Told signal)
+  let heeding signal = do
+        heeded <- newEmptyMVar
+        let told = readMVar heeded >>= \so -> when so (throwTo thread (Told signal))
+        before <- installHandler signal (CatchOnce told) Nothing
+        -- Only now it is known whether it was ignored; one that came meanwhile waits to be told.
+        let ignored = isIgnore before
+        when ignored (void (installHandler signal Ignore Nothing))
+        (signal, before) <$ putMVar heeded (not ignored)
+      deaf = (,) sigPIPE <$> installHandler sigPIPE (Catch (pure ())) Nothing
+      restored = mapM_ (\(signal, handler) -> installHandler signal handler Nothing)
+  bracket (sequence (deaf : map heeding endings)) restored (const action)
+    `catch` \(Told signal) -> do
+      _ <- installHandler signal Default Nothing
+      raiseSignal signal
+      throwIO (Told signal)
+  where
+    isIgnore handler = case handler of
+      Ignore -> True
+      _ -> False

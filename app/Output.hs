@@ -1,7 +1,8 @@
 -- | Where output goes, decided in one place for every command. A regular file is replaced whole or
 -- not at all and keeps its mode; a link is followed; a device or a FIFO is written to as it is; @-@
 -- is the standard output. What cannot be written is one line and status 2. Until it is whole, a
--- file is called NAME.part; what a run that was ended leaves there is used up by the next one.
+-- file is called NAME.part; what a run that was ended leaves there is used up by the next one. A
+-- folder is made whole in one of the run's own beside it, so that several runs do not meet.
 module Output
   ( -- * Files
     writeWhole,
@@ -20,12 +21,13 @@ module Output
 where
 
 import Control.Exception (IOException, bracket, onException, try)
-import Control.Monad (forM_, unless, when)
+import Control.Monad (forM_, unless, void, when)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Lazy as Lazy
 import ExitStatus
 import GHC.IO.Handle (LockMode (..), hTryLock)
+import Interrupt
 import System.Directory
 import System.FilePath (dropTrailingPathSeparator, isRelative, takeDirectory, (</>))
 import System.IO (Handle, IOMode (..), hClose, hFlush, hSetFileSize, openBinaryFile, stdout)
@@ -37,6 +39,7 @@ import System.IO.Error
     mkIOError,
   )
 import System.Posix.Files
+import System.Posix.Temp (mkdtemp)
 import System.Posix.Types (FileMode)
 import System.Posix.User (getEffectiveUserID)
 import Visible (visibleName)
@@ -112,7 +115,8 @@ writtenTo name write = do
     Stream file -> guarded (bracket (openBinaryFile file WriteMode) hClose write)
     Regular file status -> guarded $ do
       (part, handle) <- openPart name file
-      let discard = hClose handle >> removeFile part
+      -- Closing a handle whose last bytes could not be written fails once more.
+      let discard = removeFile part >> void (try (hClose handle) :: IO (Either IOException ()))
       result <-
         (mapM_ (keepingMode part) status >> write handle <* hClose handle) `onException` discard
       renameFile part file `onException` removeFile part
@@ -172,27 +176,32 @@ orUnwritable name = do
     _ -> pure ()
 
 -- | Write a new folder with these files, whole or not at all. Refuses whatever is there, unless it
--- is an empty folder.
+-- is an empty folder. Where several runs write the same folder, one does, and the others are
+-- refused. Nothing else is left, but by a run that was killed.
 writeFolder :: FilePath -> [(FilePath, ByteString)] -> IO ()
 writeFolder path files = do
-  taken <-
-    either (const False) (const True)
-      <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
-  when taken refuseUnlessEmpty
-  outcome <- try $ do
+  refuseUnlessFree
+  outcome <- try . endingInOrder $ do
     folder <- resolved asked
     createDirectoryIfMissing True (takeDirectory folder)
-    let building = folder ++ ".part"
-    removePathForcibly building
-    createDirectory building
-    forM_ files (\(name, bytes) -> Bytes.writeFile (building </> name) bytes)
-      `onException` removePathForcibly building
-    there <- doesDirectoryExist folder
-    when there (getFileStatus folder >>= keepingMode building >> removeDirectory folder)
-    renameDirectory building folder
-  either (unusable . writeMessage path) pure outcome
+    bracket (mkdtemp (folder ++ ".part")) removePathForcibly $ \own -> do
+      let building = own </> "whole"
+      createDirectory building
+      forM_ files (\(name, bytes) -> Bytes.writeFile (building </> name) bytes)
+      there <- doesDirectoryExist folder
+      when there (getFileStatus folder >>= keepingMode building)
+      -- The system itself refuses to put it in the place of anything but an empty folder.
+      renameDirectory building folder
+  case outcome of
+    Right () -> pure ()
+    Left problem -> refuseUnlessFree >> unusable (writeMessage path problem)
   where
     asked = dropTrailingPathSeparator path
+    refuseUnlessFree = do
+      taken <-
+        either (const False) (const True)
+          <$> (try (getSymbolicLinkStatus asked) :: IO (Either IOException FileStatus))
+      when taken refuseUnlessEmpty
     needed = "; name a folder that is new or empty"
     refuseUnlessEmpty = do
       content <- try (listDirectory asked) :: IO (Either IOException [FilePath])

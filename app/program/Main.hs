@@ -2,6 +2,15 @@
 module Main (main) where
 
 import qualified CommandLine
+import Control.Monad (filterM)
+import Foreign.C.Types (CInt (..))
+import Interrupt (endings, ignoring)
+import System.Posix.Signals (Signal)
 
 main :: IO ()
-main = CommandLine.main
+main = do
+  filterM (fmap (/= 0) . ignoredByCaller) endings >>= ignoring
+  CommandLine.main
+
+-- | Whether the caller had a signal ignored; the runtime system, which handles some, does not tell.
+foreign import ccall unsafe "ignored_by_caller" ignoredByCaller :: Signal -> IO CInt

@@ -1,9 +1,17 @@
-/* Before the runtime system starts: descriptors 0, 1 and 2 that the caller closed are opened again, on the null device.
-   Otherwise the next file or pipe opened would become the standard output, the runtime's own pipes first, and the program
-   would hang. A closed input is then as empty; of a closed output every write fails, as it should, because it is opened
-   for reading; what is said to a closed standard error is lost, as its caller wished. */
+/* Before the runtime system starts: what the caller closed or ignored.
+
+   Descriptors 0, 1 and 2 that the caller closed are opened again, on the null device. Otherwise the next file or pipe
+   opened would become the standard output, the runtime's own pipes first, and the program would hang. A closed input is
+   then as empty; of a closed output every write fails, as it should, because it is opened for reading; what is said to a
+   closed standard error is lost, as its caller wished.
+
+   Which signals the caller ignored is kept, because the runtime system handles SIGINT without looking. */
 #ifndef _WIN32
 #include <fcntl.h>
+#include <signal.h>
+#include <stddef.h>
+
+static sigset_t ignored;
 
 __attribute__((constructor)) static void reopen_closed_descriptors(void)
 {
@@ -11,5 +19,21 @@ __attribute__((constructor)) static void reopen_closed_descriptors(void)
     for (int descriptor = 0; descriptor < 3; descriptor++)
         if (fcntl(descriptor, F_GETFD) == -1)
             (void) !open("/dev/null", direction[descriptor]);
+}
+
+__attribute__((constructor)) static void keep_ignored_signals(void)
+{
+    const int asked[3] = { SIGINT, SIGTERM, SIGHUP };
+    sigemptyset(&ignored);
+    for (int i = 0; i < 3; i++) {
+        struct sigaction found;
+        if (sigaction(asked[i], NULL, &found) == 0 && found.sa_handler == SIG_IGN)
+            sigaddset(&ignored, asked[i]);
+    }
+}
+
+int ignored_by_caller(int number)
+{
+    return sigismember(&ignored, number) == 1;
 }
 #endif

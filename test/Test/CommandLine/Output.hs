@@ -4,15 +4,18 @@
 -- that is no text.
 module Test.CommandLine.Output (spec) where
 
+import Control.Concurrent (threadDelay)
 import Control.Monad (when)
 import Data.Aeson (Value (..))
 import Data.Foldable (for_)
 import Data.List (isInfixOf, sort)
 import System.Directory
+import System.Exit (ExitCode (..))
 import System.FilePath ((</>))
 import System.Posix.Files
+import System.Posix.Signals
 import System.Posix.User (getEffectiveUserID)
-import System.Process (callProcess)
+import System.Process
 import Test.CommandLine.Arguments
 import Test.CommandLine.Run
 import Test.Hspec
@@ -105,6 +108,12 @@ filesSpec = describe "a file" $ do
       outcome `refuses` "cannot write old: file too large"
       listDirectory folder `shouldReturn` ["old"]
       readFile (folder </> "old") `shouldReturn` "old"
+      composite <- makeAbsolute "data/worked-example/composite.pgm"
+      picture <-
+        scripted folder $
+          "trap '' XFSZ; ulimit -f 16; pra decode " ++ composite ++ " --picture a.svg > /dev/null"
+      picture `refuses` "cannot write a.svg: file too large"
+      listDirectory folder `shouldReturn` ["old"]
       store <- scripted folder "trap '' XFSZ; ulimit -f 8; pra objects --write a.sqlite"
       store `refuses` "cannot write a.sqlite: "
       listDirectory folder `shouldReturn` ["old"]
@@ -235,10 +244,43 @@ foldersSpec = describe "a folder of frames" $ do
         outcome <- scripted folder ("pra probe --object cube --seed 1 --output " ++ name)
         outcome `refuses` "name a folder that is new or empty"
       readFile (folder </> "file") `shouldReturn` "file"
-  it "that could not be finished is gone, or is called NAME.part and used up by the next run" $
-    inFolder $ \folder -> do
-      createDirectory (folder </> "frames.part")
-      writeFile (folder </> "frames.part" </> "frame_000.pgm") "half"
-      (status, _, _) <- scripted folder "pra probe --object cube --seed 1 --output frames"
-      status `shouldBe` 0
-      listDirectory folder `shouldReturn` ["frames"]
+  it "that four runs write at once is that of one of them, whole; the others are refused" $
+    for_ [1 .. 5 :: Int] $ \_ ->
+      inFolder $ \folder -> do
+        let writer n = "pra probe --flat 24 --seed " ++ n ++ " --output "
+            writers' = words "1 2 3 4"
+        (_, out, _) <-
+          scripted folder $
+            concat
+              [ "(" ++ writer n ++ "frames 2> err" ++ n ++ "; echo " ++ n ++ " $? >> ends) > p & "
+                | n <- writers'
+              ]
+              ++ "wait; cat ends"
+        let winners = [n | [n, "0"] <- map words (lines out)]
+        length winners `shouldBe` 1
+        for_ (filter (`notElem` winners) writers') $ \n -> do
+          (n, lines out) `shouldSatisfy` (\(m, ends) -> (m ++ " 2") `elem` ends)
+          said <- readFile (folder </> "err" ++ n)
+          (2 :: Int, "", said) `refuses` "frames is not empty; name a folder that is new or empty"
+        let again = concatMap writer winners ++ "alone > said; "
+        scripted folder (again ++ "diff -r frames alone") `shouldReturn` (0, "", "")
+        filter ((== "frames") . take 6) <$> listDirectory folder `shouldReturn` ["frames"]
+  it "that a run did not finish, because it was told to end, is gone" $
+    for_ [sigINT, sigTERM, sigHUP] $ \signal ->
+      inFolder $ \folder -> do
+        status <-
+          withCreateProcess
+            (proc "pra-tactile" (words "probe --flat 10000 --seed 1 --output frames"))
+              { cwd = Just folder,
+                std_out = NoStream
+              }
+            $ \_ _ _ process -> do
+              begun folder
+              getPid process >>= mapM_ (signalProcess signal)
+              waitForProcess process
+        status `shouldBe` ExitFailure (negate (fromIntegral signal))
+        listDirectory folder `shouldReturn` []
+  where
+    begun folder = do
+      there <- listDirectory folder
+      when (null there) (threadDelay 1000 >> begun folder)
