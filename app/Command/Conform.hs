@@ -15,6 +15,7 @@ import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import ExitStatus
 import FormatFile (readProfile)
+import GHC.Clock (getMonotonicTime)
 import Interrupt
 import Message (formatMessage)
 import Options
@@ -53,7 +54,7 @@ command =
 run :: Options -> IO ExitStatus
 run options = do
   profiles <- chosenProfiles (profileFiles options)
-  suite <- orUnusable impossible (standardSuite profiles)
+  suite <- orUnusable noSuiteText (standardSuite profiles)
   settings <- settingsOf suite options
   case (listed options, commandGiven options) of
     (True, []) ->
@@ -64,8 +65,6 @@ run options = do
       for_ (junit options) orUnwritable
       report <- endingInOrder (conformed options settings suite (Command program arguments))
       told options report
-  where
-    impossible name = name ++ ": this profile describes no array"
 
 -- | The profiles of the files, or the default ones.
 chosenProfiles :: [FilePath] -> IO [(String, Profile)]
@@ -75,26 +74,32 @@ chosenProfiles files = case files of
 
 -- | Run the suite, or the case of a token, on as many processes as are to be.
 conformed :: Options -> Settings -> Suite Known -> Command -> IO Report
-conformed options settings suite subject =
+conformed options settings suite subject = do
+  end <- (+ wholeLimit options) <$> getMonotonicTime
+  let timeLeft = subtract <$> getMonotonicTime <*> pure end
+      nested :: Int -> [Subject] -> IO (Either Fault Report)
+      nested 0 started = do
+        left <- timeLeft
+        Right <$> tried settings {settingLimit = left} started
+      nested more started = do
+        left <- timeLeft
+        join
+          <$> withProcess
+            (mode options)
+            (Limits (timeLimit options) left)
+            subject
+            (\one -> nested (more - 1) (one : started))
   nested (parallelism options) [] >>= either (unusable . notStarted subject) pure
   where
-    nested :: Int -> [Subject] -> IO (Either Fault Report)
-    nested 0 started = Right <$> tried started
-    nested left started =
-      join
-        <$> withProcess
-          (mode options)
-          (Limits (timeLimit options))
-          subject
-          (\one -> nested (left - 1) (one : started))
-    tried started = case (tokenGiven options, started) of
-      (Just token, one : _) -> replayed settings suite token one
-      _ -> whole settings suite started
+    tried chosen started = case (tokenGiven options, started) of
+      (Just token, one : _) -> replayed chosen suite token one
+      _ -> whole chosen suite started
 
 -- | Why there is nothing to be asked.
 notStarted :: Command -> Fault -> String
 notStarted subject fault = case faultKind fault of
   CannotStart -> "cannot start " ++ name ++ ": " ++ faultDetail fault
+  TooSlow -> name ++ " was still asked what it offers when the time of --limit was over"
   kind -> name ++ " never answered start: " ++ faultName kind ++ ", " ++ faultDetail fault
   where
     name = visibleName (commandProgram subject)

@@ -18,7 +18,7 @@ import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Run (Suite (..))
 import PraTactile.Conformance.Subject
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Conformance.Wire
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile (..))
@@ -109,8 +109,8 @@ spec = do
     let under = [("one", possible), ("two", other)]
         failure = either Just (const Nothing)
     failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))
-      `shouldBe` Just "three"
-    suite <- either fail pure (standardSuite under)
+      `shouldBe` Just ("three", Refusal "impossible-profile")
+    suite <- either (fail . noSuiteText) pure (standardSuite under)
     suiteProfiles suite `shouldBe` under
     map (fmap knownProfile . suiteAbout suite) [possible, other, third, impossible]
       `shouldBe` [Just possible, Just other, Just third, Nothing]

@@ -23,7 +23,7 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Report.Words (valueText)
 import PraTactile.Conformance.Run
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile (..))
 import Test.Conformance.Laws.Ignoring
@@ -40,7 +40,7 @@ spec = do
     let ids = map lawId openingLaws ++ map lawId laws ++ map lawId touchLaws
     ids \\ nub ids `shouldBe` []
   it "without a stage no law of touch is tried, and no operation of touch counts" $ do
-    suite <- either fail pure (standardSuite (take 1 defaultProfiles))
+    suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
     subject <- inProcess library
     let first' = standardSettings {settingRun = ["field/addition-commutes", "register/"]}
     report <- runSuite first' suite (const (pure ())) [subject]
@@ -87,7 +87,7 @@ failing = failingWith standardSettings
 
 failingWith :: Settings -> [(String, Profile)] -> Implementation -> Expectation
 failingWith settings profiles implementation = do
-  suite <- either fail pure (standardSuite profiles)
+  suite <- either (fail . noSuiteText) pure (standardSuite profiles)
   subject <- inProcess implementation
   report <- runSuite settings suite (const (pure ())) [subject]
   [lawReportId one | one <- reportLaws report, lawReportOutcome one `notElem` [Held, Skipped]]

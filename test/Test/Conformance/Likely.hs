@@ -16,7 +16,7 @@ import PraTactile.Conformance.Law
 import PraTactile.Conformance.Likely (likely)
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Conformance.Wire (answerValue, questionInput)
 import PraTactile.Profile (Profile)
 import Test.Hspec
@@ -147,7 +147,7 @@ causes = causesIn [under' | under'@(name, _) <- defaultProfiles, name `elem` ["p
 
 causesIn :: [(String, Profile)] -> [String] -> Implementation -> IO [String]
 causesIn profiles names wrong = do
-  suite <- either fail pure (standardSuite profiles)
+  suite <- either (fail . noSuiteText) pure (standardSuite profiles)
   subject <- inProcess wrong
   report <- runSuite standardSettings {settingRun = names} suite (const (pure ())) [subject]
   let failed = [one | one <- reportLaws report, lawReportOutcome one == Failed]

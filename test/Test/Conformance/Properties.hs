@@ -21,7 +21,7 @@ import PraTactile.Conformance.Process.Reply
 import PraTactile.Conformance.Properties (lawsReported)
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Profile (Profile (..))
 import System.Exit (ExitCode (..))
 import Test.Hspec
@@ -43,7 +43,7 @@ spec = do
     held <- quickCheckWithResult stdArgs {chatty = False} right
     isSuccess held `shouldBe` True
   it "what an implementation throws is its fault, and what others throw at it is not" $ do
-    suite <- either fail pure (standardSuite (take 1 defaultProfiles))
+    suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
     let throwing problem = library {open = \_ -> liftIO (throwIO problem)}
         settings = standardSettings {settingRun = ["field/addition-commutes"]}
         run implementation = do

@@ -35,7 +35,7 @@ withProcess :: Mode -> Limits -> Command -> (Subject -> IO a) -> IO (Either Faul
 withProcess mode limits command use = case mode of
   InSession -> withSession limits command (use . inSession limits)
   OneShot ->
-    offeredOneShot limits command canonicalProfile
+    opening limits (offeredOneShot limits command canonicalProfile)
       >>= traverse (\offers -> inOneShot limits command offers >>= use)
 
 inSession :: Limits -> Session -> Subject

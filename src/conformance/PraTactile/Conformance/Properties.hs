@@ -25,7 +25,7 @@ import PraTactile.Conformance.Report (certified)
 import PraTactile.Conformance.Report.Words (reportText, responseText, valueText)
 import PraTactile.Conformance.Run (Settings (..), runSuite, standardSettings)
 import PraTactile.Conformance.Subject (responseOf)
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Format.Json.Codec (writeValue)
 import PraTactile.Profile (Profile)
 import System.Exit (ExitCode (..))
@@ -37,8 +37,8 @@ import Test.QuickCheck
 runLaws :: Implementation -> IO ExitCode
 runLaws = runLawsUnder defaultProfiles
 
--- | The same under other profiles, by their names. One that describes no array is an exit status
--- of 2.
+-- | The same under other profiles, by their names. One that describes no array, or one too
+-- large for the definition, is an exit status of 2.
 runLawsUnder :: [(String, Profile)] -> Implementation -> IO ExitCode
 runLawsUnder = runStages codeStages
 
@@ -54,7 +54,7 @@ runStages stages profiles implementation = do
 -- | The exit status, and what is printed, of the laws of these stages.
 lawsReported :: [Stage] -> [(String, Profile)] -> Implementation -> IO (ExitCode, String)
 lawsReported stages profiles implementation = case standardSuite profiles of
-  Left name -> pure (ExitFailure 2, name ++ ": this profile describes no array\n")
+  Left why -> pure (ExitFailure 2, noSuiteText why ++ "\n")
   Right suite -> do
     subject <- inProcess implementation
     report <-

@@ -74,7 +74,11 @@ replay ::
 replay settings suite token subject = for (workFor suite token) $ \work -> do
   start <- getMonotonicTime
   worker <- newWorker subject
-  tried <- tryToken (planOf settings) suite worker work (tokenCase token)
+  tried <-
+    fromMaybe (Right (tooSlow work))
+      <$> withinSeconds
+        (settingLimit settings)
+        (tryToken (planOf settings) suite worker work (tokenCase token))
   end <- getMonotonicTime
   let asks = operationsOf [workStage work]
   pure $ case tried of
@@ -117,7 +121,7 @@ tryWithin (Budget deadline failFast) stopped try' work
       else
         if left <= 0
           then pure (tooSlow work)
-          else fromMaybe (tooSlow work) <$> timeoutSeconds left try'
+          else fromMaybe (tooSlow work) <$> withinSeconds left try'
 
 checksChosen :: Settings -> Subject -> [Check]
 checksChosen settings subject =
@@ -131,13 +135,15 @@ checksChosen settings subject =
 checkWithin :: Budget -> IORef Bool -> Check -> IO LawReport
 checkWithin (Budget deadline failFast) stopped check = do
   over <- readIORef stopped
-  now <- getMonotonicTime
+  left <- subtract <$> getMonotonicTime <*> pure deadline
   if over && failFast
     then pure ((checkReport check) {lawReportNote = Just "not tried: another law failed before it"})
     else
-      if now >= deadline
+      if left <= 0
         then pure (checkTooSlow check)
-        else checkedReport check <$> checkTry check
+        else
+          maybe (checkTooSlow check) (checkedReport check)
+            <$> withinSeconds left (checkTry check)
 
 -- | A failure of a law that must fail is a known one.
 classify :: Settings -> LawReport -> LawReport

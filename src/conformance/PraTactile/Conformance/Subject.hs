@@ -11,6 +11,10 @@ module PraTactile.Conformance.Subject
     FaultKind (..),
     faultName,
     upToFault,
+
+    -- * The time for all of it
+    withinSeconds,
+    timeOver,
   )
 where
 
@@ -19,6 +23,7 @@ import qualified Data.Aeson.Key as Key
 import PraTactile.Conformance.Law (Reply (..))
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile)
+import System.Timeout (timeout)
 
 -- | An implementation in this process or another one.
 data Subject = Subject
@@ -131,3 +136,11 @@ upToFault actions = case actions of
   action : others -> do
     response <- action
     (response :) <$> either (const (pure [])) (const (upToFault others)) response
+
+-- | The result, unless it takes more than so many seconds.
+withinSeconds :: Double -> IO a -> IO (Maybe a)
+withinSeconds seconds = timeout (max 1 (ceiling (min 1e9 seconds * 1e6)))
+
+-- | What is said of what the time did not suffice for.
+timeOver :: Fault
+timeOver = Fault TooSlow "the time for all of it was over"

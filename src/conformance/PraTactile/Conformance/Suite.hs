@@ -1,9 +1,11 @@
 -- | The suite as it is shipped: all laws, and what the definition answers.
 module PraTactile.Conformance.Suite
   ( standardSuite,
+    noSuiteText,
   )
 where
 
+import Data.Bifunctor (bimap)
 import PraTactile.Conformance.Definition
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws (laws, openingLaws, touchLaws)
@@ -13,13 +15,13 @@ import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Wire
 import PraTactile.Profile (Profile)
 
--- | All laws under these profiles, by their names. 'Left' with the name of one that describes no
--- array.
-standardSuite :: [(String, Profile)] -> Either String (Suite Known)
+-- | All laws under these profiles, by their names. 'Left' with the name of one of which the
+-- definition knows nothing, and why that is ('known').
+standardSuite :: [(String, Profile)] -> Either (String, Refusal) (Suite Known)
 standardSuite profiles = suite <$> traverse possible profiles
   where
     possible (name, profile) =
-      either (const (Left name)) (\about -> Right ((name, profile), about)) (known profile)
+      bimap ((,) name) ((,) (name, profile)) (known profile)
     suite made =
       Suite
         { suiteProfiles = map fst made,
@@ -33,6 +35,15 @@ standardSuite profiles = suite <$> traverse possible profiles
           suiteAnswer = answered,
           suiteLikely = likely
         }
+
+-- | Why there is no suite about such a profile.
+noSuiteText :: (String, Refusal) -> String
+noSuiteText (name, Refusal reason) =
+  name ++ ": " ++ case reason of
+    "too-large" ->
+      "this profile's array has more than 2^20 cells; the definition, which answers are held \
+      \against, is too slow for it"
+    _ -> "this profile describes no array"
 
 -- | What the definition answers, as a reply of the protocol.
 answered :: Known -> SomeQuestion -> Reply

@@ -16,7 +16,7 @@ import PraTactile.Conformance.InProcess (inProcess)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Report
 import PraTactile.Conformance.Run
-import PraTactile.Conformance.Suite (standardSuite)
+import PraTactile.Conformance.Suite (noSuiteText, standardSuite)
 import PraTactile.Format.Json.Codec (readValue, writeValue)
 import PraTactile.Profile
 import Test.Conformance.Laws.Trials
@@ -49,7 +49,7 @@ spec = do
       Cases _ (Every _) _ -> pure ()
   for_ failing $ \(law, wrong, smallest) ->
     it (law ++ ": a failing case ends as " ++ show smallest) $ do
-      suite <- either fail pure (standardSuite (take 1 defaultProfiles))
+      suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
       subject <- inProcess (refusing wrong)
       report <- runSuite standardSettings {settingRun = [law]} suite (const (pure ())) [subject]
       let asked =

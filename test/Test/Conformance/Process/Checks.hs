@@ -103,7 +103,7 @@ spec = do
       ]
       $ \(reply, wanted) -> do
         came <-
-          withProcess OneShot (Limits 20) (shell (answering reply)) $ \subject ->
+          withProcess OneShot (Limits 20 60) (shell (answering reply)) $ \subject ->
             forM (subjectChecks subject) checkTry
         (reply, came) `shouldBe` (reply, Right [wanted])
   it "each thing that must hold of the exchange itself says so in a sentence" $ do
@@ -116,7 +116,7 @@ spec = do
       `shouldBe` ["protocol/none-in-force-after-a-refusal", "protocol/ends-with-its-input"]
         ++ ["protocol/ends-when-stopped"]
     Right alone <-
-      withProcess OneShot (Limits 20) (shell once') $ \subject -> do
+      withProcess OneShot (Limits 20 60) (shell once') $ \subject -> do
         (subjectBatch subject, subjectUnknown subject) `shouldBe` (32, [])
         pure (subjectChecks subject)
     ids alone `shouldBe` ["protocol/unknown-operation-is-skipped"]
@@ -125,7 +125,7 @@ spec = do
 
 -- | A subject that is a shell script.
 session :: Command -> (Subject -> IO a) -> IO (Either Fault a)
-session = withProcess InSession (Limits 20)
+session = withProcess InSession (Limits 20 60)
 
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]

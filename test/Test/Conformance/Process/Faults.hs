@@ -6,7 +6,8 @@ module Test.Conformance.Process.Faults (spec) where
 
 import Data.Aeson (Value (..))
 import Data.Foldable (for_)
-import Data.List (isInfixOf)
+import Data.List (intercalate, isInfixOf)
+import GHC.Clock (getMonotonicTime)
 import System.Directory (findExecutable)
 import System.FilePath ((</>))
 import System.Process (readProcess)
@@ -28,6 +29,8 @@ spec = do
       choiceSpec
       replaySpec
       endSpec
+      signalSpec
+      limitSpec
   usageSpec
 
 -- | What a process can do instead of replying, and the name that it gets.
@@ -217,6 +220,41 @@ endSpec = describe "nothing is left behind" $
             ""
         said `shouldBe` "True 0 0\n"
 
+signalSpec :: Spec
+signalSpec = describe "signals" $ do
+  it "end it whenever they come, as they end any program" $
+    for_ ["SIGINT", "SIGTERM", "SIGHUP"] $ \signal -> do
+      said <-
+        readProcess
+          "python3"
+          ( ["test/subjects/signalled.py", signal]
+              ++ map show [0 :: Int .. 39]
+              ++ words "-- pra-tactile conform -- sleep 5"
+          )
+          ""
+      (signal, words said) `shouldBe` (signal, [signal])
+  it "that are ignored when it starts stay so" $ do
+    said <-
+      readProcess
+        "sh"
+        [ "-c",
+          "trap '' HUP INT TERM; pra-tactile conform --run field/addition-commutes -- sh -c 'sleep \
+          \1; exec pra-tactile serve' > /dev/null & sleep 0.5; kill -HUP $!; kill -INT $!; kill \
+          \-TERM $!; wait $!; echo $?"
+        ]
+        ""
+    said `shouldBe` "0\n"
+
+limitSpec :: Spec
+limitSpec = describe "the time for all of it" $
+  it "holds before the first reply, too" $
+    for_ [[], ["--one-shot"], ["--parallel", "3"]] $ \how -> do
+      begun <- getMonotonicTime
+      outcome <- pra (["conform", "--limit", "0.5"] ++ how ++ words "-- sleep 60")
+      ended <- getMonotonicTime
+      outcome `refuses` "the time of --limit was over"
+      ended - begun `shouldSatisfy` (< 3)
+
 usageSpec :: Spec
 usageSpec = describe "usage" $ do
   it "a command that cannot be started, or never answers" $ do
@@ -234,7 +272,16 @@ usageSpec = describe "usage" $ do
       writeFile (folder </> "known") "field/no-such-law\n"
       ["conform", "--known-failures", folder </> "known", "--", "true"]
         `complains` "no law is called \"field/no-such-law\""
+  it "a profile of an array that is too large for the definition" $
+    inFolder $ \folder -> do
+      (_, profile, _) <- pra (words "profile --q 2 --shape 4095x4097 --polynomial" ++ [pentanomial])
+      writeFile (folder </> "large.json") profile
+      ["conform", "--profile", folder </> "large.json", "--", "true"]
+        `complains` "large: this profile's array has more than 2^20 cells"
   it "the laws are listed, each once" $ do
     (status, out, _) <- pra ["conform", "--list", "--stage", "field"]
     status `shouldBe` 0
     length (filter (isInfixOf "field/addition-commutes") (lines out)) `shouldBe` 1
+  where
+    -- x^24 + x^7 + x^2 + x + 1
+    pentanomial = intercalate "," (words "1 1 1 0 0 0 0 1" ++ replicate 16 "0" ++ ["1"])

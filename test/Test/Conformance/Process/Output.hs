@@ -135,7 +135,7 @@ oneShotSpec = do
   it "offers what it does not skip" $ do
     offers <-
       offeredOneShot
-        (Limits 20)
+        (Limits 20 60)
         ( shell . unwords $
             [ "read -r line; case $line in",
               "*'\"add\"'*|*'\"stitch\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;;",
@@ -150,9 +150,9 @@ oneShotSpec = do
           "read -r line; case $line in *'\"add\"'*) exit 5 ;; \
           \*'\"pack\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; \
           \*) echo '{\"sequence\":1,\"result\":0}' ;; esac"
-    offers <- offeredOneShot (Limits 20) (shell script) canonicalProfile
+    offers <- offeredOneShot (Limits 20 60) (shell script) canonicalProfile
     offers `shouldBe` Right [o | o <- [minBound ..], o /= OfPack]
-    none <- offeredOneShot (Limits 20) (Command "./no-such-program" []) canonicalProfile
+    none <- offeredOneShot (Limits 20 60) (Command "./no-such-program" []) canonicalProfile
     none `shouldBe` Left (Fault CannotStart "there is no such program")
   it "is asked with numbers from 1 on, which the replies have, and no more than one" $ do
     let numbered = "n=${line##*:}; n=${n%?}; "
@@ -164,7 +164,7 @@ oneShotSpec = do
               "*sequence*) " ++ numbered ++ reply "$n" ++ more ++ " ;;",
               "*) echo '{\"result\":true}' ;; esac"
             ]
-    came <- withProcess OneShot (Limits 20) (script "") $ \subject -> do
+    came <- withProcess OneShot (Limits 20 60) (script "") $ \subject -> do
       put <- subjectProfile subject canonicalProfile
       (,,) (subjectName subject) put <$> subjectAsk subject (map adds [5, 6, 7])
     came `shouldBe` Right ("sh", Right (ResponseResult (Bool True)), map sumOf [1, 2, 3])
@@ -175,11 +175,11 @@ oneShotSpec = do
         ("; exit 1", Crashed)
       ]
       $ \(more, kind) -> do
-        one <- oneShot (Limits 20) (script more) canonicalProfile (Just (1, adds 1))
+        one <- oneShot (Limits 20 60) (script more) canonicalProfile (Just (1, adds 1))
         either faultKind (const TooSlow) one `shouldBe` kind
     forM_ [(0, OutOfOrder), (1, TooSlow), (2, OutOfOrder)] $ \(number, kind) -> do
       let fixed = shell ("cat > /dev/null; " ++ sayFixed number)
-      one <- oneShot (Limits 20) fixed canonicalProfile (Just (1, adds 1))
+      one <- oneShot (Limits 20 60) fixed canonicalProfile (Just (1, adds 1))
       either faultKind (const TooSlow) one `shouldBe` kind
   where
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
@@ -317,7 +317,7 @@ outputSpec = do
 
 -- | A subject that is a shell script.
 session :: Command -> (Subject -> IO a) -> IO (Either Fault a)
-session = withProcess InSession (Limits 20)
+session = withProcess InSession (Limits 20 60)
 
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]

@@ -4,6 +4,7 @@ module PraTactile.Conformance.Process.Session
   ( Session,
     Limits (..),
     withSession,
+    opening,
     sessionStarted,
     putProfile,
     askAll,
@@ -17,6 +18,7 @@ where
 import Control.Exception
 import Data.ByteString (ByteString)
 import Data.IORef
+import Data.Maybe (fromMaybe)
 import PraTactile.Conformance.Process.Await
 import PraTactile.Conformance.Process.Child
 import PraTactile.Conformance.Process.Reply
@@ -25,9 +27,11 @@ import PraTactile.Conformance.Subject
 import PraTactile.Profile (Profile)
 
 -- | How long is waited.
-newtype Limits = Limits
+data Limits = Limits
   { -- | For the reply to each request, seconds.
-    limitReply :: Double
+    limitReply :: Double,
+    -- | For all that is asked before the subject can be used, seconds.
+    limitOpening :: Double
   }
 
 -- | A process of a command, or none at the moment.
@@ -48,12 +52,16 @@ withSession :: Limits -> Command -> (Session -> IO a) -> IO (Either Fault a)
 withSession limits command use = do
   held <- newIORef Nothing
   flip finally (letGo held) $ do
-    started <- begun limits command held
+    started <- opening limits (begun limits command held)
     case started of
       Left fault -> pure (Left fault)
       Right said -> do
         session <- Session command limits said held <$> newIORef Nothing <*> newIORef 1
         Right <$> use session
+
+-- | What comes of an action, if that comes in the time for what is asked first.
+opening :: Limits -> IO (Either Fault a) -> IO (Either Fault a)
+opening limits = fmap (fromMaybe (Left timeOver)) . withinSeconds (limitOpening limits)
 
 -- | Start the command and await its first reply.
 begun :: Limits -> Command -> IORef (Maybe Child) -> IO (Either Fault Started)

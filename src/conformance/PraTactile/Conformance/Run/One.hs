@@ -11,7 +11,6 @@ module PraTactile.Conformance.Run.One
     -- * Reports of what was not tried
     skipped,
     tooSlow,
-    timeoutSeconds,
 
     -- * Checks of the protocol
     checkReport,
@@ -34,7 +33,6 @@ import PraTactile.Conformance.Run.Work
 import PraTactile.Conformance.Subject
 import PraTactile.Format.Error (FormatError)
 import PraTactile.Profile (Profile)
-import System.Timeout (timeout)
 
 -- | A subject, and the profile that was put in force last, with what came instead of that.
 data Worker = Worker Subject (IORef (Maybe (Profile, Maybe Counterexample)))
@@ -200,14 +198,14 @@ outOfTime report =
     { lawReportOutcome = Errored,
       lawReportCounterexample =
         Just
-          (counterexample [] Nothing "" (Left late) "--limit is the time for all laws together")
+          ( counterexample
+              []
+              Nothing
+              ""
+              (Left timeOver)
+              "--limit is the time for all laws together"
+          )
     }
-  where
-    late = Fault TooSlow "the time for all of it was over"
-
--- | The result, unless it takes more than so many seconds.
-timeoutSeconds :: Double -> IO a -> IO (Maybe a)
-timeoutSeconds seconds = timeout (max 1 (ceiling (min 1e9 seconds * 1e6)))
 
 -- | A check that was not made.
 checkReport :: Check -> LawReport
