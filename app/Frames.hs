@@ -24,7 +24,7 @@ import System.FilePath (takeDirectory)
 framesArgument :: Parser [FilePath]
 framesArgument =
   some
-    ( strArgument
+    ( pathArgument
         ( metavar "PATH..."
             <> action "file"
             <> help "Images, folders of frames, or frames; - is an image on the standard input"

@@ -11,6 +11,8 @@ module Options
     defaulting,
     fileOption,
     optionalFile,
+    folderOption,
+    pathArgument,
     outputFileOption,
     choosing,
     allNamed,
@@ -68,11 +70,21 @@ defaulting standard reader name meta text =
 
 -- | An option whose value is a file, likewise.
 fileOption :: String -> String -> String -> Parser FilePath
-fileOption name meta text = strOption (long name <> metavar meta <> action "file" <> help text)
+fileOption name meta text =
+  option pathReader (long name <> metavar meta <> action "file" <> help text)
 
 -- | The same that may be left out.
 optionalFile :: String -> String -> String -> Parser (Maybe FilePath)
 optionalFile name meta = optional . fileOption name meta
+
+-- | An option whose value is a folder.
+folderOption :: String -> String -> Parser FilePath
+folderOption name text =
+  option pathReader (long name <> metavar "FOLDER" <> action "directory" <> help text)
+
+-- | An argument that is a path, with its properties.
+pathArgument :: Mod ArgumentFields FilePath -> Parser FilePath
+pathArgument = argument pathReader
 
 -- | @--output FILE@, in place of the standard output.
 outputFileOption :: Parser (Maybe FilePath)

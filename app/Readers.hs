@@ -13,6 +13,9 @@ module Readers
     shapeReader,
     positionReader,
 
+    -- * Paths
+    pathReader,
+
     -- * Names
     namedReader,
     namedReaderBy,
@@ -114,6 +117,11 @@ pairReader :: Decimal a => Char -> String -> ReadM (a, a)
 pairReader separator example = eitherReader $ \text -> case splitOn separator text of
   a :| [b] | Right x <- readDecimal a, Right y <- readDecimal b -> Right (x, y)
   _ -> Left (quoted text ++ " is not understood; write it as in " ++ example)
+
+-- | The path of a file or a folder, which no empty text is.
+pathReader :: ReadM FilePath
+pathReader = eitherReader $ \text ->
+  if null text then Left "an empty text names no file or folder" else Right text
 
 -- | One of these by its name; the text says what it would be.
 namedReader :: String -> [(String, a)] -> ReadM a

@@ -48,7 +48,8 @@ sensorOptions :: Parser SensorChoice
 sensorOptions =
   SensorChoice
     <$> optional
-      ( strOption
+      ( option
+          pathReader
           ( long "sensor"
               <> metavar "PRESET|FILE"
               <> completeWith (map presetName [minBound ..])

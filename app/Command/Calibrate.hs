@@ -29,13 +29,10 @@ command =
       "pra-tactile calibrate --dark dark --flat flat --output calibration.json"
     ]
     ( run
-        <$> folder "dark" "The folder of frames where nothing is touched"
-        <*> folder "flat" "The folder of frames where all taxels are pressed alike"
+        <$> folderOption "dark" "The folder of frames where nothing is touched"
+        <*> folderOption "flat" "The folder of frames where all taxels are pressed alike"
         <*> fileOption "output" "FILE" "The calibration, which stitch, decode and register take"
     )
-  where
-    folder name text =
-      strOption (long name <> metavar "FOLDER" <> action "directory" <> help text)
 
 run :: FilePath -> FilePath -> FilePath -> IO ExitStatus
 run dark flat output = do

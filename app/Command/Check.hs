@@ -22,7 +22,7 @@ command =
     \and the rank or the digest."
     ["pra-tactile check paper.json"]
     ( run
-        <$> strArgument (metavar "FILE" <> action "file")
+        <$> pathArgument (metavar "FILE" <> action "file")
         <*> jsonSwitch "Print the outcome as JSON"
     )
 

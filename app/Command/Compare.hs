@@ -30,8 +30,8 @@ command =
       "pra-tactile compare answer.json truth.json"
     ]
     ( run
-        <$> strArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
-        <*> strArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
+        <$> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
+        <*> pathArgument (metavar "TRUTH" <> help "The file that 'probe --truth' wrote")
         <*> jsonSwitch "Print the comparison as JSON"
     )
 

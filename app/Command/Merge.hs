@@ -32,7 +32,7 @@ command =
     ["pra-tactile merge part1.csv part2.csv part3.csv --output census.csv"]
     ( run
         <$> some
-          ( strArgument
+          ( pathArgument
               (metavar "FILE..." <> action "file" <> help "Files of 'pra-tactile census --shard'")
           )
         <*> keepWholeSwitch

@@ -110,12 +110,7 @@ optionsParser =
       )
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
     <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
-    <*> strOption
-      ( long "output"
-          <> metavar "FOLDER"
-          <> action "directory"
-          <> help "A folder that is new or empty"
-      )
+    <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
 

@@ -39,7 +39,7 @@ command =
         <*> surfaceOption
         <*> jsonSwitch "Print the verdict as JSON"
         <*> optional
-          ( strArgument
+          ( pathArgument
               ( metavar "FILE"
                   <> action "file"
                   <> help

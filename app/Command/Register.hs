@@ -51,8 +51,8 @@ command =
         )
     pairArguments =
       PairRequest
-        <$> strArgument (metavar "A.pgm" <> action "file")
-        <*> strArgument (metavar "B.pgm" <> action "file")
+        <$> pathArgument (metavar "A.pgm" <> action "file")
+        <*> pathArgument (metavar "B.pgm" <> action "file")
         <*> option
           (pairReader ',' "8,0")
           ( long "step" <> metavar "DX,DY"

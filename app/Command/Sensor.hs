@@ -25,7 +25,8 @@ command =
       \--seed 7 --sensor mine.json --output frames"
     ]
     ( run
-        <$> strOption
+        <$> option
+          pathReader
           ( long "preset"
               <> metavar "NAME"
               <> completeWith (map presetName [minBound ..])

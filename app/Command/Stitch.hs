@@ -54,7 +54,7 @@ command =
               \at whatever angle (default)"
               mempty
           )
-        <*> strArgument (metavar "FOLDER" <> action "directory")
+        <*> pathArgument (metavar "FOLDER" <> action "directory")
         <*> optionalFile "output" "FILE" "The composite, .pgm or .png"
         <*> optionalFile
           "report"

@@ -20,7 +20,14 @@ import PraTactile.Conformance.Vectors
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Profile (Profile)
 import System.Directory (createDirectoryIfMissing, doesDirectoryExist, listDirectory)
-import System.FilePath (takeBaseName, takeExtension, (<.>), (</>))
+import System.FilePath
+  ( takeBaseName,
+    takeDirectory,
+    takeExtension,
+    takeFileName,
+    (<.>),
+    (</>),
+  )
 import Visible (visibleName)
 
 -- | What is to be done.
@@ -39,13 +46,12 @@ command =
     [ "pra-tactile vectors --output vectors --operation locate",
       "pra-tactile vectors --check data/vectors"
     ]
-    (run <$> (making <|> Check <$> folder "check" "Check the vectors in this folder"))
+    (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
   where
-    folder name text = strOption (long name <> metavar "FOLDER" <> action "directory" <> help text)
     operations = [(operationName one, one) | one <- codeOperations]
     making =
       Make
-        <$> folder "output" "Write the vectors here; files of the same name are replaced"
+        <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
         <*> optional
           (choosing "operation" operations "operation" "NAME" "Of one operation" mempty)
         <*> optionalFile "profile" "FILE" "Under the profile in this file (default: those shipped)"
@@ -110,9 +116,17 @@ check folder = do
       made <-
         makeVectors (fromMaybe 1 (statedSeed stated)) prepared (statedOperation stated)
           >>= orUnusable (\why -> visibleName file ++ ": " ++ why)
-      case difference bytes stated made of
+      case misplaced file stated <|> difference bytes stated made of
         Nothing -> go ready' (tests + length (statedTests stated)) others
         Just why -> NotAnswered <$ putStrLn ("bad: " ++ visibleName file ++ ": " ++ why)
+
+-- | What is wrong with the place of a file, which is the folder of its operation.
+misplaced :: FilePath -> StatedVectors -> Maybe String
+misplaced file stated
+  | takeFileName (takeDirectory file) == operation = Nothing
+  | otherwise = Just ("it has tests of " ++ operation ++ ", whose folder is another one")
+  where
+    operation = operationName (statedOperation stated)
 
 -- | What is prepared for a profile, found among the last ones or made and kept with them.
 preparedFor ::

@@ -54,6 +54,7 @@ misfitMessage misfit = case misfit of
   NotObject -> "an object is needed"
   NotList -> "a list is needed"
   NotText -> "a text is needed"
+  NotFileName -> "a file's name is needed"
   NotBool -> "true or false is needed"
   NotNatural -> "a number 0, 1, 2, ... is needed"
   NotInteger -> "a whole number is needed"

@@ -50,8 +50,8 @@ data Folder = Folder
 
 -- | Why a source holds no frames.
 data SourceError
-  = -- | The manifest names this file, which is not one of its folder: the path is absolute or has a
-    -- @..@ in it.
+  = -- | The manifest names this file, which is not one of its folder: the path is absolute, has a
+    -- @..@ in it, or is no file's name at all ('isFileName').
     ImageElsewhere FilePath
   | -- | The manifest names this file, and it is not among the folder's images.
     ImageAbsent FilePath
@@ -70,7 +70,8 @@ imagesNamed = Set.toAscList . Set.fromList . filter inside . map entryFile . man
 
 -- | Whether a name stays within the folder that it is relative to.
 inside :: FilePath -> Bool
-inside name = not (isAbsolute name) && ".." `notElem` splitDirectories name
+inside name =
+  isFileName name && not (isAbsolute name) && ".." `notElem` splitDirectories name
 
 -- | All frames of a folder, in the manifest's order and along its axes. Refuses, naming the file,
 -- images that cannot be read or are not there, and names that lead out of the folder.

@@ -22,7 +22,7 @@ import qualified PraTactile.Conformance.Vectors.Draw as Draw
 import PraTactile.Conformance.Vectors.Text
 import PraTactile.Format.Profile (encodeProfile)
 import PraTactile.Profile
-import System.Directory (createDirectory, listDirectory)
+import System.Directory (createDirectory, listDirectory, renameDirectory)
 import System.FilePath ((<.>), (</>))
 import System.Random (genWord64, mkStdGen)
 import Test.CommandLine.Run
@@ -125,6 +125,13 @@ commandSpec = describe "vectors" $ do
       Bytes.writeFile file (Bytes8.unlines others)
       (status', out', _) <- pra ["vectors", "--check", place </> "v"]
       (status', "belongs" `isInfixOf` out') `shouldBe` (1, True)
+  it "--check: a file in the folder of another operation is bad, whatever it has" $
+    inFolder $ \place -> do
+      pra ["vectors", "--output", place, "--operation", "negate"] >>= (`shouldSatisfy` answered)
+      renameDirectory (place </> "negate") (place </> "add")
+      (status, out, _) <- pra ["vectors", "--check", place]
+      (status, "it has tests of negate, whose folder is another one" `isInfixOf` out)
+        `shouldBe` (1, True)
   it "--profile, --seed: a profile of one's own, named by its file, and other drawn inputs" $
     inFolder $ \place -> do
       let arguments seed to =

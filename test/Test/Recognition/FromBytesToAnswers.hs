@@ -52,7 +52,7 @@ bytesSpec = do
     property $
       forAll (listOf1 genFrame) $ \frames ->
         fmap folderFrames (folderOf frames) === Right (Right frames)
-  it "a name that leads out of the folder is refused, even if there are bytes for it" $
+  it "a name that leads out of the folder, or is none, is refused, even if there are bytes for it" $
     [folderFrames (Folder (listed [name]) (Map.singleton name flat)) | name <- elsewhere]
       `shouldBe` map (Left . ImageElsewhere) elsewhere
   it "an image that is not there, or none, is refused by its name" $ do
@@ -67,7 +67,7 @@ bytesSpec = do
     imagesNamed (listed (["b.pgm", "sub/a.pgm", "b.pgm"] ++ elsewhere))
       `shouldBe` ["b.pgm", "sub/a.pgm"]
   where
-    elsewhere = ["../a.pgm", "/a.pgm", "sub/../../a.pgm"]
+    elsewhere = ["../a.pgm", "/a.pgm", "sub/../../a.pgm", "a.pgm\0", "\0"]
 
 -- | Frames of 16 x 16 taxels whose images pass through 8 bits unchanged.
 genFrame :: Gen Frame

@@ -46,6 +46,8 @@ data Misfit
   | NotObject
   | NotList
   | NotText
+  | -- | Not a text that can be a file's name.
+    NotFileName
   | -- | Neither true nor false.
     NotBool
   | -- | No number 0, 1, 2, ..., neither as a JSON number below 10^18 nor as a decimal string.

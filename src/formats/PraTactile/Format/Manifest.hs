@@ -24,8 +24,8 @@ encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
 -- | The manifest in a JSON text as 'encodeManifest' makes it; @frame@ and @axes@ may be left out.
--- Refuses another schema, a pitch that is not positive, a manifest without frames, and file names
--- that are empty.
+-- Refuses another schema, a pitch that is not positive, a manifest without frames, and what is no
+-- file's name.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
@@ -66,7 +66,7 @@ manifestKeys =
 entryKeys :: Keys Entry Entry
 entryKeys =
   entry
-    <$> key "file" (such (not . null) NotText text) entryFile
+    <$> key "file" fileName entryFile
     <*> key "x_mm" real (poseX . entryPose)
     <*> key "y_mm" real (poseY . entryPose)
     <*> key "rotation_deg" real (poseRotation . entryPose)

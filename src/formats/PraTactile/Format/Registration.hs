@@ -63,8 +63,8 @@ decodePairRequest :: ByteString -> Either FormatError PairRequest
 decodePairRequest =
   decodeWith $
     PairRequest
-      <$> key "a" text requestFirst
-      <*> key "b" text requestSecond
+      <$> key "a" fileName requestFirst
+      <*> key "b" fileName requestSecond
       <*> key "step" (pairOf real) requestStep
 
 -- | The name of a method.

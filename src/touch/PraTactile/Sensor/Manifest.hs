@@ -7,6 +7,7 @@ module PraTactile.Sensor.Manifest
     Manifest (..),
     listing,
     Entry (..),
+    isFileName,
     manifestName,
     jsonManifestName,
 
@@ -27,6 +28,7 @@ module PraTactile.Sensor.Manifest
   )
 where
 
+import Control.Monad (unless)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
@@ -126,6 +128,11 @@ alongAxes (Axes swapped a b) (Pose first second r)
     u = if a then negate first else first
     v = if b then negate second else second
 
+-- | Whether a text can be a file's name: it is not empty, and has no NUL, at which the system would
+-- end it.
+isFileName :: FilePath -> Bool
+isFileName name = not (null name) && '\0' `notElem` name
+
 -- | Why a manifest is refused. Lines count from 1, the header's.
 data ManifestError
   = -- | The file has no line at all.
@@ -136,7 +143,7 @@ data ManifestError
     NotCsv !Int
   | -- | The line has this many fields instead of five.
     WrongFieldCount !Int !Int
-  | -- | The line's file name is empty or not UTF-8.
+  | -- | The line's file name is not UTF-8, or no file's name ('isFileName').
     BadFileName !Int
   | -- | The line's field of that name is not a finite decimal number of at most 400 characters;
     -- what it is.
@@ -190,7 +197,7 @@ entry i line = do
   case V.toList fields of
     [file, x, y, rotation, force] -> do
       name <- either (const (Left (BadFileName i))) Right (decodeUtf8' file)
-      if T.null name then Left (BadFileName i) else Right ()
+      unless (isFileName (T.unpack name)) (Left (BadFileName i))
       pose <- Pose <$> number "x_mm" x <*> number "y_mm" y <*> number "rotation_deg" rotation
       Entry (T.unpack name) pose <$> number "force_n" force
     other -> Left (WrongFieldCount i (length other))
@@ -213,7 +220,7 @@ shown :: ByteString -> Text
 shown field = either (const (T.pack (show field))) id (decodeUtf8' field)
 
 -- | The manifest of those entries. 'parseManifest' gives the entries back, to the bit, provided
--- that there are some, that no file name is empty or holds a line break, and that the numbers are
+-- that there are some, that no file name holds a line break or is none, and that the numbers are
 -- finite.
 renderManifest :: [Entry] -> ByteString
 renderManifest entries =

@@ -83,7 +83,7 @@ entryOf i line = case fieldsOf line of
     let numbers = map numberOf [x, y, rotation, force]
         named = either (const Nothing) (Just . T.unpack) (decodeUtf8' file)
         causes =
-          [BadFileName i | maybe True null named]
+          [BadFileName i | maybe True (\name -> null name || '\0' `elem` name) named]
             ++ [ BadNumber i name (shown field)
                  | (name, field) <- zip (drop 1 manifestHeader) [x, y, rotation, force],
                    isNothing (numberOf field)

@@ -193,9 +193,10 @@ manifests = do
   it "names the line with the wrong number of fields" $ do
     parseManifest (header <> "a,1,2,0\n") `shouldBe` Left (WrongFieldCount 2 4)
     parseManifest (header <> "a,1,2,0,3\nb,1,2,0,3,4\n") `shouldBe` Left (WrongFieldCount 3 6)
-  it "refuses a file name that is empty or not UTF-8" $ do
+  it "refuses a file name that is empty, has a NUL or is not UTF-8" $ do
     parseManifest (header <> ",1,2,0,3\n") `shouldBe` Left (BadFileName 2)
     parseManifest (header <> "\xff,1,2,0,3\n") `shouldBe` Left (BadFileName 2)
+    parseManifest (header <> "f1.pgm\0,1,2,0,3\n") `shouldBe` Left (BadFileName 2)
   it "refuses another header, an empty file and one without frames" $ do
     parseManifest "file,x_mm,y_mm,rotation,force_n\n"
       `shouldBe` Left (WrongHeader ["file", "x_mm", "y_mm", "rotation", "force_n"])

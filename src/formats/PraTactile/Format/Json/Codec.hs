@@ -15,6 +15,7 @@ module PraTactile.Format.Json.Codec
     such,
     nullable,
     text,
+    fileName,
     bool,
     natural,
     integer,
@@ -66,6 +67,7 @@ import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format.Error
 import PraTactile.Format.Json
 import PraTactile.Format.Json.Strict
+import PraTactile.Sensor.Manifest (isFileName)
 
 -- | From a JSON value to what it stands for.
 type FromValue a = Value -> Either FormatError a
@@ -126,6 +128,10 @@ text :: Codec String
 text = Codec id $ \value -> case value of
   String given -> Right (Text.unpack given)
   _ -> refuse NotText
+
+-- | A file's name.
+fileName :: Codec FilePath
+fileName = such isFileName NotFileName text
 
 -- | True or false.
 bool :: Codec Bool
