@@ -38,6 +38,7 @@ import qualified Command.Table
 import qualified Command.Train
 import qualified Command.Vectors
 import Data.Char (isLower)
+import Data.List (dropWhileEnd, isPrefixOf)
 import Data.Version (showVersion)
 import ExitStatus
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
@@ -46,7 +47,7 @@ import Options.Applicative.Help (renderHelp)
 import Paths_pra_tactile (version)
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..))
-import System.IO (hPutStrLn, hSetEncoding, stderr, stdout)
+import System.IO (hSetEncoding, stderr, stdout)
 import System.Posix.Signals (Handler (Default), installHandler, sigPIPE)
 
 main :: IO ()
@@ -65,43 +66,42 @@ main = do
       Success run -> run
       Failure failure -> case misunderstood name failure of
         Right asked -> Answered <$ putStrLn asked
-        Left [] -> Unusable <$ hPutStrLn stderr (fst (renderFailure failure name))
-        Left complaints -> Unusable <$ mapM_ warn complaints
+        Left complaint -> Unusable <$ warn complaint
       CompletionInvoked completion -> Answered <$ (execCompletion completion name >>= putStr)
 
 -- | How arguments are parsed.
 preferences :: ParserPrefs
-preferences = prefs showHelpOnEmpty
+preferences = defaultPrefs
 
 -- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read
--- what is right, a line each, or with nothing where the help is all that is to be said. The name is
--- the program's.
-misunderstood :: String -> ParserFailure ParserHelp -> Either [String] String
+-- what is right, on one line. The name is the program's.
+misunderstood :: String -> ParserFailure ParserHelp -> Either String String
 misunderstood name failure = case execFailure failure name of
   (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
-  (explained, ExitFailure _, _)
-    | null complaint -> Left []
-    | otherwise ->
-      Left
-        [ text
+  (explained, ExitFailure _, _) ->
+    Left (dropWhileEnd (== '.') complaint ++ "; try '" ++ unwords asked ++ " --help'")
+    where
+      -- The usage begins with the words of the command.
+      asked =
+        takeWhile
+          (\word -> all (\c -> isLower c || c == '-') word && take 1 word /= "-")
+          (drop 1 (words (text mempty {helpUsage = helpUsage explained})))
+      complaint
+        -- What may stand for a command is a list of all of them, by no name.
+        | lacksCommand = "name a command"
+        | otherwise =
+          text
             mempty
               { helpError = helpError explained,
                 helpSuggestions = if brief then helpSuggestions explained else mempty
-              },
-          "try '" ++ unwords (commandOf (helpUsage explained)) ++ " --help'"
-        ]
-    where
-      complaint = text mempty {helpError = helpError explained}
+              }
+      lacksCommand = "Missing: COMMAND" `isPrefixOf` said
       -- The words near to a longer one would be sought in a time and a memory that grow with it,
       -- for nothing.
-      brief = null (drop 500 complaint)
+      brief = null (drop 500 said)
+      said = text mempty {helpError = helpError explained}
   where
     text = unwords . words . renderHelp 100000
-    -- The usage begins with the words of the command.
-    commandOf usage =
-      takeWhile
-        (all (\c -> isLower c || c == '-'))
-        (drop 1 (words (renderHelp 100000 mempty {helpUsage = usage})))
 
 commandLine :: ParserInfo (IO ExitStatus)
 commandLine =

@@ -3,30 +3,68 @@
 -- | What is said of arguments and names, and what is read of a standard input that is no text.
 module Test.CommandLine.Arguments (argumentsSpec, inputSpec) where
 
+import CommandLine (commandLine, misunderstood, preferences)
 import Data.Aeson (Value (..))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
+import Data.Char (isUpper)
+import Data.Either (fromLeft)
 import Data.Foldable (for_)
-import Data.List (isInfixOf)
+import Data.List (isInfixOf, isPrefixOf, isSuffixOf)
+import Options.Applicative (ParserResult (..), execParserPure)
 import Readers
 import System.Directory
 import System.FilePath ((</>))
 import Test.CommandLine.Run
+import Test.Hostile.Arguments
 import Test.Hspec
-import Test.QuickCheck
+import Test.QuickCheck hiding (Failure, Success)
 import Test.Support
 import Visible
 
 argumentsSpec :: Spec
 argumentsSpec = describe "arguments" $ do
-  it "an error in one of them is that line and one that points to the help" $ do
-    (status, out, err) <- pra ["array", "--shape", "15by17"]
-    (status, out) `shouldBe` (2, "")
-    lines err
-      `shouldBe` [ "pra-tactile: option --shape: \"15by17\" is not a shape; write ROWSxCOLUMNS, \
-                   \as in 15x17",
-                   "pra-tactile: try 'pra-tactile array --help'"
-                 ]
+  it "an error in one of them is a line that ends by naming the help" $
+    pra ["array", "--shape", "15by17"]
+      `shouldReturn` ( 2,
+                       "",
+                       "pra-tactile: option --shape: \"15by17\" is not a shape; write \
+                       \ROWSxCOLUMNS, as in 15x17; try 'pra-tactile array --help'\n"
+                     )
+  it "so is one in those of any command, and their absence where there must be some" $ do
+    pra [] `shouldReturn` (2, "", "pra-tactile: name a command; try 'pra-tactile --help'\n")
+    for_ commandsOfHelp $ \(Command name _ _) -> do
+      for_ [["--nothing"], ["--", "--nothing", "x", "y"], ["---"], []] $ \others ->
+        case execParserPure preferences commandLine (name : others) of
+          Failure failure -> do
+            -- Of options, those of all commands may follow a command that lacks nothing.
+            let endings = ["; try 'pra-tactile " ++ of' ++ "--help'" | of' <- [name ++ " ", ""]]
+                said = fromLeft "help" (misunderstood "pra-tactile" failure)
+            (said, length (lines said)) `shouldSatisfy` ((== 1) . snd)
+            said `shouldSatisfy` (\text -> any (`isSuffixOf` text) endings)
+            said `shouldSatisfy` (\text -> not (any (`isPrefixOf` text) endings))
+          _ -> others `shouldSatisfy` (`elem` [[], ["--", "--nothing", "x", "y"]])
+    for_ (words "decode check stitch compare") $ \name ->
+      pra [name] >>= (`refuses` ("--help'" :: String))
+  it "an empty one names no file or folder, whatever it would be for" $ do
+    for_ commandsOfHelp $ \(Command name options arguments) -> do
+      let paths =
+            [ [optionName option, ""]
+              | option <- options,
+                Just called <- [optionValue option],
+                takeWhile isUpper called `elem` ["FILE", "FOLDER"]
+            ]
+              ++ [[""] | called <- arguments, called `elem` ["FILE", "FOLDER", "PATH", "A.pgm"]]
+      for_ paths $ \given ->
+        case execParserPure preferences commandLine (name : given) of
+          Failure failure ->
+            either id id (misunderstood "pra-tactile" failure)
+              `shouldSatisfy` ("an empty text names no file or folder" `isInfixOf`)
+          _ -> expectationFailure (unwords (name : map show given) ++ " is understood")
+    inFolder $ \folder -> do
+      outcome <- scripted folder "pra vectors --output ''"
+      outcome `refuses` "an empty text names no file or folder"
+      listDirectory folder `shouldReturn` []
   it "what is no number is refused, whatever a programming language makes of it" $
     for_ ["0x10", " 1", "1 ", "1_000", "1e2", "(1)", "+1", "", "\x661", "1.0"] $ \text -> do
       (status, _, err) <- pra ["rates", "--trials", text]

@@ -62,7 +62,7 @@ commandsOfHelp =
       usage : others -> words (unwords (usage : takeWhile ("   " `isPrefixOf`) others))
       [] -> []
     helpOf arguments = case execParserPure preferences commandLine arguments of
-      Failure failure -> either unlines id (misunderstood "pra-tactile" failure)
+      Failure failure -> either id id (misunderstood "pra-tactile" failure)
       _ -> ""
 
 -- | The options and the arguments in the words of a usage.
@@ -183,9 +183,4 @@ judgedArguments arguments = case execParserPure preferences commandLine argument
   CompletionInvoked _ -> Accepted [] ""
   Failure failure -> case misunderstood "pra-tactile" failure of
     Right help -> Accepted [] help
-    -- The help that is shown where nothing was said.
-    Left [] ->
-      Accepted
-        [("there was nothing to complain about", length (filter (/= "--") arguments) <= 1)]
-        ""
-    Left complaints -> Refused (intercalate "; " complaints)
+    Left complaint -> Refused complaint
