@@ -110,18 +110,36 @@ data Budget = Budget Double Bool
 
 -- | The report of some work, if there is time for it; otherwise it says so.
 tryWithin :: Budget -> IORef Bool -> IO LawReport -> Work -> IO LawReport
-tryWithin (Budget deadline failFast) stopped try' work
+tryWithin budget stopped try' work
   | Just reason <- workLeftOut work = pure (skipped work reason)
-  | otherwise = do
-    over <- readIORef stopped
-    now <- getMonotonicTime
-    let left = deadline - now
-    if over && failFast
-      then pure (skipped work "not tried: another law failed before it")
-      else
-        if left <= 0
-          then pure (tooSlow work)
-          else fromMaybe (tooSlow work) <$> withinSeconds left try'
+  | otherwise = withinBudget budget stopped (skipped work leftAlone) (tooSlow work) try'
+
+-- | The report of a check, likewise.
+checkWithin :: Budget -> IORef Bool -> Check -> IO LawReport
+checkWithin budget stopped check =
+  withinBudget
+    budget
+    stopped
+    (checkReport check) {lawReportNote = Just leftAlone}
+    (checkTooSlow check)
+    (checkedReport check <$> checkTry check)
+
+-- | What comes of an attempt, or the first of these reports where a failure has ended it all, or
+-- the second where the time is over, before the attempt or during it.
+withinBudget :: Budget -> IORef Bool -> LawReport -> LawReport -> IO LawReport -> IO LawReport
+withinBudget (Budget deadline failFast) stopped ended late attempt = do
+  over <- readIORef stopped
+  now <- getMonotonicTime
+  let left = deadline - now
+      outcome
+        | over && failFast = pure ended
+        | left <= 0 = pure late
+        | otherwise = fromMaybe late <$> withinSeconds left attempt
+  outcome
+
+-- | Why something is not tried.
+leftAlone :: String
+leftAlone = "not tried: another law failed before it"
 
 checksChosen :: Settings -> Subject -> [Check]
 checksChosen settings subject =
@@ -131,19 +149,6 @@ checksChosen settings subject =
       null (settingRun settings) || any (`matches` checkId check) (settingRun settings),
       settingSkipMustFail settings || not (any (`matches` checkId check) (settingSkip settings))
   ]
-
-checkWithin :: Budget -> IORef Bool -> Check -> IO LawReport
-checkWithin (Budget deadline failFast) stopped check = do
-  over <- readIORef stopped
-  left <- subtract <$> getMonotonicTime <*> pure deadline
-  if over && failFast
-    then pure ((checkReport check) {lawReportNote = Just "not tried: another law failed before it"})
-    else
-      if left <= 0
-        then pure (checkTooSlow check)
-        else
-          maybe (checkTooSlow check) (checkedReport check)
-            <$> withinSeconds left (checkTry check)
 
 -- | A failure of a law that must fail is a known one.
 classify :: Settings -> LawReport -> LawReport
