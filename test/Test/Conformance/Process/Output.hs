@@ -281,6 +281,15 @@ outputSpec = do
         _ <- withErrors running (Fault Crashed "")
         (,) code <$> errorsTail running
       found `shouldBe` (Just ExitSuccess, Bytes.pack (drop (size - 4096) written))
+  it "to its standard error is told where it arrives after the end, if it ends soon" $ do
+    found <- child "(sleep 0.05; printf late >&2) & exit 3" $ \running -> do
+      code <- waitExit running 1e9
+      (,) code . faultDetail <$> withErrors running (Fault Crashed "it")
+    found `shouldBe` (Just (ExitFailure 3), "it; on its standard error: late")
+    held <- child "(printf one; sleep 20) >&2 & exit 3" $ \running -> do
+      _ <- waitExit running 1e9
+      faultDetail <$> withErrors running (Fault Crashed "it")
+    held `shouldBe` "it; on its standard error: one"
   it "to its standard error is told with a fault: the last 300 characters, no blanks at the end" $
     forM_
       [ ("", ""),

@@ -9,7 +9,6 @@ module PraTactile.Conformance.Process.Await
   )
 where
 
-import Control.Concurrent (threadDelay)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import GHC.Clock (getMonotonicTime)
@@ -80,8 +79,6 @@ endOf child partial = do
 -- | The fault with what the process said on its standard error.
 withErrors :: Child -> Fault -> IO Fault
 withErrors child fault = do
-  -- What a process says last may arrive after its end.
-  threadDelay 2000
   said <- errorsTail child
   pure $
     if Bytes.null (Bytes.filter (`notElem` " \n\r\t") said)

@@ -63,6 +63,8 @@ data Child = Child
     -- | What was received and not yet used.
     childUnread :: IORef ByteString,
     childErrors :: IORef ByteString,
+    -- | Full once there will be no more of that.
+    childErrorsEnd :: MVar (),
     childThreads :: [ThreadId]
   }
 
@@ -86,6 +88,7 @@ begun (Command program arguments) = do
   (handles, process) <- started
   broken <- newIORef False
   errors <- newIORef Bytes.empty
+  errorsEnd <- newEmptyMVar
   rest <- newIORef Bytes.empty
   queue <- newChan
   case handles of
@@ -95,7 +98,8 @@ begun (Command program arguments) = do
       out <- handleToFd output
       group <- maybe (throwIO (userError "it ended at once")) pure =<< getPid process
       writer <- forkIOWithUnmask (\unmasked -> unmasked (write queue broken input))
-      reader <- forkIOWithUnmask (\unmasked -> unmasked (keepTail complaints errors))
+      reader <- forkIOWithUnmask $ \unmasked ->
+        unmasked (keepTail complaints errors) `finally` putMVar errorsEnd ()
       pure
         Child
           { childProcess = process,
@@ -106,6 +110,7 @@ begun (Command program arguments) = do
             childInputLost = broken,
             childUnread = rest,
             childErrors = errors,
+            childErrorsEnd = errorsEnd,
             childThreads = [writer, reader]
           }
     _ -> throwIO (userError "it has no pipes")
@@ -175,9 +180,14 @@ inputLost child = do
   threadDelay 20000
   readIORef (childInputLost child)
 
--- | The end of what it wrote to its standard error, at most 4 KiB.
+-- | The end of what it wrote to its standard error, at most 4 KiB. Of a process that has ended all
+-- is awaited, because what it said last may arrive after its end; but no longer than half a second,
+-- for a child of its own may hold the pipe.
 errorsTail :: Child -> IO ByteString
-errorsTail = readIORef . childErrors
+errorsTail child = do
+  ended <- exitCode child
+  _ <- timeout (if isNothing ended then 2000 else 500000) (readMVar (childErrorsEnd child))
+  readIORef (childErrors child)
 
 -- | What was received and is to be used first by whoever reads on.
 unread :: Child -> IORef ByteString
